@@ -34,13 +34,13 @@ from posing.tables import Row
 from generator.errors import InputError, TabletopError
 from generator.io.pictures import write_picture
 from tabletopgen_env.detection.detector import shipped_digest
-from tabletopgen_env.learning.evaluating import EpisodeResult, Predicts, play, seeds, summarize
-from tabletopgen_env.learning.making import single_env, source_of
-from tabletopgen_env.learning.plotting import bands, draw
+from tabletopgen_env.learning.evaluation import EpisodeResult, Predicts, play, seeds, summarize
+from tabletopgen_env.learning.plots import bands, draw
 from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.progress import TrainingPlan
 from tabletopgen_env.learning.recipes import recipe as recipe_named
 from tabletopgen_env.learning.runs import LATEST, open_run
-from tabletopgen_env.learning.tracking import TrainingPlan
+from tabletopgen_env.learning.setup import single_env, source_of
 from tabletopgen_env.learning.training import train
 from tabletopgen_env.scenes.source import close
 from tabletopgen_env.statistics import wilson

@@ -17,7 +17,7 @@ from generator.jobs.pools import PoolOptions
 from tabletopgen_env.bench.leaderboard import page, read_results
 from tabletopgen_env.bench.players import SIMPLE
 from tabletopgen_env.bench.results import read_result
-from tabletopgen_env.bench.running import BenchRun, run_suite
+from tabletopgen_env.bench.run import BenchRun, run_suite
 from tabletopgen_env.bench.suites import find_suite, names
 from tabletopgen_env.learning.policies import load_policy, shipped_policies
 

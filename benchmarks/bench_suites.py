@@ -21,14 +21,14 @@ from generator.language.distribution import SceneDistribution
 from generator.scene.provenance import versions
 from tabletopgen_env import STEPS
 from tabletopgen_env.actions import CONTROL_HZ
-from tabletopgen_env.bench.drafting import FIRST, Quota, draft
 from tabletopgen_env.bench.instances import SuiteLevel, TaskSuites
+from tabletopgen_env.bench.suite_drafts import FIRST, Quota, draft
 from tabletopgen_env.bench.suites import PLACE, VERSION, write_suites
 from tabletopgen_env.certificates.certificate import STARTS, Terms
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.randomization.settings import PRESETS
-from tabletopgen_env.scenes.splitting import SHARE
+from tabletopgen_env.scenes.splits import SHARE
 from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.registry import task_named
 

@@ -70,7 +70,7 @@ def record(episodes: int, pool: PoolOptions) -> str:
 
 def evaluate(episodes: int, pool: PoolOptions) -> str:
     """Play a policy, and return the digest of the results."""
-    from tabletopgen_env.learning.evaluating import SEED, seeds
+    from tabletopgen_env.learning.evaluation import SEED, seeds
     from tabletopgen_env.learning.policies import load_policy
     from tabletopgen_env.learning.trial import PolicyTrial
     from tabletopgen_env.scenes.source import close
@@ -88,7 +88,7 @@ def evaluate(episodes: int, pool: PoolOptions) -> str:
 
 def make_bank(scenes: int, pool: PoolOptions) -> str:
     """Make a deck of fresh tables, and return the digest of its bank and episodes."""
-    from tabletopgen_env.batch.decks import DeckConfig, DeckPlan
+    from tabletopgen_env.parallel.batch.decks import DeckConfig, DeckPlan
     from tabletopgen_env.tasks.registry import task_named
 
     config = DeckConfig(scenes=scenes, episodes=2, workers=pool.workers, ray=pool.ray)

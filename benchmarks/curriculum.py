@@ -26,13 +26,13 @@ from posing import tables
 from posing.tables import Row
 
 from generator.errors import TabletopError
-from tabletopgen_env.learning.evaluating import play, seeds
-from tabletopgen_env.learning.making import single_env, source_of
+from tabletopgen_env.learning.evaluation import play, seeds
 from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.progress import TrainingPlan
 from tabletopgen_env.learning.recipes import Recipe
 from tabletopgen_env.learning.recipes import recipe as recipe_named
 from tabletopgen_env.learning.runs import LATEST
-from tabletopgen_env.learning.tracking import TrainingPlan
+from tabletopgen_env.learning.setup import single_env, source_of
 from tabletopgen_env.learning.training import train
 from tabletopgen_env.statistics import wilson
 

@@ -44,7 +44,7 @@ from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.backends.embedded.segmenter import SURE, looks_of, table_of
 from generator.errors import SceneError
 from generator.geometry import Camera, view_rotation
-from generator.language.naming import free_labels, weigh
+from generator.language.names import free_labels, weigh
 from research.eye.sample import Sample, worth_finding
 from research.eye.shards import ShardReader
 from tabletop_objects import CATEGORIES

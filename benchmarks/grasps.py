@@ -31,7 +31,7 @@ from generator.geometry import quaternion_matrix
 from generator.scene import TABLE, Object, Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.episodes import Held
-from tabletopgen_env.expert.planning.choosing import GraspPlan, first_reachable
+from tabletopgen_env.expert.planning.choice import GraspPlan, first_reachable
 from tabletopgen_env.expert.planning.grasps import TIP, Grasp
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.grasps import GraspCandidate, GraspLabels, GraspTerms, rate_grasps

@@ -27,7 +27,7 @@ from generator.backends.embedded.eye.weights import load_proportions, load_weigh
 from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.plane.measure import sized_extent
 from generator.backends.embedded.plane.plane import TablePlane
-from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
+from generator.backends.embedded.shapes.frames import frame_to_mask, small_mask
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection

@@ -123,8 +123,8 @@ def depth_facts(made: Any) -> dict[str, Any]:
     """Hold a scene against the depth map it was made from (see above); lengths in centimetres."""
     from generator.backends.embedded.depth.measure import steady, table_points
     from generator.backends.embedded.depth.plane import find_depth_plane
-    from generator.render.picture import scene_items
     from generator.render.raster import render
+    from generator.render.sheet import scene_items
 
     depth, height = np.asarray(made.reference.depth), made.scene.table.height
     masks = {i.name: np.asarray(i.mask) for i in made.instances}

@@ -27,7 +27,7 @@ from posing import tables
 from generator.errors import SceneError
 from tabletopgen_env.recording import LeRobotConfig, RecordConfig, record
 from tabletopgen_env.recording.config import Format
-from tabletopgen_env.recording.playing import play_episodes
+from tabletopgen_env.recording.episodes import play_episodes
 from tabletopgen_env.rendering.config import CameraName
 from tabletopgen_env.rendering.kinds import Kind
 

@@ -28,12 +28,12 @@ from posing.tables import Row
 from scipy.stats import binomtest
 
 from generator.scene import Scene
-from tabletopgen_env.batch.decks import DeckConfig
-from tabletopgen_env.batch.env import TabletopBatchEnv, time_limit
 from tabletopgen_env.env import make_env
 from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.learning.policies import TrainedPolicy, load_policy
+from tabletopgen_env.parallel.batch.decks import DeckConfig
+from tabletopgen_env.parallel.batch.env import TabletopBatchEnv, time_limit
 from tabletopgen_env.scenes import FixedScenes, resolve
 from tabletopgen_env.statistics import newcombe, wilson
 

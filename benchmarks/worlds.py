@@ -21,9 +21,9 @@ import torch
 from pace.sharded import resident
 from posing.tables import where
 
-from tabletopgen_env.batch.decks import DeckConfig
-from tabletopgen_env.batch.engine import free_bytes
-from tabletopgen_env.batch.env import TabletopBatchEnv
+from tabletopgen_env.parallel.batch.decks import DeckConfig
+from tabletopgen_env.parallel.batch.engine import free_bytes
+from tabletopgen_env.parallel.batch.env import TabletopBatchEnv
 
 HERE = Path(__file__).parent
 EPISODE = 20

@@ -12,8 +12,7 @@ import numpy as np
 from PIL import Image
 
 from generator.pipeline import generate
-from generator.render.picture import render_scene
-from generator.render.sheet import grid
+from generator.render.sheet import grid, render_scene
 
 
 def main() -> None:

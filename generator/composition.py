@@ -11,7 +11,7 @@ from dataclasses import replace
 from .errors import InputError, SceneError, require_seed
 from .language.planner import plan_scene
 from .layout import build_models, lay_out
-from .layout.checking import (
+from .layout.relation_check import (
     Rest,
     check_relations,
     list_unmet,

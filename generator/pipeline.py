@@ -13,7 +13,7 @@ from .generation import STAGES, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
 from .method.alignment import align, ask_layout
 from .method.extraction import extract
-from .method.modeling import make_models
+from .method.models import make_models
 from .method.publish import Reconstruction, publish
 from .method.reference import DepthSource, Source, fetch, fetch_depth, refer, source_digest
 from .method.refinement import refine_scene

@@ -25,7 +25,7 @@ for _task, _steps in STEPS.items():
     gymnasium.register(
         id=f"TabletopGen/{_task}-v0",
         entry_point="tabletopgen_env.env:make_env",
-        vector_entry_point="tabletopgen_env.vector:TabletopVectorEnv",
+        vector_entry_point="tabletopgen_env.parallel.vector:TabletopVectorEnv",
         kwargs={"task": _task},
         max_episode_steps=_steps,
         # The wrapper checks the first reset and step alone, as the tests of this package do in

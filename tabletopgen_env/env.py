@@ -22,15 +22,15 @@ from generator.errors import (
 
 from .actions import ActionMode, check_action
 from .certificates.instances import sample_episode
-from .core.vectors import agreement, goal_terms
 from .goals.goal import SPOT, Goal
+from .observations.bounds import Noise
 from .observations.flat_state import FlatState
 from .observations.grasp_hint import grasp_hint_of
 from .observations.height_map import HeightLook
 from .observations.instructions import show_instruction
 from .observations.modes import observation_space, slot_order
-from .observations.noise import Noise
 from .observations.proprioception import feel
+from .parallel.core.vectors import agreement, goal_terms
 from .randomization import Randomizer
 from .rendering.config import RENDER_MODES, CameraName
 from .rendering.drawer import drawer

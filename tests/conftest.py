@@ -56,7 +56,7 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.fixture
 def inline(monkeypatch: pytest.MonkeyPatch) -> None:
     """Read foreign files in this process: a child takes most of the time of a small test."""
-    monkeypatch.setattr("generator.sandbox.running.is_inside", lambda: True)
+    monkeypatch.setattr("generator.sandbox.runner.is_inside", lambda: True)
 
 
 @pytest.fixture

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from generator import bundle
-from generator.bundle.decoding import decode_scene
-from generator.bundle.encoding import dumps
+from generator.bundle.decoder import decode_scene
+from generator.bundle.encoder import dumps
 from generator.errors import BundleError
 from generator.physics.mjcf import document, mesh_path, texture_path
 

@@ -12,8 +12,8 @@ from forging import refused, rewrite
 from toy import toy_scene
 
 from generator import bundle
-from generator.bundle.decoding import decode_scene
-from generator.bundle.encoding import dumps, encode_scene
+from generator.bundle.decoder import decode_scene
+from generator.bundle.encoder import dumps, encode_scene
 from generator.errors import BundleError, SceneError, StorageError
 from generator.physics.gate import judge
 from generator.scene import (

@@ -15,7 +15,7 @@ from generator import bundle
 from generator.errors import SceneError
 from generator.method.stopwatch import Seconds
 from generator.physics.gate import judge
-from generator.render.picture import render_scene
+from generator.render.sheet import render_scene
 
 pytestmark = pytest.mark.usefixtures("store")
 

@@ -10,7 +10,7 @@ import pytest
 from generator import composition
 from generator.composition import compose
 from generator.errors import InputError
-from generator.layout import checking
+from generator.layout import relation_check
 from generator.physics.simulation import Simulation, shift_distances
 from generator.scene import PlannedObject, PlannedTable, Relation, ScenePlan
 
@@ -77,7 +77,7 @@ def test_a_layout_in_which_all_holds_is_judged_at_once_and_another_only_if_it_is
     """Relations hold in the layout of number ``held``, and in none of the first three."""
     made: list[str] = []
     rest, finish = composition.bring_to_rest, composition.finish
-    check = checking.check_relations
+    check = relation_check.check_relations
     numbers: dict[int, int] = {}
 
     def resting(*args, **options):
@@ -95,7 +95,7 @@ def test_a_layout_in_which_all_holds_is_judged_at_once_and_another_only_if_it_is
 
     monkeypatch.setattr(composition, "bring_to_rest", resting)
     monkeypatch.setattr(composition, "finish", judging)
-    for module in (composition, checking):
+    for module in (composition, relation_check):
         monkeypatch.setattr(module, "check_relations", relations)
     scene = compose("a mug to the left of a book", 1)
     assert (made.count("layout"), made.count("judged")) == (laid_out, judged)

@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 from toy import toy_object, toy_scene
 
-from generator.editing.planning import move_in_plan, remove_from_plan, swap_in_plan
-from generator.layout.checking import record_relations
+from generator.editing.plans import move_in_plan, remove_from_plan, swap_in_plan
+from generator.layout.relation_check import record_relations
 from generator.scene import (
     TABLE,
     PlannedGroup,

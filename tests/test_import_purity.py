@@ -55,7 +55,7 @@ def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:
 
 @pytest.mark.slow
 def test_batches_load_no_warp_until_one_is_made() -> None:
-    assert "warp" not in loaded_by("import tabletopgen_env.batch.batch_world")
+    assert "warp" not in loaded_by("import tabletopgen_env.parallel.batch.batch_world")
 
 
 def test_registration_needs_no_simulator() -> None:

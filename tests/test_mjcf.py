@@ -11,7 +11,7 @@ from shapes import UNIT
 from toy import cube_mesh, toy_object, toy_scene
 
 from generator.geometry import Camera
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 from generator.physics.mjcf import document, encode_obj
 from generator.physics.spec import scene_spec
 from generator.scene import ConvexPart, Mesh, Scene

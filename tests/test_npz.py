@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.io.npz import read_arrays
+from generator.io.bounded import read_arrays
 
 
 def read(path: Path, max_bytes: int = 2**16) -> dict[str, np.ndarray]:

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from generator.errors import BackendError, BundleError, InputError
-from generator.io.reading import (
+from generator.io.bounded import (
     parse_json,
     parse_object,
     parse_toml,

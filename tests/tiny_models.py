@@ -12,8 +12,7 @@ import transformers  # its classes are imported where they are named
 from safetensors.torch import save_file
 from tokenizers import Tokenizer, models, normalizers, pre_tokenizers, processors
 
-from generator.backends.huggingface.weights.folder import snapshot
-from generator.backends.huggingface.weights.pins import WEIGHTS, pins
+from generator.backends.huggingface.weights.pins import WEIGHTS, pins, snapshot
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 MARKS = {"[PAD]": 0, "[UNK]": 100, "[CLS]": 101, "[SEP]": 102, ".": 1012, "?": 1029}

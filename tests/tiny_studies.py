@@ -22,11 +22,11 @@ import numpy as np
 from jaxtyping import UInt8
 
 from generator.io.pictures import write_picture
-from tabletopgen_web.study.collecting import collect
+from tabletopgen_web.study.collection import collect
 from tabletopgen_web.study.design import CRITERIA, Drawing, StudyOptions
-from tabletopgen_web.study.filling import MARK, StudyPage, read_page
 from tabletopgen_web.study.key import StudyKey
 from tabletopgen_web.study.page import StudyFiles, make_study, write_study
+from tabletopgen_web.study.page_data import MARK, StudyPage, read_page
 
 METHODS = ("ours", "other")
 SCENES = tuple(f"scene-{k}" for k in range(6))

@@ -21,10 +21,10 @@ from generator.composition import compose
 from generator.scene import Scene
 from generator.threads import cores
 from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.scenes import STARTER, FixedScenes, FreshScenes, RefreshingScenes, SceneChoice
-from tabletopgen_env.scenes.refreshing import PER_MINUTE
+from tabletopgen_env.scenes.refresh import PER_MINUTE
 from tabletopgen_env.scenes.source import HeldRef
-from tabletopgen_env.vector import TabletopVectorEnv
 
 Found = list[tuple[str, str, float, str]]
 """What was measured: name, setting, value, unit."""

@@ -13,7 +13,7 @@ import numpy as np
 from posing import tables
 from posing.tables import Row
 
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 
 from .watching import count_rows, look
 

@@ -12,7 +12,7 @@ from jaxtyping import Float, UInt8
 from trimesh.resolvers import Resolver
 
 from generator.errors import InputError
-from generator.method.modeling import turn
+from generator.method.models import turn
 from generator.scene import Mesh, Model
 from tabletop_objects.values import to_unit_box
 

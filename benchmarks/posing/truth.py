@@ -25,9 +25,9 @@ from generator.geometry import (
 )
 from generator.language.planner import plan_scene
 from generator.language.themes import THEMES
-from generator.render.picture import scene_items
 from generator.render.raster import render
 from generator.render.shading import Light
+from generator.render.sheet import scene_items
 from generator.scene import TABLE, Object, Pose, Scene, View
 
 from .cases import STREAMS, VARIANTS

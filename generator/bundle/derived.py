@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import BundleError
-from ..io.png import encode_png
+from ..io.pictures import encode_png
 from ..physics.mjcf import Document, document
 from ..physics.spec import compile_spec, list_warnings, new_data, no_console, spec_of, unsimulatable
-from .decoding import Decoded
+from .decoder import Decoded
 
 if TYPE_CHECKING:
     import mujoco

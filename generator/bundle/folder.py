@@ -2,7 +2,7 @@
 
 ``<name>-<digest12>/`` holds ``scene.json`` (the truth: every value, the report, and size and sha256
 of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``, ``textures/`` and
-pictures. A bundle is *published or absent* (``publishing``). The digest is that of ``scene.json``,
+pictures. A bundle is *published or absent* (``publication``). The digest is that of ``scene.json``,
 which names all else by content, so the same scene gives the same folder, byte for byte.
 """
 
@@ -22,16 +22,16 @@ import numpy as np
 from jaxtyping import UInt8
 
 from ..errors import BundleError, InputError, SceneError, StorageError, TabletopError
-from ..io.png import encode_png
+from ..io.pictures import encode_png
 from ..physics.mjcf import document
 from ..physics.spec import compile_spec, spec_of
 from ..scene import Scene
 from .bounds import BOUNDS, check_listed
 from .contents import decode_png, picture_size
-from .decoding import decode_scene, loads
+from .decoder import decode_scene, loads
 from .derived import check_builds, check_starts, check_xml
-from .encoding import dumps, encode_scene
-from .publishing import publish, steady
+from .encoder import dumps, encode_scene
+from .publication import publish, steady
 from .segments import PATH as SEGMENTS_PATH
 from .segments import Segments, decode_segments, encode_segments
 

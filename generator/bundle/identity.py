@@ -9,9 +9,9 @@ from typing import Any
 
 from ..errors import BundleError
 from ..scene import Scene
-from .encoding import dumps, encode_scene
+from .encoder import dumps, encode_scene
 from .folder import read_truth
-from .publishing import steady
+from .publication import steady
 
 _CONTENT = ("table", "objects", "models")
 

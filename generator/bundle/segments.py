@@ -13,10 +13,10 @@ from jaxtyping import Bool, UInt8
 from tabletop_objects.values import freeze
 
 from ..errors import BundleError, InputError
-from ..io.reading import printable
+from ..io.bounded import printable
 from ..scene import TABLE, Instance
 from .contents import decode_indices
-from .encoding import one_line
+from .encoder import one_line
 
 PATH = "stages/instances.png"
 """Where a bundle keeps it."""

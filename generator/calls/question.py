@@ -13,7 +13,7 @@ from typing import Any, Literal
 import httpx2
 
 from ..errors import BackendError, choices
-from ..io.reading import parse_object
+from ..io.bounded import parse_object
 from .http.address import local
 from .http.redaction import plain_url
 from .money.prices import Price, Prices

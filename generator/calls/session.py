@@ -15,7 +15,7 @@ from ..errors import BackendError, DryRunError, StoppedError
 from .http.address import checked_address
 from .http.pending import Deadline
 from .money.database import LOCAL, Keeper
-from .money.spending import Spending
+from .money.scene_cost import Spending
 from .state import SessionState
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ class Session(SessionState):
         requests that differ ask the same, or that are alike do not. ``x-tabletopgen-free`` is "yes"
         for what costs nothing (a look at a job), whatever the price table has. Other headers than
         those of HTTP itself are not sent either. Answers of status 2xx, and 4xx that no wait would
-        mend, are returned, with the key that they are kept under (``used.KEY``); everything else
+        mend, are returned, with the key that they are kept under (``store.KEY``); everything else
         raises BackendError.
 
         Args:

@@ -1,4 +1,4 @@
-"""Answers that were paid for, kept on disk by the content of their question.
+"""Paid answers on disk, keyed by the content of their question.
 
 An answer is published or absent: it is written beside and renamed, and carries a checksum of all it
 holds, its key included. Of a question nothing but its key is kept; of an answer status, content
@@ -16,15 +16,15 @@ import stat
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from filelock import FileLock, Timeout
 
-from ..errors import StorageError, require_number
+from ..errors import BackendError, StorageError, require_number
+from ..io.bounded import parse_object, read_regular
 from ..io.files import make_private, remove_file
-from ..io.reading import parse_object, read_regular
 
 MOST_ANSWER_BYTES = 257 * 2**20
 """Size of one kept answer: more than the largest that a server is read for."""
@@ -246,3 +246,38 @@ def _decode(key: str, raw: bytes) -> StoredAnswer | None:
 
 def _checksum(key: str, content: bytes) -> bytes:
     return hashlib.sha256(key.encode() + b"\n" + content).hexdigest().encode()
+
+
+KEY = "x-tabletopgen-key"
+"""The header of a response that says under which key its answer is kept."""
+
+
+@dataclass(frozen=True)
+class Used:
+    """The keys of the answers that a question has had so far; ``store`` is where they are kept.
+
+    A question that goes well leaves them there, for a run that resumes. One that ends in an error
+    for what they say must drop them, or it would end so for ever.
+    """
+
+    store: CallStore | None
+    keys: list[str] = field(default_factory=list)
+
+    def add(self, headers: Mapping[str, str]) -> None:
+        """Take note of an answer by the headers of its response."""
+        self.keys.append(headers[KEY])
+
+    def drop(self, *, last: bool = False) -> None:
+        """Drop the answers, or the last one, but not their cost: the next run asks for new ones."""
+        if self.store is not None:
+            for key in self.keys[-1:] if last else self.keys:
+                self.store.forget(key)
+
+    @contextlib.contextmanager
+    def dropped_on(self, error: type[BackendError]) -> Iterator[None]:
+        """Drop the answers if the work within ends in ``error``."""
+        try:
+            yield
+        except error:
+            self.drop()
+            raise

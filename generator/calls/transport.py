@@ -13,7 +13,7 @@ import httpx2
 
 from ..errors import BackendError, StorageError
 from .http.address import local, near
-from .http.dialing import Wire, proxy_for
+from .http.connections import Wire, proxy_for
 from .http.exchange import COMPRESSIONS, Reply, Trouble, exchange
 from .http.pending import begin
 from .http.redaction import excerpt, holds
@@ -21,8 +21,7 @@ from .http.retries import Breaker
 from .paid_call import PaidCall, Sign, entry_of
 from .question import Question, failed, question
 from .state import SessionState
-from .store import StoredAnswer
-from .used import KEY
+from .store import KEY, StoredAnswer
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
 _SENT = frozenset({

@@ -9,9 +9,8 @@ import tyro
 from tyro.conf import Positional, arg
 
 from ..errors import escape
-from . import looking
-from .printing import emit
-from .store import some
+from . import inspection
+from .output import emit, some
 
 app = tyro.extras.SubcommandApp()
 
@@ -64,4 +63,4 @@ def verify_all(*, json: bool = False) -> int:
     """
     import assets_cache
 
-    return looking.verify_all(assets_cache.entries(), json, may_vanish=True)
+    return inspection.verify_all(assets_cache.entries(), json, may_vanish=True)

@@ -9,11 +9,10 @@ import tyro
 from tyro.conf import Positional, arg
 
 from ..backends.embedded.minisam import weights as minisam
-from ..backends.huggingface.weights.folder import missing, snapshot
-from ..backends.huggingface.weights.pins import pin, pins
-from ..backends.installing import models_folder
+from ..backends.huggingface.weights.pins import missing, pin, pins, snapshot
+from ..backends.requirements import models_folder
 from ..errors import InputError, escape
-from .printing import emit
+from .output import emit
 
 app = tyro.extras.SubcommandApp()
 
@@ -82,7 +81,7 @@ def fetch(
         names: Names that `tabletopgen models list` shows.
         folder: Where to put them; TABLETOPGEN_MODELS or the user cache if left out.
     """
-    from ..backends.huggingface.weights.pulling import pull
+    from ..backends.huggingface.weights.fetch import pull
 
     if not names:
         raise InputError("Name at least one model; `tabletopgen models list` shows what there is.")

@@ -9,7 +9,7 @@ from scipy.optimize import OptimizeResult, least_squares
 from ..bundle import Segments
 from ..errors import InputError
 from ..geometry import Camera, framing_camera, mask_box
-from ..render.picture import scene_items
+from ..render.sheet import scene_items
 from ..scene import TABLE, Scene
 
 _EVEN = 0.01

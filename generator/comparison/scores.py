@@ -12,8 +12,8 @@ from jaxtyping import Bool, Float, UInt8
 from ..bundle import Segments
 from ..errors import InputError
 from ..geometry import Camera
-from ..render.picture import render_scene
 from ..render.raster import Rendered
+from ..render.sheet import render_scene
 from ..scene import TABLE, Scene
 from .camera import picture_camera
 

@@ -14,8 +14,8 @@ from jaxtyping import Bool, Float, UInt8
 from PIL import Image, ImageDraw, ImageFont
 
 from ..geometry import framing_camera, mask_box
-from ..render.picture import TOP_DOWN, scene_items
 from ..render.raster import render
+from ..render.sheet import TOP_DOWN, scene_items
 from ..scene import TABLE
 from .scores import Comparison, Score
 

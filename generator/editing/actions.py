@@ -27,13 +27,12 @@ from ..scene import (
     held_relations,
 )
 from ..scene.provenance import plain, versions
-from . import planning
+from . import plans
+from .attempts import settle_again, try_places
 from .edited import Edited, Opened
-from .making import check_known, check_style, make, remodel
-from .moving import moved_by, moved_to
-from .placing import beneath, loads, place_by_relations, pose, set_down
+from .models import check_known, check_style, make, remodel
+from .placement import beneath, loads, moved_by, moved_to, place_by_relations, pose, set_down
 from .request import Planner, as_planned, understand, whereabouts
-from .settling import settle_again, try_places
 
 ATTEMPTS = 4
 """Places tried until one holds."""
@@ -92,7 +91,7 @@ def swap(
     arranged = set_down(wanted, [new.name])
     done = settle_again(scene, wanted, arranged, [new.name], config)
     took = replace(asked.planned, relations=held_relations(scene, name))
-    done = planning.swap_in_plan(done, name, took)
+    done = plans.swap_in_plan(done, name, took)
     edit = _edit(opened, "swap", (name, new.name), text, seed, backends, config)
     messages = (f"{new.name} was put in the place of {name}.", *_aside(wanted, done, new.name))
     return Edited.of(opened, done, edit, asked.warnings + messages)
@@ -127,7 +126,7 @@ def add(
         return scene.replace(objects=(*scene.objects, new))
 
     done = try_places(scene, place, planned.name, [planned.name], config, attempts=ATTEMPTS)
-    done = planning.add_to_plan(done, planned)
+    done = plans.add_to_plan(done, planned)
     edit = _edit(opened, "add", (planned.name,), text, seed, backends, config)
     return Edited.of(opened, done, edit, asked.warnings)
 
@@ -151,7 +150,7 @@ def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edite
     kept = [replace(o, placement=left[o.name]) for o in scene.objects if o.name in left]
     wanted = scene.replace(objects=tuple(kept))
     done = settle_again(scene, wanted, set_down(wanted, loose), (), config, loose)
-    done = planning.remove_from_plan(done, gone)
+    done = plans.remove_from_plan(done, gone)
     messages = tuple(f"{n} was removed with {name}." for n in gone if n != name)
     messages += tuple(f"{n} was set down as {name} was removed." for n in loose)
     edit = _edit(opened, "remove", (name, *(n for n in gone if n != name)), name, 0, None, config)
@@ -204,7 +203,7 @@ def move(
 
     attempts = ATTEMPTS if isinstance(where, str) else 1
     done = try_places(scene, place, name, (), config, (name, *above), attempts)
-    done = planning.move_in_plan(done, name, planned.relations)
+    done = plans.move_in_plan(done, name, planned.relations)
     asked = where if isinstance(where, str) else _metres(where, turn)
     edit = _edit(opened, "move", (name, *above), asked, seed, backends, config)
     return Edited.of(opened, done, edit, messages)
@@ -245,7 +244,7 @@ def restyle(
     done = settle_again(scene, wanted, set_down(wanted, chosen), chosen, config)
     edit = _edit(opened, "restyle", tuple(chosen), style, seed, backends, config)
     messages = tuple(w for n in chosen for w in _aside(wanted, done, n))
-    return Edited.of(opened, planning.restyle_plan(done, chosen, style), edit, messages)
+    return Edited.of(opened, plans.restyle_plan(done, chosen, style), edit, messages)
 
 
 # ------------------------------------------------------------------------------------------ parts

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ..bundle import Segments, load, load_fingerprint, load_pictures, load_segments, save
 from ..errors import InputError, SceneError
-from ..layout.checking import describe_unmet, list_unmet, record_relations
+from ..layout.relation_check import describe_unmet, list_unmet, record_relations
 from ..method.figures import preview
 from ..scene import TABLE, Edit, Object, Scene
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from ..errors import InputError, choices
 from ..method.planned import fresh_names
 from ..scene import TABLE, Object, PlannedObject, Scene, ScenePlan
-from .planning import planned_things
+from .plans import planned_things
 
 Planner = Callable[[str, int], ScenePlan]
 """A reasoner's ``plan_scene``."""

@@ -11,11 +11,10 @@ import numpy as np
 from ..comparison import Comparison
 from ..errors import InputError
 from ..scene import TABLE
-from .sizes import UsualSize
 from .soundness import PLAIN, Soundness, StillnessRule
 from .surfaces.collisions import THRESHOLD, Collisions
 from .surfaces.silhouettes import SilhouetteFit
-from .truth import TruthErrors
+from .truth import TruthErrors, UsualSize
 
 Kind = Literal[
     "overlap", "floats", "off_table", "unstable", "wrong_size", "wrong_yaw", "wrong_place",

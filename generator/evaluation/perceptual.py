@@ -141,9 +141,9 @@ class HubSimilarity:
 
     @cached_property
     def _network(self) -> Any:
-        from ..backends.huggingface.weights.loading import load_model
+        from ..backends.huggingface.weights.loader import load_model
         from ..backends.huggingface.weights.pins import pin
-        from ..backends.installing import models_folder
+        from ..backends.requirements import models_folder
 
         try:
             return load_model(pin(self.name), models_folder(self.folder), f"{self.name}:")

@@ -20,12 +20,11 @@ from .external import TRANSFORMS, load_external
 from .findings import DefectLimits, Finding
 from .judged import Marks, as_judge, judge_scene, marks_from_figures, rank_methods
 from .perceptual import Available
-from .sizes import UsualSize, usual_sizes
 from .soundness import Soundness, soundness
 from .surfaces.collisions import Collisions, colliding, collisions
 from .surfaces.silhouettes import SilhouetteFit, fits
 from .surfaces.sweep import Best, SweepConfig, best_views
-from .truth import TruthErrors, truth_errors
+from .truth import TruthErrors, UsualSize, truth_errors, usual_sizes
 
 Picture = UInt8[np.ndarray, "_ _ 3"]
 
@@ -208,7 +207,7 @@ def ranking(
 
 def _draw(scene: Scene, compared: Comparison | None) -> Picture:
     """Draw a scene from its picture's camera; from the front above where that is not known."""
-    from ..render.picture import render_scene
+    from ..render.sheet import render_scene
 
     return render_scene(scene, camera=None if compared is None else compared.camera).image
 

@@ -1,4 +1,4 @@
-"""A scene held against the scene it should be: turn, place, size and support, object by object."""
+"""Compare a scene with the true one: yaw, place, size and support, object by object."""
 
 from __future__ import annotations
 
@@ -7,7 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from jaxtyping import Float
 
+from tabletop_objects import get_category
+from tabletop_objects.kit.surfaces import SIZE_FACTORS
+
+from ..errors import InputError
 from ..geometry import quaternion_yaw
 from ..scene import Object, Scene
 from .surfaces.symmetry import order, yaw_error
@@ -106,3 +111,46 @@ def _errors(ours: Object, true: Object, width: float) -> PoseError:
         (ours.placement.on, ours.placement.inside) == (true.placement.on, true.placement.inside),
         symmetry,
     )
+
+
+@dataclass(frozen=True, eq=False)
+class UsualSize:
+    """An object's extent (metres) over the usual one for its word.
+
+    ``ratio`` is the one nearer to 1 of two: the ratio of the longest sides, and the geometric mean
+    over the axes. A laptop that is shut is so no small one.
+    """
+
+    name: str
+    usual: Float[np.ndarray, "3"]
+    source: str
+    ratio: float
+
+
+def usual_sizes(scene: Scene) -> tuple[UsualSize, ...]:
+    """Return the usual sizes of those objects whose word or plan tells one."""
+    return tuple(
+        UsualSize(thing.name, *known, _ratio(thing.scale, known[0]))
+        for thing in scene.objects
+        if (known := _usual(scene, thing)) is not None
+    )
+
+
+def _usual(scene: Scene, thing: Object) -> tuple[Float[np.ndarray, "3"], str] | None:
+    planned = [p for p in scene.plan.objects if p.name == thing.name] if scene.plan else []
+    if planned and planned[0].size is not None:
+        return np.array(planned[0].size), "plan"
+    words = planned[0].attributes.get("size", "").lower().split() if planned else []
+    factor = next((SIZE_FACTORS[w] for w in words if w in SIZE_FACTORS), 1.0)
+    for word in (thing.model.category, thing.label):
+        try:
+            return factor * np.array(get_category(word).size), "catalogue"
+        except InputError:
+            continue
+    return None
+
+
+def _ratio(extent: Float[np.ndarray, "3"], usual: Float[np.ndarray, "3"]) -> float:
+    mean = float(np.log(extent / usual).mean())
+    longest = float(np.log(extent.max() / usual.max()))
+    return float(np.exp(min(mean, longest, key=abs))) if mean * longest > 0 else 1.0

@@ -1,5 +1,5 @@
 """Scenes in the formats of other programs: MJCF, URDF, SDF, glTF and USD."""
 
-from .exporting import ALONE as ALONE
-from .exporting import WRITERS as WRITERS
-from .exporting import export as export
+from .writer import ALONE as ALONE
+from .writer import WRITERS as WRITERS
+from .writer import export as export

@@ -28,7 +28,7 @@ from types import MappingProxyType
 from ..physics.mjcf import FLOOR
 from ..scene import TABLE
 from .bodies import ExportBody, ExportPiece
-from .xml import number_text
+from .files import number_text
 
 DRAKE: Mapping[str, str] = MappingProxyType({"xmlns:drake": "http://drake.mit.edu"})
 """Attribute of a document that has tags of Drake."""

@@ -1,4 +1,4 @@
-"""The files that exports in XML refer to: meshes as Wavefront OBJ, in metres, and textures.
+"""Files and numbers of the XML exports: Wavefront OBJ meshes in metres, textures.
 
 The mesh that draws a body has the body's name; other files are named by the digest of their
 content. All lie in one folder, since some readers take no file from outside an OBJ's own; no file
@@ -8,12 +8,15 @@ is scaled where it is used.
 from __future__ import annotations
 
 import hashlib
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable
 from pathlib import PurePosixPath
 
 import numpy as np
 from jaxtyping import Float, Int
+from scipy.spatial.transform import Rotation
 
-from ..io.png import encode_png
+from ..io.pictures import encode_png
 from ..physics.mjcf import row_lines
 from .bodies import ExportBody, ExportPiece
 
@@ -63,3 +66,30 @@ def plain_obj(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"])
     """Return a surface as Wavefront OBJ without texture, to a tenth of a micrometre."""
     text = row_lines("v %.7f %.7f %.7f\n", vertices) + row_lines("f %d %d %d\n", faces + 1)
     return text.encode()
+
+
+INERTIA = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
+"""Names of an inertia's entries, of URDF and SDF, and where they are."""
+
+_ALONG = np.array([[0, np.pi / 2, 0], [-np.pi / 2, 0, 0], [0, 0, 0]])
+
+
+def number_text(numbers: Iterable[float]) -> str:
+    """Return numbers as text: nine significant digits, no negative zero."""
+    return " ".join(f"{float(x) + 0.0:.9g}" for x in numbers)
+
+
+def roll_pitch_yaw(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3"]:
+    """Return a unit wxyz quaternion as turns about the fixed x, y and z axes, in this order."""
+    return Rotation.from_quat(quaternion, scalar_first=True).as_euler("xyz")
+
+
+def along(axis: int) -> Float[np.ndarray, "3"]:
+    """Return roll, pitch and yaw that turn the z axis to ``axis``."""
+    return _ALONG[axis]
+
+
+def document_text(root: ET.Element) -> bytes:
+    """Return an indented document with its declaration."""
+    ET.indent(root)
+    return b'<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(root, encoding="utf-8") + b"\n"

@@ -15,9 +15,8 @@ import numpy as np
 from ..physics.mjcf import document
 from ..scene import TABLE, ConvexPart, Scene
 from .bodies import ExportBody, bodies_of, piece_of
-from .files import plain_obj
+from .files import INERTIA, number_text, plain_obj
 from .loaders import loader_scripts
-from .xml import INERTIA, number_text
 
 
 def mjcf_files(scene: Scene) -> Mapping[str, bytes]:

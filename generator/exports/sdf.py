@@ -13,12 +13,10 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from ..scene import Scene
-from .bodies import ExportBody, ExportPiece, bodies_of
+from .bodies import ExportBody, ExportPiece, bodies_of, floor_body
 from .engines import DRAKE, EngineFriction, drake_properties, engine_friction
-from .files import ExportFiles
-from .floor import floor_body
+from .files import INERTIA, ExportFiles, along, document_text, number_text, roll_pitch_yaw
 from .loaders import loader_scripts
-from .xml import INERTIA, along, document_text, number_text, roll_pitch_yaw
 
 VERSION = "1.9"
 """Of SDFormat; ellipsoids came with 1.8."""

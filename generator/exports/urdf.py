@@ -22,12 +22,10 @@ import numpy as np
 from ..render.shading import sample_texture
 from ..scene import Scene
 from ..scene.triangles import areas
-from .bodies import ExportBody, ExportPiece, bodies_of
+from .bodies import ExportBody, ExportPiece, bodies_of, floor_body
 from .engines import DRAKE, EngineFriction, drake_properties, engine_friction
-from .files import ExportFiles
-from .floor import floor_body
+from .files import INERTIA, ExportFiles, along, document_text, number_text, roll_pitch_yaw
 from .loaders import loader_scripts
-from .xml import INERTIA, along, document_text, number_text, roll_pitch_yaw
 
 _COMPILER = {"strippath": "false", "fusestatic": "false", "discardvisual": "false"}
 

@@ -20,7 +20,7 @@ from jaxtyping import Float, Int
 from scipy.spatial.transform import Rotation
 
 from ..errors import InputError
-from ..io.png import encode_png
+from ..io.pictures import encode_png
 from ..physics.mjcf import texture_path
 from ..scene import Scene
 from .bodies import ExportBody, ExportPiece, bodies_of

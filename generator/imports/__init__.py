@@ -15,7 +15,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .options import ImportOptions as ImportOptions
+from .reader import ImportOptions as ImportOptions
 
 if TYPE_CHECKING:
     from ..method.assembly import AssemblyConfig
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 def import_scene(
     source: str | Path, options: ImportOptions | None = None, config: AssemblyConfig | None = None
 ) -> Scene:
-    """Return a foreign scene, settled and judged; see ``importing.import_scene``."""
-    from .importing import import_scene as run
+    """Return a foreign scene, settled and judged; see ``importer.import_scene``."""
+    from .importer import import_scene as run
 
     return run(source, options or ImportOptions(), config)
 

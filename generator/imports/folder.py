@@ -25,7 +25,7 @@ from jaxtyping import Float
 
 from ..errors import BackendError, InputError
 from ..geometry import quaternion_matrix
-from ..io.reading import is_number, parse_object, printable
+from ..io.bounded import is_number, parse_object, printable
 from ..meshes.reading.bounds import LIMITS, MOST_BYTES, MOST_FACES
 from ..meshes.reading.companions import companions, total_bytes
 from ..meshes.reading.surface import Axis, ColoredSurface, Kind, read_surface

@@ -18,9 +18,9 @@ import trimesh
 from jaxtyping import Float
 
 from ..errors import BackendError, InputError, choices
-from ..io.reading import is_number, printable, read_regular
+from ..io.bounded import is_number, printable, read_regular
 from ..meshes.reading.bounds import MOST_BYTES, MOST_FACES
-from ..meshes.reading.flattening import Crooked, Header, flatten, local_matrix, roots_of
+from ..meshes.reading.flat_glb import Crooked, Header, flatten, local_matrix, roots_of
 from ..meshes.reading.inspection import open_glb
 from ..meshes.reading.surface import surface_of
 from ..meshes.reading.textures import Pictures

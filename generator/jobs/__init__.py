@@ -12,30 +12,30 @@ from typing import TYPE_CHECKING
 from ..io.lazy import lazy_names
 
 if TYPE_CHECKING:
-    from .facts import Outcome as Outcome
-    from .making import Composing as Composing
-    from .making import Generating as Generating
-    from .making import shared_budget as shared_budget
+    from .loop import run as run
+    from .loop import try_out as try_out
     from .prompts import Job as Job
     from .prompts import Maker as Maker
     from .prompts import jobs_of as jobs_of
     from .prompts import read_prompts as read_prompts
-    from .running import run as run
-    from .running import try_out as try_out
+    from .records import Outcome as Outcome
     from .summary import Summary as Summary
+    from .work import Composing as Composing
+    from .work import Generating as Generating
+    from .work import shared_budget as shared_budget
 
 _HOMES = {
-    "Composing": "making",
-    "Generating": "making",
+    "Composing": "work",
+    "Generating": "work",
     "Job": "prompts",
     "Maker": "prompts",
-    "Outcome": "facts",
+    "Outcome": "records",
     "Summary": "summary",
     "jobs_of": "prompts",
     "read_prompts": "prompts",
-    "run": "running",
-    "shared_budget": "making",
-    "try_out": "running",
+    "run": "loop",
+    "shared_budget": "work",
+    "try_out": "loop",
 }
 
 __getattr__, __dir__ = lazy_names(__name__, _HOMES)

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ..errors import InputError, require_number, require_seed
-from ..io.reading import parse_json, read_regular
+from ..io.bounded import parse_json, read_regular
 
 _MOST = 100_000  # scenes of a batch
 _MOST_TEXT = 20_000  # letters of a prompt

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..io.files import write_whole
-from .facts import Outcome
+from .records import Outcome
 
 FILE = "summary.json"
 """Where a batch's folder keeps it."""

@@ -72,7 +72,7 @@ class SceneDistribution:
 
     def _check_needs(self) -> None:
         """Make tuples of the needs, all of things that there are."""
-        from .filling import read_need
+        from .theme_content import read_need
 
         given = self.needs
         whole = isinstance(given, tuple | list) and all(isinstance(n, tuple | list) for n in given)
@@ -104,7 +104,7 @@ class SceneDistribution:
 
     def plan(self, rng: np.random.Generator) -> ScenePlan:
         """Draw the plan of one table with ``rng``."""
-        from .filling import furnish
+        from .theme_content import furnish
 
         themes = self.themes or themes_known()
         theme = themes[int(rng.integers(len(themes)))]

@@ -11,10 +11,9 @@ from tabletop_objects import CATEGORIES
 
 from ..errors import InputError
 from ..scene import GroupKind
-from .openings import cut_category, is_lit, open_category
 from .relations import body_size, fits, is_shallow
-from .sizing import largest_size
 from .syntax.phrases.tree import Noun
+from .vessel_sizes import cut_category, is_lit, largest_size, open_category
 
 MAX_OBJECTS = 40
 """More objects than this no table of the catalogue holds."""

@@ -16,14 +16,13 @@ from ..scene import TABLE, Density, PlannedGroup, PlannedObject, Relation, Scene
 from ..stand_ins import GENERIC, stand_in_size
 from . import relations
 from .drafts import Draft, Grouping, Reading
-from .filling import fill, relate_by_habit
 from .furniture import plan_table
-from .laying import PlaceSetting, place_settings, setting_of
-from .reading import EXAMPLE, read_text
+from .reader import EXAMPLE, read_text
 from .semantics import contents
 from .semantics.tone import read_tone
-from .sizing import grow_carriers
+from .theme_content import PlaceSetting, fill, place_settings, relate_by_habit, setting_of
 from .themes import DEFAULT_TABLES, THEMES
+from .vessel_sizes import grow_carriers
 from .words.dictionary import warn_of_stand_ins
 
 _OWN = 3

@@ -1,9 +1,9 @@
 """Where planned objects go: relations into free, natural places on the tabletop."""
 
-from .arranging import Layout, arrange, arrange_more, unmet_relations
-from .facing import natural_yaw
-from .fitting import lay_out
-from .furnishing import build_models, build_top, table_size
+from .arrangement import Layout, arrange, arrange_more, unmet_relations
+from .furniture import build_models, build_top, table_size
+from .orientation import natural_yaw
+from .table_fit import lay_out
 
 __all__ = [
     "Layout",

@@ -1,7 +1,7 @@
 """Sec. 4.3, ablations: the reasoner gives the numbers in place of a stage.
 
 Without DRO it gives the rotations (here); without TSA, places and sizes
-(``method.alignment.direct``).
+(``alignment.placement.ask_layout``).
 """
 
 from __future__ import annotations

@@ -17,14 +17,13 @@ from jaxtyping import Float
 from ..errors import InputError, choices, require
 from ..geometry import convex_outline, yaw_quaternion
 from ..physics.decomposition import CutBudget
-from ..physics.footing import on_foot
 from ..physics.gate import GateLimits, find_fallen, find_toppling, judge
 from ..physics.inertia import body_mass
 from ..physics.parts import body_parts, model_parts
-from ..physics.seating import carry, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
-from ..physics.settling import has_toppled, settle
+from ..physics.settling import has_toppled, on_foot, settle
 from ..physics.simulation import Simulation, shift_distances, turn_angles
+from ..physics.standing_height import carry, relocate, seat_on_table, seat_stacked
 from ..scene import (
     TABLE,
     Model,

@@ -14,9 +14,8 @@ from jaxtyping import UInt8
 from ..geometry import yaw_quaternion
 from ..io.files import write_file
 from ..io.pictures import write_picture
-from ..render.picture import TOP_DOWN, framing_camera, render_scene
 from ..render.raster import place, render
-from ..render.sheet import BOX_COLORS, draw_boxes, grid
+from ..render.sheet import BOX_COLORS, TOP_DOWN, draw_boxes, framing_camera, grid, render_scene
 from ..scene import TABLE, Instance, Model, Reference, Rotation, Scene, TopView, View
 from ..scene.paper_json import to_paper
 from .alignment import Alignment

@@ -22,7 +22,13 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from ..layout.checking import correct_supports, list_unmet, observe, record_relations, warn_unmet
+from ..layout.relation_check import (
+    correct_supports,
+    list_unmet,
+    observe,
+    record_relations,
+    warn_unmet,
+)
 from ..scene import (
     TABLE,
     Failure,

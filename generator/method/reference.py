@@ -13,7 +13,7 @@ from jaxtyping import Float, UInt8
 
 from ..backends.protocols import Imager, Reasoner
 from ..errors import InputError
-from ..io.reading import read_regular
+from ..io.bounded import read_regular
 from ..pictures import DecodedPicture, PictureLimits, decode
 from ..scene import Intrinsics, Reference, ScenePlan
 

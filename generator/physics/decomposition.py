@@ -26,7 +26,7 @@ import platformdirs
 from jaxtyping import Float
 
 from ..errors import SceneError
-from ..io.npz import read_arrays
+from ..io.bounded import read_arrays
 from ..sandbox import CpuBudget, SandboxError, SandboxLimits, call
 from ..scene import ConvexPart, Mesh
 from ..scene.triangles import Faces, Vertices, closed, pieces

@@ -20,7 +20,7 @@ import numpy as np
 from jaxtyping import Float, Real
 
 from ..geometry import framing_camera, quaternion_matrix
-from ..io.png import encode_png
+from ..io.pictures import encode_png
 from ..scene import TABLE, ConvexPart, Mesh, Object, Scene, View
 
 FLOOR = "floor"

@@ -14,7 +14,7 @@ from jaxtyping import Float
 from ..geometry import convex_outline, inside_margin, quaternion_matrix
 from ..scene import ConvexPart, Model, Object, Pose
 from ..scene.triangles import Faces, Vertices
-from .covering import covering
+from .cover import covering
 
 if TYPE_CHECKING:
     from .decomposition import CutBudget

@@ -5,8 +5,8 @@ process decode it (:mod:`.pixels`), and returns a finished array. Each caller na
 raise.
 """
 
-from .decoding import decode as decode
-from .decoding import decode_png as decode_png
+from .decoder import decode as decode
+from .decoder import decode_png as decode_png
 from .headers import DamagedHeader as DamagedHeader
 from .headers import Format as Format
 from .headers import PictureHeader as PictureHeader

@@ -1,4 +1,4 @@
-"""Pixels of a picture, by Pillow; runs in the child of a sandbox (see ``decoding``)."""
+"""Pixels of a picture, by Pillow; runs in the child of a sandbox (see ``decoder``)."""
 
 from __future__ import annotations
 

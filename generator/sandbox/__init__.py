@@ -6,7 +6,7 @@ decodes without pickle (:mod:`.packing`), works in a folder that no longer exist
 file behind, however it ends.
 """
 
-from .budget import CpuBudget as CpuBudget
-from .running import SandboxError as SandboxError
-from .running import SandboxLimits as SandboxLimits
-from .running import call as call
+from .runner import CpuBudget as CpuBudget
+from .runner import SandboxError as SandboxError
+from .runner import SandboxLimits as SandboxLimits
+from .runner import call as call

@@ -1,4 +1,4 @@
-"""The child of a sandbox: ``python -m generator.sandbox.child``; see ``running``.
+"""The child of a sandbox: ``python -m generator.sandbox.child``; see ``runner``.
 
 It reads one request from its standard input, sets its limits, and writes the packed answer to what
 was its standard output when it started.
@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import TabletopError
-from .packing import packed_parts, unpack
-from .running import NO_MEMORY, failure_text, memory_text
+from .runner import NO_MEMORY, failure_text, memory_text
+from .serialization import packed_parts, unpack
 
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 

@@ -32,8 +32,8 @@ from tabletop_objects.values import Physics as Physics
 from tabletop_objects.values import Slot as Slot
 from tabletop_objects.values import frozen_array as frozen_array
 
-from .holding import held_relations as held_relations
-from .holding import hold_supports as hold_supports
+from .outcomes import held_relations as held_relations
+from .outcomes import hold_supports as hold_supports
 from .picture import USUAL_VIEW as USUAL_VIEW
 from .picture import Detection as Detection
 from .picture import Instance as Instance

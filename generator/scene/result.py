@@ -13,7 +13,7 @@ from jaxtyping import Float
 from tabletop_objects.values import FARTHEST, OUTLINE, SMALLEST, VECTOR, ConvexPart, Model, freeze
 
 from ..errors import InputError, choices
-from ..io.reading import printable
+from ..io.bounded import printable
 from .picture import USUAL_VIEW, View
 from .plan import TABLE, ScenePlan
 from .report import Report

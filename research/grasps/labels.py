@@ -14,7 +14,7 @@ from tabletopgen_env.detection.network import TURNS
 from tabletopgen_env.expert.planning.grasps import grasps_along
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes.source import SceneSource
-from tabletopgen_env.tasks.sampling import liftable
+from tabletopgen_env.tasks.candidates import liftable
 from tabletopgen_env.world.world import World
 from tabletopgen_env.world.worlds import WorldCache
 

@@ -24,8 +24,8 @@ from torch import Tensor, nn
 
 from generator.errors import BundleError, InputError
 from generator.geometry import rotation_z
+from generator.io.bounded import read_arrays
 from generator.io.files import write_file
-from generator.io.npz import read_arrays
 from generator.io.pictures import write_picture
 from tabletopgen_env.detection.detector import GraspDetector, save_weights
 from tabletopgen_env.detection.look import CELLS
@@ -33,7 +33,7 @@ from tabletopgen_env.detection.model import SHARPNESS, GraspBatch, GraspNetwork,
 from tabletopgen_env.detection.network import PLACE, PLACES, TURNS, turn_views
 from tabletopgen_env.expert.planning.grasps import Grasp
 from tabletopgen_env.scenes import FreshScenes, split
-from tabletopgen_env.scenes.splitting import Side
+from tabletopgen_env.scenes.splits import Side
 
 from .labels import COLUMNS, GraspLesson, lessons
 from .sheet import sheet

@@ -3,12 +3,12 @@
 ==================  ===============================================================================
 ``suites``          the suites by name, and their files
 ``instances``       what a suite holds: tables, what is to be done there, episodes
-``training``        tables to train at, apart from all that are listed
+``training_tables`` tables to train at, apart from all that are listed
 ``tables``          a suite's tables on disk, made again bit for bit
 ``players``         who plays: random, zero, the expert, policy files, functions
-``running``         a run, which resumes; ``playing`` its episodes
+``run``             a run, which resumes; ``episode`` its episodes
 ``results``         files of results, with a digest
-``comparing``       results side by side; ``leaderboard`` the page of all
-``drafting``        how suites were made
+``comparison``      results side by side; ``leaderboard`` the page of all
+``suite_drafts``    how suites were made
 ==================  ===============================================================================
 """

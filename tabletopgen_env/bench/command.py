@@ -15,11 +15,11 @@ from generator.errors import InputError, escape
 from generator.io.files import check_target, write_whole
 from generator.jobs.pools import PoolOptions
 
-from .playing import FailurePictures
+from .episode import FailurePictures
 
 if TYPE_CHECKING:
     from .instances import Suite
-    from .running import Report
+    from .run import Report
 
 app = tyro.extras.SubcommandApp()
 
@@ -104,7 +104,7 @@ def run_policy(
         pictures: What is kept of episodes that fail.
     """
     from .results import read_result
-    from .running import BenchRun, run_suite
+    from .run import BenchRun, run_suite
 
     run = BenchRun(out, name, tables, pool, pictures)
     for chosen in _find(suite):
@@ -152,7 +152,7 @@ def check_results(
             cache.
         pool: Who makes missing tables.
     """
-    from .checking.command import Check, check_result
+    from .audit.command import Check, check_result
 
     if not results:
         raise InputError("Name at least one result to check.")
@@ -173,7 +173,7 @@ def compare_results(
     Args:
         results: Files that "run" wrote.
     """
-    from .comparing import compare
+    from .comparison import compare
     from .results import read_result
 
     read = [read_result(path) for path in results]

@@ -90,7 +90,7 @@ class TaskSuites:
         distribution: what tables are drawn from.
         levels: the ranges of difficulty, from easy to hard.
         training: seeds of tables to train at are below this number.
-        share: of all tables, those that are held out by digest; see ``scenes.splitting``. Listed
+        share: of all tables, those that are held out by digest; see ``scenes.splits``. Listed
             tables are held out, tables to train at are not.
         terms: what the certificates of the tables were made for.
         versions: of the packages that the tables were made with.

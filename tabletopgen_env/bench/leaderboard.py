@@ -9,9 +9,9 @@ from pathlib import Path
 
 from generator.errors import InputError
 
-from .checking.figures import check_suite, doubts
-from .checking.marks import read_mark
-from .comparing import percent, span
+from .audit.figures import check_suite, doubts
+from .audit.marks import read_mark
+from .comparison import percent, span
 from .instances import RANDOM, Suite
 from .players import PlayerFacts
 from .results import BenchResult, read_result

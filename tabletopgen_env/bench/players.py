@@ -17,7 +17,7 @@ import gymnasium as gym
 import numpy as np
 
 from generator.errors import InputError, choices
-from generator.io.reading import printable
+from generator.io.bounded import printable
 
 from ..settings.keywords import KEYWORDS, keywords_of
 from .instances import Suite
@@ -155,7 +155,7 @@ class PolicyPlayer:
         self._check(env)
         if (reset := getattr(self.policy, "reset", None)) is not None:
             reset()
-        from ..learning.evaluating import EpisodePlayer
+        from ..learning.evaluation import EpisodePlayer
 
         return EpisodePlayer(self.policy).act
 

@@ -16,14 +16,14 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import InputError
+from generator.io.bounded import is_number, printable
 from generator.io.files import write_whole
-from generator.io.reading import is_number, printable
 
 from ..files import check_type
 from ..statistics import wilson
+from .episode import SuiteOutcome
 from .instances import Suite, SuiteEpisode
 from .players import KINDS, SIMPLE, PlayerFacts
-from .playing import SuiteOutcome
 from .suites import canonical_digest, digest_of, read_payload
 
 SCHEMA = 1

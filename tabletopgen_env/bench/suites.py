@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import InputError, choices
+from generator.io.bounded import is_number, parse_object, printable, read_regular
 from generator.io.files import write_whole
-from generator.io.reading import is_number, parse_object, printable, read_regular
 from generator.language.distribution import SceneDistribution
 
 from ..certificates.certificate import MOST_EPISODES, TaskInstance, Terms

@@ -12,8 +12,8 @@ from typing import Any
 
 from generator import bundle
 from generator.errors import BundleError, InputError, choices, require, require_seed
+from generator.io.bounded import parse_object, printable
 from generator.io.files import write_whole
-from generator.io.reading import parse_object, printable
 
 from ..files import check_type
 from ..tasks.names import NAMES, TaskName

@@ -17,7 +17,7 @@ from generator.errors import StorageError
 from generator.geometry import rotation_z
 from generator.io.files import write_whole
 
-from ..expert.planning.choosing import GraspPlan, first_reachable
+from ..expert.planning.choice import GraspPlan, first_reachable
 from ..expert.planning.grasps import TIP, Grasp, is_like
 from ..robot import franka
 from .look import HeightView, look

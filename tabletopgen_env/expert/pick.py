@@ -30,8 +30,8 @@ from ..goals.goal import Goal, Raised
 from ..robot import franka
 from .arm import elbow_swing, is_wound, turn_left, turn_to_middle, up
 from .driver import NEAR, Expert
-from .planning.choosing import HOVER, GraspPlan, choose
-from .planning.dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
+from .planning.choice import HOVER, GraspPlan, choose
+from .planning.drop import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
 from .planning.grasps import TIP, Grasp
 
 Phase = Literal[

@@ -7,8 +7,8 @@ from typing import Protocol
 from ..actions.servos import Controller
 from ..goals.goal import Goal
 from ..world.world import World
-from .planning.choosing import Chooser, GraspPlan
-from .planning.dropping import Drop
+from .planning.choice import Chooser, GraspPlan
+from .planning.drop import Drop
 
 
 class Advice(Protocol):

@@ -15,8 +15,8 @@ from jaxtyping import Bool, Float, Int
 from generator import bundle
 from generator.errors import BundleError, InputError, require, require_seed
 from generator.geometry import quaternion_matrix
+from generator.io.bounded import is_number, parse_object, printable
 from generator.io.files import write_whole
-from generator.io.reading import is_number, parse_object, printable
 from generator.scene import Pose
 
 from ..files import check_type

@@ -17,8 +17,8 @@ import platformdirs
 import assets_cache
 from generator.bundle import load, load_fingerprint
 from generator.errors import BundleError, InputError, StorageError, require_number
+from generator.io.bounded import parse_object, read_regular
 from generator.io.files import remove_tree, write_whole
-from generator.io.reading import parse_object, read_regular
 from generator.jobs.pools import PoolOptions, pool_of
 from generator.scene.provenance import versions
 

@@ -20,7 +20,7 @@ from .extra import need_sb3
 
 if TYPE_CHECKING:
     from ..scenes import SceneSource
-    from .evaluating import Predicts
+    from .evaluation import Predicts
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +106,7 @@ def train(
 
     chosen = named(recipe, changes)  # before anything heavy is loaded
     need_sb3()
-    from .tracking import TrainingPlan
+    from .progress import TrainingPlan
     from .training import train as trained
 
     if steps is not None and chosen.algorithm == "clone":
@@ -172,7 +172,7 @@ def enjoy(
         check_target(video_strip, "--video-strip")
     need_sb3()
     from ..scenes.source import close
-    from .evaluating import seeds, summarize
+    from .evaluation import seeds, summarize
     from .trial import PolicyTrial
 
     own = _load(policy, trust, recipe)
@@ -215,7 +215,7 @@ def plot(
     need_sb3()
     from generator.io.pictures import write_picture
 
-    from .plotting import bands, draw, number
+    from .plots import bands, draw, number
     from .runs import open_run
 
     found = bands([open_run(path) for path in runs], by)
@@ -229,7 +229,7 @@ def plot(
 
 def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
     """Say so if a policy is about to be judged at tables it was trained at."""
-    from .making import count_shared, source_of
+    from .setup import count_shared, source_of
 
     try:
         both = count_shared(source_of(_one(trained), "train"), source)
@@ -259,10 +259,10 @@ def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
 
 def _load_zip(path: Path, trust: bool, recipe: str | None) -> _Loaded:
     """Return a model of a zip of Stable-Baselines3, if it is to be trusted."""
-    from .making import load_zip
     from .recipes import as_texts
     from .recipes import recipe as named
     from .runs import open_run
+    from .setup import load_zip
 
     if not trust:
         raise InputError(

@@ -25,8 +25,8 @@ from safetensors.torch import save as packed
 from torch import Tensor
 
 from generator.errors import InputError, choices
+from generator.io.bounded import parse_object
 from generator.io.files import write_whole
-from generator.io.reading import parse_object
 
 from ..files import check_type
 from ..tasks.names import NAMES

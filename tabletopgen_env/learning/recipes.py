@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 from generator.errors import InputError, choices, require, require_known
-from generator.io.reading import parse_toml, printable, read_regular
+from generator.io.bounded import parse_toml, printable, read_regular
 
-from ..scenes.making.recipe import MOST_SEEDS
+from ..scenes.production.recipe import MOST_SEEDS
 from ..tasks.names import NAMES
 
 Algorithm = Literal["sac", "td3", "ppo", "ppo-batch", "clone"]

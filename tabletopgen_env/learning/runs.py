@@ -32,12 +32,12 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import InputError, StorageError
+from generator.io.bounded import parse_object, read_regular
 from generator.io.files import write_whole
-from generator.io.reading import parse_object, read_regular
 
 from ..files import check_type
 from .algorithms.learner import Counts, Learner
-from .evaluating import PolicyEvaluation
+from .evaluation import PolicyEvaluation
 from .recipes import Recipe, recipe_of
 
 FORMAT = 1

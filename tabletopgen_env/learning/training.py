@@ -26,19 +26,19 @@ from ..tasks.registry import task_named
 from .algorithms.learner import Learner
 from .algorithms.sb3 import Sb3Learner
 from .demonstrations.cloning import CloningConfig, Round, clone
-from .demonstrations.grasping import teach_head
+from .demonstrations.demos import CHUNK, GraspShowing, gather
+from .demonstrations.grasp_lessons import teach_head
 from .demonstrations.replay import fill
 from .demonstrations.rounds import RoundsFolder
-from .demonstrations.showings import CHUNK, GraspShowing, gather
-from .ending import StopAsked, heeding
-from .making import blank_model, count_shared, many_envs, new_model, single_env, source_of
+from .interrupt import StopAsked, heeding
 from .networks.look_extractor import LookExtractor
 from .policies import policy_bytes, policy_from
 from .ppo.batches import batch_config
 from .ppo.training import learn_in_batches, new_ppo
+from .progress import Pauses, Progress, Say, Tracker, TrainingPlan, logger_of
 from .recipes import Recipe
 from .runs import ROUNDS, Run, begin, differences, open_run
-from .tracking import Pauses, Progress, Say, Tracker, TrainingPlan, logger_of
+from .setup import blank_model, count_shared, many_envs, new_model, single_env, source_of
 
 EVER_NEW = 1_000_000
 """Variants of fresh tables at which the expert shows its grasps, both sides together."""

@@ -18,8 +18,8 @@ from generator.jobs.task_pool import call_once
 
 from ..scenes.source import SceneSource, close
 from ..tasks.registry import task_named
-from .evaluating import EpisodeResult, Predicts, play
-from .making import single_env, source_of
+from .evaluation import EpisodeResult, Predicts, play
+from .setup import single_env, source_of
 
 STRIP = 6
 """Pictures in a film strip."""

@@ -1,8 +1,11 @@
-"""Largest magnitudes of the entries of an observation; what they are says ``modes``."""
+"""Bounds and noise of observation entries; ``modes`` lists the entries."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
+from jaxtyping import Float
 
 from ..rendering.views import SLOTS
 from .grasp_hint import HINT_BOUNDS
@@ -25,3 +28,16 @@ BOUNDS = {  # of the flat state's entries, by whether there is a hint and whethe
 }
 for _constant in (ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, GOAL_VECTOR_BOUNDS, *BOUNDS.values()):
     _constant.setflags(write=False)
+
+
+@dataclass(frozen=True, eq=False)
+class Noise:
+    """What is added to one reading of the state, but not to goals.
+
+    ``joints`` (rad) are added to the arm's, and the tool's pose follows; ``positions`` (m) and
+    ``turns`` (rotation vectors) are added to the objects by slot, base frame.
+    """
+
+    joints: Float[np.ndarray, "7"]
+    positions: Float[np.ndarray, "slots 3"]
+    turns: Float[np.ndarray, "slots 3"]

@@ -12,9 +12,8 @@ from generator.geometry import rotation_yaw, wrap
 
 from ..goals.goal import Goal
 from ..world.world import World
-from .bounds import BARE_BOUNDS, BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS
+from .bounds import BARE_BOUNDS, BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS, Noise
 from .grasp_hint import misread
-from .noise import Noise
 from .proprioception import write_robot
 
 

@@ -53,11 +53,10 @@ from generator.geometry import rotation_yaw, rotation_z, wrap
 from ..expert.arm import turn_left
 from ..expert.driver import NEAR
 from ..expert.path import ROOM, clear_height
-from ..expert.planning.choosing import Chooser, GraspPlan, choose
-from ..expert.planning.dropping import Drop, breadth, hanging, let_go_at, lift_of, lost
+from ..expert.planning.choice import Chooser, GraspPlan, choose, first_plan
+from ..expert.planning.drop import Drop, breadth, hanging, let_go_at, lift_of, lost
 from ..expert.planning.grasps import TIP, Grasp
-from ..expert.planning.placing import Placer, middle_place, plan_place
-from ..expert.planning.plans import first_plan
+from ..expert.planning.placement import Placer, middle_place, plan_place
 from ..goals.goal import Goal, Pushed, Raised
 from ..rendering.config import HintKind
 from ..world.world import World

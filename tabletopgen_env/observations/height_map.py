@@ -42,7 +42,7 @@ from generator.geometry import rotation_yaw, rotation_z
 from ..expert.planning.heights import HeightMap, height_map, move_parts
 from ..goals.goal import Goal
 from ..world.world import World
-from .noise import Noise
+from .bounds import Noise
 
 MAPS, CELLS = 3, 48
 """Maps, and cells along a side of each."""

@@ -18,8 +18,7 @@ from jaxtyping import Float
 from ..robot.kinematics import forward
 from ..robot.panda import HOME_CTRL
 from ..world.world import World
-from .bounds import ROBOT_BOUNDS
-from .noise import Noise
+from .bounds import ROBOT_BOUNDS, Noise
 
 SHARED = 32
 """How many entries are the flat state's; what it has of the robot beyond them no joint tells."""

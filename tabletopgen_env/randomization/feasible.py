@@ -12,9 +12,8 @@ from jaxtyping import Float
 from generator.geometry import rotation_yaw, wrap
 
 from ..expert.arm import stretch, up
-from ..expert.planning.choosing import HOVER, GraspPlan, choose
+from ..expert.planning.choice import HOVER, GraspPlan, choose, first_plan
 from ..expert.planning.grasps import grasps_along, is_like
-from ..expert.planning.plans import first_plan
 from ..expert.planning.strokes import plan_stroke
 from ..goals.goal import Goal, Pushed
 

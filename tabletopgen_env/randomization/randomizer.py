@@ -13,11 +13,11 @@ import numpy as np
 from jaxtyping import Float
 
 from ..goals.goal import begin_goals, named_by
-from ..observations.noise import Noise
+from ..observations.bounds import Noise
 from ..rendering.views import SLOTS
 from ..tasks.task import Episode
 from ..tasks.task import episode as begin
-from . import arranging, dynamics, looks, starting
+from . import arrangement, dynamics, looks, start
 from .originals import Originals
 from .settings import SWITCHES, Randomization, resolve
 
@@ -107,15 +107,15 @@ class Randomizer:
     def finish(self, world: World, episode: Episode) -> Episode:
         """Perturb the start, remove objects not needed; return the episode as it begins there."""
         if "start" in self._on:
-            self._drawn["start"] = starting.start_off(
+            self._drawn["start"] = start.start_off(
                 world, episode.goals, self.settings, self._stream("start")
             )
             episode = begin(world, begin_goals(world, episode.goals))
         if "distractors" in self._on:
-            drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
+            drawn = arrangement.draw_distractors(self.settings, world, self._stream("distractors"))
             keep = named_by(episode.goals)
-            gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
-            arranging.take_away(world, gone)
+            gone = arrangement.leaving(arrangement.bundles(world), keep, **drawn)
+            arrangement.take_away(world, gone)
             self._drawn["distractors"] = {"most": drawn["most"], "absent": list(gone)}
         return episode
 
@@ -145,8 +145,8 @@ class Randomizer:
     def _pose(self, world: World) -> None:
         """Rearrange the world's objects as far as they then rest."""
         world.reset()
-        drawn = arranging.draw_poses(self.settings, world, self._stream("poses"))
-        stayed = arranging.apply_poses(world, drawn)
+        drawn = arrangement.draw_poses(self.settings, world, self._stream("poses"))
+        stayed = arrangement.apply_poses(world, drawn)
         moved = {name: move for name, move in drawn.items() if name not in stayed}
         self._drawn["poses"] = {"moved": moved, "stayed": stayed}
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from .playing import RecordedEpisode
+from .episodes import RecordedEpisode
 
 _Playing = Callable[[Iterable[RecordedEpisode]], Iterator[RecordedEpisode]]
 

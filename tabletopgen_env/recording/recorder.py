@@ -16,10 +16,10 @@ from generator.io.files import check_folder
 from generator.scene.provenance import versions
 
 from .config import FORMATS, Format, LeRobotConfig, RecordConfig
+from .episodes import RecordedEpisode, play_episodes
 from .formats import RESUMABLE, Writer, check_installed, writer
 from .interrupts import deferring
-from .playing import RecordedEpisode, play_episodes
-from .publishing import publish, publish_in_parts, storing
+from .publication import publish, publish_in_parts, storing
 
 _LEROBOT = LeRobotConfig()
 _DECISIVE = ("tabletopgen", "mujoco", "numpy", "pyarrow")  # versions that decide the bytes

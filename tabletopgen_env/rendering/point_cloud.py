@@ -23,8 +23,7 @@ from jaxtyping import Float, Shaped
 
 from ..actions import WORKSPACE
 from .config import ObservationConfig
-from .model_camera import model_camera
-from .views import CAMERAS, LAST_LABEL, geom_labels
+from .views import CAMERAS, LAST_LABEL, geom_labels, model_camera
 
 if TYPE_CHECKING:
     from generator.geometry import Camera

@@ -16,7 +16,7 @@ from generator.scene.triangles import scaled_normals
 from ..world.composition import MARKER
 from ..world.room import backdrop
 from .kinds import Drawer, Kind
-from .model_camera import model_camera
+from .views import model_camera
 
 if TYPE_CHECKING:
     import mujoco

@@ -1,4 +1,4 @@
-"""What cameras show: pictures, depth and which slot each pixel belongs to.
+"""Camera views: pictures, depth and the slot of each pixel.
 
 Keys of the observation, by camera (``front``, ``wrist``, ``top``, ``side``) and kind:
 
@@ -42,10 +42,12 @@ from ..world.composition import FRONT_CAMERA, MARKER, SIDE_CAMERA, TOP_CAMERA, W
 from ..world.world import World
 from .config import CameraName, ObservationConfig
 from .kinds import DrawerOf, Kind
-from .model_camera import model_camera
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+
+from generator.geometry import Camera
 
 CAMERAS: Mapping[str, str] = MappingProxyType(
     {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA, "top": TOP_CAMERA, "side": SIDE_CAMERA}
@@ -178,3 +180,12 @@ def geom_labels(world: World, order: Sequence[str]) -> UInt8[np.ndarray, "geoms"
     body[[model.body(TABLE).id, model.body(MARKER).id]] = TABLETOP
     body[world.bodies[[world.index(name) for name in order]]] = FIRST_SLOT + np.arange(len(order))
     return np.append(body[model.geom_bodyid], np.uint8(BACKGROUND))
+
+
+def model_camera(world: World, name: str, height: int, width: int) -> Camera:
+    """Return a camera of the model at its present pose."""
+    index = world.model.camera(name).id
+    axes = world.data.cam_xmat[index].reshape(3, 3)
+    rotation = np.stack([axes[:, 0], -axes[:, 1], -axes[:, 2]])
+    fov = float(np.deg2rad(world.model.cam_fovy[index]))
+    return Camera(world.data.cam_xpos[index].copy(), rotation, fov, width, height)

@@ -21,22 +21,22 @@ that a seeded environment sees the same tables again; only what is renewed by th
 
 from generator.language.distribution import SceneDistribution as SceneDistribution
 
-from .choosing import SceneChoice as SceneChoice
-from .choosing import resolve as resolve
-from .choosing import split as split
 from .curriculum import CurriculumScenes as CurriculumScenes
 from .difficulty import difficulty as difficulty
 from .difficulty import difficulty_terms as difficulty_terms
-from .finding import CURRICULUM as CURRICULUM
-from .finding import FRESH as FRESH
-from .finding import REFRESHING as REFRESHING
-from .finding import STARTER as STARTER
 from .fixed import FixedScenes as FixedScenes
 from .fresh import FreshScenes as FreshScenes
-from .making.recipe import SceneRecipe as SceneRecipe
-from .refreshing import RefreshingScenes as RefreshingScenes
+from .lookup import CURRICULUM as CURRICULUM
+from .lookup import FRESH as FRESH
+from .lookup import REFRESHING as REFRESHING
+from .lookup import STARTER as STARTER
+from .production.recipe import SceneRecipe as SceneRecipe
+from .refresh import RefreshingScenes as RefreshingScenes
 from .sampler import DifficultySampler as DifficultySampler
-from .sharing import SharedScenes as SharedScenes
+from .selection import SceneChoice as SceneChoice
+from .selection import resolve as resolve
+from .selection import split as split
 from .source import SceneRef as SceneRef
 from .source import SceneSource as SceneSource
-from .splitting import SplitRule as SplitRule
+from .source import SharedScenes as SharedScenes
+from .splits import SplitRule as SplitRule

@@ -12,11 +12,11 @@ from generator.errors import InputError
 from generator.scene import Scene
 
 from .difficulty import difficulty
-from .finding import CURRICULUM, FixedChoice, fixed_scenes, on_demand
 from .fixed import Bundle, is_there
+from .lookup import CURRICULUM, FixedChoice, fixed_scenes, on_demand
 from .sampler import DifficultySampler
 from .source import HeldRef, Remembered, SceneRef, SceneSource, close, record
-from .splitting import SplitRule, admitting
+from .splits import SplitRule, admitting
 
 _NEW = 4.0  # weight of a scene that was not drawn yet
 

@@ -13,7 +13,7 @@ from generator.errors import BundleError, InputError
 from generator.scene import Scene
 
 from .source import SceneRef
-from .splitting import SplitRule, admits, kinds, kinds_of
+from .splits import SplitRule, admits, kinds, kinds_of
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ import numpy as np
 from generator.errors import InputError, SceneError
 from generator.language.distribution import SceneDistribution
 
-from .making.recipe import COMPOSE, GENERATE, MOST_SEEDS, SceneRecipe, maker
+from .production.recipe import COMPOSE, GENERATE, MOST_SEEDS, SceneRecipe, maker
 from .source import SceneRef
-from .splitting import SplitRule
+from .splits import SplitRule
 
 DRAWS = 1000
 """How many texts, or plans, and seeds are drawn for one of the right side of a split."""

@@ -14,7 +14,7 @@ from generator.scene import Object
 
 from ..goals.goal import Raised
 from ..world.world import World
-from .sampling import draw_episode, liftable
+from .candidates import draw_episode, liftable
 from .task import Choice, Episode, Task, episode
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from generator.scene import Object
 
 from ..world.world import World
-from .sampling import (
+from .candidates import (
     check_known,
     containers,
     draw_episode,

@@ -22,7 +22,7 @@ from ..expert.planning.strokes import beside, plan_stroke
 from ..goals.goal import SPOT, Pushed
 from ..goals.needs import LOW
 from ..world.world import World
-from .sampling import Reasons, blocking_reason, draw_episode, given_point, on_table, rest_height
+from .candidates import Reasons, blocking_reason, draw_episode, given_point, on_table, rest_height
 from .task import Choice, Episode, Task, episode
 
 WAY = (0.08, 0.25)

@@ -15,7 +15,7 @@ from generator.errors import InputError, SceneError
 from ..expert.path import clear_height
 from ..goals.goal import Reached
 from ..world.world import World
-from .sampling import coordinates
+from .candidates import coordinates
 from .task import Choice, Episode, Task, episode
 
 HEIGHTS = (0.05, 0.30)

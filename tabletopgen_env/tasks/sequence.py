@@ -27,12 +27,11 @@ from generator.errors import InputError, SceneError, require_known
 from generator.language.distribution import Needs
 from generator.scene import Object
 
-from ..expert.planning.plans import has_grasp
+from ..expert.planning.choice import has_grasp
 from ..goals.goal import SPOT, Goal
 from ..goals.needs import FLAT, SMALL, TRAYS
 from ..world.world import World
-from .names import TaskName
-from .sampling import (
+from .candidates import (
     NO_GRASP,
     blocking_reason,
     containers,
@@ -42,6 +41,7 @@ from .sampling import (
     on_spot,
     spot_of,
 )
+from .names import TaskName
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Choice, Episode, Task, episode

@@ -15,14 +15,13 @@ from generator.scene import Object
 
 from ..affordance import grasp_width, resting_height
 from ..expert.arm import stretch, up
-from ..expert.planning.choosing import HOVER, choose
-from ..expert.planning.plans import first_plan
+from ..expert.planning.choice import HOVER, choose, first_plan
 from ..goals.goal import OnTop
 from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
 from ..world.world import World
+from .candidates import draw_episode, given_object, liftable, on_table, rest_height
 from .pick_place import PickPlace
-from .sampling import draw_episode, given_object, liftable, on_table, rest_height
 from .task import Choice, Episode, Task, episode
 
 LEAST_TOP = 0.022

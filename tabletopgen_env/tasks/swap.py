@@ -15,12 +15,12 @@ import numpy as np
 from generator.geometry import inside_margin
 from generator.scene import Object
 
-from ..expert.planning.plans import has_grasp
+from ..expert.planning.choice import has_grasp
 from ..goals.goal import Goal, the
 from ..goals.needs import SMALL
 from ..world.workspace import FREE_MARGIN
 from ..world.world import World
-from .sampling import draw_episode, given_object, in_stead, liftable, on_spot, on_table, spot_of
+from .candidates import draw_episode, given_object, in_stead, liftable, on_spot, on_table, spot_of
 from .task import Choice, Episode, Task, episode
 
 

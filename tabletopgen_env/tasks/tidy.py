@@ -14,11 +14,11 @@ from generator.errors import InputError
 from generator.scene import Object
 
 from ..affordance import Opening, grasp_width, resting_height
-from ..expert.planning.plans import has_grasp
+from ..expert.planning.choice import has_grasp
 from ..goals.goal import INSIDE, Goal, the
 from ..goals.needs import TINY, TRAYS
 from ..world.world import World
-from .sampling import containers, given_object, into, liftable, nothing
+from .candidates import containers, given_object, into, liftable, nothing
 from .swap import Swap
 from .task import Choice, Episode, Task, episode
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     import gymnasium as gym
 
     from ..learning.policies import Card, TrainedPolicy
-    from ..recording.playing import RecordedEpisode
+    from ..recording.episodes import RecordedEpisode
     from .inputs import HumanInput
     from .session import TeleopEpisode, TeleopSession, TeleopStatus
 
@@ -169,7 +169,7 @@ def _begin_each(session: TeleopSession, seeds: Iterator[tuple[int, int]]) -> Ite
 def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:
     """Return an episode as datasets keep it, with who acted as the column ``human``."""
     from ..learning.demonstrations.recorded import Demonstration, stack
-    from ..recording.playing import recorded_episode
+    from ..recording.episodes import recorded_episode
 
     actions = np.stack(episode.actions)
     shown = Demonstration(

@@ -11,7 +11,7 @@ import numpy as np
 from generator.errors import InputError
 
 from ..episodes import Held
-from ..learning.evaluating import EpisodePlayer, Predicts
+from ..learning.evaluation import EpisodePlayer, Predicts
 from ..observations.proprioception import feel
 from ..rendering.config import CameraName
 from .inputs import HumanInput, Operator

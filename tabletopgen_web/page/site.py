@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from generator.bundle.publishing import put_in_place, staging_in
+from generator.bundle.publication import put_in_place, staging_in
 from generator.errors import InputError, StorageError
 from generator.scene.provenance import plain, versions
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from generator.errors import BackendError, InputError, escape, require_number
 
 if TYPE_CHECKING:
-    from ..study.filling import StudyPage
+    from ..study.page_data import StudyPage
 
 _MOST_STUDIES = 16
 _POST = "/api/studies/{study}/answers"
@@ -53,7 +53,7 @@ def studio(
     from .server.application import make_application
     from .server.changes import Changes
     from .server.guard import Access
-    from .server.listening import bind, serve
+    from .server.listener import bind, serve
 
     require_number("studio needs --port", port, minimum=0, maximum=65535, integer=True)
     require_number("studio needs --workers", workers, minimum=1, maximum=64, integer=True)
@@ -87,7 +87,7 @@ def studio(
 
 def _read_studies(paths: tuple[Path, ...]) -> dict[str, StudyPage]:
     """Return the pages of studies, by study."""
-    from ..study.filling import read_page, read_template
+    from ..study.page_data import read_page, read_template
 
     if len(paths) > _MOST_STUDIES:
         raise InputError(f"--study names {len(paths)} files; at most {_MOST_STUDIES} are served.")

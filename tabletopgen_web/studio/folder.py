@@ -28,8 +28,8 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from generator.errors import StorageError, TabletopError
+from generator.io.bounded import parse_object, read_regular
 from generator.io.files import check_folder, make_private, write_whole
-from generator.io.reading import parse_object, read_regular
 
 _MOST_BYTES = 4096  # of studio.json
 _WHO, _SECRET = "studio.json", "studies.secret"

@@ -155,7 +155,7 @@ def _read_compose(fields: Fields) -> ComposeSpec:
 
 
 def _read_edit(fields: Fields) -> EditSpec:
-    from generator.editing.wording import WordedEdit
+    from generator.editing.edits import WordedEdit
 
     scene, action = _scene(fields), cast("EditKind", fields.choice("action", get_args(EditKind)))
     words = fields.texts("words", 99, 400)

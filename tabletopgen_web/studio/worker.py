@@ -17,10 +17,10 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from generator.errors import TabletopError
-from generator.io.reading import parse_object
+from generator.io.bounded import parse_object
 
 from .specs import ComposeSpec, EditSpec, EpisodeSpec, ExportSpec, GenerateSpec, read_spec
-from .work.estimating import estimate
+from .work.estimate import estimate
 from .work.files import export_scene, record
 from .work.order import JobOrder, Telling
 from .work.scenes import compose_scene, edit_scene, generate_scene

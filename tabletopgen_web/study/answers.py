@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import InputError
-from generator.io.reading import is_number, parse_json, parse_object, read_regular
+from generator.io.bounded import is_number, parse_json, parse_object, read_regular
 
 from .design import CRITERIA, LEVELS, SCHEMA
 from .key import StudyKey

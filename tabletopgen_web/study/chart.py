@@ -11,7 +11,7 @@ import numpy as np
 from generator.errors import InputError
 
 from .design import CRITERIA, SHORT
-from .measuring import Interval, StudyReport
+from .statistics import Interval, StudyReport
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

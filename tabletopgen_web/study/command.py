@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Annotated
 import tyro
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
-from generator.cli.printing import emit
+from generator.cli.output import emit
 from generator.errors import InputError, StorageError, escape
 from generator.io.files import check_folder, check_target, write_whole
 
 from .design import Drawing, StudyOptions, check_methods
 
 if TYPE_CHECKING:
-    from .measuring import StudyReport
+    from .statistics import StudyReport
 
 app = tyro.extras.SubcommandApp()
 
@@ -50,9 +50,9 @@ def make_page(
         drawing: How results are shown.
         json: Print one JSON object instead of lines.
     """
-    from .collecting import collect
-    from .filling import read_template
+    from .collection import collect
     from .page import key_path, make_study, write_study
+    from .page_data import read_template
 
     folders = _folders(methods)
     if out.suffix.lower() not in (".html", ".htm"):
@@ -108,7 +108,7 @@ def count_answers(
     """
     from .answers import read_all
     from .key import read_key
-    from .measuring import measure
+    from .statistics import measure
     from .tables import lines
 
     if out is not None:

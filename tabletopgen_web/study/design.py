@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from generator.errors import InputError, require_number, require_seed
-from generator.io.reading import printable
+from generator.io.bounded import printable
 
 CRITERIA = ("visual_fidelity", "image_alignment", "physical_plausibility", "overall")
 """What each result is rated for, from 1 (very poor) to 7 (excellent)."""

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import InputError
-from generator.io.reading import is_count, is_number, parse_object, printable, read_regular
+from generator.io.bounded import is_count, is_number, parse_object, printable, read_regular
 
 from .design import SCHEMA, check_methods
 

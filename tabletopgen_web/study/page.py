@@ -14,10 +14,10 @@ from typing import Any
 from generator.errors import InputError, StorageError
 from generator.io.files import check_target, write_whole
 
-from .collecting import RatedScene
+from .collection import RatedScene
 from .design import SCHEMA, SECONDS_A_SCENE, StudyOptions, check_methods
-from .filling import fill
 from .key import KeyScene, StudyKey, read_key
+from .page_data import fill
 
 
 @dataclass(frozen=True)

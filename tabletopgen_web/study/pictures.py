@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import UInt8
 
 from generator.errors import InputError
-from generator.io.reading import read_regular
+from generator.io.bounded import read_regular
 from generator.method.reference import ReferenceConfig, read_image
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".webp")

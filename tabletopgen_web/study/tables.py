@@ -7,7 +7,7 @@ import io
 from collections.abc import Callable, Sequence
 
 from .design import CRITERIA, SHORT
-from .measuring import CountedMean, Interval, MethodFigures, StudyReport
+from .statistics import CountedMean, Interval, MethodFigures, StudyReport
 
 Cell = Callable[[MethodFigures], float]
 

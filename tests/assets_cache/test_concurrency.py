@@ -13,7 +13,7 @@ from toy import toy_object, toy_scene
 
 import assets_cache
 from generator import bundle
-from generator.bundle import publishing
+from generator.bundle import publication
 from generator.errors import MissingError
 from generator.scene import Scene
 
@@ -47,7 +47,7 @@ def test_what_is_removed_while_it_is_read_is_missing_and_not_damaged(
     path, real = put(scene, tmp_path), bundle.folder.read_inside
 
     def read_inside(folder: Path, name: str, limit: int) -> bytes:
-        publishing.discard(path)
+        publication.discard(path)
         return real(folder, name, limit)
 
     monkeypatch.setattr("generator.bundle.folder.read_inside", read_inside)
@@ -63,7 +63,7 @@ def test_what_is_removed_and_saved_again_while_it_is_read_is_whole(
     def read_inside(folder: Path, name: str, limit: int) -> bytes:
         if raced or name != "scene.xml":
             return real(folder, name, limit)
-        raced.append(publishing.discard(path))
+        raced.append(publication.discard(path))
         try:
             return real(folder, name, limit)
         finally:
@@ -144,8 +144,8 @@ def test_what_is_whole_stays_with_its_certificate(scene: Scene, tmp_path: Path) 
 
 def test_who_removes_second_is_told_that_it_is_gone(scene: Scene, tmp_path: Path) -> None:
     path = put(scene, tmp_path)
-    assert publishing.discard(path)
-    assert not publishing.discard(path)
+    assert publication.discard(path)
+    assert not publication.discard(path)
     with pytest.raises(MissingError):
         assets_cache.remove(path, tmp_path)
     assert list(tmp_path.iterdir()) == []
@@ -154,7 +154,7 @@ def test_who_removes_second_is_told_that_it_is_gone(scene: Scene, tmp_path: Path
 DIES = """
 import sys, time
 from pathlib import Path
-from generator.bundle.publishing import staging_in
+from generator.bundle.publication import staging_in
 with staging_in(Path(sys.argv[1])) as staging:
     (staging / "half").write_text("x")
     print(staging.parent.name, flush=True)
@@ -202,8 +202,8 @@ def test_only_staging_folders_are_swept(tmp_path: Path) -> None:
     for path in tmp_path.iterdir():
         os.utime(path, (hour_ago, hour_ago), follow_symlinks=False)
     os.utime(kept, (hour_ago, hour_ago))
-    publishing.sweep(tmp_path)
-    publishing.sweep(tmp_path / "nowhere")
+    publication.sweep(tmp_path)
+    publication.sweep(tmp_path / "nowhere")
     names = {p.name for p in tmp_path.iterdir()}
     assert names == {
         "kept", ".staging-abcdefgh", ".staging-notes", ".staging-abcd1234", ".staging-releases",

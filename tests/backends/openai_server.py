@@ -18,7 +18,7 @@ import numpy as np
 from local_server import Server, sent_to
 from PIL import Image
 
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 
 KEY = "sk-test-0123456789abcdef"
 CHAT, IMAGES = "glimpse-1", "brush-1"

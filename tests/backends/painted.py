@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from generator.geometry import Camera, mask_box, yaw_quaternion
-from generator.render.picture import framing_camera
 from generator.render.raster import place, render
+from generator.render.sheet import framing_camera
 from generator.scene import Detection, Instance, OutlineKind, PlannedTable, View
 from generator.tables import build_table
 from tabletop_objects import build

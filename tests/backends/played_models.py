@@ -20,7 +20,7 @@ from generator.backends.huggingface.detection.sam2 import Sam2
 from generator.backends.huggingface.detection.sam3 import Sam3
 from generator.backends.huggingface.detection.tiles import Tile, tiles_of
 from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
-from generator.backends.installing import Once
+from generator.backends.requirements import Once
 from generator.geometry import mask_box
 
 SIDE = 96

@@ -33,7 +33,7 @@ from generator.method.extraction import extract
 from generator.method.rotation import RotationConfig, estimate_rotations
 from generator.render.crop import in_reference, tight_box
 from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePrior, View
-from generator.scene.turning import quarter_turn
+from generator.scene.quarter_turns import quarter_turn
 from generator.tables import build_table
 from tabletop_objects import build
 

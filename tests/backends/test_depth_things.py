@@ -14,7 +14,7 @@ from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.geometry import mask_box
 from generator.meshes.pixels import mask_iou
 from generator.method.alignment import Alignment, align
-from generator.method.modeling import align_canonically
+from generator.method.models import align_canonically
 from generator.scene import Detection, Model, Rotation
 from tabletop_objects import build
 

@@ -8,7 +8,7 @@ import pytest
 from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.eye.network import REGIONS
 from generator.backends.embedded.eye.sight import EyeReading
-from generator.backends.embedded.plane.eye_level import is_from_eye_level, plane_from_eye_level
+from generator.backends.embedded.plane.tabletop import is_from_eye_level, plane_from_eye_level
 
 SIDE = 200
 EYE = float(np.deg2rad(24))

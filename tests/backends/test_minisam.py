@@ -14,11 +14,11 @@ from played_masks import PlayedModel
 from generator.backends.embedded.eye.frames import Frame
 from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.minisam import weights
-from generator.backends.embedded.minisam.choosing import choose, is_one, join_parts
 from generator.backends.embedded.minisam.closer import Closer, ask_unions, complete, look_closer
 from generator.backends.embedded.minisam.network import Drawn
-from generator.backends.embedded.minisam.prompting import Proposal, clean
+from generator.backends.embedded.minisam.prompts import Proposal, clean
 from generator.backends.embedded.minisam.segmenter import MiniSamSegmenter
+from generator.backends.embedded.minisam.selection import choose, is_one, join_parts
 from generator.cli import run
 from generator.errors import BackendError
 

@@ -10,13 +10,14 @@ import trimesh
 
 from generator.backends.embedded.drawing.completion import complete
 from generator.backends.embedded.modeler import EmbeddedModeler
-from generator.backends.embedded.shapes import choosing, solids
-from generator.backends.embedded.shapes.framing import frame_to_mask, small_mask
+from generator.backends.embedded.shapes import generic as choosing
+from generator.backends.embedded.shapes import solids
+from generator.backends.embedded.shapes.frames import frame_to_mask, small_mask
 from generator.errors import InputError
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, view_rotation, yaw_quaternion
-from generator.meshes.baking import sample
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection, camera_view
+from generator.meshes.texture_bake import sample
 from generator.render.raster import Item, place, render
 from generator.scene import (
     Detection,

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from generator.language import naming
+from generator.language import names as naming
 
 KEYS = ("mug", "bowl", "apple")
 

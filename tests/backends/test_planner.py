@@ -14,7 +14,7 @@ from generator.language import relations, themes
 from generator.language.parsing.lexicon import category_of, singular, tokens
 from generator.language.parsing.vocabulary import COLLECTIVES, SYNONYMS
 from generator.language.planner import plan_scene
-from generator.language.reading import MAX_CHARACTERS
+from generator.language.reader import MAX_CHARACTERS
 from generator.scene import OutlineKind, PlannedObject, Relation, ScenePlan
 from tabletop_objects import CATEGORIES
 

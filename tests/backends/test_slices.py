@@ -3,7 +3,7 @@
 import numpy as np
 import trimesh
 
-from generator.backends.embedded.shapes.choosing import stroke_share
+from generator.backends.embedded.shapes.generic import stroke_share
 from generator.backends.embedded.shapes.slices import fit_slices
 from generator.backends.embedded.shapes.solids import (
     PosedSolid,

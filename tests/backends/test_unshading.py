@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from generator.meshes.unshading import Shading, estimate_shading
+from generator.meshes.shading import Shading, estimate_shading
 
 
 def sphere(count: int = 1500) -> np.ndarray:

@@ -16,8 +16,8 @@ def kernels() -> Path:
 
     One process compiles them; those beside it wait, and load them.
     """
-    from tabletopgen_env.batch.bank import SceneBank
-    from tabletopgen_env.batch.batch_world import BatchWorld
+    from tabletopgen_env.parallel.batch.bank import SceneBank
+    from tabletopgen_env.parallel.batch.batch_world import BatchWorld
 
     folder = Path(os.environ.setdefault("WARP_CACHE_PATH", str(ROOT / "build" / "warp")))
     folder.mkdir(parents=True, exist_ok=True)

@@ -14,12 +14,12 @@ from worlds import world_of
 from generator.errors import InputError
 from generator.physics.gate import judge
 from generator.scene import Failure
-from tabletopgen_env.batch.bank import SceneBank
-from tabletopgen_env.batch.union import capping
-from tabletopgen_env.batch.union.capping import cap_world
-from tabletopgen_env.batch.union.content import GEOM_FIELDS, SceneContent
-from tabletopgen_env.batch.union.shape import UnionShape
-from tabletopgen_env.batch.union.template import PARKED
+from tabletopgen_env.parallel.batch.bank import SceneBank
+from tabletopgen_env.parallel.batch.union import simplification
+from tabletopgen_env.parallel.batch.union.content import GEOM_FIELDS, SceneContent
+from tabletopgen_env.parallel.batch.union.shape import UnionShape
+from tabletopgen_env.parallel.batch.union.simplification import cap_world
+from tabletopgen_env.parallel.batch.union.template import PARKED
 from tabletopgen_env.robot.panda import HOME_QPOS, Panda
 
 NAMES = ("vanity", "coffee-square", "tidy-task-2")
@@ -175,7 +175,7 @@ def test_objects_of_many_parts_are_merged_and_gated_anew(monkeypatch: pytest.Mon
     assert cap_world(world, 13, Panda()) is world
     floating = tuple(Failure("floats", (name,)) for name in ("mug_1", "bowl_1", "more"))
     failed = replace(judge(world.scene), failures=floating)
-    monkeypatch.setattr(capping, "judge", lambda scene: failed)
+    monkeypatch.setattr(simplification, "judge", lambda scene: failed)
     said = "with 5 parts an object it fails its physical gate (mug_1 floats; bowl_1 floats)"
     with pytest.raises(InputError, match=re.escape(said)):
         SceneBank([world], max_parts=5)

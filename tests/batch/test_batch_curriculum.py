@@ -5,8 +5,8 @@ import pytest
 import torch
 from tables import COMPILING, need_warp
 
-from tabletopgen_env.core import rewards
 from tabletopgen_env.env import make_env
+from tabletopgen_env.parallel.core import rewards
 from tabletopgen_env.scenes import CurriculumScenes, DifficultySampler, SceneChoice, difficulty
 
 need_warp()
@@ -14,8 +14,8 @@ pytestmark = [
     pytest.mark.slow, pytest.mark.usefixtures("kernels"), pytest.mark.timeout(COMPILING)
 ]  # fmt: skip
 
-from tabletopgen_env.batch.decks import DeckConfig  # noqa: E402
-from tabletopgen_env.batch.env import TabletopBatchEnv  # noqa: E402
+from tabletopgen_env.parallel.batch.decks import DeckConfig  # noqa: E402
+from tabletopgen_env.parallel.batch.env import TabletopBatchEnv  # noqa: E402
 
 SCENES = ["vanity", "coffee-square"]
 

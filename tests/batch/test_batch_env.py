@@ -22,8 +22,8 @@ from tabletopgen_env.tasks.tidy import Tidy
 need_warp()
 pytestmark = [pytest.mark.usefixtures("kernels"), pytest.mark.timeout(COMPILING)]
 
-from tabletopgen_env.batch.decks import DeckConfig  # noqa: E402
-from tabletopgen_env.batch.env import TabletopBatchEnv, time_limit  # noqa: E402
+from tabletopgen_env.parallel.batch.decks import DeckConfig  # noqa: E402
+from tabletopgen_env.parallel.batch.env import TabletopBatchEnv, time_limit  # noqa: E402
 
 SCENES = ["vanity", "coffee-square"]
 EACH = 2

@@ -10,9 +10,9 @@ from generator.errors import InputError
 need_warp()
 pytestmark = [pytest.mark.usefixtures("kernels"), pytest.mark.timeout(COMPILING)]
 
-from tabletopgen_env.batch.decks import DeckConfig  # noqa: E402
-from tabletopgen_env.batch.env import TabletopBatchEnv  # noqa: E402
 from tabletopgen_env.learning.adapters.batches import BatchVecEnv  # noqa: E402
+from tabletopgen_env.parallel.batch.decks import DeckConfig  # noqa: E402
+from tabletopgen_env.parallel.batch.env import TabletopBatchEnv  # noqa: E402
 
 
 def test_sb3_learns_on_a_batch() -> None:

@@ -12,8 +12,8 @@ pytestmark = [
     pytest.mark.slow, pytest.mark.usefixtures("kernels"), pytest.mark.timeout(COMPILING)
 ]  # fmt: skip
 
-from tabletopgen_env.batch.decks import DeckConfig  # noqa: E402
-from tabletopgen_env.batch.env import TabletopBatchEnv  # noqa: E402
+from tabletopgen_env.parallel.batch.decks import DeckConfig  # noqa: E402
+from tabletopgen_env.parallel.batch.env import TabletopBatchEnv  # noqa: E402
 
 SCENES = ["vanity", "coffee-square"]
 VIEWS = {

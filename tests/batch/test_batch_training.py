@@ -10,9 +10,9 @@ from tables import COMPILING, need_warp
 from generator.errors import InputError
 from tabletopgen_env.learning.policies import load_policy
 from tabletopgen_env.learning.ppo.batches import BatchConfig, batch_config
+from tabletopgen_env.learning.progress import TrainingPlan
 from tabletopgen_env.learning.recipes import Recipe, recipe, recipe_of
 from tabletopgen_env.learning.runs import LATEST, open_run
-from tabletopgen_env.learning.tracking import TrainingPlan
 from tabletopgen_env.learning.training import train
 
 

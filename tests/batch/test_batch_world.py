@@ -10,10 +10,10 @@ from tables import COMPILING, awake, need_warp, shipped, turn
 from torch import Tensor
 
 from generator.errors import InputError
-from tabletopgen_env.batch import engine, limits
-from tabletopgen_env.batch.bank import SceneBank
-from tabletopgen_env.batch.batch_world import BatchWorld
-from tabletopgen_env.batch.limits import BatchLimits, bytes_per_world
+from tabletopgen_env.parallel.batch import engine, limits
+from tabletopgen_env.parallel.batch.bank import SceneBank
+from tabletopgen_env.parallel.batch.batch_world import BatchWorld
+from tabletopgen_env.parallel.batch.limits import BatchLimits, bytes_per_world
 from tabletopgen_env.robot.panda import HOME_CTRL
 from tabletopgen_env.world.world import World
 

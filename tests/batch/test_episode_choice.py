@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tabletopgen_env.batch.choice import EpisodeChoice, sampler_of
+from tabletopgen_env.parallel.batch.choice import EpisodeChoice, sampler_of
 from tabletopgen_env.scenes import CurriculumScenes, DifficultySampler
 
 EDGES = (0.0, 0.25, 0.5, 1.0)

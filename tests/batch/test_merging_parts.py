@@ -8,7 +8,7 @@ from toy import corners, ring_parts, toy_objects, toy_scene
 from generator.errors import InputError
 from generator.physics.gate import judge
 from generator.scene import ConvexPart
-from tabletopgen_env.batch.union.merging import cap_parts, merge_parts
+from tabletopgen_env.parallel.batch.union.simplification import cap_parts, merge_parts
 
 CUP = ring_parts(np.array([0.09, 0.09, 0.1]), wall=0.006, floor=0.006)
 

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from tables import shipped
 
-from tabletopgen_env.batch.bank import SceneBank
-from tabletopgen_env.batch.union.look import LOOKING, DrawnPose, SceneLook
+from tabletopgen_env.parallel.batch.bank import SceneBank
+from tabletopgen_env.parallel.batch.union.look import LOOKING, DrawnPose, SceneLook
 
 NAMES = ("vanity", "coffee-square", "tidy-task-2")
 

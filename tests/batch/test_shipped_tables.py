@@ -9,10 +9,10 @@ from jaxtyping import Float
 from tables import COMPILING, awake, need_warp, shipped, turn
 from worlds import begun
 
-from tabletopgen_env.batch.bank import SceneBank
-from tabletopgen_env.batch.batch_world import BatchWorld
-from tabletopgen_env.batch.union.capping import MOST_PARTS, cap_world
 from tabletopgen_env.env import TabletopEnv
+from tabletopgen_env.parallel.batch.bank import SceneBank
+from tabletopgen_env.parallel.batch.batch_world import BatchWorld
+from tabletopgen_env.parallel.batch.union.simplification import MOST_PARTS, cap_world
 from tabletopgen_env.robot.panda import HOME_CTRL, Panda
 from tabletopgen_env.tasks.lift import Lift
 from tabletopgen_env.world.world import World

@@ -10,12 +10,12 @@ from command import Shell
 from generator.errors import InputError
 from generator.scene.provenance import versions
 from tabletopgen_env.bench import leaderboard, results
-from tabletopgen_env.bench.checking.figures import doubts
-from tabletopgen_env.bench.checking.marks import ReplayMark, mark_path, read_mark, write_mark
+from tabletopgen_env.bench.audit.figures import doubts
+from tabletopgen_env.bench.audit.marks import ReplayMark, mark_path, read_mark, write_mark
+from tabletopgen_env.bench.episode import SuiteOutcome
 from tabletopgen_env.bench.instances import Suite
 from tabletopgen_env.bench.players import PlayerFacts
-from tabletopgen_env.bench.playing import SuiteOutcome
-from tabletopgen_env.bench.running import PACKAGES, BenchRun, run_suite
+from tabletopgen_env.bench.run import PACKAGES, BenchRun, run_suite
 from tabletopgen_env.bench.suites import canonical_digest, find_suite, tasks
 
 ROOT = Path(__file__).parents[2]

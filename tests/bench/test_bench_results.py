@@ -10,11 +10,11 @@ from command import Shell
 
 from generator.errors import InputError
 from generator.scene.provenance import versions
-from tabletopgen_env.bench import comparing, leaderboard, results
+from tabletopgen_env.bench import comparison, leaderboard, results
+from tabletopgen_env.bench.episode import SuiteOutcome
 from tabletopgen_env.bench.instances import Suite
 from tabletopgen_env.bench.players import SIMPLE, PlayerFacts
-from tabletopgen_env.bench.playing import SuiteOutcome
-from tabletopgen_env.bench.running import PACKAGES
+from tabletopgen_env.bench.run import PACKAGES
 from tabletopgen_env.bench.suites import canonical_digest, find_suite, tasks
 from tabletopgen_env.statistics import newcombe_paired
 
@@ -100,12 +100,12 @@ def test_a_result_whose_digest_was_made_to_fit_is_checked(
 def test_results_are_compared_in_pairs(toy: Suite, tmp_path: Path, shell: Shell) -> None:
     one = result_of(toy, tmp_path / "a.json", "random", {0, 1})
     two = result_of(toy, tmp_path / "b.json", "expert", {1, 2, 3})
-    found = comparing.difference(two, one)
+    found = comparison.difference(two, one)
     assert (found.gained, found.lost, found.share) == (2, 1, 0.25)
     assert found.interval == newcombe_paired(1, 2, 1, 0)
     shown = shell("bench", "compare", str(tmp_path / "a.json"), str(tmp_path / "b.json")).out
     assert "2 of 4" in shown and "+25.0" in shown and "2 of 2" in shown
-    rows = comparing.compare([one, two])
+    rows = comparison.compare([one, two])
     assert [len(row) for row in rows] == [len(rows[0])] * 3 and rows[1][-4:] == ("",) * 4
 
 
@@ -116,12 +116,12 @@ def test_results_of_other_suites_are_not_compared(
     other = find_suite(f"{suite_file}:test-random")
     two = result_of(other, tmp_path / "b.json", "random", {0})
     with pytest.raises(InputError, match="at one suite"):
-        comparing.difference(two, one)
+        comparison.difference(two, one)
     fewer = dataclasses.replace(one, episodes=one.episodes[:2])
     with pytest.raises(InputError, match="different episodes"):
-        comparing.difference(fewer, one)
+        comparison.difference(fewer, one)
     with pytest.raises(InputError, match="at least one"):
-        comparing.compare([])
+        comparison.compare([])
 
 
 def test_the_paired_interval_is_newcombes() -> None:

@@ -13,12 +13,12 @@ from command import Shell
 
 from generator.errors import InputError
 from generator.jobs.pools import PoolOptions
-from tabletopgen_env.bench import running
+from tabletopgen_env.bench import run as running
+from tabletopgen_env.bench.episode import FailurePictures, Stage
 from tabletopgen_env.bench.instances import Suite
 from tabletopgen_env.bench.players import find_player
-from tabletopgen_env.bench.playing import FailurePictures, Stage
 from tabletopgen_env.bench.results import read_result
-from tabletopgen_env.bench.running import BenchRun, run_suite
+from tabletopgen_env.bench.run import BenchRun, run_suite
 from tabletopgen_env.bench.suites import find_suite
 
 POLICY = """
@@ -236,8 +236,8 @@ def test_shipped_policies_play_their_task(suite: Suite, store: Path, tmp_path: P
 def test_a_policy_file_of_other_spaces_is_refused(suite: Suite, store: Path) -> None:
     import dataclasses
 
+    from tabletopgen_env.bench.episode import Playing
     from tabletopgen_env.bench.players import PolicyPlayer
-    from tabletopgen_env.bench.playing import Playing
 
     facts, player = find_player("reach-clone", suite)
     assert facts.kind == "policy" and len(facts.digest) == 64

@@ -11,7 +11,7 @@ import pytest
 from generator.errors import InputError
 from tabletopgen_env.bench import suites as files
 from tabletopgen_env.bench.instances import LISTED, TaskSuites
-from tabletopgen_env.bench.training import training_tables
+from tabletopgen_env.bench.training_tables import training_tables
 from tabletopgen_env.certificates.certificate import STARTS
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.tasks.names import NAMES

@@ -98,7 +98,7 @@ def test_textures_count_together_and_are_decoded_once(path: Path, monkeypatch) -
     decoded = []
     real = decode_png
     monkeypatch.setattr(
-        "generator.bundle.decoding.decode_png", lambda *a: decoded.append(a[1]) or real(*a)
+        "generator.bundle.decoder.decode_png", lambda *a: decoded.append(a[1]) or real(*a)
     )
     large = zlib.compress(b"\0" * (2049 * 2048), 1)
     forged = put_texture(path, png(2048, 2048, large))

@@ -17,7 +17,7 @@ from toy import toy_object, toy_scene
 import assets_cache
 from generator import bundle
 from generator.bundle import derived
-from generator.bundle.encoding import dumps
+from generator.bundle.encoder import dumps
 from generator.bundle.fields import numbers
 from generator.bundle.segments import Segments
 from generator.errors import BundleError, InputError, SceneError

@@ -145,7 +145,7 @@ def test_one_answer_is_bounded_in_a_store_of_any_size(
     with file.open("r+b") as opened:
         opened.truncate(MOST_ANSWER_BYTES + 1)  # sparse
     refuse = lambda *_, **__: pytest.fail("it was read")  # noqa: E731
-    monkeypatch.setattr("generator.io.reading.open", refuse, raising=False)
+    monkeypatch.setattr("generator.io.bounded.open", refuse, raising=False)
     assert store.get(key("q")) is None and not file.exists()
     monkeypatch.setattr("generator.calls.store.MOST_ANSWER_BYTES", 300)
     with pytest.raises(StorageError, match="300 an answer"):

@@ -16,8 +16,8 @@ import pytest
 from local_server import raw_server
 from paid_server import CHAT, Says, ask, serving, session
 
-from generator.calls.http import dialing
-from generator.calls.http.dialing import proxy_for
+from generator.calls.http import connections
+from generator.calls.http.connections import proxy_for
 from generator.errors import BackendError, TabletopError, UnusableError
 
 TIMEOUT = 0.5
@@ -142,7 +142,7 @@ def test_an_address_that_takes_no_call_leaves_time_to_the_next(
     with socket.create_server(("127.0.0.1", 0)) as heard:
         port, places = heard.getsockname()[1], ("127.0.0.2", "127.0.0.1")
         monkeypatch.setattr("socket.socket", Deaf)
-        dialing.connect_any(places, port, time.monotonic() + TIMEOUT).close()
+        connections.connect_any(places, port, time.monotonic() + TIMEOUT).close()
     assert 0 < waited[0] <= TIMEOUT / 2
 
 

@@ -19,8 +19,7 @@ from generator.calls.http.retries import RetryPolicy
 from generator.calls.money.budget import SharedBudget
 from generator.calls.money.ledger import Account
 from generator.calls.money.prices import Price, Prices
-from generator.calls.store import CallStore
-from generator.calls.used import Used
+from generator.calls.store import CallStore, Used
 from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
 
 

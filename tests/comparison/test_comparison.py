@@ -10,8 +10,8 @@ from generator.bundle import Segments
 from generator.comparison import compare, comparison_sheet, picture_camera
 from generator.errors import InputError
 from generator.geometry import Camera
-from generator.render.picture import render_scene
 from generator.render.raster import Rendered
+from generator.render.sheet import render_scene
 from generator.scene import TABLE, Scene, View
 
 VIEW = View(azimuth=0.2, elevation=0.8, fov=0.6)

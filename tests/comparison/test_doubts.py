@@ -10,7 +10,7 @@ from toy import toy_scene
 from generator import cli, pipeline
 from generator.comparison.doubts import PictureMatch, match_picture, warn_of_eye_level
 from generator.geometry import Camera, mask_box
-from generator.render.picture import render_scene
+from generator.render.sheet import render_scene
 from generator.scene import TABLE, Instance, Reference, Scene, View
 
 VIEW = View(azimuth=0.2, elevation=0.8, fov=0.6)

@@ -9,16 +9,15 @@ import torch
 from toy import toy_scene
 
 from tabletopgen_env.actions import ACTIONS, Servos
-from tabletopgen_env.core import rewards
-from tabletopgen_env.core.arms import arms_at, ik_steps, rotation_vectors, rotations_of
-from tabletopgen_env.core.controls import RobotPose, advance, restart, start_commands
-from tabletopgen_env.core.flat_states import flat_states, slot_orders
-from tabletopgen_env.core.gathering import WorldRows
-from tabletopgen_env.core.goal_rows import GoalRows, goal_vectors
-from tabletopgen_env.core.readings import Readings
-from tabletopgen_env.core.vectors import agreement
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.parallel.core import rewards
+from tabletopgen_env.parallel.core.arms import arms_at, ik_steps, rotation_vectors, rotations_of
+from tabletopgen_env.parallel.core.controls import RobotPose, advance, restart, start_commands
+from tabletopgen_env.parallel.core.flat_states import flat_states, slot_orders
+from tabletopgen_env.parallel.core.goal_rows import GoalRows, goal_vectors
+from tabletopgen_env.parallel.core.readings import Readings, WorldRows
+from tabletopgen_env.parallel.core.vectors import agreement
 from tabletopgen_env.robot.chain import chain_at
 from tabletopgen_env.robot.kinematics import LOWER, UPPER, forward, ik_step, rotation_vector
 

@@ -13,7 +13,7 @@ from toy import toy_object, toy_scene
 import assets_cache
 from generator import bundle, editing
 from generator.composition import compose
-from generator.editing.disturbance import find_connected, find_disturbed
+from generator.editing.attempts import find_connected, find_disturbed
 from generator.method.assembly import AssemblyConfig, rest
 from generator.physics.gate import judge
 from generator.physics.simulation import ON_TABLE, Simulation

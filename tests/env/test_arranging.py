@@ -10,7 +10,7 @@ from toy import toy_object, toy_objects, toy_scene, toy_table
 from generator.scene import ConvexPart, Object, Pose, Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
-from tabletopgen_env.randomization.arranging import apply_poses, bundles, leaving
+from tabletopgen_env.randomization.arrangement import apply_poses, bundles, leaving
 from tabletopgen_env.rendering.drawer import drawer
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.world.world import World

@@ -12,7 +12,7 @@ from toy import toy_object, toy_scene
 from generator.bundle import save
 from generator.cli import plugins
 from generator.physics.gate import judge
-from tabletopgen_env.certificates import replaying
+from tabletopgen_env.certificates import replay as replaying
 from tabletopgen_env.certificates.certificate import (
     Certificate,
     TaskInstance,
@@ -21,7 +21,7 @@ from tabletopgen_env.certificates.certificate import (
     write_certificate,
 )
 from tabletopgen_env.certificates.certify import certify
-from tabletopgen_env.certificates.replaying import check_certificate, doubts, replay
+from tabletopgen_env.certificates.replay import check_certificate, doubts, replay
 
 TERMS = Terms(("Reach", "Lift"), 3, 2)
 

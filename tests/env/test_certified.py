@@ -24,13 +24,13 @@ from tabletopgen_env.certificates.certificate import (
 )
 from tabletopgen_env.certificates.certify import find_instances, instance_of
 from tabletopgen_env.env import make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.tasks.lift import Lift
 from tabletopgen_env.tasks.names import NAMES, TaskName
 from tabletopgen_env.tasks.push import Push
 from tabletopgen_env.tasks.sequence import PRESETS, Sequence
 from tabletopgen_env.tasks.task import Episode
-from tabletopgen_env.vector import TabletopVectorEnv
 from tabletopgen_env.world.world import World
 
 Certify = Callable[..., Path]

@@ -14,7 +14,7 @@ from worlds import two_scenes
 
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 SETTINGS: dict[str, dict[str, Any]] = {

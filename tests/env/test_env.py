@@ -11,8 +11,8 @@ from generator.errors import InputError, SceneError
 from generator.scene import Scene
 from tabletopgen_env.actions import ACTIONS
 from tabletopgen_env.env import DRAWS, GoalTabletopEnv, TabletopEnv, make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.scenes import SceneRef
-from tabletopgen_env.vector import TabletopVectorEnv
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 

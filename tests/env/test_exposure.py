@@ -21,8 +21,8 @@ from tabletopgen_env.randomization import PRESETS
 from tabletopgen_env.randomization.looks import apply_lights, draw_lights
 from tabletopgen_env.rendering.drawer import drawer
 from tabletopgen_env.rendering.kinds import Profile
-from tabletopgen_env.rendering.model_camera import model_camera
 from tabletopgen_env.rendering.software import visible_shapes
+from tabletopgen_env.rendering.views import model_camera
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.robot.shells import arm_points

@@ -8,7 +8,7 @@ from toy import toy_object, toy_scene
 
 from generator.scene import Object, Pose, Scene
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.expert.planning.choosing import choose
+from tabletopgen_env.expert.planning.choice import choose
 from tabletopgen_env.randomization.feasible import Feasible
 
 CUBE = (0.04, 0.04, 0.04)

@@ -13,12 +13,11 @@ from generator.errors import InputError, SceneError
 from generator.geometry import rotation_z, wrap
 from tabletopgen_env.detection.detector import read_detector
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.expert.planning.choosing import choose
-from tabletopgen_env.expert.planning.plans import first_plan
+from tabletopgen_env.expert.planning.choice import choose, first_plan
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.observations.grasp_hint import HINT_BOUNDS, GraspHint
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.randomization import Randomization
-from tabletopgen_env.vector import TabletopVectorEnv
 
 CUBE = {"target": "cube_1"}
 
@@ -98,7 +97,7 @@ def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch)
     env.reset(seed=0, options=CUBE)
     kept = first_plan(env.world, "cube_1", choose)
     with monkeypatch.context() as idle:
-        idle.setattr("tabletopgen_env.expert.planning.choosing.plan_grasps", lambda *_: 1 / 0)
+        idle.setattr("tabletopgen_env.expert.planning.choice.plan_grasps", lambda *_: 1 / 0)
         env.reset(seed=1, options=CUBE)
         assert first_plan(env.world, "cube_1", choose) is kept
 
@@ -269,7 +268,7 @@ def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
     """Neither the grasps nor the places of the expert's planners are behind it."""
     spot = {**CUBE, "goal": "spot"}
     env, _, expert = started(spot, task="PickPlace", grasp_hint="detected")  # plans for the spot
-    for planner in ("choosing.plan_grasps", "placing._held_underside"):
+    for planner in ("choice.plan_grasps", "placement._held_underside"):
         monkeypatch.setattr(f"tabletopgen_env.expert.planning.{planner}", lambda *_: 1 / 0)
     seen = env.reset(seed=0, options=spot)[0]
     expert.reset()

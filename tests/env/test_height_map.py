@@ -11,9 +11,9 @@ from toy import toy_scene
 from generator.errors import InputError
 from generator.geometry import rotation_yaw
 from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.observations.bounds import Noise
 from tabletopgen_env.observations.height_map import CELL, CELLS, STEP, HeightLook, height_map_space
-from tabletopgen_env.observations.noise import Noise
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 
 CUBE = {"target": "cube_1"}
 

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene
 
-from tabletopgen_env.core import vectors
 from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.planning.choice import has_grasp
 from tabletopgen_env.expert.planning.grasps import plan_grasps
-from tabletopgen_env.expert.planning.plans import has_grasp
+from tabletopgen_env.parallel.core import vectors
 from tabletopgen_env.robot import kinematics
 from tabletopgen_env.robot.chain import chain_at
 from tabletopgen_env.robot.kinematics import (

@@ -17,9 +17,9 @@ from tabletopgen_env.observations.instructions import (
     show_instruction,
     tokens,
 )
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.rendering.config import PRESETS, ObservationConfig
 from tabletopgen_env.rendering.point_cloud import unproject
-from tabletopgen_env.vector import TabletopVectorEnv
 
 SMALL = {"image_size": 24, "renderer": "software"}
 GOAL = {"target": "can_1", "goal": "bowl_1"}
@@ -86,7 +86,7 @@ def test_calibrations_take_pixels_to_where_things_are() -> None:
 
 def test_the_calibration_is_the_renderers() -> None:
     env, _, info = started(cameras=("side",), kinds=("depth",))
-    from tabletopgen_env.rendering.model_camera import model_camera
+    from tabletopgen_env.rendering.views import model_camera
 
     camera = model_camera(env.world, "side", 24, 24)
     depth = np.full((24, 24), 0.7)

@@ -10,8 +10,8 @@ from generator.errors import BackendError, InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.rendering import drawer as rendering
 from tabletopgen_env.rendering.drawer import GlDrawer, drawer
-from tabletopgen_env.rendering.model_camera import model_camera
 from tabletopgen_env.rendering.software import SoftwareDrawer, visible_shapes
+from tabletopgen_env.rendering.views import model_camera
 from tabletopgen_env.world.composition import FRONT_CAMERA, WRIST_CAMERA
 
 

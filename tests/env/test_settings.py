@@ -12,6 +12,7 @@ from toy import toy_scene
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.learning.recipes import env_keywords
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.rendering.config import MODES
 from tabletopgen_env.settings import (
     KEYWORDS,
@@ -23,7 +24,6 @@ from tabletopgen_env.settings import (
     read_settings,
 )
 from tabletopgen_env.settings.keywords import GROUPS, keywords_of
-from tabletopgen_env.vector import TabletopVectorEnv
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 

@@ -19,10 +19,10 @@ from tabletopgen_env.affordance import footprint
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.planning.strokes import plan_stroke
 from tabletopgen_env.goals.goal import OnSpot
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.randomization import PRESETS
-from tabletopgen_env.randomization.arranging import DRIFT, OVERLAP
-from tabletopgen_env.randomization.starting import PALM_ROOM
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.randomization.arrangement import DRIFT, OVERLAP
+from tabletopgen_env.randomization.start import PALM_ROOM
 from tabletopgen_env.world.workspace import FREE_MARGIN
 
 TABLES = ["dining-fruit", "kitchen-cutting", "office-round"]

@@ -14,10 +14,10 @@ from worlds import two_scenes
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
+from tabletopgen_env.parallel.workers.checks import read_mode
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import SceneRef, resolve
-from tabletopgen_env.vector import TabletopVectorEnv
-from tabletopgen_env.vectors.checks import read_mode
 from tabletopgen_env.world.worlds import Masters
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
@@ -272,7 +272,7 @@ def test_a_program_that_forgets_to_close_it_ends() -> None:
     code = (
         "import sys; sys.path.insert(0, 'tests')\n"
         "from toy import toy_scene\n"
-        "from tabletopgen_env.vector import TabletopVectorEnv\n"
+        "from tabletopgen_env.parallel.vector import TabletopVectorEnv\n"
         "envs = TabletopVectorEnv(2, threads=2, scenes=toy_scene(), observation='pixels',"
         " image_size=16)\n"
         "envs.reset(seed=0)\n"

@@ -10,11 +10,17 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.observations.modes import slot_order
 from tabletopgen_env.rendering.config import ObservationConfig
 from tabletopgen_env.rendering.drawer import drawer
-from tabletopgen_env.rendering.model_camera import model_camera
 from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unproject
-from tabletopgen_env.rendering.views import DEPTH_FAR, SLOTS, TABLETOP, geom_labels, pictures
+from tabletopgen_env.rendering.views import (
+    DEPTH_FAR,
+    SLOTS,
+    TABLETOP,
+    geom_labels,
+    model_camera,
+    pictures,
+)
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.tasks.sampling import into
+from tabletopgen_env.tasks.candidates import into
 from tabletopgen_env.world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA
 from tabletopgen_env.world.world import World
 

@@ -9,7 +9,7 @@ from toy import toy_object, toy_scene
 
 from generator.bundle import Segments
 from generator.geometry import Camera, yaw_quaternion
-from generator.render.picture import render_scene
+from generator.render.sheet import render_scene
 from generator.scene import TABLE, Object, Pose, Scene, View
 
 FOUR = {"can_1": "overlap", "bottle_1": "float", "mug_1": "shrink", "strut_1": "turn"}

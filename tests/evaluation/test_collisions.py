@@ -18,8 +18,12 @@ from generator.evaluation.surfaces.collisions import (
     overlap_depth,
     rates,
 )
-from generator.evaluation.surfaces.shells import SurfaceShell, shells
-from generator.evaluation.surfaces.triangles import nearest_on_triangles, solid_angles
+from generator.evaluation.surfaces.shells import (
+    SurfaceShell,
+    nearest_on_triangles,
+    shells,
+    solid_angles,
+)
 from generator.geometry import yaw_quaternion
 from generator.scene import Mesh, Object, Placement, Pose
 from tabletop_objects import build

@@ -22,7 +22,7 @@ from generator.evaluation import DefectLimits, Evaluation, evaluate
 from generator.evaluation.perceptual import EMBEDDED, PUBLISHED
 from generator.evaluation.soundness import PLAIN
 from generator.evaluation.surfaces.sweep import Station
-from generator.render.picture import render_scene
+from generator.render.sheet import render_scene
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 
 QUICK = DefectLimits(rule=dataclasses.replace(PLAIN, seconds=1.0))
@@ -286,7 +286,7 @@ def paid(
     """A server, and the command for two scenes, whose judge asks it once for each and to rank."""
     monkeypatch.setitem(TABLE, "paid", {"reasoner": "judging:PaidJudging"})  # type: ignore[arg-type]
     small = functools.partial(render_scene, width=96, height=72)  # what it is shown, drawn quickly
-    monkeypatch.setattr("generator.render.picture.render_scene", small)
+    monkeypatch.setattr("generator.render.sheet.render_scene", small)
     each = (taken.scene.replace(objects=(thing,), name=thing.name) for thing in taken.scene.objects)
     scenes = [saved(scene, store) for scene in itertools.islice(each, 2)]
     picture = store / "picture.png"

@@ -11,12 +11,12 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert import arm
 from tabletopgen_env.expert.pick import Picker
-from tabletopgen_env.expert.planning.plans import first_plan
+from tabletopgen_env.expert.planning.choice import first_plan
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.robot import kinematics
 from tabletopgen_env.robot.mount import ARM_BREADTH, clear_of_tall
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.tasks import sampling
+from tabletopgen_env.tasks import candidates
 from tabletopgen_env.world.workspace import free_spot
 from tabletopgen_env.world.world import World
 
@@ -148,7 +148,7 @@ def asked(seed: int) -> tuple[list[tuple[bytes, bool]], int]:
     offered = list[tuple[bytes, bool]]()
 
     def fits(point: Any) -> bool:
-        offered.append((point.tobytes(), sampling._is_brought_to(world, REFUSABLE, plan, point)))
+        offered.append((point.tobytes(), candidates._is_brought_to(world, REFUSABLE, plan, point)))
         return False
 
     with pytest.MonkeyPatch.context() as patch:
@@ -173,7 +173,7 @@ def test_a_spot_far_out_of_reach_is_refused_without_a_step_of_kinematics() -> No
     steps = list[int]()
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(kinematics, "ik_step", counted(kinematics.ik_step, steps))
-        assert not sampling._is_brought_to(world, REFUSABLE, plan, far)
+        assert not candidates._is_brought_to(world, REFUSABLE, plan, far)
     assert not steps
 
 

@@ -8,7 +8,7 @@ from worlds import begun
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
-from tabletopgen_env.expert.planning.dropping import load
+from tabletopgen_env.expert.planning.drop import load
 from tabletopgen_env.expert.run import TaskExpert
 
 

@@ -13,7 +13,7 @@ from tabletopgen_env.affordance import Opening
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.pick import Picker
 from tabletopgen_env.expert.planning.heights import solid
-from tabletopgen_env.expert.planning.placing import Place, plan_place
+from tabletopgen_env.expert.planning.placement import Place, plan_place
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.goals.goal import Into, OnTop
 

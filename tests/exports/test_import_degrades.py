@@ -16,16 +16,15 @@ from toy import toy_scene
 from generator import editing
 from generator.bundle import BOUNDS, load, save
 from generator.errors import BackendError, BundleError, InputError, SceneError
-from generator.imports import ImportOptions, import_scene, list_outcomes
+from generator.imports import ImportOptions, bodies, import_scene, list_outcomes
 from generator.imports import folder as folders
-from generator.imports.building import bodies
-from generator.imports.building import scene as scenes
+from generator.imports import scene as scenes
 from generator.imports.foreign import ImportOutcome, Refusals
 from generator.imports.mjcf import compile_foreign, read_mjcf
 from generator.imports.mjcf_bodies import MAX_REFUSED, compile_sound
 from generator.imports.mjcf_files import GatheredModel, gather
 from generator.meshes.reading.surface import ColoredSurface, read_surface, surface_of
-from generator.meshes.thickening import thicken
+from generator.meshes.repair import thicken
 from generator.method.assembly import AssemblyConfig, reassemble
 from generator.physics import decomposition
 from generator.physics.gate import GateLimits, judge

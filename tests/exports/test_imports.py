@@ -18,7 +18,7 @@ from generator.exports import export
 from generator.geometry import quaternion_matrix
 from generator.imports import ImportOptions, import_scene
 from generator.imports.shapes import part_of, solid_part
-from generator.meshes.coloring import own_texture
+from generator.meshes.texture import own_texture
 from generator.scene import Object, Scene
 
 # -------------------------------------------------------------------------------------------- MJCF

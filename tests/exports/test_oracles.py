@@ -16,8 +16,8 @@ from generator.bundle import load
 from generator.exports import WRITERS, export
 from generator.exports.bodies import bodies_of
 from generator.geometry import framing_camera, quaternion_matrix
-from generator.render.picture import scene_items
 from generator.render.raster import render
+from generator.render.sheet import scene_items
 from generator.scene import Scene
 
 pytestmark = pytest.mark.slow

@@ -125,7 +125,7 @@ def run(
             return SimpleNamespace(save=lambda folder: bundle.save(scene, folder))
 
         monkeypatch.setattr("generator.pipeline.generate", generate)
-        monkeypatch.setattr("generator.jobs.making._share", lambda: None)
+        monkeypatch.setattr("generator.jobs.work._share", lambda: None)
         given = ("batch", str(prompts), "--out", str(tmp_path / "out"), "--backend", "remote",
                  "--prices", str(table), "--calls", str(tmp_path / "calls"))  # fmt: skip
         yield served, shell.of(*given)

@@ -20,13 +20,13 @@ from ray_cluster import two_nodes
 from assets_cache import find
 from generator.errors import SceneError
 from generator.jobs.pools import PoolOptions
-from tabletopgen_env.batch.decks import Deck, DeckConfig, DeckPlan
 from tabletopgen_env.certificates.certificate import FILE, Terms
 from tabletopgen_env.certificates.certify import certify
-from tabletopgen_env.core.goal_rows import GoalRows
-from tabletopgen_env.learning.evaluating import seeds
+from tabletopgen_env.learning.evaluation import seeds
 from tabletopgen_env.learning.policies import load_policy
 from tabletopgen_env.learning.trial import PolicyTrial
+from tabletopgen_env.parallel.batch.decks import Deck, DeckConfig, DeckPlan
+from tabletopgen_env.parallel.core.goal_rows import GoalRows
 from tabletopgen_env.recording import RecordConfig, record
 from tabletopgen_env.tasks.registry import task_named
 

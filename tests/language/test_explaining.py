@@ -7,7 +7,7 @@ import json
 import pytest
 
 from generator.cli import run
-from generator.language.explaining import Explained, explain, summarize
+from generator.language.explanation import Explained, explain, summarize
 
 
 def test_every_role_is_told() -> None:

@@ -11,9 +11,9 @@ from foreign_texts import ENGLISH_TEXTS, FOREIGN_TEXTS, SHORT_TEXTS
 
 from generator.cli import run
 from generator.errors import InputError
-from generator.language.explaining import explain
+from generator.language.explanation import explain
 from generator.language.planner import plan_scene
-from generator.language.reading import OTHER_LANGUAGE, check_text
+from generator.language.reader import OTHER_LANGUAGE, check_text
 from generator.language.words.foreign import is_foreign
 
 ROOT = Path(__file__).parents[2]

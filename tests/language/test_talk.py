@@ -8,7 +8,7 @@ import pytest
 from plans import all_related, counts
 
 from generator.language.planner import plan_scene
-from generator.language.words.speech import is_adjective, is_finite, is_verb
+from generator.language.words.dictionary import is_adjective, is_finite, is_verb
 
 
 @pytest.mark.parametrize(

@@ -20,8 +20,8 @@ from generator.layout import (
     unmet_relations,
 )
 from generator.layout.footprint import footprint, gaps, margins, rim_distance
-from generator.layout.furnishing import outline_of
-from generator.layout.resting import GAP, MARGIN
+from generator.layout.furniture import outline_of
+from generator.layout.rest import GAP, MARGIN
 from generator.scene import (
     Model,
     Placement,

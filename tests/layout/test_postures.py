@@ -6,7 +6,7 @@ import pytest
 from generator.composition import compose
 from generator.geometry import quaternion_matrix
 from generator.language.planner import plan_scene
-from generator.layout.postures import pose
+from generator.layout.orientation import pose
 from tabletop_objects import build
 
 

@@ -8,15 +8,13 @@ import numpy as np
 import pytest
 
 from generator.composition import compose
-from generator.language.openings import cut_category, open_category
 from generator.language.planner import plan_scene
-from generator.language.sizing import grow_carriers
+from generator.language.vessel_sizes import cut_category, grow_carriers, open_category
 from generator.layout import build_models, lay_out
-from generator.layout.postures import stand_up
+from generator.layout.orientation import stand_up
 from generator.layout.vessels.bunches import arrange_bunch, measure_stem
 from generator.layout.vessels.cavities import find_cavity
-from generator.layout.vessels.filing import file_away
-from generator.layout.vessels.holding import head_up, stand_in_holder
+from generator.layout.vessels.holders import file_away, head_up, stand_in_holder
 from generator.method.assembly import bring_to_rest
 from generator.physics.simulation import Simulation
 from generator.scene import PlannedObject, Provenance, Relation

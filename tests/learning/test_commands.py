@@ -16,10 +16,10 @@ from PIL import Image
 from stable_baselines3 import SAC
 
 from tabletopgen_env.episodes import HOLD
-from tabletopgen_env.learning.evaluating import evaluate, play, seeds
-from tabletopgen_env.learning.making import single_env, source_of
+from tabletopgen_env.learning.evaluation import evaluate, play, seeds
 from tabletopgen_env.learning.policies import load_policy, save_policy
 from tabletopgen_env.learning.runs import LATEST
+from tabletopgen_env.learning.setup import single_env, source_of
 
 LIFT = "tabletopgen_env:TabletopGen/Lift-v0"
 EXAMPLE = Path(__file__).parents[2] / "examples" / "train_lift.py"

@@ -20,9 +20,10 @@ from tabletopgen_env.detection.model import loss_of
 from tabletopgen_env.detection.network import PLACES, TURNS
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.arm import least_turn
-from tabletopgen_env.expert.planning.placing import unturned_place
+from tabletopgen_env.expert.planning.placement import unturned_place
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.learning.demonstrations.grasping import (
+from tabletopgen_env.learning.demonstrations.demos import read_showings, showing, write_showings
+from tabletopgen_env.learning.demonstrations.grasp_lessons import (
     SEEN_TURNS,
     batch_of,
     found_share,
@@ -30,12 +31,7 @@ from tabletopgen_env.learning.demonstrations.grasping import (
     teach_head,
 )
 from tabletopgen_env.learning.demonstrations.recorded import PATIENCE, demonstrate
-from tabletopgen_env.learning.demonstrations.showings import (
-    read_showings,
-    showing,
-    write_showings,
-)
-from tabletopgen_env.learning.demonstrations.teaching import Teacher, plan_in_heading
+from tabletopgen_env.learning.demonstrations.teacher import Teacher, plan_in_heading
 from tabletopgen_env.learning.networks.grasp_head import GraspHead, turn_easily, turn_maps
 from tabletopgen_env.learning.networks.look_extractor import (
     LookExtractor,
@@ -45,9 +41,9 @@ from tabletopgen_env.learning.networks.look_extractor import (
     ways,
 )
 from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.progress import TrainingPlan
 from tabletopgen_env.learning.recipes import Recipe
 from tabletopgen_env.learning.runs import BEST, LATEST, open_run
-from tabletopgen_env.learning.tracking import TrainingPlan
 from tabletopgen_env.learning.training import train
 from tabletopgen_env.observations.grasp_hint import GraspHint
 from tabletopgen_env.observations.height_map import CELL, CELLS, STEP, HeightLook

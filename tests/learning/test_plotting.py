@@ -8,8 +8,8 @@ import pytest
 from PIL import Image
 
 from generator.errors import InputError, StorageError
-from tabletopgen_env.learning.evaluating import PolicyEvaluation
-from tabletopgen_env.learning.plotting import Band, bands, draw, figure, number
+from tabletopgen_env.learning.evaluation import PolicyEvaluation
+from tabletopgen_env.learning.plots import Band, bands, draw, figure, number
 from tabletopgen_env.learning.runs import Run, begin, open_run
 
 

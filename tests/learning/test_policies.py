@@ -15,7 +15,6 @@ from generator.errors import InputError, StorageError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.learning import commands, policies
 from tabletopgen_env.learning.algorithms.sb3 import Sb3Learner
-from tabletopgen_env.learning.making import new_model, single_env, source_of
 from tabletopgen_env.learning.networks.actor import inputs_of, tensors_of
 from tabletopgen_env.learning.policies import (
     FORMAT,
@@ -27,6 +26,7 @@ from tabletopgen_env.learning.policies import (
     save_policy,
 )  # fmt: skip
 from tabletopgen_env.learning.runs import BEST, LATEST
+from tabletopgen_env.learning.setup import new_model, single_env, source_of
 from tabletopgen_env.observations.modes import observation_space
 from tabletopgen_env.rendering.config import ObservationConfig
 

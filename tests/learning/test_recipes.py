@@ -12,7 +12,10 @@ import pytest
 from generator.bundle import load
 from generator.errors import InputError
 from tabletopgen_env.learning import commands, training
-from tabletopgen_env.learning.making import (
+from tabletopgen_env.learning.networks.actor import inputs_of
+from tabletopgen_env.learning.ppo.training import new_ppo
+from tabletopgen_env.learning.recipes import FILE, recipe, recipe_of
+from tabletopgen_env.learning.setup import (  # fmt: skip
     blank_model,
     count_shared,
     many_envs,
@@ -22,10 +25,7 @@ from tabletopgen_env.learning.making import (
     spec_of,
     vector_env,
     worlds_kept,
-)  # fmt: skip
-from tabletopgen_env.learning.networks.actor import inputs_of
-from tabletopgen_env.learning.ppo.training import new_ppo
-from tabletopgen_env.learning.recipes import FILE, recipe, recipe_of
+)
 from tabletopgen_env.learning.training import cloning_config
 from tabletopgen_env.randomization import Randomization, Randomizer
 from tabletopgen_env.scenes import FixedScenes, RefreshingScenes

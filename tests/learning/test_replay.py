@@ -12,7 +12,7 @@ from generator.errors import InputError, SceneError
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.learning.demonstrations.replay import fill, read_buffer, write_buffer
-from tabletopgen_env.learning.making import many_envs, new_model, single_env, source_of
+from tabletopgen_env.learning.setup import many_envs, new_model, single_env, source_of
 
 LIMIT = 60  # of Reach
 

@@ -10,8 +10,8 @@ from toy import toy_object, toy_scene
 from generator.errors import InputError
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.learning.demonstrations.teaching import Teacher
-from tabletopgen_env.learning.evaluating import EpisodePlayer
+from tabletopgen_env.learning.demonstrations.teacher import Teacher
+from tabletopgen_env.learning.evaluation import EpisodePlayer
 from tabletopgen_env.learning.networks.look_extractor import heading_of, is_held, lowest_of
 from tabletopgen_env.learning.networks.perception import (
     STATE,
@@ -26,9 +26,9 @@ from tabletopgen_env.learning.networks.perception import (
 )
 from tabletopgen_env.learning.networks.sight_extractor import MEMORY, SightExtractor
 from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.progress import TrainingPlan
 from tabletopgen_env.learning.recipes import Network, Recipe, recipe
 from tabletopgen_env.learning.runs import LATEST
-from tabletopgen_env.learning.tracking import TrainingPlan
 from tabletopgen_env.learning.training import train
 from tabletopgen_env.observations.height_map import CELL
 

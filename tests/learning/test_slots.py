@@ -9,7 +9,7 @@ from toy import toy_scene
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.learning.adapters.slots import SlotVecEnv
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 
 LIMIT = 7
 

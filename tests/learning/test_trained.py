@@ -3,9 +3,9 @@
 import pytest
 
 from tabletopgen_env.learning.commands import enjoy
-from tabletopgen_env.learning.evaluating import play, seeds
-from tabletopgen_env.learning.making import single_env, source_of
+from tabletopgen_env.learning.evaluation import play, seeds
 from tabletopgen_env.learning.policies import load_policy, shipped_policies
+from tabletopgen_env.learning.setup import single_env, source_of
 
 SHIPPED = shipped_policies()
 

@@ -16,14 +16,14 @@ from stable_baselines3.common.vec_env import VecMonitor
 
 from generator.errors import InputError, SceneError, TabletopError
 from tabletopgen_env.env import TabletopEnv
-from tabletopgen_env.learning import extra, tracking, training
+from tabletopgen_env.learning import extra, progress, training
 from tabletopgen_env.learning.algorithms.sb3 import Sb3Learner
 from tabletopgen_env.learning.demonstrations import replay
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
-from tabletopgen_env.learning.making import load_zip
 from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.progress import TrainingPlan
 from tabletopgen_env.learning.runs import BEST, LATEST, open_run
-from tabletopgen_env.learning.tracking import TrainingPlan
+from tabletopgen_env.learning.setup import load_zip
 from tabletopgen_env.learning.training import train
 
 QUICK = TrainingPlan(evaluate_every=60, episodes=2)
@@ -101,7 +101,7 @@ def test_only_evaluations_are_at_held_out_tables(
 
     begun = TabletopEnv.reset
     monkeypatch.setattr(TabletopEnv, "reset", reset)
-    for place, name in ((training, "fill"), (training, "clone"), (tracking, "evaluate")):
+    for place, name in ((training, "fill"), (training, "clone"), (progress, "evaluate")):
         monkeypatch.setattr(place, name, noting(name, getattr(place, name)))
     monkeypatch.setattr(SAC, "learn", noting("learn", SAC.learn))
     algorithm, changes = FAMILIES[family]
@@ -159,7 +159,7 @@ def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -
 
 @pytest.mark.slow
 def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder: Path) -> None:
-    from tabletopgen_env.learning.making import many_envs, new_model, source_of
+    from tabletopgen_env.learning.setup import many_envs, new_model, source_of
 
     recipe = small(steps=60)
     train(recipe, folder, QUICK, say=quiet)
@@ -278,7 +278,7 @@ def test_a_late_error_deletes_nothing(small, folder: Path, monkeypatch) -> None:
         raise SceneError("the table fell over")
 
     with monkeypatch.context() as changed, pytest.raises(SceneError, match="fell over"):
-        changed.setattr(tracking, "evaluate", broken)
+        changed.setattr(progress, "evaluate", broken)
         train(small(), folder, QUICK, say=quiet)
     assert open_run(folder).recipe == small() and open_run(folder).rows() == []
     assert list((folder / "tensorboard").iterdir())
@@ -361,7 +361,7 @@ def test_cloning_can_be_interrupted_too(small, folder: Path) -> None:
 
 
 def test_tensorboard_is_not_needed(small, folder: Path, monkeypatch) -> None:
-    monkeypatch.setattr(tracking, "tensorboard_there", lambda: False)
+    monkeypatch.setattr(progress, "tensorboard_there", lambda: False)
     told: list[str] = []
     train(small("ppo", steps=32), folder, TrainingPlan(episodes=1, bar=True), say=told.append)
     assert sum("TensorBoard is not installed" in line for line in told) == 1

@@ -8,9 +8,9 @@ from toy import toy_object
 from generator.errors import InputError
 from generator.geometry import quaternion_matrix
 from generator.method.assembly import AssemblyConfig, assemble, body, reassemble
-from generator.physics.footing import on_foot
 from generator.physics.gate import judge
-from generator.physics.seating import seat_on_table
+from generator.physics.settling import on_foot
+from generator.physics.standing_height import seat_on_table
 from generator.scene import ConvexPart, Model, Placement, PlannedTable, Scene, ScenePlan, View
 
 

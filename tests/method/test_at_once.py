@@ -13,7 +13,7 @@ from generator.backends import Backends
 from generator.calls import Session
 from generator.geometry import mask_box
 from generator.method.extraction import extract
-from generator.method.modeling import make_models
+from generator.method.models import make_models
 from generator.scene import Detection, Reference, SizePrior, View
 
 IMAGE = np.full((60, 160, 3), 255, np.uint8)

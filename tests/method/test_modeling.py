@@ -8,9 +8,9 @@ import pytest
 
 from generator.errors import BackendError, InputError
 from generator.geometry import quaternion_matrix, ray_view
-from generator.method.modeling import make_models, measured_size, size_axes_turn
+from generator.method.models import make_models, measured_size, size_axes_turn
 from generator.scene import ConvexPart, Instance, Mesh, Model, Reference, SizePrior, View
-from generator.scene.turning import apply_quarter_turns, quarter_turn, turn
+from generator.scene.quarter_turns import apply_quarter_turns, quarter_turn, turn
 
 AXES = "xyz"
 CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))

@@ -7,11 +7,11 @@ import pytest
 
 from generator.language.planner import plan_scene
 from generator.layout import arrange_more, build_models, lay_out
-from generator.layout.checking import check_relations, foresee
 from generator.layout.footprint import footprint, gaps
+from generator.layout.relation_check import check_relations, foresee
 from generator.method.planned import ALIKE, REAL, Laid, SceneDraft, draft_scene, lay_out_draft
-from generator.method.planned.drafting import compare_sizes
-from generator.method.planned.matching import match_planned
+from generator.method.planned.draft import compare_sizes
+from generator.method.planned.matches import match_planned
 from generator.scene import TABLE, Instance, Model, Placement, ScenePlan
 
 TEXT = (

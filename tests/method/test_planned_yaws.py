@@ -7,7 +7,7 @@ from test_planned import TEXT, Found, by_name
 from generator.geometry import wrap
 from generator.layout import build_models, lay_out
 from generator.method.planned import SceneDraft, Turn, draft_scene, lay_out_draft
-from generator.method.planned.drafting import ALIKE
+from generator.method.planned.draft import ALIKE
 from generator.pipeline import generate
 from generator.scene import Model, Rotation
 

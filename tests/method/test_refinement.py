@@ -10,7 +10,7 @@ from toy import cube_mesh
 from generator.errors import InputError
 from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
 from generator.method.refinement import Refinement, RefinementConfig, outline_misfit, refine_scene
-from generator.method.refinement.crowding import Crowd, make_crowd
+from generator.method.refinement.clearance import Crowd, make_crowd
 from generator.method.refinement.problem import make_links
 from generator.render.raster import place, render
 from generator.scene import ConvexPart, Instance, Model, Object, Placement, PlannedTable, Pose, View

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 from generator.errors import InputError
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 from generator.method.reference import ReferenceConfig, refer
 from generator.scene import Intrinsics, Reference
 

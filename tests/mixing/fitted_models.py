@@ -19,8 +19,7 @@ from torch.nn import functional
 
 from generator.backends.huggingface.detection.phrases import questions
 from generator.backends.huggingface.detection.pixels import IMAGENET, bound_size, to_batch
-from generator.backends.huggingface.weights.folder import snapshot
-from generator.backends.huggingface.weights.pins import pins
+from generator.backends.huggingface.weights.pins import pins, snapshot
 from generator.geometry import mask_box
 
 SIDE = 96

@@ -15,8 +15,8 @@ from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
 from generator.geometry import Camera, framing_camera, mask_box, yaw_quaternion
-from generator.render.picture import TOP_DOWN
 from generator.render.raster import place, render
+from generator.render.sheet import TOP_DOWN
 from generator.scene import TABLE, Mesh, View
 
 TEXT = "a table with a book, a mug, a box, a can, a speaker and a candle"

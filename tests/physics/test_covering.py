@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from toy import CUBE_FACES, corners
 
-from generator.physics.covering import TOLERANCE, covering, outside
+from generator.physics.cover import TOLERANCE, covering, outside
 from generator.physics.parts import body_parts, on_base
 from generator.scene import ConvexPart
 from tabletop_objects import build

@@ -43,7 +43,7 @@ def cpu_seconds() -> float:
 def test_a_child_returns_what_this_process_would(monkeypatch: pytest.MonkeyPatch) -> None:
     raw = encoded(noise(300, 200), "PNG")
     apart = decode(raw, "The picture", InputError, LIMITS, "rgb", 100)
-    monkeypatch.setattr("generator.sandbox.running.is_inside", lambda: True)
+    monkeypatch.setattr("generator.sandbox.runner.is_inside", lambda: True)
     here = decode(raw, "The picture", InputError, LIMITS, "rgb", 100)
     np.testing.assert_array_equal(apart.pixels, here.pixels)
     assert (apart.width, apart.height, apart.mode) == (here.width, here.height, here.mode)

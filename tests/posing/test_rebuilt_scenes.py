@@ -13,8 +13,8 @@ from toy import toy_object, toy_scene
 
 from generator.composition import compose
 from generator.geometry import framing_camera, mask_box, quaternion_yaw, wrap, yaw_quaternion
-from generator.render.picture import render_scene, scene_items
 from generator.render.shading import Light
+from generator.render.sheet import render_scene, scene_items
 from generator.scene import Instance, Mesh, View
 from tabletop_objects import build
 

@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 
 from generator.errors import SceneError
-from tabletopgen_env.recording.playing import RecordedEpisode
+from tabletopgen_env.recording.episodes import RecordedEpisode
 
 SIZE = 16
 CAMERAS = ("front", "wrist")

@@ -16,8 +16,8 @@ from made_episodes import made_episode
 
 from generator.errors import InputError, SceneError, StorageError
 from tabletopgen_env.recording.config import Format, RecordConfig
+from tabletopgen_env.recording.episodes import RecordedEpisode
 from tabletopgen_env.recording.formats.npz_writer import NpzWriter
-from tabletopgen_env.recording.playing import RecordedEpisode
 from tabletopgen_env.recording.recorder import write_dataset
 
 CONFIG = RecordConfig("Reach", scenes=("office-desk",))

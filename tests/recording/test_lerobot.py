@@ -22,12 +22,12 @@ from PIL import Image
 
 from generator.errors import InputError, StorageError
 from tabletopgen_env.recording import LeRobotConfig, RecordConfig, record
+from tabletopgen_env.recording.episodes import RecordedEpisode
 from tabletopgen_env.recording.lerobot import depth as depths
 from tabletopgen_env.recording.lerobot import videos, writer
 from tabletopgen_env.recording.lerobot.assembly import Limits
 from tabletopgen_env.recording.lerobot.features import features_of
 from tabletopgen_env.recording.lerobot.segments import SegmentStore
-from tabletopgen_env.recording.playing import RecordedEpisode
 from tabletopgen_env.recording.recorder import write_dataset
 
 CONFIG = RecordConfig(

@@ -20,7 +20,7 @@ from generator.cli import run
 from generator.errors import InputError, SceneError, StorageError
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.recording import RecordConfig, record
-from tabletopgen_env.recording.playing import play_episodes
+from tabletopgen_env.recording.episodes import play_episodes
 
 TABLE = "office-round-*"
 LIFT = RecordConfig("Lift", scenes=(TABLE,), episodes=2, seed=4)
@@ -142,7 +142,7 @@ class Fatal(Counted):
 def test_each_process_makes_one_environment_and_closes_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tabletopgen_env.recording.playing.CHUNK", 1)
+    monkeypatch.setattr("tabletopgen_env.recording.episodes.CHUNK", 1)
     config = Counted("Lift", scenes=(TABLE,), episodes=3, seed=4, folder=str(tmp_path))
     record(config, tmp_path / "data", "npz", workers=2)
     notes = {path.name: path.read_text() for path in tmp_path.glob("*-*")}
@@ -212,7 +212,7 @@ def test_failures_are_kept_if_asked_and_else_passed_over(
         shown = demonstrate(*args, **kwargs)
         return shown and replace(shown, solved=next(solved))
 
-    monkeypatch.setattr("tabletopgen_env.recording.playing.demonstrate", other)
+    monkeypatch.setattr("tabletopgen_env.recording.episodes.demonstrate", other)
     told: list[tuple[int, int]] = []
     record(replace(LIFT, episodes=1), tmp_path / "a", "npz", report=lambda *n: told.append(n))
     assert told == [(0, 0), (0, 1), (1, 2)]

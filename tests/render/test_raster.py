@@ -4,10 +4,10 @@ import trimesh
 
 from generator.errors import SceneError
 from generator.geometry import Camera
-from generator.render.picture import framing_camera
 from generator.render.raster import BACKGROUND, Item, render
 from generator.render.scanlines import MOST_LAYERS, rasterise
 from generator.render.shading import Light, corner_normals, sample_texture
+from generator.render.sheet import framing_camera
 from generator.scene import View
 
 VIEW = View(0.3, 0.9, 0.6)

@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.sandbox import CpuBudget, SandboxError, SandboxLimits, call, running
-from generator.sandbox.packing import class_name, pack, unpack
-from generator.sandbox.running import memory_text
+from generator.sandbox import CpuBudget, SandboxError, SandboxLimits, call, runner
+from generator.sandbox.runner import memory_text
+from generator.sandbox.serialization import class_name, pack, unpack
 
 
 @dataclass(frozen=True)
@@ -198,7 +198,7 @@ def test_objects_are_not_packed() -> None:
 
 
 def test_names_of_classes() -> None:
-    assert class_name(SandboxLimits) == "generator.sandbox.running:SandboxLimits"
+    assert class_name(SandboxLimits) == "generator.sandbox.runner:SandboxLimits"
 
 
 @pytest.mark.parametrize(
@@ -239,7 +239,7 @@ def test_a_kill_from_outside_is_not_called_a_limit() -> None:
 def test_a_child_that_closes_its_pipes_and_goes_on_is_ended(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(running, "_ENDING", 0.5)
+    monkeypatch.setattr(runner, "_ENDING", 0.5)
     with pytest.raises(SandboxError) as caught:
         call(hang_silently)
     assert caught.value.breach == "hung"

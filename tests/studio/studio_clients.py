@@ -20,7 +20,7 @@ from starlette.testclient import TestClient
 from tabletopgen_web.studio.folder import StudioFolder
 from tabletopgen_web.studio.server.application import make_application
 from tabletopgen_web.studio.server.guard import Access
-from tabletopgen_web.study.filling import StudyPage
+from tabletopgen_web.study.page_data import StudyPage
 
 TOKEN = "the-token-of-the-tests"
 ACCESS = Access("127.0.0.1", 8123, TOKEN)

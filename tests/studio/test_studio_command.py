@@ -7,7 +7,7 @@ import pytest
 from command import Shell, command
 
 from tabletopgen_web import frontend
-from tabletopgen_web.studio.server import listening
+from tabletopgen_web.studio.server import listener
 
 
 @pytest.fixture
@@ -15,7 +15,7 @@ def serving(monkeypatch: pytest.MonkeyPatch, static: Path) -> list[tuple]:
     """What the command would serve; it serves nothing."""
     served: list[tuple] = []
     monkeypatch.setattr(frontend, "static_folder", lambda: static)
-    monkeypatch.setattr(listening, "serve", lambda *told: served.append(told))
+    monkeypatch.setattr(listener, "serve", lambda *told: served.append(told))
     return served
 
 

@@ -10,7 +10,7 @@ import pytest
 import uvicorn
 from bounded import LONG, until
 
-from tabletopgen_web.studio.server import listening
+from tabletopgen_web.studio.server import listener
 
 HEAD = 0.3  # seconds
 SLOW = 4 * HEAD
@@ -27,10 +27,10 @@ async def answer(scope, receive, send) -> None:
 
 @pytest.fixture
 def port(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
-    monkeypatch.setattr(listening, "_HEAD", HEAD)
-    with listening.bind("127.0.0.1", 0) as line:
+    monkeypatch.setattr(listener, "_HEAD", HEAD)
+    with listener.bind("127.0.0.1", 0) as line:
         config = uvicorn.Config(
-            answer, http=listening.HastyProtocol, loop="asyncio", lifespan="off", log_config=None
+            answer, http=listener.HastyProtocol, loop="asyncio", lifespan="off", log_config=None
         )
         server = uvicorn.Server(config)
         thread = threading.Thread(target=lambda: server.run(sockets=[line]), daemon=True)

@@ -14,10 +14,10 @@ from generator.errors import StorageError
 from tabletopgen_web import frontend
 from tabletopgen_web.studio.folder import StudioFolder
 from tabletopgen_web.studio.library import answers as books
-from tabletopgen_web.studio.server import listening
+from tabletopgen_web.studio.server import listener
 from tabletopgen_web.studio.server.guard import HEADERS
-from tabletopgen_web.study.filling import StudyPage
 from tabletopgen_web.study.key import StudyKey
+from tabletopgen_web.study.page_data import StudyPage
 
 OWN = {"origin": "http://127.0.0.1:8123"}
 
@@ -197,7 +197,7 @@ def serving(monkeypatch: pytest.MonkeyPatch, static: Path) -> list[tuple]:
     served: list[tuple] = []
     (static / "study.html").write_text(tiny.TEMPLATE)
     monkeypatch.setattr(frontend, "static_folder", lambda: static)
-    monkeypatch.setattr(listening, "serve", lambda *told: served.append(told))
+    monkeypatch.setattr(listener, "serve", lambda *told: served.append(told))
     return served
 
 

@@ -278,7 +278,7 @@ def test_a_full_disk_fails_jobs_and_the_studio_lives(small_disk: Path, store: Pa
 
 def test_an_uploaded_picture_becomes_a_scene(studio: Studio) -> None:
     from generator.backends import Backends
-    from generator.io.png import encode_png
+    from generator.io.pictures import encode_png
 
     backends = Backends.select("embedded")
     drawn = backends.imager.draw(backends.reasoner.plan_scene(DESK, 4), 4)

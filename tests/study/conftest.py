@@ -16,7 +16,7 @@ def _skip(missing: str) -> None:
 def template() -> str:
     """The built page."""
     from tabletopgen_web.frontend import STATIC
-    from tabletopgen_web.study.filling import read_template
+    from tabletopgen_web.study.page_data import read_template
 
     if not (STATIC / "study.html").is_file() and shutil.which("npm") is None:
         _skip("the page is not built and npm is missing")

@@ -11,8 +11,8 @@ import tiny_studies as tiny
 from command import Shell
 
 from generator.errors import InputError
-from tabletopgen_web.study import filling
-from tabletopgen_web.study.filling import read_page
+from tabletopgen_web.study import page_data
+from tabletopgen_web.study.page_data import read_page
 
 
 def refill(page: str, change: Callable[[dict[str, Any]], object]) -> str:
@@ -21,7 +21,7 @@ def refill(page: str, change: Callable[[dict[str, Any]], object]) -> str:
     assert found
     facts = json.loads(found[1])
     change(facts)
-    return filling.fill(tiny.TEMPLATE, facts)
+    return page_data.fill(tiny.TEMPLATE, facts)
 
 
 def test_a_page_is_read_back_without_its_key(tmp_path: Path) -> None:
@@ -114,7 +114,7 @@ def test_the_messages_say_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyP
         read_page(tmp_path / "none.html", tiny.TEMPLATE, tiny.POST)
     with pytest.raises(InputError, match="not a regular file"):
         read_page(tmp_path, tiny.TEMPLATE, tiny.POST)
-    monkeypatch.setattr(filling, "_MAX_READ", 1000)
+    monkeypatch.setattr(page_data, "_MAX_READ", 1000)
     with pytest.raises(InputError, match="limit"):
         read_page(path, tiny.TEMPLATE, tiny.POST)
 
@@ -130,7 +130,7 @@ def test_answers_are_checked_without_the_key(tmp_path: Path) -> None:
 
 def test_one_is_not_several(tmp_path: Path, shell: Shell, monkeypatch: pytest.MonkeyPatch) -> None:
     folders = tiny.write_pictures(tmp_path, scenes=tiny.SCENES[:1])
-    monkeypatch.setattr(filling, "read_template", lambda: tiny.TEMPLATE)
+    monkeypatch.setattr(page_data, "read_template", lambda: tiny.TEMPLATE)
     named = [f"{name}={folder}" for name, folder in folders.items()]
     places = ("--inputs", str(tmp_path / "inputs"), "--out", str(tmp_path / "a.html"))
     shown = shell("study", "new", *named, *places)

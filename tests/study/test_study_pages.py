@@ -17,7 +17,7 @@ from generator.errors import BundleError, InputError, StorageError
 from generator.io.pictures import write_picture
 from generator.scene import Scene
 from tabletopgen_web.study import page as pages
-from tabletopgen_web.study.collecting import collect
+from tabletopgen_web.study.collection import collect
 from tabletopgen_web.study.design import Drawing, StudyOptions, is_post_path
 from tabletopgen_web.study.key import read_key
 

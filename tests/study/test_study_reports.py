@@ -17,8 +17,8 @@ from tabletopgen_web.studio.library.answers import AnswerBook
 from tabletopgen_web.study.agreement import krippendorff
 from tabletopgen_web.study.answers import parse_answers, read_all
 from tabletopgen_web.study.key import StudyKey, read_key
-from tabletopgen_web.study.measuring import measure
 from tabletopgen_web.study.page import write_study
+from tabletopgen_web.study.statistics import measure
 from tabletopgen_web.study.tables import table_2, to_csv, to_markdown
 
 

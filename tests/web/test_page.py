@@ -14,7 +14,7 @@ from command import Shell
 
 from assets_cache.store import find
 from generator.bundle import load, read_files, verify
-from generator.bundle.encoding import dumps
+from generator.bundle.encoder import dumps
 from generator.errors import BackendError, InputError, StorageError
 from tabletopgen_web import frontend
 from tabletopgen_web.page.episodes import record_play

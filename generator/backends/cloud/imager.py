@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import UInt8
 
 from ...calls.session import Session
-from ...calls.used import Used
+from ...calls.store import Used
 from ...errors import BackendError, UnusableError, choices
 from ...scene import (
     TABLE,
@@ -23,16 +23,16 @@ from ...scene import (
     View,
 )
 from ..protocols import Imager, Instances
-from .drawing import cutting
+from .drawing import cutouts
 from .drawing.picture_request import RATIOS, Form, Painter, Tolerated
 from .drawing.pictures import on_white, pad, shrink
 from .prompts import prompt
-from .questions import describing
-from .questions.checking import faults
+from .questions import plan_text
 from .questions.labelled import Labelled
+from .questions.top_view_check import faults
 from .server import configuration
-from .server.calling import Server
-from .server.reading import Wrong
+from .server.client import Server
+from .server.json_text import Wrong
 from .server.typed_question import Chat, Manners
 
 REDRAWS = 2
@@ -108,7 +108,7 @@ class CloudImager:
         Raises:
             BackendError: the server gave no picture, as for every question.
         """
-        table, things = describing.in_words(plan)
+        table, things = plan_text.in_words(plan)
         text = prompt(
             "draw", style=plan.style, table=table, things=things, count=str(len(plan.objects)),
             take=self._take(seed, 0),
@@ -123,7 +123,7 @@ class CloudImager:
         Raises:
             BackendError: ``REDRAWS`` more drawings do not show it either, or see ``draw``.
         """
-        cutout = cutting.cut(reference, detection, others)
+        cutout = cutouts.cut(reference, detection, others)
         place = Labelled.of(
             reference.image, [_as_instance(detection)], table=detection.label == TABLE
         ).picture()
@@ -140,7 +140,7 @@ class CloudImager:
                     "complete", text, 1.0, (cutout.picture, where), cutout.keep, clear=True,
                     used=used,
                 )  # fmt: skip
-                return cutting.put_back(drawn, cutout)
+                return cutouts.put_back(drawn, cutout)
             except Wrong as fault:
                 complaint = f"{_EARLIER}{fault}"
         used.drop()

@@ -26,11 +26,11 @@ from ...scene import (
 from ..protocols import Instances, Sizes
 from .drawing.pictures import on_white
 from .prompts import prompt as worded
-from .questions import describing, estimating, orientation, planning
+from .questions import orientation, plan_answer, plan_text, scene_answers
 from .questions.labelled import Labelled
 from .server import answers, configuration
-from .server.calling import Server
-from .server.reading import Wrong
+from .server.client import Server
+from .server.json_text import Wrong
 from .server.typed_question import Chat, Manners
 
 Picture = UInt8[np.ndarray, "_ _ 3"]
@@ -78,10 +78,10 @@ class CloudReasoner:
             InputError: the text is empty or too long.
             BackendError: no usable answer, as for every question.
         """
-        text = worded("plan_scene", text=planning.checked_text(prompt), seed=str(seed))
+        text = worded("plan_scene", text=plan_answer.checked_text(prompt), seed=str(seed))
 
         def plan(answer: answers.PlanAnswer) -> ScenePlan:
-            return planning.to_plan(prompt, answer)
+            return plan_answer.to_plan(prompt, answer)
 
         return self.chat.ask("plan_scene", text, (), answers.PlanAnswer, plan)
 
@@ -96,7 +96,7 @@ class CloudReasoner:
             )
         text = worded("list_objects", plan=plan)
         return self.chat.ask(
-            "list_objects", text, (reference.image,), answers.KindsAnswer, estimating.kinds
+            "list_objects", text, (reference.image,), answers.KindsAnswer, scene_answers.kinds
         )
 
     def estimate_view(self, reference: Reference, table: Instance) -> View:
@@ -117,9 +117,9 @@ class CloudReasoner:
     def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
         """Return usual sizes; those that a text fixed are kept."""
         shown = Labelled.of(reference.image, instances)
-        fixed = estimating.fixed_sizes(reference, instances)
+        fixed = scene_answers.fixed_sizes(reference, instances)
         numbers = shown.numbers
-        known = [f"Number {numbers[n]} measures {describing.in_cm(s)}." for n, s in fixed.items()]
+        known = [f"Number {numbers[n]} measures {plan_text.in_cm(s)}." for n, s in fixed.items()]
 
         def sizes(answer: answers.SizesAnswer) -> Sizes:
             return {
@@ -160,7 +160,7 @@ class CloudReasoner:
         shown = Labelled.of(reference.image, instances)
 
         def stacking(answer: answers.RestsAnswer) -> Mapping[str, Stacking]:
-            return estimating.stacking(answer, shown)
+            return scene_answers.stacking(answer, shown)
 
         text = worded("stacking_order", listing=shown.listing())
         return self.chat.ask("stacking_order", text, shown.pair(), answers.RestsAnswer, stacking)
@@ -215,7 +215,7 @@ class CloudReasoner:
             by_name = shown.match(answer.turns, without=(0,))
             return {name: wrap(float(np.deg2rad(a.yaw))) for name, a in by_name.items()}
 
-        known = estimating.pose_facts(shown, sizes, view)
+        known = scene_answers.pose_facts(shown, sizes, view)
         text = worded("guess_rotations", **known)
         return self.chat.ask("guess_rotations", text, shown.pair(), answers.TurnsAnswer, yaws)
 
@@ -235,12 +235,12 @@ class CloudReasoner:
         length, width = 100 * sizes[TABLE].extent[:2]
 
         def layout(answer: answers.PlacesAnswer) -> dict[str, LayoutBox]:
-            return estimating.layout(answer, shown, length, width)
+            return scene_answers.layout(answer, shown, length, width)
 
         text = worded(
             "guess_layout",
             length=f"{length:.0f}", width=f"{width:.0f}",
             half_length=f"{length / 2:.0f}", half_width=f"{width / 2:.0f}",
-            **estimating.pose_facts(shown, sizes, view),
+            **scene_answers.pose_facts(shown, sizes, view),
         )  # fmt: skip
         return self.chat.ask("guess_layout", text, shown.pair(), answers.PlacesAnswer, layout)

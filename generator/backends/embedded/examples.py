@@ -18,7 +18,7 @@ from jaxtyping import Float
 from tabletop_objects import build
 
 from ...geometry import framing_camera, mask_box, yaw_quaternion
-from ...language.naming import find_kind
+from ...language.names import find_kind
 from ...render.raster import place, render
 from ...scene import Model, View
 from ...threads import single_thread

@@ -12,15 +12,15 @@ from tabletop_objects import Category
 from tabletop_objects.values import parts_to_unit_box, to_unit_box
 
 from ...geometry import rotation_z
-from ...language.naming import known_category
-from ...meshes import baking
-from ...meshes.normalising import metric
+from ...language.names import known_category
+from ...meshes import texture_bake
+from ...meshes.canonical import metric
 from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
-from .shapes.choosing import best_solid, oddness, score
-from .shapes.framing import bounded_gap, small_mask
+from .shapes.frames import bounded_gap, small_mask
+from .shapes.generic import best_solid, oddness, score
 from .shapes.likeness import FEW, VARIANTS, Likeness, fit_likeness
-from .shapes.painting import PROJECT, paint
+from .shapes.paint import PROJECT, paint
 from .shapes.solids import PosedSolid
 from .tables.likeness import model_table
 
@@ -98,11 +98,13 @@ def solid_model(
 ) -> Model:
     """Paint a posed solid from the crop and bring it to the canonical frame."""
     planes = mirror_planes(posed, projection)
-    atlas, picture = baking.paint(
+    atlas, picture = texture_bake.paint(
         posed.world, posed.solid.faces, instance.crop, projection, planes, texture,
         posed.kind != "carved",
     )  # fmt: skip
-    mesh, center, extent = to_unit_box(baking.apply_texture(atlas, posed.solid.vertices, picture))
+    mesh, center, extent = to_unit_box(
+        texture_bake.apply_texture(atlas, posed.solid.vertices, picture)
+    )
     parts = parts_to_unit_box(posed.solid.parts, center, extent)
     label, physics = instance.label, Physics(density=500.0, friction=0.6)
     return Model(label, label, mesh, metric(extent, size), physics, parts)

@@ -25,8 +25,8 @@ from ...scene import (
 from ..protocols import Instances, Sizes
 from .eye.proportions import proportion_clues
 from .eye.weights import load_proportions, load_weights
-from .layout import guessing
-from .layout.stacking import stack
+from .layout import poses
+from .layout.supports import stack
 from .layout.survey import Survey, solid_size, survey
 from .plane.measure import apparent_scale, sized_extent, usual_solid, whole_box
 from .plane.plane import TablePlane
@@ -110,13 +110,13 @@ class EmbeddedReasoner:
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
         """Return the yaw that each mask's long axis suggests, to 15 degrees (``guessing``)."""
-        return guessing.guess_rotations(instances, sizes, view)
+        return poses.guess_rotations(instances, sizes, view)
 
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
         """Return places read off the table's box, and usual sizes (``guessing``)."""
-        return guessing.guess_layout(instances, sizes, view)
+        return poses.guess_layout(instances, sizes, view)
 
 
 def _proportions(

@@ -12,7 +12,7 @@ from jaxtyping import Bool, Float, UInt8
 
 from ...errors import SceneError
 from ...geometry import main_parts, mask_box
-from ...language.naming import assign, free_labels, shape_word, weigh
+from ...language.names import assign, free_labels, shape_word, weigh
 from ...meshes.pixels import dilate, foot_of
 from ...scene import TABLE, Detection, Intrinsics
 from ...threads import single_thread

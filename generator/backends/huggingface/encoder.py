@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 from jaxtyping import Float
 
 from ...errors import BackendError, require
-from ..installing import Once, models_folder, working
+from ..requirements import Once, models_folder, working
 from .detection.pixels import IMAGENET, normalise
-from .weights.loading import device_for, load_model
+from .weights.loader import device_for, load_model
 from .weights.pins import pin
 
 if TYPE_CHECKING:

@@ -15,15 +15,23 @@ from ...errors import SceneError, require
 from ...geometry import mask_box
 from ...meshes.pixels import mask_iou
 from ...scene import TABLE, Detection, Intrinsics
-from ..installing import Once, models_folder, working
-from .detection.detections import BoxDetection, Finder, Masker
-from .detection.ground import on_table
+from ..requirements import Once, models_folder, working
+from .detection.detections import (
+    ALIKE,
+    BoxDetection,
+    Finder,
+    Masker,
+    clean,
+    distinct,
+    name_generic,
+    on_table,
+    separate,
+)
 from .detection.grounding_dino import GroundingDino
-from .detection.merging import ALIKE, clean, distinct, name_generic, separate
 from .detection.sam2 import Sam2
 from .detection.sam3 import Sam3
 from .detection.tiles import Tile, tiles_of
-from .weights.loading import device_for, load_model, load_tokenizer
+from .weights.loader import device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"

@@ -1,4 +1,4 @@
-"""Tencent Cloud's service ai3d: signed calls that submit a job and look at it."""
+"""Client of Tencent Cloud's service ai3d: signed calls that submit a job and poll it."""
 
 from __future__ import annotations
 
@@ -11,13 +11,21 @@ from typing import TYPE_CHECKING, Any
 
 from ...calls.http.redaction import excerpt
 from ...calls.session import Session
-from ...calls.used import Used
+from ...calls.store import Used
 from ...errors import BackendError
-from ...io.reading import parse_object, printable, split_url
-from .signing import KIND
+from ...io.bounded import parse_object, printable, split_url
 
 if TYPE_CHECKING:
     import httpx2
+
+import hashlib
+import hmac
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    import httpx2
+
 
 SECRET_ID, SECRET_KEY = "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY"
 """The environment's names for the two halves of the key."""
@@ -137,3 +145,51 @@ def _hint(code: str) -> str:
     if code.startswith("AuthFailure"):
         return f" Check {SECRET_ID} and {SECRET_KEY}."
     return ""
+
+
+KIND = "application/json; charset=utf-8"
+"""Content type of a signed body."""
+
+_SIGNED = "content-type;host;x-tc-action"
+_METHOD = "TC3-HMAC-SHA256"
+
+
+def authorization(
+    secret_id: str, secret_key: str, *, host: str, action: str, body: bytes, timestamp: int
+) -> str:
+    """Return the Authorization header of a POST to the root of ``host``.
+
+    The service is the host's first word. ``timestamp`` is in seconds of Unix time; the server
+    takes it for five minutes.
+    """
+    service = host.partition(".")[0]
+    day = datetime.fromtimestamp(timestamp, UTC).strftime("%Y-%m-%d")
+    scope = f"{day}/{service}/tc3_request"
+    headers = f"content-type:{KIND}\nhost:{host}\nx-tc-action:{action.lower()}\n"
+    request = "\n".join(["POST", "/", "", headers, _SIGNED, _digest(body)])
+    text = "\n".join([_METHOD, str(timestamp), scope, _digest(request.encode())])
+    key = f"TC3{secret_key}".encode()
+    for word in (day, service, "tc3_request"):
+        key = _hmac(key, word)
+    signature = _hmac(key, text).hex()
+    return (
+        f"{_METHOD} Credential={secret_id}/{scope}, SignedHeaders={_SIGNED}, Signature={signature}"
+    )
+
+
+def signature(request: httpx2.Request, secret_id: str, secret_key: str) -> Mapping[str, str]:
+    """Return the headers that sign a request, which names host and action in its own, as of now."""
+    timestamp = int(time.time())
+    host, action = request.headers["host"], request.headers["x-tc-action"]
+    signed = authorization(
+        secret_id, secret_key, host=host, action=action, body=request.read(), timestamp=timestamp
+    )
+    return {"Authorization": signed, "X-TC-Timestamp": str(timestamp)}
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()
+
+
+def _hmac(key: bytes, text: str) -> bytes:
+    return hmac.new(key, text.encode(), hashlib.sha256).digest()

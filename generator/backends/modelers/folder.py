@@ -15,12 +15,12 @@ from jaxtyping import Float
 
 from ...errors import BackendError, choices, require_known
 from ...geometry import proportion_gap
-from ...io.reading import read_regular
-from ...language.naming import known_category
-from ...meshes.normalising import Normal, foreign_model, normal_surface
+from ...io.bounded import read_regular
+from ...language.names import known_category
+from ...meshes.canonical import Normal, foreign_model, normal_surface
 from ...meshes.reading.bounds import MOST_BYTES
 from ...meshes.reading.companions import companions
-from ...meshes.reading.loading import load_surface
+from ...meshes.reading.loader import load_surface
 from ...meshes.reading.surface import Axis, ColoredSurface
 from ...scene import Instance, Model, SizePrior, View
 from ..protocols import Modeler

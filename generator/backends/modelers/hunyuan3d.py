@@ -10,12 +10,12 @@ from typing import Any, Literal
 
 from ...calls.http.address import checked_address
 from ...calls.session import Session
-from ...calls.used import Used
+from ...calls.store import Used
 from ...errors import BackendError, choices, require
-from ...io.png import encode_png
-from ...io.reading import parse_object
-from ...meshes.normalising import Normal, foreign_model, normal_mesh
-from ...meshes.reading.loading import check_glb
+from ...io.bounded import parse_object
+from ...io.pictures import encode_png
+from ...meshes.canonical import Normal, foreign_model, normal_mesh
+from ...meshes.reading.loader import check_glb
 from ...scene import Instance, Model, SizePrior, View
 from .cutout import cutout
 

@@ -11,7 +11,7 @@ from typing import Any
 import trimesh
 
 from ...errors import BackendError
-from ...meshes.normalising import Normal, foreign_model, normal_trimesh
+from ...meshes.canonical import Normal, foreign_model, normal_trimesh
 from ...meshes.reading.surface import Axis
 from ...scene import Instance, Model, SizePrior
 

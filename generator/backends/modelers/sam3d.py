@@ -15,9 +15,9 @@ from jaxtyping import Float
 
 from ...errors import BackendError
 from ...geometry import quaternion_matrix, view_rotation
-from ...meshes.normalising import Normal
+from ...meshes.canonical import Normal
 from ...scene import Instance, Model, SizePrior, View
-from ..installing import working
+from ..requirements import working
 from .installed import Installed, as_model, call
 
 HOME = "TABLETOPGEN_SAM3D"

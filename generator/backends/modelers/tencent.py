@@ -12,15 +12,14 @@ from typing import Any, Literal, get_args
 from ...calls.http.address import check_link, local
 from ...calls.http.redaction import excerpt
 from ...calls.session import Session
-from ...calls.used import Used
+from ...calls.store import Used
 from ...errors import BackendError, choices, require
-from ...io.png import encode_png
-from ...meshes.normalising import Normal, foreign_model, normal_mesh
-from ...meshes.reading.loading import check_glb
+from ...io.pictures import encode_png
+from ...meshes.canonical import Normal, foreign_model, normal_mesh
+from ...meshes.reading.loader import check_glb
 from ...scene import Instance, Model, SizePrior, View
-from .ai3d import LostJob, Service, read_keys
+from .ai3d import LostJob, Service, read_keys, signature
 from .cutout import cutout
-from .signing import signature
 
 HOSTS = (".myqcloud.com", ".tencentcos.cn", ".tencentcos.com")
 """Where results may lie: Tencent's object storage."""

@@ -11,9 +11,9 @@ import numpy as np
 from PIL import Image
 
 from ...errors import BackendError, choices, require
-from ...meshes.normalising import Normal
+from ...meshes.canonical import Normal
 from ...scene import Instance, Model, SizePrior, View
-from ..installing import module, working
+from ..requirements import module, working
 from .cutout import cutout
 from .installed import Installed, as_model, call
 

@@ -10,9 +10,9 @@ from typing import Any
 from PIL import Image
 
 from ...errors import require
-from ...meshes.normalising import Normal
+from ...meshes.canonical import Normal
 from ...scene import Instance, Model, SizePrior, View
-from ..installing import module, working
+from ..requirements import module, working
 from .cutout import cutout, on_grey
 from .installed import Installed, as_model, call
 

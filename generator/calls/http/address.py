@@ -7,7 +7,7 @@ import re
 from urllib.parse import SplitResult
 
 from ...errors import BackendError, TabletopError
-from ...io.reading import MAX_URL_LENGTH, split_url
+from ...io.bounded import MAX_URL_LENGTH, split_url
 
 _USER = re.compile(r"^([a-z]+://)?.*@", re.DOTALL)
 _NEAR = (".local", ".lan", ".internal", ".home.arpa")  # names that only a network of one's own has

@@ -11,7 +11,7 @@ from typing import Any
 import httpx2
 
 from ...errors import UnusableError
-from ...io.reading import parse_json
+from ...io.bounded import parse_json
 from .redaction import excerpt
 
 MOST_REDIRECTS = 3

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from urllib.parse import parse_qsl, quote, urlencode, urlunsplit
 
 from ...errors import BackendError
-from ...io.reading import split_url
+from ...io.bounded import split_url
 
 REDACTED = "[redacted]"
 

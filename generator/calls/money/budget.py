@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ...errors import BudgetError, InputError, StorageError
-from ...io.reading import is_count, is_number, printable
+from ...io.bounded import is_count, is_number, printable
 from .database import FILE, LOCAL, Keeper, NoDatabaseError, T, damage_error, is_alive
 
 _MAX_HELD = 10_000  # calls under way at once

@@ -15,7 +15,7 @@ from ...io.files import write_whole
 from .budget import SharedBudget
 from .entries import Entry, LedgerRow, rows_of, table
 from .prices import Prices, unknown_price
-from .spending import Spending
+from .scene_cost import Spending
 
 LEDGER = "ledger.json"
 """The file that lies beside what a bundle lists."""

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from ...errors import BudgetError, InputError, choices, require, require_number
-from ...io.reading import parse_toml, printable, read_regular
+from ...io.bounded import parse_toml, printable, read_regular
 
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
 _PORT = re.compile(r":\d+$")

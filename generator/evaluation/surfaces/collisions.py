@@ -19,8 +19,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...scene import TABLE, Scene
-from .shells import SurfaceShell, shells
-from .triangles import bisect, nearest_on_triangles
+from .shells import SurfaceShell, bisect, nearest_on_triangles, shells
 
 THRESHOLD = 5e-4
 """Overlaps up to this depth, metres, are contact."""

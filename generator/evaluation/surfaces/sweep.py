@@ -16,8 +16,8 @@ from jaxtyping import Float, UInt8
 
 from ...errors import InputError
 from ...geometry import Camera
-from ...render.picture import scene_items
 from ...render.raster import render
+from ...render.sheet import scene_items
 from ...scene import Scene, View
 
 ELEVATIONS = tuple(float(e) for e in range(90, -1, -10))

@@ -2,5 +2,5 @@
 
 from __future__ import annotations
 
-from .scene import build_scene as build_scene
-from .scene import list_outcomes as list_outcomes
+from ..scene import build_scene as build_scene
+from ..scene import list_outcomes as list_outcomes

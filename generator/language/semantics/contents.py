@@ -8,12 +8,11 @@ from dataclasses import replace
 from tabletop_objects import CATEGORIES
 
 from ..drafts import Draft, Group
-from ..openings import LOOSE
 from ..parsing.lexicon import category_of, singular
 from ..parsing.vocabulary import PACKAGES, SUBSTANCES
 from ..relations import fits
-from ..sizing import holds_things
 from ..syntax.phrases.tree import Noun
+from ..vessel_sizes import LOOSE, holds_things
 from .references import Target
 
 DEPICTIONS = frozenset({

@@ -21,11 +21,11 @@ from ..syntax.phrases.tree import (
     Sentence,
     Zone,
     is_everything,
+    list_unread,
 )
-from ..syntax.phrases.walking import list_unread
-from .listing import TURNED, is_supported
+from .lists import TURNED, is_supported
+from .place_settings import SeatReader
 from .references import Target, antecedent, find_referred
-from .seating import SeatReader
 
 
 @dataclass(eq=False)

@@ -9,7 +9,6 @@ from tabletop_objects import CATEGORIES
 
 from ...scene import TABLE
 from ..drafts import Draft, Group
-from ..openings import LOOSE
 from ..parsing.lexicon import singular
 from ..parsing.vocabulary import MEANT_WITH
 from ..syntax.phrases.tree import (
@@ -23,9 +22,10 @@ from ..syntax.phrases.tree import (
     Zone,
 )
 from ..syntax.text import function_words as fw
-from .counting import CountReader
-from .linking import link
-from .ordering import size_rank
+from ..vessel_sizes import LOOSE
+from .counts import CountReader
+from .links import link
+from .orders import size_rank
 from .references import find_referred, may_carry, pick
 
 _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "sticky_notes"))

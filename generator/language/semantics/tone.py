@@ -10,8 +10,7 @@ from types import MappingProxyType
 from ...scene import Density
 from ..parsing import lexicon
 from ..parsing.vocabulary import DRAWN, PEOPLE, STYLES
-from ..syntax.phrases.tree import Sentence, Span
-from ..syntax.phrases.walking import find_denied, find_things
+from ..syntax.phrases.tree import Sentence, Span, find_denied, find_things
 from ..themes import THEMES
 from .contents import DEPICTIONS
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ...physics.covering import outside
+from ...physics.cover import outside
 from ...physics.parts import body_parts
 from ...scene import ConvexPart, Model
 

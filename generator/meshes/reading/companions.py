@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...errors import BackendError
-from ...io.reading import read_regular
+from ...io.bounded import read_regular
 from .bounds import MOST_BYTES, MOST_LIBRARY, MOST_MATERIALS
 from .inspection import check_lines, check_pictures
 

@@ -12,18 +12,8 @@ from collections.abc import Iterable
 from ...errors import BackendError, InputError
 from ...pictures import read_header
 from . import bounds
-from .codecs import plain_glb
-from .container import check_size, split_glb
-from .flattening import (
-    FAN,
-    STRIP,
-    TRIANGLES,
-    Crooked,
-    Header,
-    base_color,
-    picture_of,
-    shown_nodes,
-)
+from .codecs import check_size, plain_glb, split_glb
+from .flat_glb import FAN, STRIP, TRIANGLES, Crooked, Header, base_color, picture_of, shown_nodes
 from .textures import TEXTURE_LIMITS
 
 _LONG_LINE = re.compile(rb"^[^\n]{%d}" % (bounds.MOST_LINE + 1), re.MULTILINE)

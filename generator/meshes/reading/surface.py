@@ -16,7 +16,7 @@ from trimesh.resolvers import ZipResolver
 from ...errors import BackendError
 from ...render.shading import sample_texture
 from .bounds import MOST_FACES
-from .flattening import Header, flatten
+from .flat_glb import Header, flatten
 from .inspection import inspect_obj, open_glb
 from .textures import Pictures, light, to_srgb
 

@@ -6,13 +6,13 @@ where to each other. What the reconstruction shows like that stays as it is; the
 and the scene's provenance names it.
 """
 
-from .drafting import ALIKE as ALIKE
-from .drafting import REAL as REAL
-from .drafting import SceneDraft as SceneDraft
-from .drafting import draft_scene as draft_scene
-from .laying import Laid as Laid
-from .laying import lay_out_draft as lay_out_draft
-from .matching import fresh_names as fresh_names
-from .matching import retarget as retarget
-from .turning import FoundYaws as FoundYaws
-from .turning import Turn as Turn
+from .draft import ALIKE as ALIKE
+from .draft import REAL as REAL
+from .draft import FoundYaws as FoundYaws
+from .draft import SceneDraft as SceneDraft
+from .draft import Turn as Turn
+from .draft import draft_scene as draft_scene
+from .layout import Laid as Laid
+from .layout import lay_out_draft as lay_out_draft
+from .matches import fresh_names as fresh_names
+from .matches import retarget as retarget

@@ -6,7 +6,7 @@ the scene agrees with the instances' outlines. Objects keep standing on what the
 apart from one another.
 """
 
-from .config import RefinementConfig as RefinementConfig
 from .joint import Refinement as Refinement
 from .joint import outline_misfit as outline_misfit
 from .joint import refine_scene as refine_scene
+from .problem import RefinementConfig as RefinementConfig

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from .config import RefinementConfig
-from .problem import ObservedThings, PosedThings, Problem, standpoint
+from .problem import ObservedThings, PosedThings, Problem, RefinementConfig, standpoint
 
 if TYPE_CHECKING:
     from torch import Tensor

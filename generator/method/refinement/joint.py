@@ -12,9 +12,8 @@ from ...geometry import quaternion_matrix, wrap
 from ...render.contact import at_rest
 from ...scene import TABLE, Instance, Mesh, Model, Object, Placement, View
 from ...threads import single_thread
-from .config import RefinementConfig
 from .descent import descend, misfits
-from .problem import make_posed, make_problem, make_seen, pose_placements
+from .problem import RefinementConfig, make_posed, make_problem, make_seen, pose_placements
 
 _WORSE = 0.02  # an object whose own outline agrees that much less keeps its place
 

@@ -16,8 +16,6 @@ from .equations import silhouette_loss as silhouette_loss
 from .estimate import estimate_rotation as estimate_rotation
 from .estimate import estimate_rotations as estimate_rotations
 from .estimate import optimise_rotation as optimise_rotation
-from .found import RotationAnswer as RotationAnswer
-from .found import RotationCandidate as RotationCandidate
 from .objective import Candidates as Candidates
 from .objective import Levels as Levels
 from .objective import Objective as Objective
@@ -27,6 +25,8 @@ from .objective import make_objectives as make_objectives
 from .prior import prefer as prefer
 from .prior import prior_yaw as prior_yaw
 from .prior import same_side as same_side
+from .results import RotationAnswer as RotationAnswer
+from .results import RotationCandidate as RotationCandidate
 from .search import coarse_losses as coarse_losses
 from .search import coarse_search as coarse_search
 from .search import losses_at as losses_at

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from ...geometry import wrap
-from .found import RotationCandidate, Rows
 from .objective import Candidates, Objective
+from .results import RotationCandidate, Rows
 
 OTHER = float(np.deg2rad(20.0))
 """Angle from which a yaw is another answer, not the same one found less exactly."""

@@ -14,9 +14,9 @@ from ...render.crop import hiders
 from ...scene import TABLE, Instance, Model, Reference, Rotation, View
 from ...threads import single_thread, threads
 from .config import RotationConfig
-from .found import RotationAnswer
 from .objective import make_objectives
 from .prior import prior_yaw
+from .results import RotationAnswer
 from .search import search
 
 

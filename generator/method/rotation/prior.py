@@ -11,7 +11,7 @@ import numpy as np
 from ...geometry import wrap
 from ...scene import Model
 from .certainty import OTHER
-from .found import RotationCandidate
+from .results import RotationCandidate
 
 UPRIGHT = float(np.deg2rad(30.0))
 """Angle between a model's upward axis and the table's above which its yaw tells nothing."""

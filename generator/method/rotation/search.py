@@ -18,10 +18,9 @@ from jaxtyping import Float
 from ...geometry import wrap
 from .certainty import OTHER, margin, widths
 from .config import RotationConfig
-from .found import Place, RotationAnswer, RotationCandidate, Rows
-from .objective import Candidates, Levels, Objective
+from .objective import Candidates, Levels, Objective, reaching_past
 from .prior import agrees, prefer, same_side
-from .sides import reaching_past
+from .results import Place, RotationAnswer, RotationCandidate, Rows
 from .symmetry import looks_order, looks_round
 
 if TYPE_CHECKING:

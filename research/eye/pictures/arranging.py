@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from generator.geometry import inside_margin, rotation_z
-from generator.layout.stacking import surface
+from generator.layout.rest import surface
 from generator.scene import Model
 from tabletop_objects import CATEGORIES
 

@@ -12,7 +12,7 @@ from torch import Tensor
 
 from generator.errors import InputError, require_seed
 
-from ...batch.env import TabletopBatchEnv
+from ...parallel.batch.env import TabletopBatchEnv
 
 
 class BatchVecEnv(VecEnv):

@@ -19,9 +19,9 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from generator.errors import InputError, require_seed
 
-from ...vector import TabletopVectorEnv
-from ...vectors import jobs
-from ...vectors.slots import Job
+from ...parallel.vector import TabletopVectorEnv
+from ...parallel.workers import pickling
+from ...parallel.workers.slots import Job
 
 _FINAL = ("final_obs", "final_info")
 
@@ -106,18 +106,18 @@ class SlotVecEnv(VecEnv):
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
         """Return an attribute of some slots' environments."""
-        return self._visit(partial(jobs.get, name=attr_name), indices)
+        return self._visit(partial(pickling.get, name=attr_name), indices)
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
         """Set an attribute of some slots' environments."""
-        self._visit(partial(jobs.put, name=attr_name, value=value), indices)
+        self._visit(partial(pickling.put, name=attr_name, value=value), indices)
 
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
         """Call a method of some slots' environments, each where it is."""
         given = {"name": method_name, "args": method_args, "kwargs": method_kwargs}
-        return self._visit(partial(jobs.call, **given), indices)
+        return self._visit(partial(pickling.call, **given), indices)
 
     def env_is_wrapped(self, wrapper_class: type[gym.Wrapper], indices: Any = None) -> list[bool]:
         """Tell which slots are wrapped so."""

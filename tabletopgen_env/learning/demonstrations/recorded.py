@@ -16,7 +16,7 @@ from ...episodes import Held
 from ...expert.run import TaskExpert
 
 if TYPE_CHECKING:
-    from .teaching import Teacher
+    from .teacher import Teacher
 
 PATIENCE = 4.0
 """How patient the expert is with a learner."""
@@ -48,7 +48,7 @@ class Demonstration:
 
 
 def _teacher(env: gym.Env[Any, np.ndarray]) -> Teacher:
-    from .teaching import Teacher  # which needs torch
+    from .teacher import Teacher  # which needs torch
 
     return Teacher(env)
 
@@ -68,7 +68,7 @@ def demonstrate(
     there. ``policy`` acts, or the expert itself. ``noise`` is the standard deviation of what is
     added to the expert's motion (not to the gripper), so that it shows how to come back. ``report``
     gets the info of ``reset`` and of each step. ``taught``: what is seen, by the policy too, is
-    what a ``teaching.Teacher`` makes of it.
+    what a ``teacher.Teacher`` makes of it.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)

@@ -12,7 +12,7 @@ from stable_baselines3 import HerReplayBuffer
 from stable_baselines3.common.buffers import ReplayBuffer
 
 from generator.errors import InputError, SceneError
-from generator.io.npz import read_arrays
+from generator.io.bounded import read_arrays
 
 from ...episodes import episode_seeds
 from .recorded import Demonstration, demonstrate, stack

@@ -5,7 +5,7 @@
 ``actor-NN.safetensors``            the actor after it, and where the random numbers are; with it
                                     the round is there, without it is not
 ``head.safetensors``                the actor's head (``networks.grasp_head``), once taught
-``showings-NNN.npz``                what it was taught with, see ``showings``
+``showings-NNN.npz``                what it was taught with, see ``demos``
 ==================================  ================================================================
 """
 
@@ -24,8 +24,8 @@ from safetensors.torch import load, save
 from torch import Tensor, nn
 
 from generator.errors import BundleError, InputError
+from generator.io.bounded import read_arrays
 from generator.io.files import write_file, write_whole
-from generator.io.npz import read_arrays
 
 from .recorded import Demonstration
 

@@ -20,8 +20,8 @@ from torch import Tensor, nn
 from generator.errors import InputError
 
 from ...observations.height_map import height_map_space
-from ..making import ACTIVATIONS, extractor_of
 from ..recipes import Network
+from ..setup import ACTIVATIONS, extractor_of
 from .perception import cameras_of
 from .sight_extractor import MEMORY, SightExtractor
 

@@ -18,7 +18,6 @@ from jaxtyping import Float, Real
 from torch import Tensor, nn
 from torch.nn import functional
 
-from ...core.arrays import wrap
 from ...detection.network import (
     DEEPEST,
     HEIGHT,
@@ -32,6 +31,7 @@ from ...detection.network import (
 )
 from ...expert.arm import ROLL
 from ...observations.height_map import CELL, CELLS, STEP
+from ...parallel.core.arrays import wrap
 
 PLAN = ("x", "y", "z", "angle", "opening", "width")
 """A grasp as a policy has it: the tool in the target's heading frame, from the centre of its box

@@ -33,23 +33,15 @@ from torch import Tensor
 
 from generator.errors import InputError
 
-from ...core.arrays import wrap
 from ...expert.arm import MIDDLE, ROLL_RANGE
 from ...expert.driver import NEAR
 from ...expert.path import CLEAR, ROOM
 from ...expert.planning.grasps import TIP
-from ...expert.planning.placing import (
-    FINGER_HALF,
-    PAD,
-    PALM,
-    PALM_Z,
-    RELEASE,
-    SHAFT,
-    SHAFT_Z,
-)
+from ...expert.planning.placement import FINGER_HALF, PAD, PALM, PALM_Z, RELEASE, SHAFT, SHAFT_Z
 from ...observations.bounds import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS
 from ...observations.grasp_hint import HINT_BOUNDS
 from ...observations.height_map import CELL, CELLS, STEP, height_map_space
+from ...parallel.core.arrays import wrap
 from ...rendering.views import SLOTS
 from .grasp_head import GraspHead
 from .network import TableExtractor
@@ -64,7 +56,7 @@ _IN_AIR = 0.03  # metres above what is below it at which a region hangs in the a
 class LookExtractor(BaseFeaturesExtractor):
     """Features of ``state`` and ``height_map``: those of ``TableExtractor`` with the way as hint.
 
-    The head is not trained through the features, only by ``demonstrations.grasping``.
+    The head is not trained through the features, only by ``demonstrations.grasp_lessons``.
 
     Raises:
         InputError: the observation has other parts.

@@ -6,14 +6,14 @@ from dataclasses import dataclass, fields
 
 from generator.errors import InputError, require, require_known
 
-from ...batch.bank import MOST_OBJECTS
-from ...batch.decks import DeckConfig
-from ...batch.engine import find_device
-from ...batch.env import TabletopBatchEnv
+from ...parallel.batch.bank import MOST_OBJECTS
+from ...parallel.batch.decks import DeckConfig
+from ...parallel.batch.engine import find_device
+from ...parallel.batch.env import TabletopBatchEnv
 from ...scenes import SceneSource
 from ...tasks.registry import task_named
-from ..making import spec_of
 from ..recipes import Recipe
+from ..setup import spec_of
 
 
 @dataclass(frozen=True)

@@ -12,13 +12,13 @@ from gymnasium import spaces
 
 from generator.errors import InputError, require_known
 
-from ...batch.env import TabletopBatchEnv
+from ...parallel.batch.env import TabletopBatchEnv
 from ...scenes import SceneSource
-from ..ending import StopAsked
-from ..making import vector_env
+from ..interrupt import StopAsked
 from ..networks.actor import inputs_of
+from ..progress import Pauses, Tracker
 from ..recipes import Recipe
-from ..tracking import Pauses, Tracker
+from ..setup import vector_env
 from .batches import batch_config, batch_env
 from .config import PPOConfig
 from .ppo import BatchPPO, UpdateFigures

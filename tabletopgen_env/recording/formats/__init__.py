@@ -12,7 +12,7 @@ import gymnasium as gym
 from generator.errors import InputError
 
 from ..config import Format, LeRobotConfig, RecordConfig
-from ..playing import RecordedEpisode
+from ..episodes import RecordedEpisode
 
 __all__ = ["RESUMABLE", "Writer", "check_installed", "writer"]
 

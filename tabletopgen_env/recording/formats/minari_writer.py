@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import gymnasium as gym
 
 from ..config import RecordConfig
-from ..playing import RecordedEpisode
+from ..episodes import RecordedEpisode
 from ..summaries import Summaries
 from .about import describe_dataset
 

@@ -11,7 +11,7 @@ import gymnasium as gym
 import numpy as np
 
 from ..config import RecordConfig
-from ..playing import RecordedEpisode
+from ..episodes import RecordedEpisode
 from ..summaries import Summaries
 from .about import describe_dataset
 

@@ -15,7 +15,7 @@ import numpy as np
 from generator.scene.provenance import versions
 
 from ..config import RecordConfig
-from ..playing import RecordedEpisode
+from ..episodes import RecordedEpisode
 from ..summaries import Summaries
 from .about import describe_dataset
 from .hdf5_writer import fill_group, whole_group

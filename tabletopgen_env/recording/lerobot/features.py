@@ -11,7 +11,7 @@ from jaxtyping import Shaped
 
 from ...observations.proprioception import SHARED
 from ..config import LeRobotConfig
-from ..playing import RecordedEpisode
+from ..episodes import RecordedEpisode
 from .depth import DEPTH_INFO
 from .videos import CODECS, DEPTH_CODEC, GOP, Codec
 

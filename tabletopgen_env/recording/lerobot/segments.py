@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import StorageError
-from generator.io.reading import is_count, parse_object, read_regular
+from generator.io.bounded import is_count, parse_object, read_regular
 
 from ..summaries import RowSummary
 

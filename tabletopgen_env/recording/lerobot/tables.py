@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Shaped
 
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 
 if TYPE_CHECKING:
     import pyarrow as pa

@@ -15,11 +15,11 @@ from gymnasium import spaces
 from jaxtyping import Shaped
 
 from generator.errors import InputError, StorageError
-from generator.io.reading import parse_object, read_regular
+from generator.io.bounded import parse_object, read_regular
 
 from ..config import LeRobotConfig, RecordConfig
+from ..episodes import RecordedEpisode
 from ..formats.about import describe_dataset
-from ..playing import RecordedEpisode
 from ..summaries import RowSummary, summarize, summarize_colors, summarize_depth
 from .assembly import Limits, assemble
 from .depth import quantize

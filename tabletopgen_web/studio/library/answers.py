@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from generator.errors import StorageError
+from generator.io.bounded import parse_json, read_regular
 from generator.io.files import make_private, write_whole
-from generator.io.reading import parse_json, read_regular
 
 from ...study.answers import MAX_FILE_BYTES
 from ..refusals import RefusedError

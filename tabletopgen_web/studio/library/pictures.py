@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from generator.errors import InputError, StorageError
+from generator.io.bounded import read_regular
 from generator.io.files import remove_file, write_whole
-from generator.io.png import encode_png
-from generator.io.reading import read_regular
+from generator.io.pictures import encode_png
 from generator.pictures import format_of
 
 from ..contracts import PictureRow

@@ -11,10 +11,10 @@ from typing import Any
 
 import assets_cache
 from generator.bundle import copy, discard, load_pictures, load_verified, put_in_place
-from generator.bundle.publishing import staging_in
+from generator.bundle.publication import staging_in
 from generator.errors import BundleError, StorageError
+from generator.io.bounded import read_regular
 from generator.io.files import remove_tree, write_whole
-from generator.io.reading import read_regular
 from generator.scene.provenance import versions
 
 from ...page.rows import SCHEMA, read_facts

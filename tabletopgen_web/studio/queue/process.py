@@ -20,7 +20,7 @@ from typing import Any
 
 from generator.calls.http.redaction import redact
 from generator.errors import BackendError, TabletopError, escape
-from generator.io.reading import parse_object
+from generator.io.bounded import parse_object
 
 MODULE = "tabletopgen_web.studio.worker"
 """What the process runs."""

@@ -15,7 +15,7 @@ from ..refusals import RefusedError
 from ..server.bodies import read_json
 from ..server.services import services_of
 from ..specs import read_spec
-from .answering import answer, answer_file
+from .responses import answer, answer_file
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,199}")
 

@@ -10,9 +10,9 @@ from starlette.routing import Route
 
 from ..library.pictures import MAX_BYTES
 from ..server.bodies import read_body
-from ..server.cancelling import run_while_wanted
+from ..server.cancellation import run_while_wanted
 from ..server.services import services_of
-from .answering import answer, answer_picture
+from .responses import answer, answer_picture
 
 
 async def add_picture(request: Request) -> Response:

@@ -10,7 +10,7 @@ from starlette.routing import Route
 
 from ..server.bodies import read_json
 from ..server.services import services_of
-from .answering import answer, answer_file, answer_picture
+from .responses import answer, answer_file, answer_picture
 
 
 async def list_scenes(request: Request) -> Response:

@@ -12,7 +12,7 @@ from ...study.answers import MAX_ANSWER_BYTES
 from ..refusals import RefusedError
 from ..server.bodies import read_json
 from ..server.services import services_of
-from .answering import answer
+from .responses import answer
 
 
 async def show_study(request: Request) -> Response:

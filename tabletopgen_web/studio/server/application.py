@@ -18,13 +18,13 @@ from starlette.types import ASGIApp
 
 from generator.errors import TabletopError
 
-from ...study.filling import StudyPage
+from ...study.page_data import StudyPage
 from ..folder import StudioFolder
 from ..queue.jobs import JobStore
 from ..refusals import status_of
-from ..routes import asking, events, jobs, pages, pictures, scenes, studies
-from ..routes.answering import answer
-from .cancelling import EndingRequests
+from ..routes import events, info, jobs, pictures, responses, scenes, studies
+from ..routes.responses import answer
+from .cancellation import EndingRequests
 from .changes import Changes
 from .guard import Access, StudioGuard
 from .services import StudioServices
@@ -32,7 +32,7 @@ from .services import StudioServices
 _LOG = logging.getLogger(__name__)
 
 ROUTES: tuple[Route, ...] = (
-    *asking.ROUTES, *jobs.ROUTES, *events.ROUTES, *pictures.ROUTES, *scenes.ROUTES,
+    *info.ROUTES, *jobs.ROUTES, *events.ROUTES, *pictures.ROUTES, *scenes.ROUTES,
     *studies.ROUTES,
 )  # fmt: skip
 """The endpoints; what is asked for besides are files of the page."""
@@ -56,7 +56,7 @@ def make_application(
         changes: what is closed when the studio ends, so that pages no longer wait for events.
         studies: pages for raters, by study; ``access`` has their tokens.
     """
-    files, changes = pages.list_files(static), changes or Changes()
+    files, changes = responses.list_files(static), changes or Changes()
 
     @contextlib.asynccontextmanager
     async def lifespan(app: Starlette) -> AsyncIterator[None]:
@@ -85,7 +85,7 @@ def make_application(
         },
     )  # fmt: skip
     app.router.redirect_slashes = False
-    app.router.default = pages.show
+    app.router.default = responses.show
     return StudioGuard(app, access)
 
 

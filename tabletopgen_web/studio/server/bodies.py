@@ -8,7 +8,7 @@ from typing import Any
 from starlette.requests import Request
 
 from generator.errors import InputError
-from generator.io.reading import parse_object
+from generator.io.bounded import parse_object
 
 from ..refusals import RefusedError
 

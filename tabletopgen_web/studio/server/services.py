@@ -14,7 +14,7 @@ from starlette.requests import Request
 from generator.errors import BackendError, StorageError
 from generator.io.files import remove_tree
 
-from ...study.filling import StudyPage
+from ...study.page_data import StudyPage
 from ..contracts import JobRow
 from ..folder import StudioFolder
 from ..library.answers import AnswerBook

@@ -15,7 +15,7 @@ import numpy as np
 
 from generator.errors import InputError
 from generator.io.files import write_whole
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 
 _STEM = re.compile(r"[a-z0-9_]{1,64}")
 

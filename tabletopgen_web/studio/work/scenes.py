@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def open_session(paid: Paid, dry: bool = False) -> Session:
     """Return a session with the user's cache of responses and the shipped prices."""
-    from generator.backends.paying import calls_folder
+    from generator.backends.paid_run import calls_folder
     from generator.calls import Session
     from generator.calls.store import CallStore
 
@@ -30,7 +30,7 @@ def run_generate(
     spec: GenerateSpec, order: JobOrder, telling: Telling | None, session: Session, chosen: Backends
 ) -> Generation:
     """Generate the scene; ``telling`` hears of stages, and shows what each found."""
-    from generator.backends.paying import answering, scene_key
+    from generator.backends.paid_run import answering, scene_key
     from generator.errors import InputError
     from generator.method.figures import draw_stage
     from generator.pipeline import generate
@@ -55,8 +55,8 @@ def run_generate(
 
 def run_edit(spec: EditSpec, order: JobOrder, session: Session, chosen: Backends | None) -> Edited:
     """Return the edited scene."""
-    from generator.backends.paying import answering, scene_key
-    from generator.editing.wording import WordedEdit
+    from generator.backends.paid_run import answering, scene_key
+    from generator.editing.edits import WordedEdit
 
     asked = WordedEdit(spec.action, spec.words, spec.to, spec.turn, spec.seed)
     who, path = None if chosen is None else chosen.identity(), order.start
@@ -93,7 +93,7 @@ def compose_scene(spec: ComposeSpec, order: JobOrder, telling: Telling) -> dict[
 def edit_scene(spec: EditSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
     """Do a job of the kind "edit"."""
     from generator.bundle import load, load_pictures
-    from generator.language.reading import NOT_UNDERSTOOD
+    from generator.language.reader import NOT_UNDERSTOOD
 
     telling.stage(spec.action, 1, 1)
     session = open_session(spec.paid)
@@ -113,7 +113,7 @@ _print = partial(print, flush=True)  # to the log of the job
 
 def _spend(session: Session, path: Path) -> dict[str, Any]:
     """Write the ledger beside a bundle; return what calls cost, if there were any."""
-    from generator.backends.paying import save_ledger
+    from generator.backends.paid_run import save_ledger
 
     save_ledger(session, path)
     if not session.account.entries:

@@ -13,12 +13,11 @@ from leaks import everything
 from openai_server import KEY, Request, Running, from_uri, pixels
 
 from generator.backends.cloud.reasoner import CloudReasoner
-from generator.backends.cloud.server import calling, configuration
+from generator.backends.cloud.server import client, configuration
 from generator.backends.cloud.server.typed_question import ANSWER, REASKS
 from generator.calls.money.prices import Price, Prices
 from generator.calls.session import Session
-from generator.calls.store import CallStore
-from generator.calls.used import Used
+from generator.calls.store import CallStore, Used
 from generator.errors import BackendError, BudgetError, DryRunError
 
 KINDS = json.dumps({"kinds": [{"noun": "Mug", "count": 2}, {"noun": "table", "count": 1}]})
@@ -182,7 +181,7 @@ def test_a_dead_server_is_named(server: Running, reasoner: CloudReasoner) -> Non
 def test_a_server_that_hangs_is_not_waited_for_for_ever(
     server: Running, reasoner: CloudReasoner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setitem(calling._TIMEOUT, "chat", 0.3)
+    monkeypatch.setitem(client._TIMEOUT, "chat", 0.3)
     server.script.hang = 1.0
     server.script.failures.extend(["hang"] * 9)
     once = replace(reasoner, session=Session(attempts=1))

@@ -20,11 +20,10 @@ from generator.backends.cloud.drawing.pictures import pad
 from generator.backends.cloud.imager import REDRAWS, CloudImager
 from generator.backends.cloud.server.typed_question import data_uri
 from generator.calls.session import Session
-from generator.calls.store import CallStore
-from generator.calls.used import Used
+from generator.calls.store import CallStore, Used
 from generator.errors import BackendError, UnusableError
 from generator.geometry import mask_box
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 from generator.render.crop import in_reference, tight_box
 from generator.scene import (
     Detection,

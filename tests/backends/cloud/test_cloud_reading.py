@@ -7,7 +7,7 @@ import pytest
 from pydantic import ValidationError
 
 from generator.backends.cloud.server.answers import KindAnswer
-from generator.backends.cloud.server.reading import Wrong, is_refusal, read_object
+from generator.backends.cloud.server.json_text import Wrong, is_refusal, read_object
 
 WANTED = {"a": [1, 2.5], "b": {"c": None, "d": True}, "e": "it's // no comment, }"}
 PLAIN = '{"a": [1, 2.5], "b": {"c": null, "d": true}, "e": "it\'s // no comment, }"}'

@@ -15,7 +15,7 @@ from generator.backends.cloud.questions.labelled import Labelled
 from generator.backends.cloud.questions.orientation import six_sides, turns
 from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server.answers import OrientationAnswer
-from generator.backends.cloud.server.reading import Wrong
+from generator.backends.cloud.server.json_text import Wrong
 from generator.errors import BackendError, InputError
 from generator.scene import (
     TABLE,
@@ -28,7 +28,7 @@ from generator.scene import (
     ScenePlan,
     SizePrior,
 )
-from generator.scene.turning import quarter_turn
+from generator.scene.quarter_turns import quarter_turn
 
 NUMBERS = {1: "book_1", 2: "mug_1", 3: "pen_1"}
 

@@ -19,7 +19,7 @@ from generator.calls.money.prices import Price, Prices
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 from generator.scene import PlannedObject, PlannedTable, ScenePlan, TopView
 
 KINDS = json.dumps({"kinds": [{"noun": "mug", "count": 1}]})

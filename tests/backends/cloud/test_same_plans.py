@@ -7,7 +7,7 @@ import pytest
 from expected_plans import EXPECTED, Expected, group, thing
 from openai_server import Running
 
-from generator.backends.cloud.questions.describing import in_words
+from generator.backends.cloud.questions.plan_text import in_words
 from generator.backends.cloud.reasoner import CloudReasoner
 from generator.composition import compose
 from generator.errors import InputError

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from generator.backends.huggingface.detection.detections import BoxDetection
-from generator.backends.huggingface.detection.ground import on_table
+from generator.backends.huggingface.detection.detections import BoxDetection, on_table
 from generator.geometry import mask_box
 
 SHAPE = (120, 160)

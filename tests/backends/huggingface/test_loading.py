@@ -20,18 +20,16 @@ from safetensors.torch import load_file, save_file
 from generator.backends import Backends
 from generator.backends.huggingface.encoder import HuggingFaceEncoder
 from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
-from generator.backends.huggingface.weights.folder import (
+from generator.backends.huggingface.weights.loader import device_for, load_model, load_tokenizer
+from generator.backends.huggingface.weights.pins import (
+    WEIGHTS,
     find_model,
     missing,
+    pin,
+    pins,
     snapshot,
 )
-from generator.backends.huggingface.weights.loading import (
-    device_for,
-    load_model,
-    load_tokenizer,
-)
-from generator.backends.huggingface.weights.pins import WEIGHTS, pin, pins
-from generator.backends.installing import Once, models_folder
+from generator.backends.requirements import Once, models_folder
 from generator.errors import BackendError, InputError
 
 DINOV2 = pins()["dinov2"]

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from generator.backends.huggingface.detection.detections import BoxDetection
-from generator.backends.huggingface.detection.merging import (
+from generator.backends.huggingface.detection.detections import (
+    BoxDetection,
     clean,
     distinct,
     name_generic,

@@ -12,9 +12,8 @@ from torch.nn import functional
 from generator.backends.huggingface import encoder as module
 from generator.backends.huggingface.detection.pixels import IMAGENET
 from generator.backends.huggingface.encoder import HuggingFaceEncoder
-from generator.backends.huggingface.weights.folder import snapshot
-from generator.backends.huggingface.weights.loading import load_model
-from generator.backends.huggingface.weights.pins import pins
+from generator.backends.huggingface.weights.loader import load_model
+from generator.backends.huggingface.weights.pins import pins, snapshot
 from generator.backends.protocols import Encoder as Protocol
 from generator.errors import BackendError
 

@@ -16,7 +16,7 @@ from generator.backends.huggingface.detection.grounding_dino import GroundingDin
 from generator.backends.huggingface.detection.sam2 import Sam2, enlarge
 from generator.backends.huggingface.detection.tiles import tiles_of
 from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
-from generator.backends.huggingface.weights.loading import load_model
+from generator.backends.huggingface.weights.loader import load_model
 from generator.backends.huggingface.weights.pins import pins
 from generator.backends.protocols import Segmenter as Protocol
 from generator.errors import BackendError, SceneError

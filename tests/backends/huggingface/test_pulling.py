@@ -19,11 +19,10 @@ from local_server import local_server
 
 from generator.backends.huggingface.encoder import HuggingFaceEncoder
 from generator.backends.huggingface.weights import pins as pins_module
-from generator.backends.huggingface.weights.downloading import download, watch
-from generator.backends.huggingface.weights.folder import missing, snapshot
-from generator.backends.huggingface.weights.loading import load_model
-from generator.backends.huggingface.weights.pins import WEIGHTS, Pin, pins
-from generator.backends.huggingface.weights.pulling import pull
+from generator.backends.huggingface.weights.download import download, watch
+from generator.backends.huggingface.weights.fetch import pull
+from generator.backends.huggingface.weights.loader import load_model
+from generator.backends.huggingface.weights.pins import WEIGHTS, Pin, missing, pins, snapshot
 from generator.errors import BackendError, StorageError
 
 pytestmark = pytest.mark.slow

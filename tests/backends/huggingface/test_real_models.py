@@ -9,9 +9,8 @@ from painted import paint
 
 from generator.backends.huggingface.encoder import HuggingFaceEncoder
 from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
-from generator.backends.huggingface.weights.folder import missing
-from generator.backends.huggingface.weights.pins import pins
-from generator.backends.installing import MODELS, models_folder
+from generator.backends.huggingface.weights.pins import missing, pins
+from generator.backends.requirements import MODELS, models_folder
 from generator.evaluation.perceptual import CLIP, DINOV2, HubSimilarity
 from generator.scene import TABLE
 

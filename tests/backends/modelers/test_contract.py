@@ -22,7 +22,7 @@ from generator.backends.modelers.trellis import Trellis
 from generator.backends.modelers.triposr import TripoSR
 from generator.backends.protocols import Modeler
 from generator.errors import BackendError
-from generator.method.modeling import align_canonically
+from generator.method.models import align_canonically
 from generator.physics.inertia import body_mass, is_watertight
 from generator.scene import USUAL_VIEW, Model
 

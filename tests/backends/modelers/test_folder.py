@@ -15,7 +15,7 @@ from generator.backends.modelers.folder import Folder
 from generator.errors import BackendError, InputError
 from generator.meshes.reading import companions as beside
 from generator.pipeline import generate
-from generator.sandbox.packing import pack, unpack
+from generator.sandbox.serialization import pack, unpack
 from generator.scene import USUAL_VIEW, SizePrior
 
 RED, GREEN = (200, 0, 0, 255), (0, 200, 0, 255)

@@ -22,7 +22,7 @@ from backends.modelers.foreign import (
 from PIL import Image, ImageFile
 
 from generator.errors import BackendError
-from generator.meshes.normalising import Normal, normal_mesh
+from generator.meshes.canonical import Normal, normal_mesh
 from generator.meshes.reading import inspection
 from generator.meshes.reading.inspection import inspect_glb, inspect_obj
 from generator.meshes.reading.surface import read_surface
@@ -210,7 +210,7 @@ def test_pictures_that_are_never_looked_at_are_never_decoded(monkeypatch):
         gloss = {"diffuseTexture": {"index": 1}, "specularGlossinessTexture": {"index": 1}}
         look["extensions"] = {"KHR_materials_pbrSpecularGlossiness": gloss}
 
-    monkeypatch.setattr("generator.sandbox.running.is_inside", lambda: True)
+    monkeypatch.setattr("generator.sandbox.runner.is_inside", lambda: True)
     opened = []
     load = ImageFile.ImageFile.load
     monkeypatch.setattr(

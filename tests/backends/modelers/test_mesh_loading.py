@@ -10,11 +10,10 @@ from foreign import glb, instance, prior, striped_box
 
 from generator.backends.modelers.folder import Folder
 from generator.errors import BackendError, InputError
-from generator.evaluation.external import load_external
-from generator.evaluation.glb import read_glb
-from generator.meshes.normalising import normal_mesh
-from generator.meshes.reading import loading
-from generator.meshes.reading.loading import load_surface
+from generator.evaluation.external import load_external, read_glb
+from generator.meshes.canonical import normal_mesh
+from generator.meshes.reading import loader
+from generator.meshes.reading.loader import load_surface
 from generator.meshes.reading.surface import read_surface
 from generator.sandbox import SandboxLimits
 from generator.scene import USUAL_VIEW
@@ -29,7 +28,7 @@ def _apart(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*args: object, **kwargs: object) -> None:
         raise AssertionError("foreign data is parsed in this process")
 
-    monkeypatch.setattr("generator.sandbox.running.is_inside", lambda: False)
+    monkeypatch.setattr("generator.sandbox.runner.is_inside", lambda: False)
     monkeypatch.setattr(trimesh, "load_scene", refuse)
 
 
@@ -89,7 +88,7 @@ def test_a_reader_that_reaches_a_limit_is_an_error_of_the_backend(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     many = glb(trimesh.creation.icosphere(7))
-    monkeypatch.setattr(loading, "LIMITS", SandboxLimits(memory=1 << 20))
+    monkeypatch.setattr(loader, "LIMITS", SandboxLimits(memory=1 << 20))
     with pytest.raises(BackendError, match=r"the answer takes more than .*fewer triangles"):
         normal_mesh(many, "the answer")
 
@@ -99,8 +98,8 @@ def test_a_file_that_a_result_names_again_is_read_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     calls: list[str] = []
-    real = loading.call
-    monkeypatch.setattr(loading, "call", lambda f, *a, **k: calls.append(a[1]) or real(f, *a, **k))
+    real = loader.call
+    monkeypatch.setattr(loader, "call", lambda f, *a, **k: calls.append(a[1]) or real(f, *a, **k))
     (tmp_path / "mug.glb").write_bytes(GOOD)
     place = [[0.1, 0, 0, 0.1], [0, 0.1, 0, 0], [0, 0, 0.1, 0.8], [0, 0, 0, 1]]
     told = {

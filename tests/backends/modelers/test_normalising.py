@@ -8,8 +8,8 @@ import trimesh
 from backends.modelers.foreign import edited, glb, instance, plain, striped_box, textured
 
 from generator.errors import BackendError, InputError
-from generator.meshes import coloring, reducing
-from generator.meshes.normalising import Normal, foreign_model, normal_mesh
+from generator.meshes import decimation, texture
+from generator.meshes.canonical import Normal, foreign_model, normal_mesh
 from generator.meshes.reading.surface import surface_of
 from generator.physics.inertia import body_mass, is_watertight
 from generator.render.shading import sample_texture
@@ -132,14 +132,14 @@ def test_heavy_meshes_are_reduced_with_shape_and_colors_kept():
 def test_meshes_of_many_faces_are_worked_on_in_parts(monkeypatch):
     """How much is held at once changes no outline, and fewer samples find the colours, too."""
     made = ball()
-    whole = list(reducing.silhouettes(made.vertices, made.faces, made.vertices))
-    monkeypatch.setattr(reducing, "_AT_ONCE", 999)
-    parts = list(reducing.silhouettes(made.vertices, made.faces, made.vertices))
+    whole = list(decimation.silhouettes(made.vertices, made.faces, made.vertices))
+    monkeypatch.setattr(decimation, "_AT_ONCE", 999)
+    parts = list(decimation.silhouettes(made.vertices, made.faces, made.vertices))
     assert np.array_equal(whole, parts)
-    monkeypatch.setattr(coloring, "_AT_ONCE", 5000)
-    monkeypatch.setattr(coloring, "_MOST_SAMPLES", 4000)
+    monkeypatch.setattr(texture, "_AT_ONCE", 5000)
+    monkeypatch.setattr(texture, "_MOST_SAMPLES", 4000)
     surface = surface_of([made], "it")
-    nearby = coloring.Nearby.of(surface)
+    nearby = texture.Nearby.of(surface)
     assert len(nearby.owner) == 4000
     assert np.ptp(nearby.samples, axis=0) == pytest.approx([1, 1, 1], abs=0.02)
     mesh = read(made, to=Normal(faces=1500, texture=256))
@@ -150,11 +150,11 @@ def test_meshes_of_many_faces_are_worked_on_in_parts(monkeypatch):
 
 @pytest.mark.slow
 def test_what_is_worked_out_for_texels_is_held_for_few_at_once(monkeypatch):
-    monkeypatch.setattr(coloring, "_AT_ONCE", 2000)
+    monkeypatch.setattr(texture, "_AT_ONCE", 2000)
     surface = surface_of([trimesh.creation.icosphere(1)], "it")
     tracemalloc.start()
     try:
-        coloring.painted_shape(surface.vertices, surface.faces, surface, 512)
+        texture.painted_shape(surface.vertices, surface.faces, surface, 512)
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()
@@ -254,7 +254,7 @@ def test_what_is_evenly_subdivided_is_reduced_too():
     for _ in range(4):
         parts = [part.subdivide() for part in parts]
     made = trimesh.util.concatenate(parts)
-    vertices, faces = reducing.reduce(
+    vertices, faces = decimation.reduce(
         np.asarray(made.vertices), np.asarray(made.faces), 3000, "a table"
     )
     assert len(made.faces) > 100_000 and len(faces) <= 12_000

@@ -9,7 +9,7 @@ from backends.modelers.foreign import glb, striped_box, textured
 from PIL import Image
 
 from generator.errors import BackendError
-from generator.meshes.normalising import normal_mesh
+from generator.meshes.canonical import normal_mesh
 from generator.meshes.reading import textures as pictures
 from generator.meshes.reading.surface import read_surface, surface_of
 from generator.meshes.reading.textures import Pictures

@@ -6,8 +6,8 @@ import trimesh
 from backends.modelers.foreign import glb
 
 from generator.errors import BackendError
-from generator.meshes.normalising import Normal, normal_mesh
-from generator.meshes.repairing import fill_holes, flaws, tidy, welded_shape
+from generator.meshes.canonical import Normal, normal_mesh
+from generator.meshes.repair import fill_holes, flaws, tidy, welded_shape
 from generator.physics.inertia import is_watertight
 from generator.scene import Mesh
 

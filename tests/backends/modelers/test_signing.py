@@ -7,7 +7,7 @@ import hashlib
 
 import pytest
 
-from generator.backends.modelers.signing import authorization
+from generator.backends.modelers.ai3d import authorization
 
 BODY = b'{"Limit": 1, "Filters": [{"Values": ["\\u672a\\u547d\\u540d"], "Name": "instance-name"}]}'
 MASKED = [

@@ -16,15 +16,13 @@ from backends.modelers.foreign import edited, glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
 
-from generator.backends.modelers.ai3d import Service
-from generator.backends.modelers.signing import authorization
+from generator.backends.modelers.ai3d import Service, authorization
 from generator.backends.modelers.tencent import HOSTS, Tencent
 from generator.calls.money.prices import Price, Prices
 from generator.calls.question import question
 from generator.calls.session import Session
-from generator.calls.store import CallStore
-from generator.calls.used import KEY as KEPT
-from generator.calls.used import Used
+from generator.calls.store import KEY as KEPT
+from generator.calls.store import CallStore, Used
 from generator.errors import BackendError, InputError
 from generator.scene import USUAL_VIEW, Model
 

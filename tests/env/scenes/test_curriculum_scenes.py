@@ -9,6 +9,7 @@ from toy import toy_object, toy_objects, toy_scene
 from generator.errors import InputError
 from generator.scene import Scene
 from tabletopgen_env.env import make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.scenes import (
     CurriculumScenes,
     DifficultySampler,
@@ -20,7 +21,6 @@ from tabletopgen_env.scenes import (
     difficulty,
     resolve,
 )
-from tabletopgen_env.vector import TabletopVectorEnv
 
 
 def unread() -> Scene:

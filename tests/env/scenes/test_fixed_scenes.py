@@ -15,7 +15,7 @@ from generator.scene import Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import SceneRef, SceneSource, resolve
-from tabletopgen_env.scenes.finding import fixed_scenes
+from tabletopgen_env.scenes.lookup import fixed_scenes
 from tabletopgen_env.world.worlds import WorldCache
 
 

@@ -30,9 +30,9 @@ from tabletopgen_env.scenes import (
     SceneRef,
     SplitRule,
 )
-from tabletopgen_env.scenes.finding import fixed_scenes
-from tabletopgen_env.scenes.making.background import Background
-from tabletopgen_env.scenes.making.pool import RenewalPace
+from tabletopgen_env.scenes.lookup import fixed_scenes
+from tabletopgen_env.scenes.production.background import Background
+from tabletopgen_env.scenes.production.pool import RenewalPace
 
 
 def initial(count: int = 3) -> FixedScenes:
@@ -302,7 +302,9 @@ def test_whatever_goes_wrong_is_told_once_and_counted(pool, making, reason) -> N
 
 def test_pauses_grow_with_failures_in_a_row_and_a_job_has_its_time(tmp_path, monkeypatch) -> None:
     now = [0.0]
-    monkeypatch.setattr("tabletopgen_env.scenes.making.background.time.monotonic", lambda: now[0])
+    monkeypatch.setattr(
+        "tabletopgen_env.scenes.production.background.time.monotonic", lambda: now[0]
+    )
     background = Background(1, rest=1.0, timeout=0.2)
     ends, starts, start = [], [], background._start
     monkeypatch.setattr(background, "_start", lambda job: starts.append(now[0]) or start(job))

@@ -11,6 +11,7 @@ import assets_cache
 from generator.errors import BundleError, InputError, TabletopError
 from generator.language.distribution import SceneDistribution
 from tabletopgen_env.env import make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import (
     FixedScenes,
@@ -23,7 +24,6 @@ from tabletopgen_env.scenes import (
 )
 from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.tasks.tidy import Tidy
-from tabletopgen_env.vector import TabletopVectorEnv
 from tabletopgen_env.world.world import World
 
 

@@ -27,7 +27,7 @@ from tabletopgen_env.scenes import (
     split,
 )
 from tabletopgen_env.scenes.source import HeldRef, Remembered
-from tabletopgen_env.scenes.splitting import Side, kinds_of
+from tabletopgen_env.scenes.splits import Side, kinds_of
 
 SIDES: tuple[Side, ...] = ("train", "held_out")
 

@@ -15,6 +15,7 @@ from toy import toy_scene
 from generator.bundle import save
 from generator.errors import BundleError
 from tabletopgen_env.env import make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.scenes import (
     FixedScenes,
     FreshScenes,
@@ -22,9 +23,8 @@ from tabletopgen_env.scenes import (
     SceneRef,
     SharedScenes,
 )
-from tabletopgen_env.scenes.finding import fixed_scenes
 from tabletopgen_env.scenes.fixed import bundle_ref, folder
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.scenes.lookup import fixed_scenes
 
 
 class Slow:

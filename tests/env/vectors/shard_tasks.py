@@ -8,7 +8,7 @@ import numpy as np
 from toy import toy_scene
 
 from tabletopgen_env.scenes import SceneRef
-from tabletopgen_env.scenes.finding import fixed_scenes
+from tabletopgen_env.scenes.lookup import fixed_scenes
 from tabletopgen_env.tasks.reach import Reach as Reach
 
 

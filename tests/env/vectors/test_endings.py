@@ -22,7 +22,7 @@ from toy import toy_scene
 
 from generator.errors import InputError, SceneError
 from generator.jobs.workers import WorkerDied
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 
 SOON = 10.0
 """Seconds in which processes are to be gone."""
@@ -33,7 +33,7 @@ HEAD = (
     "import numpy as np\n"
     "from shard_tasks import nap\n"
     "from toy import toy_scene\n"
-    "from tabletopgen_env.vector import TabletopVectorEnv\n"
+    "from tabletopgen_env.parallel.vector import TabletopVectorEnv\n"
     "envs = TabletopVectorEnv(3, processes=2, task='Reach', scenes=toy_scene())\n"
     "envs.reset(seed=0)\n"
     "print(*envs.pids, flush=True)\n"

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from rollouts import same
 
-from tabletopgen_env.vectors.infos import NUMBERS, InfoReader, InfoWriter, merge
+from tabletopgen_env.parallel.workers.infos import NUMBERS, InfoReader, InfoWriter, merge
 
 PLAIN: dict[str, Any] = {
     "reward_terms": {"reach": 0.25, "success": 0.0}, "success": False, "goals": (0, 2),

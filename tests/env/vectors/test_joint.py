@@ -7,7 +7,7 @@ import pytest
 from worlds import two_scenes
 
 from generator.errors import InputError
-from tabletopgen_env.vector import Processes, TabletopVectorEnv
+from tabletopgen_env.parallel.vector import Processes, TabletopVectorEnv
 
 SLOTS, STEPS = 5, 24
 

@@ -18,8 +18,8 @@ from worlds import two_scenes
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 from tabletopgen_env.scenes import CurriculumScenes, RefreshingScenes
-from tabletopgen_env.vector import TabletopVectorEnv
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 STILL = np.zeros((3, 5))

@@ -15,12 +15,12 @@ import traceback
 from collections.abc import Callable, Iterator, Mapping
 from typing import IO, Any
 
-from generator.sandbox import SandboxLimits, child, running
+from generator.sandbox import SandboxLimits, child, runner
 
 PRELOADED = (
     "mujoco", "trimesh", "scipy.spatial", "generator.imports.folder", "generator.imports.glb",
-    "generator.imports.mjcf", "generator.imports.reading", "generator.meshes.reading.codecs",
-    "generator.pictures.decoding",
+    "generator.imports.mjcf", "generator.imports.reader", "generator.meshes.reading.codecs",
+    "generator.pictures.decoder",
 )  # fmt: skip
 
 
@@ -34,27 +34,27 @@ def preload() -> None:
 def forked_children() -> Iterator[None]:
     """Have the sandbox fork its children from this process in the meantime."""
     preload()
-    started = running._child
+    started = runner._child
 
     @contextlib.contextmanager
     def fork_child(limits: SandboxLimits) -> Iterator[Any]:
-        threads = {str(name): str(limits.threads) for name in running._THREADS if limits.threads}
+        threads = {str(name): str(limits.threads) for name in runner._THREADS if limits.threads}
         process = Forked(_answer_request, threads)
         try:
             yield process
         finally:
-            running._kill(process)  # type: ignore[arg-type]
+            runner._kill(process)  # type: ignore[arg-type]
 
-    running._child = fork_child
+    runner._child = fork_child
     try:
         yield
     finally:
-        running._child = started
+        runner._child = started
 
 
 def _answer_request() -> None:
     """Answer one request as the child of a sandbox."""
-    running.is_inside = lambda: True
+    runner.is_inside = lambda: True
     child.main()
 
 

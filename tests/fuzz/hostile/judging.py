@@ -48,11 +48,11 @@ def reading(apart: bool) -> Iterator[None]:
 
     The same code runs in both; a child takes most of the time of a small case, though it is forked.
     """
-    from generator.sandbox import running
+    from generator.sandbox import runner
 
     from .forking import forked_children
 
-    inside = mock.patch.object(running, "is_inside", lambda: True)
+    inside = mock.patch.object(runner, "is_inside", lambda: True)
     with forked_children() if apart else inside:
         yield
 

@@ -6,13 +6,13 @@ import pytest
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 from generator.errors import InputError
-from tabletopgen_env.learning.making import load_zip, single_env, source_of
 from tabletopgen_env.learning.policies import load_policy, policy_from, save_policy
 from tabletopgen_env.learning.ppo.training import new_ppo, ppo_config
 from tabletopgen_env.learning.ppo.worlds import TensorWorlds
+from tabletopgen_env.learning.progress import TrainingPlan
 from tabletopgen_env.learning.recipes import Recipe
 from tabletopgen_env.learning.runs import LATEST, open_run
-from tabletopgen_env.learning.tracking import TrainingPlan
+from tabletopgen_env.learning.setup import load_zip, single_env, source_of
 from tabletopgen_env.learning.training import train
 
 GOAL = {"env": {"observation": "goal"}, "network": {"extractor": "goal", "layers": [8]}}

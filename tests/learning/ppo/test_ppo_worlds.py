@@ -7,7 +7,7 @@ from moving_points import LIMIT, PartedPoint, Point, TensorPoints, points
 
 from generator.errors import InputError
 from tabletopgen_env.learning.ppo.worlds import TensorWorlds
-from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.parallel.vector import TabletopVectorEnv
 
 
 def outwards(count: int) -> torch.Tensor:

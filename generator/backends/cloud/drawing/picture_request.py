@@ -22,11 +22,11 @@ import openai
 from jaxtyping import UInt8
 
 from ....calls.http.address import check_link
-from ....calls.used import Used
+from ....calls.store import Used
 from ....errors import UnusableError
-from ....io.png import encode_png
+from ....io.pictures import encode_png
 from ..server import configuration
-from ..server.calling import Rejected, Server
+from ..server.client import Rejected, Server
 from ..server.typed_question import data_uri
 from .pictures import RGBA, decode_answer
 

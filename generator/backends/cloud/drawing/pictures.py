@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from ....errors import UnusableError
 from ....geometry import main_parts
 from ....pictures import PictureLimits, decode
-from ..server.reading import Wrong
+from ..server.json_text import Wrong
 
 LIMITS = PictureLimits(
     formats=("PNG", "JPEG", "WEBP"), max_bytes=128 * 2**20, max_pixels=40_000_000, min_side=64

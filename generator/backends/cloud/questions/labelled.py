@@ -16,7 +16,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from ....render.sheet import draw_boxes
 from ....scene import TABLE, Instance
-from ..server.reading import Wrong
+from ..server.json_text import Wrong
 
 GRID = 1000
 """Boxes are told and answered on a grid of this many steps in both directions."""

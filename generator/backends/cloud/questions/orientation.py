@@ -10,7 +10,7 @@ from ....render.raster import Item, render
 from ....render.sheet import grid
 from ....scene import Mesh
 from ..server.answers import OrientationAnswer
-from ..server.reading import Wrong
+from ..server.json_text import Wrong
 
 _SIDE = 224  # pixels of each view
 _DISTANCE = 12.0  # of the model's half diagonal: hardly any perspective

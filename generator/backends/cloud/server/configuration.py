@@ -25,7 +25,7 @@ from typing import Literal
 
 from ....calls.http.address import checked_address, local
 from ....errors import BackendError
-from ....io.reading import split_url
+from ....io.bounded import split_url
 
 Purpose = Literal["chat", "image"]
 

@@ -20,13 +20,13 @@ import numpy as np
 from jaxtyping import UInt8
 from pydantic import ValidationError
 
-from ....calls.used import Used
+from ....calls.store import Used
 from ....errors import InputError, UnusableError
-from ....io.png import encode_png
+from ....io.pictures import encode_png
 from ..prompts import prompt
 from .answers import ModelAnswer, strict_schema
-from .calling import Rejected, Server
-from .reading import Wrong, is_refusal, read_object
+from .client import Rejected, Server
+from .json_text import Wrong, is_refusal, read_object
 
 REASKS = 3
 """How often at most a question is asked again with what was wrong with the answer."""

@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ....geometry import mask_box
-from ....language.naming import shape_word
+from ....language.names import shape_word
 from ....meshes.pixels import Mask, dilate, erode, hull_of
 from ....scene import Detection
 from ..plane.plane import TablePlane, outline_distance

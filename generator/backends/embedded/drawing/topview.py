@@ -12,12 +12,12 @@ from scipy.optimize import least_squares
 from ....geometry import Camera, hull_points, rotation_z, view_rotation, yaw_quaternion
 from ....meshes.pixels import dilate
 from ....render.contact import Body
-from ....render.picture import TOP_DOWN
 from ....render.raster import Item, place, render
+from ....render.sheet import TOP_DOWN
 from ....scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
 from ...protocols import Instances
-from ..depth.seating import seat
-from ..layout.stacking import stack
+from ..depth.placement import seat
+from ..layout.supports import stack
 from ..layout.survey import floor_of, survey
 from ..plane.measure import measured_extent, whole_box
 from ..plane.plane import TablePlane

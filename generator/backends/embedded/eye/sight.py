@@ -24,7 +24,7 @@ from .detections import FAINT, Detections, answers, ask, tensor
 from .frames import Frame
 from .judge import EyeDetection, clues_of
 from .network import REGIONS, STRIDE, Eye, Maps
-from .outlining import outline_things
+from .outlines import outline_things
 from .weights import Weights, load_judge, load_weights
 
 SIDES = (544, 704)

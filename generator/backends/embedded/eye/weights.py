@@ -12,7 +12,7 @@ import torch
 from torch import nn
 
 from ....errors import BackendError
-from ....io.reading import parse_json, printable
+from ....io.bounded import parse_json, printable
 from .judge import DetectionJudge
 from .network import Eye
 from .proportions import ProportionNetwork

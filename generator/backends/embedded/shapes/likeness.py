@@ -3,7 +3,7 @@
 Candidates of several variants are searched over yaw by silhouette; those that stand out are
 judged by how well their coloured regions explain the crop's colours as well, and the best few are
 refined in yaw and proportions. A thing that stands may at last be narrowed or widened along its
-height (``Profile``). How the winner is painted is told in ``painting``.
+height (``Profile``). How the winner is painted is told in ``paint``.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from tabletop_objects import Category, build
 from tabletop_objects.values import parts_to_unit_box, to_unit_box
 
 from ....geometry import hull_points, rotation_z
-from ....meshes import baking
+from ....meshes import texture_bake
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart, Mesh, Model
-from .framing import descend, frame_to_mask
-from .painting import explained_colors
+from .frames import descend, frame_to_mask
+from .paint import explained_colors
 
 VARIANTS, FEW = 6, 3
 """How many seeds of a category are tried; and with half the effort."""
@@ -155,7 +155,7 @@ def fit_likeness(
     completed outline is a guess, so proportions stay the catalogue's.
     """
     size = small.width, small.height
-    image = cv2.resize(baking.opaque_colors(crop)[0], size, interpolation=cv2.INTER_AREA)
+    image = cv2.resize(texture_bake.opaque_colors(crop)[0], size, interpolation=cv2.INTER_AREA)
 
     def judge(found: Likeness) -> Likeness:
         explained = explained_colors(found.model.mesh, found.world, image, mask, small)

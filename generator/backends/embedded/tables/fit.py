@@ -13,7 +13,7 @@ from jaxtyping import Float
 from ....geometry import mask_box
 from ....meshes.pixels import Mask, dilate, mask_iou
 from ....meshes.projection import Projection, fill_hull
-from ..shapes.framing import descend
+from ..shapes.frames import descend
 from .form import LegStyle, TableForm, at_height, corners_of
 
 _TALL = (0.2, 1.4)  # metres: what a table's height may be

@@ -16,12 +16,12 @@ from scipy import ndimage
 
 from tabletop_objects.kit.outlines import ellipse, rectangle, rounded_polygon
 
-from ....meshes import baking
+from ....meshes import texture_bake
 from ....meshes.projection import Projection
-from ....meshes.unshading import estimate_shading
+from ....meshes.shading import estimate_shading
 from ....meshes.unwrap import unwrap
 from ....scene import Instance, Mesh, Model, SizePrior, View
-from ..shapes.framing import small_mask
+from ..shapes.frames import small_mask
 from .fit import Fitted, Silhouette, fit_table
 
 _COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels
@@ -95,15 +95,15 @@ def _paint(
     """Return the table's mesh in the picture's colours, top and legs each for themselves."""
     mesh = model.mesh
     world = fit.world(np.asarray(mesh.vertices, float))
-    image, mask = baking.opaque_colors(instance.crop)
+    image, mask = texture_bake.opaque_colors(instance.crop)
     atlas = unwrap(mesh.vertices * model.size, mesh.faces, size)
-    surface = baking.surface_of(atlas, world)
-    sight = baking.CropView.of(world, mesh.faces, projection)
+    surface = texture_bake.surface_of(atlas, world)
+    sight = texture_bake.CropView.of(world, mesh.faces, projection)
     pixels = projection.project(surface.point)
     bare = mask & ~_cover(instance, mask, _BESIDE)
-    own = baking.sample(np.dstack([mask, bare]).astype(np.uint8), pixels) > 0.5
+    own = texture_bake.sample(np.dstack([mask, bare]).astype(np.uint8), pixels) > 0.5
     visible = sight.sees(surface) & own[:, 0]
-    colors = baking.sample(image, pixels)
+    colors = texture_bake.sample(image, pixels)
     colors = estimate_shading(colors, surface.normal, visible).remove(colors, surface.normal)
     slab = 0.5 - fit.form.thickness / fit.form.height - 1e-4
     on_top = (mesh.vertices[mesh.faces, 2] > slab).all(1)[atlas.face]
@@ -113,7 +113,7 @@ def _paint(
     texels = np.full(colors.shape, 200.0)
     if upper.sum() > 40:
         shade = _cover(instance, mask, _SHADE).astype(np.uint8)
-        near = baking.sample(shade[..., None], pixels)[:, 0] > 0.5
+        near = texture_bake.sample(shade[..., None], pixels)[:, 0] > 0.5
         dark = colors.mean(1) < _DARK * np.median(colors[upper].mean(1))
         texels[:] = np.median(colors[upper], 0)
         texels[on_top] = top_colors(surface.point, colors, upper & ~(near & dark))[on_top]
@@ -121,7 +121,7 @@ def _paint(
     for part in (rim, ~on_top):
         if (clear & part).sum() > 40:
             texels[part] = np.median(colors[clear & part], 0)
-    return baking.apply_texture(atlas, mesh.vertices, baking.lay_out(atlas, texels))
+    return texture_bake.apply_texture(atlas, mesh.vertices, texture_bake.lay_out(atlas, texels))
 
 
 def _within(
@@ -171,7 +171,7 @@ def top_colors(
         smooth = cv2.GaussianBlur(total, (0, 0), spread[0], sigmaY=spread[1])
         trust = (weight / (weight + 0.02))[..., None]
         filled = trust * smooth / np.maximum(weight, 1e-6)[..., None] + (1 - trust) * filled
-    carried = baking.sample(filled, at + 0.5)
+    carried = texture_bake.sample(filled, at + 0.5)
     return np.where(clear[:, None], colors, carried)
 
 

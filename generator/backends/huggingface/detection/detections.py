@@ -1,7 +1,8 @@
-"""What a model found, on its way to a Detection."""
+"""Detections of the open models: one per object, without duplicates, groups and parts."""
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
@@ -9,6 +10,8 @@ from typing import Protocol
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
+from ....geometry import fill_holes, main_parts, mask_box
+from ....meshes.pixels import hull_of, mask_iou
 from .tiles import Tile
 
 
@@ -46,3 +49,143 @@ class Masker(Protocol):
     ) -> list[BoxDetection]:
         """Return the finds with masks, in their order; without those whose mask is empty."""
         ...
+
+
+SAME = 0.6
+"""Boxes of one word that overlap (intersection over union) by more are one thing."""
+
+ALIKE = 0.8
+"""Boxes or masks of two words that overlap by more are one thing."""
+
+HOLE = 0.02
+"""A hole below this share of its mask is filled; larger ones (a handle) are real."""
+
+_NAMED = 0.5  # overlap from which a better word belongs to a find
+_WITHIN = 0.85  # share of a mask that lies within another: it is a part of that
+_LEFT = 0.3  # share of a mask that has to be left once smaller things have theirs
+
+
+def distinct(detections: Sequence[BoxDetection]) -> list[BoxDetection]:
+    """Return the finds without those whose box a surer one has already, the surest first."""
+    kept: list[BoxDetection] = []
+    for detection in sorted(detections, key=lambda f: -f.score):
+        overlaps = overlap(detection.box, kept)
+        limits = np.array([SAME if k.label == detection.label else ALIKE for k in kept])
+        if not (overlaps > limits).any():
+            kept.append(detection)
+    return kept
+
+
+def name_generic(
+    detections: Sequence[BoxDetection], generic: str, better: Sequence[BoxDetection]
+) -> list[BoxDetection]:
+    """Return the finds, those called ``generic`` by the surest better word for their box."""
+    made = []
+    for detection in detections:
+        if detection.label == generic:
+            at = overlap(detection.box, better) > _NAMED
+            fitting = [b for b, fits in zip(better, at, strict=True) if fits]
+            word = max(fitting, key=lambda b: b.score, default=detection).label
+            detection = dataclasses.replace(detection, label=word)
+        made.append(detection)
+    return made
+
+
+def overlap(
+    box: Float[np.ndarray, "4"], detections: Sequence[BoxDetection]
+) -> Float[np.ndarray, "n"]:
+    """Return the intersection over union of a box and each find's."""
+    others = np.array([f.box for f in detections]).reshape(-1, 4)
+    sides = np.minimum(box[2:], others[:, 2:]) - np.maximum(box[:2], others[:, :2])
+    shared = np.clip(sides, 0, None).prod(1)
+    areas = (others[:, 2:] - others[:, :2]).prod(1) + (box[2:] - box[:2]).prod()
+    return shared / np.maximum(areas - shared, 1e-9)
+
+
+def clean(detection: BoxDetection) -> BoxDetection:
+    """Return a find whose mask has no specks and no small holes, its box tight about it."""
+    mask = fill_holes(main_parts(detection.mask), HOLE)
+    return dataclasses.replace(detection, mask=mask, box=mask_box(mask))
+
+
+def separate(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDetection]:
+    """Return each thing once, the surest first; no pixel belongs to two of them.
+
+    Gone are masks that a surer one has already, masks of several things of one word together, and
+    parts of a thing of the same word. A pixel of several masks is the smallest one's, which stands
+    in front or inside. What keeps less than ``minimum`` pixels, or ``_LEFT`` of its mask, is gone.
+    """
+    kept: list[BoxDetection] = []
+    for detection in sorted(detections, key=lambda f: -f.score):
+        if all(mask_iou(detection.mask, k.mask) <= ALIKE for k in kept):
+            kept.append(detection)
+    kept = [f for f in kept if not _is_group(f, kept)]
+    kept = [f for f in kept if not any(_holds(other, f) for other in kept)]
+    if not kept:
+        return []
+    areas, taken = [int(f.mask.sum()) for f in kept], np.zeros_like(kept[0].mask)
+    made: dict[int, BoxDetection] = {}
+    for k in sorted(range(len(kept)), key=lambda k: areas[k]):
+        mask = kept[k].mask & ~taken
+        if mask.sum() >= max(minimum, _LEFT * areas[k], 1):
+            made[k] = dataclasses.replace(kept[k], mask=mask, box=mask_box(mask))
+            taken |= mask
+    return [made[k] for k in sorted(made)]
+
+
+def _is_group(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bool:
+    """Tell whether a mask is that of two or more smaller ones of the same word."""
+    inside = [f.mask for f in detections if _holds(detection, f)]
+    if len(inside) < 2:
+        return False
+    together = np.any(inside, axis=0)
+    return bool((together & detection.mask).sum() > _WITHIN * detection.mask.sum())
+
+
+def _holds(outer: BoxDetection, part: BoxDetection) -> bool:
+    """Tell whether a mask lies in a larger one of the same word."""
+    area = part.mask.sum()
+    smaller = outer.label == part.label and area < outer.mask.sum()
+    return bool(smaller and (outer.mask & part.mask).sum() > _WITHIN * area)
+
+
+_FOOT = 1 / 6  # of a mask's height: what it stands on
+_BELOW = 1 / 60  # of the picture's longer side: how far below a foot is looked
+
+
+def on_table(things: Sequence[BoxDetection], table: Bool[np.ndarray, "h w"]) -> list[BoxDetection]:
+    """Return the finds without those beside or below the table, in their order.
+
+    Most of a thing's lowest part is over the table's outline, or has things that stand there right
+    below it: it stands on them, or behind them.
+    """
+    ground, others = hull_of(table), np.zeros_like(table)
+    standing: set[int] = set()
+    while True:
+        more = [
+            k for k, f in enumerate(things)
+            if k not in standing and (_over(f.mask, ground) or _upon(f.mask, others))
+        ]  # fmt: skip
+        if not more:
+            return [things[k] for k in sorted(standing)]
+        standing.update(more)
+        others |= np.any([things[k].mask for k in more], axis=0)
+
+
+def _over(mask: Bool[np.ndarray, "h w"], ground: Bool[np.ndarray, "h w"]) -> bool:
+    foot = _foot(mask)
+    return bool((foot & ground).sum() > 0.5 * foot.sum())
+
+
+def _upon(mask: Bool[np.ndarray, "h w"], others: Bool[np.ndarray, "h w"]) -> bool:
+    step = int(_BELOW * max(mask.shape)) + 1
+    below = np.zeros_like(mask)
+    below[step:] = _foot(mask)[:-step]
+    below &= ~mask
+    return bool((below & others).sum() > 0.5 * below.sum())
+
+
+def _foot(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    rows = np.flatnonzero(mask.any(1))
+    low = rows[-1] - _FOOT * (rows[-1] - rows[0])
+    return mask & (np.arange(len(mask))[:, None] >= low)

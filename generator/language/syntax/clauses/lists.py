@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from tabletop_objects import CATEGORIES
 
-from ...openings import open_category
 from ...parsing.vocabulary import STYLES
 from ...relations import fits
-from ...words.speech import is_finite
+from ...vessel_sizes import open_category
+from ...words.dictionary import is_finite
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
     How,

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from ...parsing.lexicon import singular
 from ...parsing.vocabulary import COLORS
-from ...words.speech import is_verb
+from ...words.dictionary import is_verb
 from ..phrases.nouns import read_noun
 from ..phrases.tree import EVERYONE, Arranged, Clause, Description, Noun, Post, Zone
 from ..phrases.zones import read_zone

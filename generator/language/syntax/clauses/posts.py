@@ -7,7 +7,7 @@ from dataclasses import replace
 from tabletop_objects import CATEGORIES
 
 from ...parsing.vocabulary import COLORS
-from ...words.speech import is_verb
+from ...words.dictionary import is_verb
 from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
@@ -21,8 +21,8 @@ from ..phrases.tree import (
 )
 from ..phrases.zones import read_zone
 from ..text import function_words as fw
+from .contents import HoldingReader
 from .cursor import ENDS, SUPPORTING
-from .holding import HoldingReader
 
 
 class PostReader(HoldingReader):

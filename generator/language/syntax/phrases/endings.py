@@ -6,8 +6,7 @@ from collections.abc import Sequence
 
 from ...parsing import lexicon
 from ...parsing.vocabulary import COLORS, MATERIALS, TABLE_NOUNS
-from ...words.dictionary import entry_of
-from ...words.speech import IRREGULAR, is_finite, is_verb
+from ...words.dictionary import IRREGULAR, entry_of, is_finite, is_verb
 from ..text import function_words as fw
 from ..text.tokens import Token
 from .introductions import PhraseStart, is_describing

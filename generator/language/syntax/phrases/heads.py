@@ -19,8 +19,7 @@ from ...parsing.vocabulary import (
     TABLE_NOUNS,
     VAGUE_THINGS,
 )
-from ...words.dictionary import entry_of, is_english
-from ...words.speech import is_verb
+from ...words.dictionary import entry_of, is_english, is_verb
 from ..text import function_words as fw
 from .endings import STOPS
 from .introductions import MORE, PhraseStart, is_describing, multiply

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 
 from ...parsing.lexicon import category_of
 from ...parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
-from ...words.speech import is_adjective
+from ...words.dictionary import is_adjective
 from ..text import function_words as fw
-from ..text.number_patterns import SPELT
+from ..text.numbers import SPELT
 from ..text.tokens import Token
 from .tree import Arrangement
 

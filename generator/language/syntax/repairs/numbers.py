@@ -26,7 +26,7 @@ from ..phrases.tree import (
 )
 from ..text import function_words as fw
 from ..text.figures import WrittenNumber, written_numbers
-from ..text.number_patterns import SPELT
+from ..text.numbers import SPELT
 from ..text.tokens import Token
 
 _TIMES = (10, 12, 20, 100, 1000)  # what fractions are counted in

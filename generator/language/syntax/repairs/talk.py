@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from ...words.dictionary import entry_of
-from ...words.speech import is_verb
+from ...words.dictionary import entry_of, is_verb
 from ..clauses.cursor import ENDS
 from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun

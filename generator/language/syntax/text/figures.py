@@ -16,8 +16,20 @@ from types import MappingProxyType
 from typing import Literal
 
 from . import function_words as fw
-from .number_context import AGE, YEAR, ends_name, is_name, noun_before, words_before
-from .number_patterns import ANY, DIGITS, FRACTIONS, NUMBER, SIGNS, SPECIAL
+from .numbers import (
+    AGE,
+    ANY,
+    DIGITS,
+    FRACTIONS,
+    NUMBER,
+    SIGNS,
+    SPECIAL,
+    YEAR,
+    ends_name,
+    is_name,
+    noun_before,
+    words_before,
+)
 
 Role = Literal["count", "range", "aside", "name"]
 

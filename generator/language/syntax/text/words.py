@@ -9,7 +9,7 @@ from typing import Literal
 
 from .figures import settle_numbers
 from .function_words import MEASURES, NUMBERS, ORDINALS
-from .number_patterns import SPELT
+from .numbers import SPELT
 
 WordKind = Literal["word", "number", "mark"]
 

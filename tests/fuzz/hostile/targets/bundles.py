@@ -14,8 +14,8 @@ import numpy as np
 from toy import toy_object, toy_scene
 
 from generator.bundle import load, load_picture, load_pictures, load_segments, save, verify
-from generator.bundle.decoding import decode_scene
-from generator.bundle.encoding import dumps
+from generator.bundle.decoder import decode_scene
+from generator.bundle.encoder import dumps
 from generator.bundle.segments import Segments
 from generator.errors import BundleError
 from generator.physics.gate import judge

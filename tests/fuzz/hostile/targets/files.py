@@ -22,7 +22,7 @@ from generator.calls.money.database import FILE, TABLES
 from generator.calls.money.entries import Entry
 from generator.calls.money.ledger import Account
 from generator.calls.money.prices import Prices
-from generator.calls.money.spending import Spending
+from generator.calls.money.scene_cost import Spending
 from generator.calls.store import CallStore, StoredAnswer
 from generator.errors import InputError, TabletopError
 from generator.jobs import pools as batch_pools

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from generator.physics import decomposition
-from tabletopgen_env.learning import plotting, runs
+from tabletopgen_env.learning import plots, runs
 from tabletopgen_env.learning.algorithms.sb3 import Sb3Learner
 from tabletopgen_env.learning.networks.actor import Actor
 from tabletopgen_env.learning.policies import KEY, Card, TrainedPolicy, load_policy, policy_bytes
@@ -228,7 +228,7 @@ def run_folders(rng: random.Random, folder: Path) -> Run:
 
     def plot() -> None:
         run = runs.open_run(place)
-        plotting.draw(plotting.bands([run]), "steps")
+        plots.draw(plots.bands([run]), "steps")
 
     def begin() -> None:
         runs.begin(place, _recipe(), 0)

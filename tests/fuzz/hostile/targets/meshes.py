@@ -15,10 +15,9 @@ from backends.modelers.foreign import glb as packed
 from backends.modelers.foreign import instance, prior, striped_box
 
 from generator.backends.modelers.folder import Folder
-from generator.evaluation.external import load_external
-from generator.evaluation.glb import read_glb
-from generator.io.png import encode_png
-from generator.meshes.normalising import normal_mesh
+from generator.evaluation.external import load_external, read_glb
+from generator.io.pictures import encode_png
+from generator.meshes.canonical import normal_mesh
 from generator.scene import USUAL_VIEW
 
 from ..judging import accepts, accepts_any, command, reading

@@ -20,7 +20,7 @@ from generator.calls.http.retries import RetryPolicy
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 from generator.errors import BackendError
-from generator.io.png import encode_png
+from generator.io.pictures import encode_png
 from generator.scene import USUAL_VIEW, PlannedObject, PlannedTable, ScenePlan
 
 from ..judging import accepts

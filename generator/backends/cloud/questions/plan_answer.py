@@ -1,0 +1,168 @@
+"""A planned scene out of its answer: numbers become names, words become catalogue keys."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+
+import numpy as np
+
+from ....errors import InputError
+from ....language.relations import check_relations
+from ....language.vessel_sizes import grow_carriers
+from ....language.words.dictionary import classify, warn_of_stand_ins
+from ....language.words.foreign import is_in_other_script
+from ....scene import TABLE, PlannedGroup, PlannedObject, PlannedTable, Relation, ScenePlan
+from ....stand_ins import GENERIC, stand_in_size
+from ..server.answers import GroupAnswer, PlanAnswer, RelationAnswer, ThingAnswer
+from ..server.json_text import Wrong
+
+_MOST = 2000  # characters of a text
+_LONGEST = 0.6  # metres: the longest thing on a table, as for the embedded planner
+
+
+def checked_text(text: object) -> str:
+    """Return a user's text without space around it (InputError: no text, empty, or too long)."""
+    if not isinstance(text, str):
+        raise InputError(f"A text or a ScenePlan is needed, got {type(text).__name__}.")
+    if not any(c.isalpha() for c in text):
+        raise InputError(
+            "The text holds no words. Describe a tabletop, for example 'a desk with a lamp'."
+        )
+    if len(text) > _MOST:
+        raise InputError(
+            f"The text has {len(text)} characters; at most {_MOST} are read. Describe one table in "
+            "a few sentences."
+        )
+    return text.strip()
+
+
+def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
+    """Return the plan of an answer, as the embedded planner would give it.
+
+    Things that carry others grow, relations that cannot be step aside, and warnings say what stands
+    in for what the catalogue lacks.
+
+    Raises:
+        Wrong, InputError: the answer contradicts itself.
+    """
+    table = answer.table
+    if table.legs == "trestle" and table.outline in ("triangle", "oval", "round"):
+        raise Wrong(f"a {table.outline} table has no trestle legs; choose others.")
+    names = _names(answer)
+    listed = [_thing(thing, names) for thing in answer.things]
+    objects, doubts = check_relations(grow_carriers([_shorten(thing) for thing in listed]))
+    cut = [_warn_of_length(thing) for thing in listed if thing.size and max(thing.size) > _LONGEST]
+    size = (table.length_cm / 100, table.width_cm / 100, table.height_cm / 100)
+    return ScenePlan(
+        prompt,
+        PlannedTable(table.outline, table.material.lower(), table.legs, size, table.color),
+        tuple(objects),
+        answer.style,
+        tuple(dict.fromkeys([*cut, *warn_of_stand_ins(objects), *doubts])),
+        tuple(_groups(answer, names)),
+    )
+
+
+def _names(answer: PlanAnswer) -> dict[int, str]:
+    """Return each number's name: "mug_1" for the first mug."""
+    names: dict[int, str] = {}
+    stems: list[str] = []
+    for thing in answer.things:
+        if thing.id in names:
+            raise Wrong(f"the number {thing.id} is given twice. Each thing has its own.")
+        if is_in_other_script(thing.noun):
+            raise Wrong(f"the noun {thing.noun!r} of thing {thing.id} is no English word.")
+        stem = re.sub(r"[^0-9a-z]+", "_", _noun(thing.noun)).strip("_") or "object"
+        stems.append("object" if stem == TABLE else stem)
+        names[thing.id] = f"{stems[-1]}_{stems.count(stems[-1])}"
+    return names
+
+
+def _noun(word: str) -> str:
+    return " ".join(word.lower().split())
+
+
+def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
+    noun = _noun(thing.noun)
+    category, family = classify(tuple(re.findall(r"[a-z]+", noun)))
+    state = thing.state
+    if thing.contents:
+        state, noun = f"with {thing.contents}", f"{noun} of {thing.contents}"
+    fields = {
+        "color": thing.color, "accent": thing.accent, "material": thing.material,
+        "size": thing.size_word, "state": state,
+        "posture": thing.posture,
+    }  # fmt: skip
+    attributes = {k: v for k, v in fields.items() if v}
+    size = None if category else stand_in_size(family, attributes)
+    if thing.size_cm:
+        size = (thing.size_cm[0] / 100, thing.size_cm[1] / 100, thing.size_cm[2] / 100)
+    return PlannedObject(
+        names[thing.id], noun, category or GENERIC, attributes,
+        tuple(_relation(thing, relation, names) for relation in thing.relations),
+        size, "" if category else family,
+    )  # fmt: skip
+
+
+def _shorten(thing: PlannedObject) -> PlannedObject:
+    """Return a thing no longer than what belongs on a table, in its proportions."""
+    if thing.size is None or max(thing.size) <= _LONGEST:
+        return thing
+    x, y, z = (float(v) for v in np.asarray(thing.size) * _LONGEST / max(thing.size))
+    return replace(thing, size=(x, y, z))
+
+
+def _warn_of_length(thing: PlannedObject) -> str:
+    longest = max(thing.size or (0.0,))
+    return f"A {thing.noun} of {longest:g} m does not belong on a table; it is {_LONGEST:g} m long."
+
+
+def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str]) -> Relation:
+    if relation.target and relation.target not in names:
+        raise Wrong(f"thing {thing.id} is related to number {relation.target}, which is no thing.")
+    if relation.target and relation.kind in ("center", "edge"):
+        raise Wrong(f"thing {thing.id} is {relation.kind!r} of a thing; only of 0, the table.")
+    if not relation.target and relation.kind == "in":
+        raise Wrong(f"thing {thing.id} is in the table; things are on the table, 0.")
+    rests = [r for r in thing.relations if r.kind in ("on", "in")]
+    if len({r.target for r in rests}) > 1:
+        raise Wrong(f"thing {thing.id} is on or in more than one other.")
+    return Relation(relation.kind, names[relation.target] if relation.target else TABLE)
+
+
+# ----------------------------------------------------------------------------------------- groups
+
+
+def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]:
+    """Yield the groups, each of two things or more (Wrong: they contradict the things)."""
+    taken: set[int] = set()
+    laid: set[int] = set()
+    for group in answer.groups:
+        told = [*group.things, *([group.around] if group.around else [])]
+        where = f"the {group.kind} of things {', '.join(map(str, told))}"
+        if strange := sorted({*told} - {*names}):
+            raise Wrong(f"{where} names number {strange[0]}, which is no thing.")
+        if len({*told}) < len(told) or taken & {*told}:
+            raise Wrong(f"{where} names a thing twice, or one of another group.")
+        taken |= {*told}
+        _check_group(group, where, laid, answer)
+        if len(told) > 1:
+            seat = None if group.seat is None else (group.seat.number - 1, group.seat.count)
+            around = names[group.around] if group.around else None
+            yield PlannedGroup(group.kind, tuple(names[n] for n in group.things), around, seat)
+
+
+def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
+    """Raise Wrong where a group has what its kind does not; ``laid`` are the seats so far."""
+    if group.around is not None and group.kind != "circle":
+        raise Wrong(f"{where} is around a thing; only a circle is.")
+    if (group.seat is not None) != (group.kind == "setting"):
+        raise Wrong(f"{where}: a setting has a seat, and nothing else has one.")
+    if group.seat is None:
+        return
+    counts = {g.seat.count for g in answer.groups if g.seat is not None}
+    if len(counts) > 1 or group.seat.number > group.seat.count or group.seat.number in laid:
+        raise Wrong(f"{where}: seats are numbered 1 to their count, each once, all of one count.")
+    laid.add(group.seat.number)

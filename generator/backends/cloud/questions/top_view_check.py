@@ -1,0 +1,55 @@
+"""A drawn top view held against its reference by the chat model: is each thing there, once?"""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import UInt8
+
+from ..prompts import prompt
+from ..server.answers import TopViewAnswer
+from ..server.json_text import Wrong
+from ..server.typed_question import Chat
+from .labelled import GRID, Labelled
+
+_SAME = 0.85  # overlap from which two boxes are one place
+
+
+def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> tuple[str, ...]:
+    """Return what is wrong with a drawn top view, in sentences (BackendError: no usable answer)."""
+
+    def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
+        seen = things.match(answer.things, without=(0,)).values()
+        _check_places([(a.id, np.array(box)) for a in seen for box in a.boxes])
+        found = [] if answer.from_above else ["It did not look straight down."]
+        for sight in seen:
+            called = f"The {things.by_number[sight.id].label} (number {sight.id})"
+            if not sight.boxes and not sight.covered:
+                found.append(f"{called} was missing.")
+            elif len(sight.boxes) > 1:
+                found.append(f"{called} was there {len(sight.boxes)} times.")
+        found += [f"There was a {word} that does not belong there." for word in answer.extra]
+        return tuple(found)
+
+    text = prompt("check_top_view", listing=things.names())
+    return chat.ask("top_view", text, (things.picture(), drawn), TopViewAnswer, sentences)
+
+
+def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
+    """Refuse boxes that are none, and one place given to two things (Wrong: which they are)."""
+    for number, (x0, y0, x1, y1) in places:
+        if not (x0 < x1 and y0 < y1):
+            raise Wrong(
+                f"a box of number {number} is no box: it is [x0, y0, x1, y1] from 0 to {GRID}, "
+                "x0 < x1 and y0 < y1."
+            )
+    for k, (one, a) in enumerate(places):
+        for other, b in places[:k]:
+            if one != other and _overlap(a, b) > _SAME:
+                raise Wrong(f"numbers {other} and {one} are given the same place; look again.")
+
+
+def _overlap(a: np.ndarray, b: np.ndarray) -> float:
+    """Return the share of two boxes' union that both cover."""
+    low, high = np.maximum(a[:2], b[:2]), np.minimum(a[2:], b[2:])
+    both = float(np.prod(np.maximum(high - low, 0)))
+    return both / (float(np.prod(a[2:] - a[:2]) + np.prod(b[2:] - b[:2])) - both)

@@ -1,0 +1,147 @@
+"""JSON out of what a chat model wrote: as it is, out of a fence or out of prose, and mended."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from ....errors import UnusableError
+from ....io.bounded import parse_json
+
+# Each pattern takes time in proportion to the text, also where what it looks for has no end.
+_THOUGHT = re.compile(r"<think(?:ing)?>", re.IGNORECASE)
+_THOUGHT_END = re.compile(r"</think(?:ing)?>", re.IGNORECASE)
+_FENCE = re.compile(r"```[a-zA-Z0-9]*+\s*+(.*?)```", re.DOTALL)
+_STRING = r'"[^"\\]*+(?:\\.[^"\\]*+)*+"?+'  # to the end of the text where it is not closed
+_COMMENT = r"//[^\n]*|/\*.*?(?:\*/|\Z)"
+_COMMA = r",(?=\s*+[}\]])"
+_REFUSAL = re.compile(
+    r"^\W*(i['’]?m (very )?sorry|sorry\b|i (can['’]?t|can ?not|am unable|am not able)|"
+    r"as an ai\b|unfortunately,? i)",
+    re.IGNORECASE,
+)
+_LONGEST_LITERAL = 2**17  # characters of an answer in Python's own notation
+_CURLY = str.maketrans({"“": '"', "”": '"', "„": '"', "‘": "'", "’": "'"})
+
+
+class Wrong(ValueError):
+    """An answer that cannot be used, in words that are fit to be shown to the model."""
+
+
+def read_object(text: str) -> dict[str, Any]:
+    """Return the JSON object in an answer (Wrong: there is none).
+
+    Tried in this order: the whole text, fenced blocks (the last first), stretches in braces (the
+    last first); each as it is, then mended: no comments, no trailing commas, straight quotes,
+    Python's literals, open brackets closed. NaN and infinite numbers are no JSON.
+    """
+    text = _without_thoughts(text).strip().lstrip("\ufeff")
+    for piece in _pieces(text):
+        for attempt in (piece, _repair(piece)):
+            found = _object(attempt)
+            if found is not None:
+                return found
+    raise Wrong("it holds no JSON object that can be read.")
+
+
+def is_refusal(text: str) -> bool:
+    """Tell whether an answer without JSON begins as refusals do."""
+    return "{" not in text and bool(_REFUSAL.match(text.strip()))
+
+
+def _pieces(text: str) -> Iterator[str]:
+    yield text
+    yield from reversed([found.strip() for found in _FENCE.findall(text)])
+    stretches, end = [], 0
+    for start in (m.start() for m in re.finditer(r"\{", text)):
+        if start >= end:
+            end = _end(text, start)
+            stretches.append(text[start:end])
+    yield from reversed(stretches)
+
+
+def _end(text: str, start: int) -> int:
+    """Return where the brace at ``start`` is closed, strings minded; the text's end if it is not.
+
+    An apostrophe opens no string: JSON's are in double quotes.
+    """
+    depth, inside, skip = 0, False, False
+    for at in range(start, len(text)):
+        letter = text[at]
+        if skip or letter == "\\":
+            skip = not skip
+        elif letter == '"':
+            inside = not inside
+        elif not inside and letter in "{}":
+            depth += 1 if letter == "{" else -1
+            if not depth:
+                return at + 1
+    return len(text)
+
+
+def _object(text: str) -> dict[str, Any] | None:
+    try:
+        found = parse_json(text, "The answer", UnusableError)
+    except UnusableError:
+        found = _literal(text)
+    return found if isinstance(found, dict) else None
+
+
+def _without_thoughts(text: str) -> str:
+    """Return a text without what is marked as thoughts, from each mark to the next end of one."""
+    kept, at = [], 0
+    while (begin := _THOUGHT.search(text, at)) and (end := _THOUGHT_END.search(text, begin.end())):
+        kept.append(text[at : begin.start()])
+        at = end.end()
+    return "".join([*kept, text[at:]])
+
+
+def _literal(text: str) -> Any:
+    """Return what Python's own notation says, as some models answer; None if it is none."""
+    if not text.startswith("{") or len(text) > _LONGEST_LITERAL:
+        return None
+    words = {"true": "True", "false": "False", "null": "None"}
+    text = re.sub(r"\b(true|false|null)\b", lambda m: words[m[0]], text)
+    try:
+        found = ast.literal_eval(text)
+        return parse_json(json.dumps(found, allow_nan=False), "The answer", UnusableError)
+    except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError, UnusableError):
+        return None
+
+
+def _repair(text: str) -> str:
+    text = text.translate(_CURLY)
+    text = _outside_strings(text, _COMMENT, "")
+    text += _closing(text)
+    return _outside_strings(text, _COMMA, "")
+
+
+def _outside_strings(text: str, pattern: str, by: str) -> str:
+    """Replace ``pattern`` wherever it is not in a double-quoted string."""
+    either = re.compile(rf"({_STRING})|(?:{pattern})", re.DOTALL)
+    return either.sub(lambda m: m[1] if m[1] is not None else by, text)
+
+
+def _closing(text: str) -> str:
+    """Return the quote and brackets that a cut-off text lacks."""
+    strings = re.compile(_STRING, re.DOTALL)
+    missing = '"' * any(_is_open(found) for found in strings.findall(text))
+    bare = strings.sub("", text)
+    open_ = []
+    for letter in bare:
+        if letter in "{[":
+            open_.append("}" if letter == "{" else "]")
+        elif letter in "}]" and open_:
+            open_.pop()
+    return missing + "".join(reversed(open_))
+
+
+def _is_open(string: str) -> bool:
+    """Return whether a string is not closed: no quote at its end, or one that is escaped."""
+    if len(string) < 2 or not string.endswith('"'):
+        return True
+    body = string[1:-1]
+    return (len(body) - len(body.rstrip("\\"))) % 2 == 1

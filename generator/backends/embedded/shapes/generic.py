@@ -1,0 +1,173 @@
+"""Which generic solid a silhouette shows: one of each family is tried, the likeliest kept."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from jaxtyping import Float
+from scipy import spatial
+
+from ....meshes.pixels import Mask, mask_iou
+from ....meshes.projection import Projection
+from ....scene import SizePrior
+from ....scene.triangles import scaled_normals
+from .boxes import fit_box, fit_carved
+from .extrusions import base_line, fit_prism, fit_upright
+from .frames import bounded_gap
+from .rounds import fit_revolution
+from .slices import fit_slices
+from .solids import PosedSolid
+
+_STRICT = 0.94  # a real box is met at least that well
+_LIKELY, _NAMED = 0.15, 0.1
+"""What proportions cost: unlike a thing's look, per expected error, and unlike its kind's."""
+
+_FARTHEST = 4.0  # expected errors: what is farther off costs no more
+
+_STRAIGHT = float(np.cos(np.deg2rad(20)))
+_DRAWN_OUT = ([1.05, 1.5, 2.5, 4.0, 6.0], [0.0, 0.1, 0.15, 0.1, 0.02])
+"""How much longer than wide a lying outline is, towards the camera, and what that costs."""
+
+_TOPPLING = ([3.5, 6.0, 10.0], [0.0, 0.12, 0.3])
+"""How much taller than its foot is wide a standing thing is, and what that costs."""
+
+_SHEET = ([12.0, 30.0], [0.0, 0.06])
+"""How much taller than thick a standing outline is, and what that costs."""
+
+_ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
+
+
+_PRICES = {"box": 0.0, "revolution": -0.02, "prism": 0.14, "upright": 0.1, "slices": 0.03,
+           "carved": 0.045}  # fmt: skip
+"""What each family costs against silhouette overlap."""
+
+_REGULAR = {"prism": 0.05, "upright": 0.09}
+"""What extruded outlines cost that are regular: more things lie than stand on their edge."""
+
+
+def candidates(
+    mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]
+) -> tuple[PosedSolid, ...]:
+    """Return the posed solids that fit the silhouette, one or two per family.
+
+    ``expected`` are the size prior's proportions (length, width, height); they decide what the
+    silhouette leaves open, such as how thick a slab is.
+    """
+    long, short, tall = *sorted(expected[:2], reverse=True), expected[2]
+    bounding = fit_box(mask, small, expected)
+    facing = float(np.arctan2(small.right[1], small.right[0]))
+    yaws = [facing] + [y for y in [base_line(mask, small)] if y is not None]
+    stroke = 0.6 * stroke_share(mask)
+    depth = float(np.clip(short / max(long, tall), min(0.1, stroke), min(0.22, stroke)))
+    thick = float(np.clip(tall / long, min(0.02, stroke), min(0.3, stroke)))
+    found = (
+        bounding,
+        fit_revolution(mask, small),
+        fit_slices(mask, small),
+        fit_prism(mask, small, thick),
+        *(fit_upright(mask, small, yaw, depth) for yaw in yaws),
+        fit_carved(mask, small, bounding),
+    )
+    return tuple(p for p in found if p is not None)
+
+
+def stroke_share(mask: Mask) -> float:
+    """Return how wide a silhouette's strokes are over its longer side: nothing is made thicker."""
+    inside = cv2.distanceTransform(np.pad(mask, 1).astype(np.uint8), cv2.DIST_L2, 5)
+    ridge = inside >= cv2.dilate(inside, np.ones((5, 5)))
+    width = 2 * float(np.median(inside[ridge & (inside > 0)]))
+    return width / max(np.ptp(np.nonzero(mask), axis=1).max(), 1)
+
+
+def oddness(extent: Float[np.ndarray, "3"], size: SizePrior) -> float:
+    """Return what an extent costs whose proportions are not those of the size prior."""
+    if size.seen is None:
+        return _NAMED * bounded_gap(extent, size.extent)
+    return _LIKELY * min(size.seen.gap(extent), _FARTHEST)
+
+
+def best_solid(mask: Mask, small: Projection, size: SizePrior) -> PosedSolid:
+    """Return the generic solid that explains the silhouette best; see :func:`score`."""
+    expected = size.extent if size.seen is None else size.seen.extent
+    found = candidates(mask, small, expected)
+    return max(found, key=lambda p: score(p, mask, small, size))
+
+
+def score(posed: PosedSolid, mask: Mask, small: Projection, size: SizePrior) -> float:
+    """Return how well a solid explains the picture: silhouette overlap less what it costs.
+
+    Any-outline families are cheap only where the outline is regular, a box must fit well, things
+    rarely point straight at the camera, and proportions should be the prior's.
+    """
+    overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
+    cost = _REGULAR[posed.kind] if is_regular(posed) else _PRICES[posed.kind]
+    if posed.kind == "box":
+        cost += max(0.0, _STRICT - overlap)
+    extent = np.ptp(posed.solid.vertices, axis=0)
+    return overlap - cost - accident(posed, small) - oddness(extent, size)
+
+
+def accident(posed: PosedSolid, small: Projection) -> float:
+    """Return the price of a low solid that happens to point at the camera, or of a tall, thin one.
+
+    What stands looks drawn out in that direction if it is taken to lie, so the price of a lying
+    outline begins early and grows steeply; rectangles are often set straight and pay as boxes do.
+    """
+    long, wide, tall = np.ptp(posed.solid.vertices, axis=0)
+    if posed.kind in ("revolution", "upright", "slices"):
+        sheet = np.interp(tall / wide, *_SHEET) if posed.kind == "upright" else 0.0
+        base = max(np.sqrt(long * wide), long / 2)  # how deep it is, is hardly seen
+        return float(np.interp(tall / base, *_TOPPLING) + sheet)
+    ratio = min(long / max(wide, tall), 3.0)
+    along = abs(np.cos(posed.yaw) * small.away[0] + np.sin(posed.yaw) * small.away[1])
+    price = _ACCIDENT * (ratio - 1.0) / 2.0 if ratio >= 1.3 and along > _STRAIGHT else 0.0
+    if posed.kind == "prism" and not _rectangular(posed):
+        spread, way = _drawn_out(posed)
+        if abs(way @ small.away[:2]) > _STRAIGHT:
+            price = max(price, float(np.interp(spread, *_DRAWN_OUT)))
+    return float(price)
+
+
+def _drawn_out(posed: PosedSolid) -> tuple[float, Float[np.ndarray, "2"]]:
+    """Return how much longer than wide a lying solid's top is, and its long direction."""
+    triangles = posed.world[posed.solid.faces]
+    weight = np.maximum(scaled_normals(triangles)[:, 2], 0.0)
+    points = triangles[:, :, :2].mean(1)
+    middle = weight @ points / weight.sum()
+    # The second moment of a triangle about its own middle is a twelfth of its corners'.
+    corners = triangles[:, :, :2] - middle
+    moment = np.einsum("t,tki,tkj->ij", weight, corners, corners)
+    moment += 9 * np.einsum("t,ti,tj->ij", weight, points - middle, points - middle)
+    values, ways = np.linalg.eigh(moment)
+    return float(np.sqrt(values[1] / max(values[0], 1e-12))), ways[:, 1]
+
+
+def _rectangular(posed: PosedSolid) -> bool:
+    """Tell whether a lying outline nearly fills the rectangle around it."""
+    sides = np.ptp(posed.solid.vertices, axis=0)
+    return _area(posed, 2) > 0.9 * sides[0] * sides[1]
+
+
+def _area(posed: PosedSolid, sweep: int) -> float:
+    """Return the area of an extruded outline: the solid's volume over its depth."""
+    points = posed.solid.vertices
+    a, b, c = (points[posed.solid.faces[:, k]] for k in range(3))
+    return float((np.cross(a, b) * c).sum() / 6 / np.ptp(points[:, sweep]))
+
+
+def is_regular(posed: PosedSolid) -> bool:
+    """Tell whether an extruded outline looks made to lie or stand like that.
+
+    Rectangles and ellipses do, and outlines with an arm or much longer than wide.
+    """
+    if posed.kind not in ("prism", "upright"):
+        return False
+    keep, sweep = ([0, 1], 2) if posed.kind == "prism" else ([0, 2], 1)
+    points = posed.solid.vertices
+    sides = np.ptp(points, axis=0)
+    area = _area(posed, sweep)
+    hull = spatial.ConvexHull(points[:, keep]).volume
+    filled, solid = area / np.prod(sides[keep]), area / hull
+    longest = max(sides[keep]) / min(sides[keep])
+    round_ = solid > 0.95 and abs(filled - np.pi / 4) < 0.04
+    return bool(filled > 0.9 or round_ or solid < 0.8 or longest > 5)

@@ -1,0 +1,51 @@
+"""All files of a bundle as they are, to be copied, zipped or served."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from ..errors import StorageError
+from .encoder import dumps
+from .folder import BESIDE, read_inside, read_listed, read_truth
+from .publication import publish, steady
+
+_MOST_BESIDE = 64 * 2**20
+
+
+@steady
+def read_files(path: str | Path) -> dict[str, bytes]:
+    """Return the content of every file of a bundle by its path in it.
+
+    These are ``scene.json``, the files that it lists, each compared with its entry, and what may
+    lie beside them, such as a certificate. Whether they make a sound scene is for ``load`` to say.
+
+    Raises:
+        BundleError: there is no bundle, or a file is missing or was changed.
+    """
+    folder = Path(path)
+    payload = read_truth(folder)
+    files = {"scene.json": dumps(payload)}
+    files |= {n: read_listed(folder, n, entry) for n, entry in payload["files"].items()}
+    for name in sorted(BESIDE):
+        if os.path.lexists(folder / name):
+            files[name] = read_inside(folder, name, _MOST_BESIDE)
+    return files
+
+
+def copy(path: str | Path, folder: str | Path) -> Path:
+    """Publish a copy of a bundle inside ``folder``, made if missing; return the copy's path.
+
+    Raises:
+        BundleError: there is no bundle, or a file is missing or was changed.
+        StorageError: the folder cannot be written, or the disk is full.
+    """
+    source = Path(path)
+    files = read_files(source)
+    try:
+        return publish(Path(folder), source.resolve().name, files, beside=BESIDE)
+    except OSError as error:
+        raise StorageError(
+            f"{source.name} cannot be copied to {folder}: {error.strerror or error}. Free space "
+            "there, or choose another folder."
+        ) from error

@@ -1,0 +1,197 @@
+"""Connections on which every wait ends by a deadline: names, TCP, TLS, proxies, reads, writes."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import ssl
+import threading
+import time
+import urllib.request
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import wait
+from importlib.util import find_spec
+from typing import Any
+from urllib.parse import unquote
+
+import httpcore2
+import httpx2
+
+from ...errors import BackendError
+from ...io.bounded import split_url
+from .exchange import begin
+
+_PROXIES = ("http", "https", "socks5", "socks5h")
+
+
+class Dialer(httpcore2.NetworkBackend):
+    """Makes connections that are all shut down at a deadline, by ``time.monotonic``.
+
+    The time limits of an HTTP library hold for one read each, so that a server which sends a byte
+    now and then would be waited for without end.
+    """
+
+    def __init__(self, until: float) -> None:
+        self._until = until
+        self._sockets: list[socket.socket] = []
+        self._watch = threading.Timer(max(0.0, until - time.monotonic()), self._shut_down)
+        self._watch.daemon = True
+        self._watch.start()
+
+    def connect_tcp(
+        self,
+        host: str,
+        port: int,
+        timeout: float | None = None,
+        local_address: str | None = None,
+        socket_options: Iterable[Any] | None = None,
+    ) -> httpcore2.NetworkStream:
+        """Return a connection to the first of a host's addresses that takes it."""
+        now = time.monotonic()
+        until = self._until if timeout is None else min(self._until, now + timeout)
+        found = begin(lambda: socket.getaddrinfo(host, port, type=socket.SOCK_STREAM))
+        if not wait([found], until - now).done:
+            raise httpcore2.ConnectTimeout("The address of the host was not found in time.")
+        try:
+            places = [str(place[4][0]) for place in found.result()]
+        except (OSError, ValueError) as error:  # ValueError: no such host name
+            raise httpcore2.ConnectError(str(error)) from error
+        stream = connect_any(places, port, until)
+        # A copy, since the library's own is gone once it is encrypted.
+        self._sockets.append(stream.get_extra_info("socket").dup())
+        if time.monotonic() >= self._until:
+            self._shut_down()
+        return stream
+
+    def close(self) -> None:
+        """Watch no longer."""
+        self._watch.cancel()
+        for copy in self._sockets:
+            copy.close()
+
+    def _shut_down(self) -> None:
+        for copy in self._sockets:
+            with contextlib.suppress(OSError):
+                copy.shutdown(socket.SHUT_RDWR)
+
+
+def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.NetworkStream:
+    """Return a connection to the first of some addresses that takes it; each has its share of time.
+
+    Raises:
+        httpcore2.ConnectTimeout: none did until then.
+        httpcore2.ConnectError: the last one refused.
+    """
+    last: Exception = httpcore2.ConnectTimeout("The time of the call is over.")
+    for k, place in enumerate(places):
+        left = (until - time.monotonic()) / (len(places) - k)
+        if left <= 0:
+            break
+        try:
+            return httpcore2.SyncBackend().connect_tcp(place, port, left)
+        except (httpcore2.ConnectTimeout, httpcore2.ConnectError) as error:
+            last = error
+    raise last
+
+
+class Wire(httpx2.BaseTransport):
+    """The connections of one call, redirects included, to be closed after it.
+
+    Args:
+        until: when all of it must be over, by ``time.monotonic``.
+        trust: the certificates that servers are held against.
+        proxy: the address of a proxy; see ``proxy_for``.
+    """
+
+    def __init__(self, until: float, trust: ssl.SSLContext, proxy: str | None = None) -> None:
+        self._dialer = Dialer(until)
+        self._pool = httpcore2.ConnectionPool(
+            ssl_context=trust, max_keepalive_connections=0, network_backend=self._dialer,
+            proxy=None if proxy is None else _proxy(proxy, trust),
+        )  # fmt: skip
+
+    def handle_request(self, request: httpx2.Request) -> httpx2.Response:
+        """Send a request; the answer's body is still to be read."""
+        url = request.url
+        sent = httpcore2.Request(
+            request.method,
+            httpcore2.URL(
+                scheme=url.raw_scheme, host=url.raw_host, port=url.port, target=url.raw_path
+            ),
+            headers=request.headers.raw, content=request.read(), extensions=request.extensions,
+        )  # fmt: skip
+        with _raise_as_httpx2():
+            answer = self._pool.handle_request(sent)
+        return httpx2.Response(answer.status, headers=answer.headers, stream=_Body(answer))
+
+    def close(self) -> None:
+        """Hang up."""
+        self._pool.close()
+        self._dialer.close()
+
+
+class _Body(httpx2.SyncByteStream):
+    """The body of an answer, its errors those of ``httpx2``."""
+
+    def __init__(self, answer: httpcore2.Response) -> None:
+        self._answer = answer
+
+    def __iter__(self) -> Iterator[bytes]:
+        with _raise_as_httpx2():
+            yield from self._answer.iter_stream()
+
+    def close(self) -> None:
+        self._answer.close()
+
+
+def proxy_for(scheme: str, host: str) -> str | None:
+    """Return the proxy that the environment names for a host (HTTPS_PROXY and its like), or None.
+
+    Raises:
+        BackendError: it is of a kind that is not spoken, or its address is invalid.
+    """
+    named = urllib.request.getproxies()
+    proxy = named.get(scheme) or named.get("all")
+    if not proxy or urllib.request.proxy_bypass(host):
+        return None
+    proxy = proxy if "://" in proxy else f"http://{proxy}"
+    kind = proxy.partition("://")[0].lower()
+    if kind not in _PROXIES:
+        raise BackendError(
+            f"The environment names a proxy of the kind {kind[:20]!r}. Name one of "
+            f"{', '.join(_PROXIES)}."
+        )
+    if kind.startswith("socks") and find_spec("socksio") is None:
+        raise BackendError(
+            "The environment names a SOCKS proxy, which needs socksio. Run: pip install socksio"
+        )
+    split_url("http" + proxy[len(kind) :], "The proxy that the environment names", BackendError)
+    return proxy
+
+
+def _proxy(address: str, trust: ssl.SSLContext) -> httpcore2.Proxy:
+    kind, _, rest = address.partition("://")
+    parts = split_url(f"http://{rest}", "The proxy that the environment names", BackendError)
+    named = parts.username is not None
+    auth = (unquote(parts.username or ""), unquote(parts.password or "")) if named else None
+    kind, host = kind.lower(), (parts.hostname or "").encode()
+    usual = {"http": 80, "https": 443}.get(kind, 1080)
+    url = httpcore2.URL(scheme=kind.encode(), host=host, port=parts.port or usual, target=b"/")
+    return httpcore2.Proxy(url, auth=auth, ssl_context=trust if kind == "https" else None)
+
+
+@contextlib.contextmanager
+def _raise_as_httpx2() -> Iterator[None]:
+    """Raise errors of ``httpcore2`` as those of the same name of ``httpx2``."""
+    try:
+        yield
+    except (
+        httpcore2.TimeoutException,
+        httpcore2.NetworkError,
+        httpcore2.ProtocolError,
+        httpcore2.ProxyError,
+        httpcore2.UnsupportedProtocol,
+        httpcore2.ConnectionNotAvailable,
+    ) as error:
+        kind = getattr(httpx2, type(error).__name__, httpx2.TransportError)
+        raise kind(str(error)) from error

@@ -1,0 +1,153 @@
+"""Settle an edited scene at one placement after the other until it passes the gate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..errors import SceneError
+from ..generation import Config
+from ..method.assembly import AssemblyConfig, Rested, finish, keep_unmoved, rest, with_lean_of
+from ..physics.simulation import Simulation
+from ..physics.standing_height import overlapping
+from ..scene import TABLE, Object, Scene
+from .placement import check_held, loads, set_down
+
+
+def settle_again(
+    before: Scene,
+    wanted: Scene,
+    arranged: Scene,
+    fresh: Collection[str],
+    config: Config,
+    loose: Collection[str] = (),
+) -> Scene:
+    """Settle and judge the scene again; check that what is new or was moved holds where it is.
+
+    ``before`` is the scene that is edited, at rest; ``wanted`` has everything where it was asked to
+    be, ``arranged`` everything on or just above what it stands on, free of overlaps. Objects that
+    the edit does not disturb keep their poses to the bit.
+    """
+    done = _settle(before, wanted, arranged, fresh, config.assembly)
+    touched = [*fresh, *loose]
+    check_held(done, [*touched, *(n for name in touched for n in loads(done, name))])
+    return done
+
+
+def _settle(
+    before: Scene, wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig
+) -> Scene:
+    """Settle what is new or elsewhere and what touches it, in turn what touches what that moved.
+
+    All other objects are fixed meanwhile. The gate then judges the scene with everything free; if
+    it fails, what is connected with the edit by touching may be settled further. Gravity leans as
+    when ``before`` was judged.
+    """
+    config = with_lean_of(before, config)
+    gap = config.limits.gap
+    loose = find_disturbed(before, arranged, gap)
+    while True:
+        rested, unstable = rest(arranged, config, fresh, loose)
+        rested = keep_unmoved(arranged, rested, fresh)
+        more = loose | find_disturbed(before, rested, gap)
+        if more == loose:
+            break
+        loose = more
+    loose = find_connected(before, rested, loose, gap)
+    settled = Rested(wanted, arranged, rested, unstable=unstable, loose=loose)
+    done = finish(settled, config, fresh)
+    if done.report is None or before.report is None:
+        return done
+    return done.replace(report=replace(done.report, dropped=before.report.dropped))
+
+
+def try_places(
+    before: Scene,
+    placed: Callable[[int], Scene],
+    name: str,
+    fresh: Sequence[str],
+    config: Config,
+    loose: Sequence[str] = (),
+    attempts: int = 1,
+) -> Scene:
+    """Return the first scene to pass its gate of those with ``name`` placed so or so.
+
+    ``before`` is the scene that is edited. ``placed`` gives the scene with the thing at its place,
+    by the number of the attempt. ``fresh`` is what is new, ``loose`` what is not new, but
+    elsewhere.
+
+    Raises:
+        SceneError: none of the places is free, or holds the thing. Where they do, but no scene
+            passes, the last one is returned.
+    """
+    error: SceneError | None = None
+    done = None
+    for attempt in range(attempts):
+        try:
+            wanted = placed(attempt)
+            stacked = [n for n in (name,) if wanted.object(n).placement.on != TABLE]
+            arranged = set_down(wanted, stacked)
+            _check_free(arranged, (name, *loose))
+            done = settle_again(before, wanted, arranged, fresh, config, loose)
+        except SceneError as failed:
+            error = failed
+            continue
+        if done.report is not None and done.report.passed:
+            return done
+    if done is None:
+        raise error or SceneError(f"No place was tried for {name}.")
+    return done
+
+
+def _check_free(scene: Scene, names: Sequence[str]) -> None:
+    for name in names:
+        if overlapping(scene, name):
+            raise SceneError(
+                f"{name} would overlap another thing. Choose another place, or move that first."
+            )
+
+
+Pairs = frozenset[tuple[str, str]]
+
+
+def find_disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
+    """Return the names of objects that are new or elsewhere, or touch or touched one that is.
+
+    ``before`` is the scene at rest before the edit. What was removed counts as elsewhere. Objects
+    touch within ``gap`` metres, or where one stands on or in the other.
+    """
+    old, new = ({o.name: o for o in scene.objects} for scene in (before, now))
+    changed = {n for n in {*old, *new} if not _unchanged(old.get(n), new.get(n))}
+    pairs = _touching(before, gap) | _touching(now, gap)
+    return frozenset((changed | {n for pair in pairs if changed & {*pair} for n in pair}) & {*new})
+
+
+def find_connected(before: Scene, now: Scene, names: Collection[str], gap: float) -> frozenset[str]:
+    """Return the names of objects that are connected with some by touching, before or now."""
+    pairs, found = _touching(before, gap) | _touching(now, gap), {*names}
+    while more := {n for pair in pairs if found & {*pair} for n in pair} - found:
+        found |= more
+    return frozenset(found & {o.name for o in now.objects})
+
+
+def _unchanged(old: Object | None, new: Object | None) -> bool:
+    """Whether an object has the same body at the same pose, to the bit."""
+    if old is None or new is None:
+        return False
+    pairs: Iterable[tuple[np.ndarray, np.ndarray]] = (
+        (old.pose.position, new.pose.position),
+        (old.pose.quaternion, new.pose.quaternion),
+        (old.scale, new.scale),
+    )
+    return old.model is new.model and all(np.array_equal(a, b) for a, b in pairs)
+
+
+def _touching(scene: Scene, gap: float) -> Pairs:
+    """Return the pairs of objects that touch, or of which one stands on or in the other."""
+    names = [o.name for o in scene.objects]
+    near = Simulation(scene).contacts(margin=gap).pairs.tolist()
+    touching = {(names[a], names[b]) for a, b in near if min(a, b) >= 0}
+    stacked = {(o.name, o.placement.on) for o in scene.objects if o.placement.on in names}
+    return frozenset(touching | stacked)

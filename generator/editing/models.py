@@ -1,0 +1,155 @@
+"""The model of a thing that an edit asks for: from the catalogue, or drawn and modelled (Fig. 7).
+
+Without backends things come from the catalogue, as those of composed scenes do. With backends the
+thing is made as the paper has it: drawn by itself, cut out, modelled, turned upright, and its yaw
+in the drawing found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from tabletop_objects import CATEGORIES
+from tabletop_objects.kit.styles import STYLES
+
+from ..backends import Backends
+from ..errors import InputError, choices
+from ..generation import Config
+from ..layout import build_models, natural_yaw
+from ..method.extraction import extract
+from ..method.models import make_models
+from ..method.rotation import estimate_rotations
+from ..scene import TABLE, Instance, Model, PlannedObject, PlannedTable, Reference, Scene, ScenePlan
+
+EASEL = PlannedTable(size=(0.5, 0.4, 0.74))
+"""The table on which a new thing is drawn: small, so that the thing is large in the drawing."""
+
+
+@dataclass(frozen=True, eq=False)
+class MadeModel:
+    """A new model at its usual size, and the yaw (radians) that turns its front to the viewer."""
+
+    model: Model
+    yaw: float
+
+
+def make(
+    planned: PlannedObject,
+    style: str,
+    supports: Sequence[PlannedObject],
+    backends: Backends | None,
+    config: Config,
+    seed: int,
+) -> MadeModel:
+    """Make the model of a planned thing; ``supports`` are those that its relations name.
+
+    Raises:
+        InputError: the catalogue has no such thing.
+        BackendError: a backend could not answer.
+        SceneError: the thing does not show in its drawing.
+    """
+    if backends is not None:
+        return _draw(planned, style, backends, config, seed)
+    plan = ScenePlan(planned.noun, PlannedTable(), (planned, *supports), style)
+    check_known(planned)
+    model = build_models(plan, seed)[planned.name]
+    rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 23])
+    return MadeModel(model, natural_yaw(planned, model, plan, rng))
+
+
+def check_known(planned: PlannedObject) -> None:
+    """Check that the catalogue can make a thing.
+
+    Raises:
+        InputError: it cannot.
+    """
+    if planned.category not in CATEGORIES:
+        nouns = {c.noun for c in CATEGORIES.values()}
+        near = choices(planned.noun, nouns).split(" Available:")[0]
+        raise InputError(
+            f"The catalogue has no {planned.noun!r}, so there is nothing to put there.{near} It "
+            f"has {len(nouns)} kinds of things; backends that draw and model can make others."
+        )
+
+
+def check_style(style: str) -> None:
+    """Check that the catalogue can draw in a style.
+
+    Raises:
+        InputError: it cannot.
+    """
+    if style not in ("plain", *STYLES):
+        raise InputError(f"Unknown style {style!r}." + choices(style, ("plain", *STYLES)))
+
+
+def remodel(
+    scene: Scene,
+    planned: PlannedObject,
+    style: str,
+    backends: Backends | None,
+    config: Config,
+    seed: int,
+) -> Model:
+    """Make the model of a thing of the scene again, in a style, as large as it is.
+
+    A thing of a composed scene keeps its look apart from that.
+
+    Raises:
+        InputError, BackendError, SceneError: as ``make``.
+    """
+    thing = scene.object(planned.name)
+    model = _same_look(scene, planned, style) if backends is None else None
+    model = model or make(planned, style, (), backends, config, seed).model
+    factor = float(thing.scale.max() / model.size.max())
+    return replace(model, size=model.size * factor, label=thing.label)
+
+
+def _same_look(scene: Scene, planned: PlannedObject, style: str) -> Model | None:
+    """Return the restyled thing if the scene's plan and seed build the thing as it was."""
+    plan, seed = scene.plan, scene.provenance.seed
+    if plan is None or scene.provenance.kind != "compose":
+        return None
+    if planned.name not in {o.name for o in plan.objects}:
+        return None
+    before, now = build_models(plan, seed)[planned.name], scene.object(planned.name).model
+    other = before.mesh.vertices.shape != now.mesh.vertices.shape
+    if other or not np.allclose(before.size, now.size, atol=1e-4):
+        return None
+    return build_models(replace(plan, style=style), seed)[planned.name]
+
+
+def _draw(
+    planned: PlannedObject, style: str, backends: Backends, config: Config, seed: int
+) -> MadeModel:
+    """Draw a thing alone on a small table, and make its model of that (Secs. 3 to 3.3)."""
+    b = backends
+    alone = replace(planned, relations=())
+    plan = ScenePlan(_phrase(alone, style), EASEL, (alone,), style)
+    reference = Reference(b.imager.draw(plan, seed), plan.prompt, plan)
+    reference, found = extract(
+        reference, b.reasoner, b.segmenter, b.imager, seed, config.extraction,
+        complete_each=b.each("imager"),
+    )  # fmt: skip
+    table, instance = found[0], _pick(found[1:], planned)
+    view = b.reasoner.estimate_view(reference, table)
+    sizes = b.reasoner.estimate_sizes(reference, found, view)
+    models = make_models(reference, (instance,), sizes, view, b.modeler, b.reasoner)
+    turns = estimate_rotations(
+        reference, (instance,), models, view, b.encoder, config.rotation, seed
+    )
+    model = replace(models[instance.name], name=planned.name, label=planned.noun)
+    return MadeModel(model, turns[instance.name].yaw)
+
+
+def _pick(found: Sequence[Instance], planned: PlannedObject) -> Instance:
+    """Return which of the instances is the thing: by its word, then the largest."""
+    named = [i for i in found if i.label == planned.noun and i.name != TABLE]
+    return max(named or found, key=lambda i: int(i.mask.sum()))
+
+
+def _phrase(planned: PlannedObject, style: str) -> str:
+    words = [*planned.attributes.values(), planned.noun]
+    return "a " + " ".join(words) + (f" in {style} style" if style != "plain" else "")

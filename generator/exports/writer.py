@@ -1,0 +1,69 @@
+"""Write a scene in a format that other programs read."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from types import MappingProxyType
+
+from ..bundle.publication import publish
+from ..errors import StorageError, require_known
+from ..io.files import write_whole
+from ..scene import Scene
+from .glb import glb_files
+from .mjcf import mjcf_files
+from .sdf import sdf_files
+from .urdf import urdf_files
+from .usd import usd_files, usdz_files
+
+WRITERS: Mapping[str, Callable[[Scene], Mapping[str, bytes]]] = MappingProxyType(
+    {
+        "mjcf": mjcf_files,
+        "urdf": urdf_files,
+        "sdf": sdf_files,
+        "glb": glb_files,
+        "usd": usd_files,
+        "usdz": usdz_files,
+    }
+)
+"""What makes the files of each format, by path in the export's folder."""
+
+ALONE = ("glb", "usdz")
+"""Formats of one file."""
+
+_ADVICE = "Free space there, or choose another folder."
+
+
+def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -> Path:
+    """Write a scene to ``folder``; return the path of what was written.
+
+    That is ``NAME.glb`` or ``NAME.usdz``, or else a folder ``NAME-FORMAT`` with the document
+    (``scene.xml``, ``scene.urdf``, ``scene.sdf``, ``scene.usdc``) and the files it refers to. It is
+    written whole or not at all; what is there already makes way. The same scene gives the same
+    bytes.
+
+    Args:
+        scene: what to write.
+        to: a key of ``WRITERS``.
+        folder: made if it is missing.
+        name: of the file or folder; None for the scene's.
+
+    Raises:
+        InputError: there is no such format, or its library is not installed.
+        StorageError: the folder cannot be written, or the disk is full.
+    """
+    require_known(to, WRITERS, "No export to")
+    stem, folder = name or scene.name, Path(folder)
+    files = WRITERS[to](scene)
+    try:
+        if to not in ALONE:
+            return publish(folder, f"{stem}-{to}", files)
+        (content,) = files.values()
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StorageError(
+            f"The export cannot be written to {folder}: {error.strerror or error}. {_ADVICE}"
+        ) from error
+    target = folder / f"{stem}.{to}"
+    write_whole(target, content, "The export", _ADVICE)
+    return target

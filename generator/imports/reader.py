@@ -1,0 +1,112 @@
+"""Read a foreign scene in a child process with limits.
+
+Whatever a file holds is parsed and compiled there, and nowhere else: a file that makes a parser
+loop, crash or fill the memory costs a child process, and ends as one error.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from ..errors import InputError, require
+from ..meshes.reading.bounds import LIMITS
+from ..meshes.reading.surface import ColoredSurface
+from ..physics.inertia import MassProperties
+from ..sandbox import SandboxError, call
+from ..scene import MAX_LEAN, ConvexPart
+from .foreign import ForeignBody, ForeignScene, ImportOutcome
+
+SourceKind = Literal["mjcf", "glb", "obj", "folder"]
+"""What a foreign scene is: a MJCF, GLB or OBJ file, or a folder of files with ``poses.json``."""
+
+_VALUES = (ForeignScene, ForeignBody, ColoredSurface, ConvexPart, MassProperties, ImportOutcome)
+
+
+def read_scene(
+    kind: SourceKind,
+    path: Path,
+    root: Path | None = None,
+    table: str | None = None,
+    scale: float = 1.0,
+) -> ForeignScene:
+    """Return a foreign scene with a table, read in a child process; its arrays are read-only.
+
+    ``root`` is the folder that a MJCF and all its files are inside of, ``table`` the name of the
+    fixed thing that is the table, ``scale`` multiplies lengths; see the reader of each kind. If the
+    files of a folder reach a limit together, each is read in a child of its own, so that one that
+    reaches it alone is refused alone.
+
+    Raises:
+        InputError: the file cannot be read, or its reader reaches a limit.
+        BackendError: a mesh cannot be read; see ``meshes.reading``.
+    """
+    folder = None if root is None else root.absolute()
+    source = (kind, path.absolute(), folder, table, scale)
+    try:
+        return call(read_source_file, *source, limits=LIMITS, returns=_VALUES)
+    except SandboxError as error:
+        if kind == "folder":
+            from .folder import read_folder
+
+            return read_folder(path, scale, apart=True)
+        raise InputError(f"The scene {path.name!r} {error}. {_advice(error)}") from error
+
+
+def read_source_file(
+    kind: SourceKind, path: Path, root: Path | None, table: str | None, scale: float
+) -> ForeignScene:
+    """Return a foreign scene with a table, read in this process."""
+    from .folder import on_plain_table, read_file, read_folder
+
+    if kind == "folder":
+        return read_folder(path, scale)
+    if kind == "obj":
+        foreign = read_file(path)
+    elif kind == "glb":
+        from .glb import read_glb
+
+        foreign = read_glb(path, table)
+    else:
+        from .mjcf import read_mjcf
+
+        foreign = read_mjcf(path, root, table)
+    foreign = foreign.scale(scale)
+    return on_plain_table(foreign) if foreign.table is None else foreign
+
+
+def _advice(error: SandboxError) -> str:
+    if error.breach in ("parser", "crash"):
+        return "Export it again, or check it with the program that made it."
+    return "Use fewer or smaller meshes and textures."
+
+
+@dataclass(frozen=True)
+class ImportOptions:
+    """How a foreign scene is read.
+
+    Attributes:
+        name: Name of the scene; its own if left out.
+        table: Name of the fixed body, geom or node that is the table; found if left out.
+        root: Folder that a MJCF and all its files are inside of; the file's own if left out.
+        drop_failing: Leave out objects that the physical gate names, instead of failing.
+        scale: Factor of all lengths: 0.001 for a file in millimetres. In a folder it applies to the
+            files of objects that have no scale of their own, not to positions.
+        lean: Degrees by which gravity leans in the physical gate; 0 judges the scene on a level
+            table, where round objects stay, and generated scenes pass at 2.
+
+    Raises:
+        InputError: scale or lean is out of range.
+    """
+
+    name: str | None = None
+    table: str | None = None
+    root: Path | None = None
+    drop_failing: bool = False
+    scale: float = 1.0
+    lean: float = 0.0
+
+    def __post_init__(self) -> None:
+        require(self, "scale", minimum=1e-6, maximum=1e6)
+        require(self, "lean", minimum=0, maximum=MAX_LEAN)

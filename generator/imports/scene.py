@@ -1,0 +1,215 @@
+"""A foreign scene as one of this project: its objects built one by one, settled and judged."""
+
+from __future__ import annotations
+
+import hashlib
+from collections import Counter
+from collections.abc import Hashable, Sequence
+from dataclasses import replace
+from typing import cast
+
+import numpy as np
+from jaxtyping import Float
+
+from ..bundle import BOUNDS
+from ..bundle.fields import arguments
+from ..errors import BundleError, InputError, SceneError
+from ..geometry import convex_outline, inside_margin, quaternion_matrix
+from ..layout.relation_check import correct_supports, observe
+from ..method.assembly import AssemblyConfig, reassemble
+from ..physics.decomposition import CutBudget
+from ..scene import TABLE, ConvexPart, Model, Object, Provenance, Scene, Table
+from ..scene.provenance import plain
+from .bodies import SurfaceCache, build_object, build_table
+from .foreign import ForeignScene, ImportOutcome, Refusals, check_count
+
+_RIM = 0.01  # metres below a container's rim from which a thing is in it
+_ROUNDS = 20  # objects left out, one after the other
+_OUTCOMES, _MOST_OUTCOMES = "outcomes", 10_000
+
+
+def build_scene(
+    foreign: ForeignScene,
+    provenance: Provenance,
+    name: str,
+    config: AssemblyConfig | None = None,
+    leave_out: bool = False,
+) -> Scene:
+    """Return a foreign scene settled and judged; its report may have failed.
+
+    The world moves so that the table stands on the floor z = 0 in the middle. Objects keep their
+    places to the bit unless settling moves them. An object that cannot be built is refused, and the
+    others stay; ``list_outcomes`` says what was done with each. ``leave_out`` leaves out, one after
+    the other, the objects that a failed gate names.
+
+    Raises:
+        InputError: too many objects, or none that can be built.
+        SceneError: no object comes to rest.
+    """
+    check_count(len(foreign.objects))
+    if foreign.table is None:
+        raise InputError(f"The scene {foreign.name!r} has no table.")
+    drawn, budget = SurfaceCache(), CutBudget()
+    table, shift, of_table = build_table(foreign.table, drawn, budget)
+    objects: list[Object] = []
+    outcomes = [of_table] if of_table.kind != "taken" else []
+    refusals = Refusals([*foreign.refused])
+    shapes = _Shapes()
+    shapes.add(table)
+    names = _free_names([body.name for body in foreign.objects])
+    for body, called in zip(foreign.objects, names, strict=True):
+        with refusals.catching(called):
+            shapes.check(body.parts)
+            moved = replace(body, position=body.position + shift)
+            thing, outcome = build_object(moved, called, table, drawn, budget)
+            shapes.add(thing)
+            objects.append(thing)
+            outcomes.append(outcome)
+    refusals.check_left(objects)
+    provenance = replace(provenance, warnings=(*provenance.warnings, *foreign.warnings))
+    scene = Scene(name, table, tuple(objects), provenance)
+    done, dropped = _settle(scene, config, leave_out)
+    gone = {outcome.name for outcome in dropped}
+    outcomes = [*(o for o in outcomes if o.name not in gone), *dropped, *refusals.outcomes]
+    done = done.replace(provenance=_record(done.provenance, outcomes))
+    return _mark_inside(correct_supports(done, observe(done)))
+
+
+class _Shapes:
+    """The convex parts of a scene as a bundle counts them: of all bodies, and of their models."""
+
+    def __init__(self) -> None:
+        self._parts = self._points = 0
+        self._models: set[Hashable] = set()
+
+    def check(self, *lists: Sequence[ConvexPart]) -> tuple[int, int]:
+        """Return how many parts and points there are with more of them.
+
+        Raises:
+            InputError: a bundle holds fewer.
+        """
+        parts = self._parts + sum(map(len, lists))
+        points = self._points + sum(len(part.vertices) for some in lists for part in some)
+        if parts > BOUNDS.all_parts or points > BOUNDS.all_part_vertices:
+            raise InputError(
+                f"With its collision shapes the scene has {parts} convex parts with {points} "
+                f"points, those of models counted again; at most {BOUNDS.all_parts} with "
+                f"{BOUNDS.all_part_vertices} are kept. Use fewer shapes, or fewer objects."
+            )
+        return parts, points
+
+    def add(self, body: Object | Table) -> None:
+        """Count the parts of a body that is used; see ``check``."""
+        key = _content(body.model)
+        own = () if key in self._models else body.model.parts
+        self._parts, self._points = self.check(body.parts, own)
+        self._models.add(key)
+
+
+def _content(model: Model) -> Hashable:
+    """Return the same for models that a bundle keeps as one, but for rounding."""
+    arrays = (model.size, model.mesh.vertices, model.mesh.faces, model.mesh.uv, model.mesh.texture)
+    parts = tuple((part.kind, part.axis, part.vertices.tobytes()) for part in model.parts)
+    looks = hashlib.sha256(b"".join(np.ascontiguousarray(array).tobytes() for array in arrays))
+    return model.name, model.label, model.category, model.physics, looks.digest(), parts
+
+
+def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
+    """Return what the import of a scene did with each object; empty if it was not imported.
+
+    A table is among them if it was repaired.
+
+    Raises:
+        BundleError: the scene is from a bundle whose provenance lists something else there.
+    """
+    listed: object = scene.provenance.config.get(_OUTCOMES, ())
+    what = f"{scene.name}: provenance.config[{_OUTCOMES!r}]"
+    if not isinstance(listed, list | tuple) or len(listed) > _MOST_OUTCOMES:
+        raise BundleError(
+            f"{what} is not a list of at most {_MOST_OUTCOMES} outcomes. Import the scene again."
+        )
+    entries = enumerate(cast("Sequence[object]", listed))
+    return tuple(ImportOutcome(**arguments(ImportOutcome, o, f"{what}[{k}]")) for k, o in entries)
+
+
+def _record(provenance: Provenance, outcomes: Sequence[ImportOutcome]) -> Provenance:
+    """Return the provenance with the outcomes, and a warning for each that changed something."""
+    changed = (str(o) for o in outcomes if o.kind != "taken")
+    return replace(
+        provenance, config={**provenance.config, _OUTCOMES: plain([*outcomes])},
+        warnings=(*provenance.warnings, *changed),
+    )  # fmt: skip
+
+
+def _settle(
+    scene: Scene, config: AssemblyConfig | None, leave_out: bool
+) -> tuple[Scene, list[ImportOutcome]]:
+    """Return the scene settled and judged, and what was left out of it so that it passes."""
+    done = reassemble(scene, scene, (), config)
+    dropped: list[ImportOutcome] = []
+    while leave_out and len(dropped) < _ROUNDS and (worst := _find_failing(done)):
+        assert done.report is not None
+        reasons = (str(f) for f in done.report.failures if worst in f.objects)
+        dropped.append(ImportOutcome(worst, "left out", "; ".join(reasons)))
+        left = tuple(o for o in scene.objects if o.name != worst)
+        if not left:
+            raise SceneError(
+                "No object of the scene comes to rest on its table. " + "; ".join(map(str, dropped))
+            )
+        scene = scene.replace(objects=left)
+        done = reassemble(scene, scene, (), config)
+    if dropped and done.report is not None:
+        names = tuple(sorted(outcome.name for outcome in dropped))
+        done = done.replace(report=replace(done.report, dropped=names))
+    return done, dropped
+
+
+def _find_failing(scene: Scene) -> str | None:
+    """Return the object that the report's failures name most."""
+    failures = scene.report.failures if scene.report else ()
+    counts = Counter(name for failure in failures for name in failure.objects)
+    named = (o.name for o in scene.objects if counts[o.name])
+    return max(named, key=lambda name: counts[name], default=None)
+
+
+# ------------------------------------------------------------------------------------------- names
+
+
+def _free_names(names: Sequence[str]) -> list[str]:
+    """Return names that objects of a scene may have, each once; those that may be so stay."""
+    taken = {TABLE, "world"}
+    found = []
+    for given in names:
+        plain = "".join(c if c.isprintable() and c != "/" else "_" for c in given)[:100]
+        word, number = plain or "thing", 1
+        name = word if plain and plain not in taken else f"{word}_{number}"
+        while name in taken:
+            number += 1
+            name = f"{word}_{number}"
+        taken.add(name)
+        found.append(name)
+    return found
+
+
+def _mark_inside(scene: Scene) -> Scene:
+    """Return the scene with what lies in a container, below its rim, marked so."""
+    things = {o.name: o for o in scene.objects}
+    marked = []
+    for thing in scene.objects:
+        holder = things.get(thing.placement.on)
+        if holder is not None and holder.model.container and _is_inside(thing, holder):
+            thing = replace(thing, placement=replace(thing.placement, inside=True))
+        marked.append(thing)
+    return scene.replace(objects=tuple(marked))
+
+
+def _is_inside(thing: Object, holder: Object) -> bool:
+    own, about = _points(thing), _points(holder)
+    middle = (own.min(0) + own.max(0))[None, :2] / 2
+    within = float(inside_margin(middle, convex_outline(about[:, :2]))[0]) > 0
+    return within and own[:, 2].min() < about[:, 2].max() - _RIM
+
+
+def _points(thing: Object) -> Float[np.ndarray, "n 3"]:
+    points = np.concatenate([part.vertices for part in thing.parts])
+    return points @ quaternion_matrix(thing.pose.quaternion).T + thing.pose.position

@@ -1,0 +1,167 @@
+"""The loop of a batch: survives worker crashes, waits for scenes locked by other runs; dry runs."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections import deque
+from collections.abc import Callable, Iterable
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import replace
+from pathlib import Path
+
+from ..errors import require_number
+from .pools import pool_of
+from .prompts import Job, Maker, jobs_of
+from .records import CRASH, Outcome, find_outcome, key_of, place_of, record_failure, work
+from .summary import Summary, write_summary
+from .task_pool import TaskPool
+from .work import Generating
+from .workers import WorkerDied
+
+_PAUSE = 0.5  # seconds between two looks at jobs that another batch is at
+
+_GRACE = 10.0  # seconds that interrupted workers have to end: more than a session's ``grace``
+
+
+def run(
+    prompts: Iterable[str | Job],
+    folder: str | Path,
+    make: Maker | None = None,
+    *,
+    workers: int = 1,
+    ray: str | None = None,
+    seed: int = 0,
+    variants: int = 1,
+    retry: bool = False,
+    progress: Callable[[Outcome, int, int], None] | None = None,
+) -> Summary:
+    """Make many scenes into one folder; what is there already is not made again.
+
+    A job that fails, or that a budget does not allow, does not stop the others. The same call
+    resumes an interrupted batch.
+
+    Args:
+        prompts: texts, paths of pictures, or jobs with seeds of their own.
+        folder: where the bundles go, made if missing; ``summary.json`` is written there, too.
+        make: how scenes are made; None is ``Generating()``.
+        workers: how many are made at a time, each on one thread unless OMP_NUM_THREADS is set.
+        ray: address of a Ray cluster that makes them; "local" starts one here. None: processes.
+        seed: of each text.
+        variants: how many seeds each text is made with, from its own on.
+        retry: try again what failed as its gate or its text had it. Other failures always are.
+        progress: called as a job is done: with what came of it, how many are done, and how many
+            there are.
+
+    Returns:
+        What came of each job, in their order, and the figures of their gates.
+
+    Raises:
+        InputError: no jobs, or a number out of range.
+        BackendError: no Ray.
+        StorageError: the folder cannot be written, or the disk is full.
+    """
+    require_number("A batch needs workers", workers, minimum=1, maximum=1024, integer=True)
+    jobs, make, folder = jobs_of(prompts, seed, variants), make or Generating(), Path(folder)
+    place_of(folder)
+    done: dict[Job, Outcome] = {}
+
+    def report(outcome: Outcome) -> None:
+        done[outcome.job] = outcome
+        if progress is not None:
+            progress(outcome, len(done), len(jobs))
+
+    missing = deque[Job]()
+    for job in jobs:
+        if (outcome := find_outcome(job, folder, key_of(job, make), retry)) is None:
+            missing.append(job)
+        else:
+            report(outcome)
+    if missing:
+        pool, make = _pool(min(workers, len(missing)), ray, make)
+        grace = _GRACE
+        try:
+            _run_all(missing, pool, folder, make, retry, report)
+            grace = 0.0
+        finally:
+            pool.close(grace)
+    summary = Summary(tuple(done[job] for job in jobs))
+    write_summary(summary, folder)
+    return summary
+
+
+def try_out(
+    prompts: Iterable[str | Job],
+    folder: str | Path,
+    make: Generating,
+    *,
+    workers: int = 1,
+    retry: bool = False,
+) -> Summary:
+    """Return what each scene would ask of servers first; nothing is sent, nor put into the folder.
+
+    Those that are still to be made are begun by processes of this machine, elsewhere: one that
+    would ask is "unpaid", with its calls as the error; one whose answers are all kept is "made".
+    ``folder``, where the bundles would go, need not be there; the arguments are those of ``run``.
+    """
+    jobs, folder = jobs_of(prompts), Path(folder)
+    known = {job: find_outcome(job, folder, key_of(job, make), retry) for job in jobs}
+    left = [job for job, outcome in known.items() if outcome is None]
+    if left:
+        dry = replace(make, dry=True, shared_budget=None, budget=None)
+        with tempfile.TemporaryDirectory(prefix="tabletopgen-dry-") as elsewhere:
+            known |= {o.job: o for o in run(left, elsewhere, dry, workers=workers).outcomes}
+    return Summary(tuple(outcome for job in jobs if (outcome := known[job]) is not None))
+
+
+def _pool(width: int, ray: str | None, make: Maker) -> tuple[TaskPool, Maker]:
+    """Return who runs the tasks, and the maker, whose money one process of several keeps."""
+    if ray is None:
+        return pool_of(width), make
+    from .on_ray import RayPool
+
+    pool = RayPool(ray, width)
+    kept_by = getattr(make, "kept_by", None)
+    return pool, make if kept_by is None else kept_by(pool.keeper)
+
+
+def _run_all(
+    waiting: deque[Job],
+    pool: TaskPool,
+    folder: Path,
+    make: Maker,
+    retry: bool,
+    told: Callable[[Outcome], None],
+) -> None:
+    """Run all jobs, at most as many as the pool is wide at a time.
+
+    Where a worker of several dies, its job is run once more at the end, alone: another may have
+    taken its memory. Jobs that other batches have locked are looked at again and again.
+    """
+    running: dict[Future[Outcome], Job] = {}
+    crashed, busy = deque[Job](), deque[Job]()
+    while waiting or crashed or busy or running:
+        if not (waiting or crashed or running):
+            time.sleep(_PAUSE)
+            waiting, busy = busy, deque()
+        alone = not waiting and not running and bool(crashed)
+        source = crashed if alone else waiting
+        while source and len(running) < (1 if alone else pool.width):
+            job = source.popleft()
+            running[pool.submit(work, job, folder, make, retry)] = job
+        for done in wait(running, return_when=FIRST_COMPLETED).done:
+            job = running.pop(done)
+            try:
+                outcome = done.result()
+            except WorkerDied as death:
+                if alone or pool.width == 1:
+                    told(record_failure(job, folder, key_of(job, make), str(death), CRASH, 0.0))
+                else:
+                    crashed.append(job)
+                continue
+            if alone and outcome.state == "there":  # published as its process died
+                outcome = replace(outcome, state="made")
+            if outcome.state == "busy":
+                busy.append(job)
+            else:
+                told(outcome)

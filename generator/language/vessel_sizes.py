@@ -1,0 +1,286 @@
+"""Open variants and sizes of vessels and carriers for their contents.
+
+A fruit bowl is larger than a cereal bowl, a tray for a tea service larger than one for two cups:
+what carries something is as large as it has to be, within what such things can be.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from tabletop_objects import CATEGORIES
+
+from ..scene import PlannedObject
+from . import relations
+
+Extent = tuple[float, float, float]
+
+_GROWTH: Mapping[str, float] = {
+    "bowl": 1.75, "basket": 1.6, "box": 1.8, "tray": 1.9, "plate": 1.35, "pot": 1.5, "pan": 1.3,
+    "cutting_board": 1.6, "book": 1.35, "toolbox": 1.4, "cake_stand": 1.4, "generic": 1.6,
+    "serving_bowl": 1.6, "mixing_bowl": 1.4, "serving_platter": 1.5, "crate": 1.5, "open_box": 1.8,
+    "tool_caddy": 1.4, "lunch_box": 1.3, "cooling_rack": 1.4, "baking_dish": 1.3, "desk_tray": 1.3,
+    "bucket": 1.6, "open_ice_bucket": 1.3,
+}  # fmt: skip
+"""How much larger than usual a carrier may be."""
+
+_OTHERS = 1.25
+_PLACES = ("egg_carton",)
+"""What has a place for each thing in it, and is empty where the text fills it."""
+
+_FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
+_LAYERS = 1.6  # layers in which more than three things lie
+_FLAT = 0.22  # thickness to width of what is filed in a box
+_LEAST = 0.1  # metres that it is wide
+_LITTLE = 1.35
+_FLOOR = 0.72  # width of a round vessel's floor, as a share of its box's
+_COVERED = 0.7  # share of a tray that things may cover
+
+
+def largest_size(category: str) -> Extent:
+    """Return the extent of a category's largest things, metres."""
+    factor = _GROWTH.get(category, _OTHERS)
+    x, y, z = CATEGORIES[category].size
+    return factor * x, factor * y, factor * z
+
+
+def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, those that carry too much for their usual size grown.
+
+    What is closed or full, and holds something, stands open; a rack has as many places as it holds.
+    """
+    objects = _open(objects)
+    names = {o.name: o for o in objects}
+    held: dict[str, list[str]] = {}
+    kinds: dict[str, set[str]] = {}
+    for planned in objects:
+        for relation in planned.relations:
+            if relation.kind in ("on", "in") and relation.target in names:
+                held.setdefault(relation.target, []).append(planned.name)
+                kinds.setdefault(relation.target, set()).add(relation.kind)
+    done: dict[str, PlannedObject] = {}
+    while len(done) < len(objects):
+        ready = [n for n in names if n not in done and done.keys() >= {*held.get(n, ())}]
+        for name in ready or [n for n in names if n not in done]:  # all of a circle at once
+            carried = [done.get(other, names[other]) for other in held.get(name, ())]
+            alike = [o for o in carried if o.category == names[name].category]
+            others = [o for o in carried if o not in alike]
+            done[name] = _grow(names[name], others, kinds.get(name, set()))
+            if done[name] == names[name] and alike and alike[0].size is not None:
+                done[name] = replace(names[name], size=names[name].size or alike[0].size)
+    return [done[o.name] for o in objects]
+
+
+def holds_things(category: str) -> bool:
+    """Tell whether a category is a vessel, as it stands or with its lid off."""
+    return CATEGORIES[open_category(category)].container
+
+
+def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, vessels and racks that something is in open and empty."""
+    objects = _spread_cloths(_clear_cakes(_seat_candles(objects)))
+    names = {o.name: o for o in objects}
+    inside: dict[str, list[PlannedObject]] = {}
+    for planned in objects:
+        for relation in planned.relations:
+            if relation.kind == "in" and relation.target in names:
+                inside.setdefault(relation.target, []).append(planned)
+    changed: dict[str, PlannedObject] = {}
+    for name, held in inside.items():
+        target = names[name]
+        vessel = open_category(target.category, target.noun, held[0].category)
+        for k, thing in enumerate(held):
+            kind = cut_category(thing.category, vessel, k)
+            changed[thing.name] = replace(thing, category=kind)
+    for name, held in inside.items():
+        kind = open_category(names[name].category, names[name].noun, held[0].category)
+        changed[name] = replace(changed.get(name, names[name]), category=kind)
+    return [changed.get(o.name, o) for o in objects]
+
+
+def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, candles "on" candlesticks in their sockets."""
+    kinds = {o.name: o.category for o in objects}
+    return [
+        replace(o, relations=tuple(
+            replace(r, kind="in")
+            if r.kind == "on" and is_lit(o.category, kinds.get(r.target, "")) else r
+            for r in o.relations
+        ))
+        for o in objects
+    ]  # fmt: skip
+
+
+_CAKES = frozenset({"birthday_cake", "cake", "cupcake"})
+"""What small candles are put on."""
+
+_FOLDED = frozenset({"blanket", "folded_towel", "tablecloth"})
+"""Cloth that the catalogue shows folded."""
+
+
+def _spread_cloths(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, cloths with several things on them spread out unless they are folded."""
+    held = Counter(r.target for o in objects for r in o.relations if r.kind == "on")
+
+    def is_spread(planned: PlannedObject) -> bool:
+        folded = "folded" in (planned.attributes.get("state"), *planned.noun.split())
+        return planned.category in _FOLDED and held[planned.name] > 1 and not folded
+
+    return [replace(o, category="cloth") if is_spread(o) else o for o in objects]
+
+
+def _clear_cakes(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
+    """Return the objects, cakes with small candles on them, without those that are drawn there."""
+    cakes = {o.name for o in objects if o.category in _CAKES}
+    small = {o.name for o in objects if o.category in ("candle", "birthday_candle")
+             and any(r.kind == "on" and r.target in cakes for r in o.relations)}  # fmt: skip
+    lit = {r.target for o in objects if o.name in small for r in o.relations}
+
+    def lit_by(planned: PlannedObject) -> PlannedObject:
+        if planned.name in small:
+            return replace(planned, category="birthday_candle")
+        drawn = planned.category == "birthday_cake" and planned.name in lit
+        return replace(planned, category="cake") if drawn else planned
+
+    return [lit_by(o) for o in objects]
+
+
+def _grow(
+    planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]
+) -> PlannedObject:
+    if planned.category in _PLACES and held:
+        count = len(held)
+    else:
+        count = sum(relations.has_place(o, planned) for o in held) if _is_holder(planned) else 0
+    if count:
+        places = {"state": "empty", "places": str(count)}
+        return replace(planned, attributes={**planned.attributes, **places})
+    factor = _factor(planned, held, kinds)
+    if factor <= 1.0 or planned.size is not None:
+        return planned
+    x, y, z = relations.size_of(planned)
+    return replace(planned, size=(factor * x, factor * y, factor * z))
+
+
+def _is_holder(planned: PlannedObject) -> bool:
+    return planned.category in CATEGORIES and CATEGORIES[planned.category].holder is not None
+
+
+def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
+    """Return the width of a vessel in which things stand side by side, metres.
+
+    About 0.9 + 0.87 sqrt(n) diameters hold n circles in a circle; what is round narrows downwards.
+    """
+    known = CATEGORIES.get(vessel.category)
+    floor = _FLOOR if known is not None and "round" in known.roles else 0.95
+    wide = float(np.mean([max(size[:2]) for size in sizes]))
+    return 1.1 * wide * (0.9 + 0.87 * float(np.sqrt(len(sizes)))) / floor
+
+
+def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]) -> float:
+    """Return how much larger than usual a thing has to be, at most what it can be."""
+    if not held:
+        return 1.0
+    usual = relations.size_of(planned)
+    container = relations.is_container(planned)
+    most = _GROWTH.get(planned.category, _OTHERS)
+    sizes = [relations.standing_size(thing) for thing in held]
+    inside = container and not relations.is_shallow(usual) and "in" in kinds
+    if inside:
+        sizes = [relations.put_in_size(thing, usual) for thing in held]
+        if len(sizes) > 2 and all(x > _LEAST < y and z < _FLAT * min(x, y) for x, y, z in sizes):
+            sizes = [(z, max(x, y), min(x, y)) for x, y, z in sizes]  # filed on their edges
+    area = sum(float(size[0] * size[1]) for size in sizes)
+    tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # no layers of these
+    filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
+    room = usual[0] * usual[1] * (filled if inside else _COVERED)
+    needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
+    if inside and tall:  # where a little more is enough, the layout finds out how much
+        needed = _across(sizes, planned) / min(usual[:2])
+        needed = needed if needed > _LITTLE else 1.0
+    for factor in np.linspace(1.0, most, 16):
+        extent = (usual[0] * factor, usual[1] * factor, usual[2] * factor)
+        fit = all(
+            relations.fits("in" if inside else "on", size, extent, container) for size in sizes
+        )
+        if factor >= needed and fit:
+            return float(factor)
+    fitting = [
+        factor
+        for factor in np.linspace(1.0, most, 16)
+        if any(
+            relations.fits("in" if inside else "on", size, tuple(factor * s for s in usual),
+                           container)
+            for size in sizes
+        )
+    ]  # fmt: skip
+    return float(most if fitting else 1.0)
+
+
+_PLANTS = (
+    "seedling cactus succulent rose tulip daisy sunflower lily herb_pot potted_plant fern ivy "
+    "lavender orchid"
+)
+_MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
+    {
+        (word, kind): holder
+        for word, holder, kinds in (
+            ("rack", "empty_tube_rack", "test_tube"),
+            ("rack", "empty_toast_rack", "toast bread_slice"),
+            ("rack", "empty_wine_rack", "wine_bottle"),
+            ("rack", "letter_rack", "letter envelope magazine newspaper postcard vinyl_record"),
+            (
+                "flower pot",
+                "plant_pot",
+                _PLANTS,
+            ),
+            ("pot", "plant_pot", _PLANTS),
+        )
+        for kind in kinds.split()
+    }
+)
+"""A bare word and what is put there, and the category that the word then means."""
+
+
+_POTTED = frozenset(
+    ["cactus", "succulent", "herb_pot", "potted_plant", "fern", "ivy", "aloe", "lavender",
+     "plant", "basil", "mint", "orchid", "snake_plant", "spider_plant"]
+)  # fmt: skip
+LOOSE: Mapping[str, str] = MappingProxyType({"chips_bag": "potato_crisp"})
+"""Packages of food, and what of it is put into a bowl."""
+_CANDLES = frozenset({"candle", "taper_candle", "long_candle"})
+_SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
+_FLOWERS = ("rose", "tulip", "daisy", "carnation")
+
+
+def cut_category(category: str, vessel: str, number: int) -> str:
+    """Return the category of what is put into a vessel: of flowers in a vase, cut ones.
+
+    ``number`` counts what is put there.
+    """
+    if open_category(vessel) == "empty_vase":
+        if category == "vase":  # the catalogue's word for flowers
+            return _FLOWERS[number % len(_FLOWERS)]
+        return "posy" if category == "bouquet" else category
+    if category in _POTTED and open_category(vessel) == "plant_pot":
+        return "bare_cactus" if category == "cactus" else "seedling"
+    if is_lit(category, vessel):
+        return "long_candle"
+    return category
+
+
+def is_lit(category: str, vessel: str) -> bool:
+    """Tell whether a thing is a candle, and the other one has a socket for it."""
+    return category in _CANDLES and open_category(vessel) in _SOCKETS
+
+
+def open_category(category: str, noun: str = "", contents: str = "") -> str:
+    """Return the category of a thing called ``noun`` where ``contents`` (a category) goes in it."""
+    known = CATEGORIES.get(category)
+    usual = known.opened if known is not None and known.opened else category
+    return _MEANT.get((noun, contents), usual)

@@ -1,0 +1,375 @@
+"""Resting places on the table, on other objects and in them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from tabletop_objects import CATEGORIES
+
+from ..geometry import rotation_z
+from ..scene import TABLE, Density, Model, Placement, PlannedObject, ScenePlan, Slot
+from .fields import HeightField, field_of
+from .footprint import Footprint, footprint, gaps, margins
+from .groups.seats import seat_center
+from .groups.units import Unit
+from .scores import Awaited, Neighbour, Request, proposals, score, violation
+
+MARGIN = 0.02
+"""Least distance from a footprint to the table's edge, metres."""
+GAP = 0.014
+"""Least gap between two footprints, metres."""
+
+
+@dataclass(eq=False)
+class State:
+    """One try: what has been put where.
+
+    ``awaited`` is what will stand beside things once they have their place, by their names;
+    ``strain`` is how badly the relation to a place or a side that is met worst is broken.
+    """
+
+    places: dict[str, Placement] = field(default_factory=dict)
+    neighbours: dict[str, Neighbour] = field(default_factory=dict)
+    fields: dict[str, HeightField] = field(default_factory=dict)
+    density: Density = "normal"
+    warnings: list[str] = field(default_factory=list)
+    awaited: Mapping[str, Sequence[Awaited]] = field(default_factory=dict)
+    cost: float = 0.0
+    strain: float = 0.0
+
+
+def support_of(planned: PlannedObject) -> str | None:
+    """Return the object it stands on or in, or None for the table."""
+    return next(
+        (r.target for r in planned.relations if r.kind in ("on", "in") and r.target != TABLE), None
+    )
+
+
+def put_on(
+    planned: PlannedObject,
+    support: str,
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    rng: np.random.Generator,
+    state: State,
+    shapes: dict[str, Footprint],
+) -> bool:
+    """Lower an object onto or into its support, at the place where it comes to lie deepest.
+
+    What has a place of its own there, as in a rack, goes there.
+    """
+    base = state.places[support]
+    slot = next((s for s in models[support].slots if s.name == planned.name), None)
+    if slot is not None:
+        _put_in_slot(planned.name, slot, models[planned.name], base, state, shapes)
+        return True
+    inside = any(r.kind == "in" and r.target == support for r in planned.relations)
+    sharing = [o.name for o in plan.objects if support_of(o) == support]
+    alone = len(sharing) == 1
+    siblings = [p for p in state.places.values() if p.on == support]
+    below = [placed_triangles(models[p.name], p) for p in (base, *siblings)]
+    top = float(below[0][..., 2].max())
+    model = models[planned.name]
+    if not inside:  # what lies on another thing lies nearly in line with it
+        shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
+    shape = shapes[planned.name]
+    ground = state.fields.get(support) or field_of(models[support], base)
+    for turn in _TURNS if inside and _is_long(model) else (0.0,):
+        yaw = shape.yaw + turn
+        height, empty = ground.resting(model, yaw)
+        cost = _resting_cost(planned, support, ground, height, empty, alone, base, shapes, state)
+        if inside and len(sharing) in _FEW and _rolls(planned):
+            cost += _crowding(shape, ground, base, cost.shape)
+        for cell in _best_cells(cost):
+            start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
+            placement = lower(
+                model, Placement(planned.name, yaw, start, model.size, support, inside), below
+            )
+            if not inside or sunk(placement, top, heaped=bool(siblings)):
+                shapes[planned.name] = footprint(model, yaw)
+                state.places[planned.name] = placement
+                state.neighbours[planned.name] = Neighbour(
+                    shapes[planned.name], placement.translation[:2]
+                )
+                state.fields[support] = ground.with_thing(model, placement)
+                return True
+    return False
+
+
+def _put_in_slot(
+    name: str,
+    slot: Slot,
+    model: Model,
+    base: Placement,
+    state: State,
+    shapes: dict[str, Footprint],
+) -> None:
+    """Put a thing in its place of a holder that stands at ``base``."""
+    yaw = base.yaw + slot.yaw
+    at = base.translation + rotation_z(base.yaw) @ (slot.at * base.scale)
+    at = at + np.array([0.0, 0.0, float(model.size[2]) / 2])
+    shapes[name] = footprint(model, yaw)
+    state.places[name] = Placement(name, yaw, at, model.size, base.name, True)
+    state.neighbours[name] = Neighbour(shapes[name], at[:2])
+
+
+_TURNS = (0.0, np.pi / 3, -np.pi / 3, np.pi / 2)
+"""How else a thing may lie in a vessel, radians."""
+
+
+def _is_long(model: Model) -> bool:
+    return float(model.size[:2].max()) > 1.8 * float(model.size[:2].min())
+
+
+_FULL = 0.85
+"""Share of the length of what carries them beyond which two things do not lie side by side."""
+
+_SLENDER = 2.5
+"""From this height to width on, upright things in a vessel may be close to each other."""
+
+_BESIDE = 0.02
+"""What a broken relation to what is on the same thing costs, metres of height."""
+
+_OVERHANG = 0.35
+"""Share of a thing's underside that may be beyond what it stands on."""
+
+
+def _resting_cost(
+    planned: PlannedObject,
+    support: str,
+    ground: HeightField,
+    height: Float[np.ndarray, "nx ny"],
+    empty: Float[np.ndarray, "nx ny"],
+    alone: bool,
+    base: Placement,
+    shapes: Mapping[str, Footprint],
+    state: State,
+) -> Float[np.ndarray, "nx ny"]:
+    """Return how bad each place on or in a support is; inf where nothing can stand.
+
+    Low is good, and so are room to the others and, alone, the middle.
+    """
+    nx, ny = height.shape
+    grid = np.stack(np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"), -1)
+    centers = (ground.origin + ground.step * grid).reshape(-1, 2)
+    cost = np.where(np.isneginf(height) | np.isneginf(ground.top), np.inf, height).ravel()
+    overhang = 0.08 if _rolls(planned) else _OVERHANG
+    cost = cost + 0.2 * np.clip(empty.ravel() - overhang, 0, None)
+    away = np.hypot(*(centers - base.translation[:2]).T)
+    cost += (0.2 if alone else 0.01) * away
+    shape = shapes[planned.name]
+    siblings = [place for place in state.places.values() if place.on == support]
+    mouth = _FULL * float(np.ptp(shapes[support].outline, axis=0).max())
+    slender = shape.height > _SLENDER * 2 * float(shape.half.max())
+    slack = 1.5 * float(shape.half.min()) if slender else 0.0  # stems lean past each other
+    for place in siblings:
+        both = 2 * float(shape.half.min() + shapes[place.name].half.min())
+        full = both > mouth and shape.height < shape.half.min()  # as folded shirts in a case
+        if not full:  # what has no room beside another lies on it
+            room = gaps(shape, centers, shapes[place.name], place.translation[:2])
+            room = room + slack
+            cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
+    there = {p.name: Neighbour(shapes[p.name], p.translation[:2]) for p in siblings}
+    request = Request(planned.relations, shape, there, shapes[support].outline)
+    for relation in planned.relations:
+        if relation.target in there:
+            cost += _BESIDE * np.clip(violation(request, relation, centers), 0, 5)
+    return cost.reshape(nx, ny)
+
+
+_FEW = (2, 3)
+"""How many round things lie side by side in a vessel; the first of more lies in the middle."""
+
+
+def _rolls(planned: PlannedObject) -> bool:
+    return planned.category in CATEGORIES and "round" in CATEGORIES[planned.category].roles
+
+
+def _crowding(
+    shape: Footprint, ground: HeightField, base: Placement, cells: tuple[int, ...]
+) -> Float[np.ndarray, "nx ny"]:
+    """Return how much of the middle, which is for others too, a thing takes at each place."""
+    grid = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), -1)
+    centers = ground.origin + ground.step * grid
+    away = np.linalg.norm(centers - base.translation[:2], axis=-1)
+    return np.clip(0.9 * float(shape.reach.max()) - away, 0, None)
+
+
+def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:
+    """Return a few of the cheapest cells, the best first."""
+    order = np.argsort(cost, axis=None, kind="stable")[:400:100]
+    cells = [divmod(int(k), cost.shape[1]) for k in order]
+    return [cell for cell in cells if np.isfinite(cost[cell])]
+
+
+def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
+    """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
+    bottom = placement.translation[2] - placement.scale[2] / 2
+    return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
+
+
+# ----------------------------------------------------------------------------- on the table
+
+
+def cover_with(
+    name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
+) -> Footprint:
+    """Return the footprint of an object with what stands on it."""
+    own = shapes[name]
+    for other in above:
+        if support_of(other) == name:
+            own = own.covering(shapes[other.name])
+    return own
+
+
+def stand_unit(
+    unit: Unit,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+    shapes: dict[str, Footprint],
+    carrying: Mapping[str, Footprint],
+) -> bool:
+    """Find a place for things arranged as one; tell whether there was one."""
+    if unit.seat is not None:
+        center = seat_center(unit.seat, unit.shape, outline)
+        for other in state.neighbours.values():
+            if float(gaps(unit.shape, center[None], other.shape, other.center)[0]) < GAP / 2:
+                return False
+    else:
+        found = _best_place(unit.planned, unit.shape, outline, rng, state)
+        if found is None:
+            return False
+        center = found
+    for name, offset in unit.offsets.items():
+        model, yaw = models[name], shapes[name].yaw + unit.turns[name]
+        shapes[name] = footprint(model, yaw)
+        place = center + offset
+        turned = shapes[name] if carrying[name] is shapes[name] else carrying[name]
+        state.neighbours[name] = Neighbour(turned, place)
+        height = float(table.size[2] + model.size[2] / 2)
+        state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
+        under = unit.below.get(name, ())
+        if under:
+            surfaces = [placed_triangles(models[n], state.places[n]) for n in under]
+            lying = lower(models[name], state.places[name], surfaces)
+            state.places[name] = replace(lying, on=under[0])
+    return True
+
+
+def stand_on_table(
+    planned: PlannedObject,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+    shapes: Mapping[str, Footprint],
+    above: list[PlannedObject],
+) -> bool:
+    """Find the best free place on the tabletop; tell whether there was one."""
+    model, shape = models[planned.name], shapes[planned.name]
+    own = cover_with(planned.name, shapes, above)
+    center = _best_place(planned, own, outline, rng, state)
+    if center is None:
+        return False
+    state.neighbours[planned.name] = Neighbour(own, center)
+    height = float(table.size[2] + model.size[2] / 2)
+    state.places[planned.name] = Placement(
+        planned.name, shape.yaw, np.array([*center, height]), model.size
+    )
+    return True
+
+
+def _best_place(
+    planned: PlannedObject,
+    own: Footprint,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: State,
+) -> Float[np.ndarray, "2"] | None:
+    """Return the best free place on the tabletop, None where there is none; its cost counts."""
+    near = {r.target: state.neighbours[r.target] for r in planned.relations
+            if r.target in state.neighbours}  # fmt: skip
+    awaited = tuple(state.awaited.get(planned.name, ()))
+    request = Request(planned.relations, own, near, outline, state.density, awaited)
+    centers = proposals(request, rng)
+    free = margins(own, centers, outline) >= MARGIN
+    room = np.full(len(centers), 0.2)
+    for other in state.neighbours.values():
+        room = np.minimum(room, gaps(own, centers, other.shape, other.center))
+    free &= room >= GAP
+    if not free.any():
+        return None
+    costs = score(request, centers[free], room[free], list(state.neighbours.values()))
+    pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
+    center = centers[free][pick]
+    state.cost += float(costs[pick])
+    broken = [float(violation(request, r, center[None])[0]) for r in planned.relations]
+    state.strain = max(state.strain, *broken, 0.0)
+    return center
+
+
+_GRID = 15
+
+
+def placed_triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m 3 3"]:
+    """Return the model's triangles in the world frame."""
+    points = model.mesh.vertices * placement.scale @ rotation_z(placement.yaw).T
+    return (points + placement.translation)[model.mesh.faces]
+
+
+def surface(
+    corners: Float[np.ndarray, "m 3 3"], points: Float[np.ndarray, "p 2"], *, upper: bool
+) -> Float[np.ndarray, "p"]:
+    """Return the highest (or lowest) z of the triangles at each point; -inf (inf) where none is."""
+    none = -np.inf if upper else np.inf
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
+    low, high = points.min(0), points.max(0)
+    flat = corners[..., :2]
+    near = (flat.max(1) >= low).all(1) & (flat.min(1) <= high).all(1) & (np.abs(area) > 1e-12)
+    a, b, c, area = a[near], b[near], c[near], area[near]
+    x, y = points[:, :1], points[:, 1:]
+    w0 = ((b[:, 0] - x) * (c[:, 1] - y) - (b[:, 1] - y) * (c[:, 0] - x)) / area
+    w1 = ((c[:, 0] - x) * (a[:, 1] - y) - (c[:, 1] - y) * (a[:, 0] - x)) / area
+    w2 = 1 - w0 - w1
+    inside = (w0 >= -1e-9) & (w1 >= -1e-9) & (w2 >= -1e-9)
+    z = np.where(inside, w0 * a[:, 2] + w1 * b[:, 2] + w2 * c[:, 2], none)
+    if not z.shape[1]:
+        return np.full(len(points), none)
+    return z.max(1) if upper else z.min(1)
+
+
+def lower(
+    model: Model, placement: Placement, below: Sequence[Float[np.ndarray, "_m 3 3"]]
+) -> Placement:
+    """Return the placement lowered (or raised) until the model touches what is below it.
+
+    Where nothing is below, the height is kept. Surfaces are compared on a grid of points under
+    the model, so contact is met to within a fraction of a millimetre for smooth shapes.
+    """
+    own = placed_triangles(model, placement)
+    low, high = own[..., :2].min((0, 1)), own[..., :2].max((0, 1))
+    steps = (np.arange(_GRID) + 0.5) / _GRID
+    grid = np.stack(np.meshgrid(steps, steps), -1).reshape(-1, 2) * (high - low) + low
+    bottom = surface(own, grid, upper=False)
+    top = np.max([surface(other, grid, upper=True) for other in below], axis=0)
+    both = np.isfinite(bottom) & np.isfinite(top)
+    if not both.any():
+        return placement
+    lift = float((top[both] - bottom[both]).max())
+    return Placement(
+        placement.name,
+        placement.yaw,
+        placement.translation + np.array([0.0, 0.0, lift]),
+        placement.scale,
+        placement.on,
+        placement.inside,
+    )

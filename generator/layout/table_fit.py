@@ -1,0 +1,48 @@
+"""A layout on the smallest plausible table that holds it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from ..errors import SceneError
+from ..scene import Model, ScenePlan
+from .arrangement import Layout, arrange
+from .furniture import build_top
+
+GROWTH = (1.0, 1.15, 1.3)
+"""How much larger the table gets, try by try."""
+
+_STRAINED = 1.0
+"""From this strain on a larger table is tried: what is in front of a thing is aside of it."""
+
+
+def lay_out(
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    seed: int,
+    yaws: Mapping[str, float] = MappingProxyType({}),
+) -> tuple[Layout, Model]:
+    """Arrange the models on the plan's table, on a larger one if they do not fit as asked.
+
+    ``yaws`` says which way some things face (radians), where that is not left open.
+
+    Raises:
+        SceneError: they fit on no plausible table.
+    """
+    error: SceneError | None = None
+    best: tuple[Layout, Model] | None = None
+    for growth in GROWTH:
+        try:
+            table = build_top(plan, models, seed, growth)
+            layout = arrange(plan, models, table, seed, yaws)
+        except SceneError as failed:
+            error = failed
+            continue
+        if best is None or layout.strain < best[0].strain:
+            best = layout, table
+        if layout.strain < _STRAINED:
+            break
+    if best is None:
+        raise error or SceneError("No table was tried.")
+    return best

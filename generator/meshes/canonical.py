@@ -1,0 +1,151 @@
+"""From a foreign mesh to a model of the project: upright, repaired, light, in one texture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+import trimesh
+from jaxtyping import Float
+
+from tabletop_objects import Category
+from tabletop_objects.values import to_unit_box
+
+from ..errors import require
+from ..language.names import known_category
+from ..scene import Instance, Mesh, Model, Physics, SizePrior
+from .decimation import reduce, volume
+from .reading.loader import load_surface
+from .reading.surface import Axis, ColoredSurface, Kind, surface_of
+from .reading.textures import MOST_TEXTURE
+from .repair import check_surface, clean, fill_holes, inside_out, tidy, welded_shape
+from .texture import best_size, own_texture, painted_faces, painted_shape
+
+_FILLED = 0.4  # share of its box that an open mesh is taken to fill
+
+
+@dataclass(frozen=True)
+class Normal:
+    """What foreign meshes are brought to.
+
+    Attributes:
+        faces: most triangles, 50 to 25,000; up to four times as many where the shape needs them.
+        texture: side of a texture made again, texels, at most 2048; more where many faces need it.
+    """
+
+    faces: int = 6000
+    texture: int = 1024
+
+    def __post_init__(self) -> None:
+        require(self, "faces", minimum=50, maximum=25_000, integer=True)
+        require(self, "texture", minimum=16, maximum=MOST_TEXTURE, integer=True)
+
+
+def normal_mesh(
+    raw: bytes,
+    what: str,
+    *,
+    kind: Kind = "glb",
+    up: Axis = "y",
+    to: Normal | None = None,
+    beside: Mapping[str, bytes] = MappingProxyType({}),
+) -> Mesh:
+    """Return a GLB or OBJ file as one textured mesh with +z up, in the file's units.
+
+    All its faces look outwards as far as that can be told, and of its edges, taken across seams of
+    the texture, 99 % or more join two faces (or two pairs, where things touch) or run around an
+    opening (``repair``): what was closed but for small holes is closed; cups, tubes and leaves
+    stay open, solid by their convex parts alone. At most four times as many triangles stay as are
+    wanted. A texture of at most 2048 texels that all parts share, that does not repeat and needs no
+    other triangles stays as it is.
+
+    ``what`` names it in messages: backend, question, name. ``up`` is the file's upward axis, ``to``
+    how light it is to be; ``beside`` holds the files that an OBJ names (``companions``).
+
+    Raises:
+        BackendError: it cannot be read (``inspection``), repaired (``repair``) or reduced.
+    """
+    return normal_surface(load_surface(raw, what, kind, beside), what, up=up, to=to)
+
+
+def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:
+    """Return a mesh that a library made as ``normal_mesh`` does a file."""
+    return normal_surface(surface_of([mesh], what), what, up=up, to=to)
+
+
+def normal_surface(
+    surface: ColoredSurface, what: str, *, up: Axis, to: Normal | None = None
+) -> Mesh:
+    """Return a surface as one textured mesh with +z up; see ``normal_mesh``."""
+    return repair_surface(surface.upright(up), what, to)[0]
+
+
+def repair_surface(
+    surface: ColoredSurface, what: str, to: Normal | None = None
+) -> tuple[Mesh, tuple[str, ...]]:
+    """Return an upright surface as one textured mesh, and what was repaired; see ``normal_mesh``.
+
+    Raises:
+        BackendError: it cannot be repaired (``repair``) or reduced.
+    """
+    to, given = to or Normal(), len(surface.faces)
+    surface = clean(surface, what)
+    repairs = _list_repairs({"faulty triangles removed": given - len(surface.faces)})
+    vertices, faces = welded_shape(surface.vertices, surface.faces)
+    if len(faces) > to.faces:
+        vertices, faces = reduce(vertices, faces, to.faces, what)
+        faces = tidy(vertices, faces)
+        repairs += (f"reduced from {len(surface.faces)} to {len(faces)} triangles",)
+    own = len(faces) == len(surface.faces)
+    over = inside_out(vertices, faces)
+    faces = np.where(over[:, None], faces[:, ::-1], faces)
+    before = len(faces)
+    vertices, faces = fill_holes(vertices, faces)
+    repairs += _list_repairs(
+        {"triangles turned outwards": int(over.sum()), "triangles close holes": len(faces) - before}
+    )
+    check_surface(faces, what)
+    size = best_size(surface, to.texture, len(faces))
+    if not own or len(faces) > len(surface.faces):
+        return painted_shape(vertices, faces, surface, size), repairs
+    surface = surface.flip(over)
+    return own_texture(surface) or painted_faces(surface, size), repairs
+
+
+def _list_repairs(counts: Mapping[str, int]) -> tuple[str, ...]:
+    return tuple(f"{count} {what}" for what, count in counts.items() if count)
+
+
+def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
+    """Return a normal mesh as an instance's raw model: its own proportions, the prior's size.
+
+    A thing that the catalogue knows weighs and slides as there; else it is as dense as light wood.
+    """
+    unit, _, extent = to_unit_box(mesh)
+    kind = known_category(instance, size)
+    return Model(
+        instance.name,
+        instance.label,
+        unit,
+        metric(extent, size),
+        foreign_physics(mesh, extent, kind),
+        category=kind.key if kind else "generic",
+        container=bool(kind and kind.container),
+    )
+
+
+def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
+    """Return what a foreign mesh is made of: such that one of usual size has its kind's mass."""
+    if kind is None:
+        return Physics(density=500.0, friction=0.6)
+    share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED
+    density = kind.mass / (share * float(np.prod(kind.size)))
+    return Physics(float(np.clip(density, 20.0, 8000.0)), kind.sliding_friction)
+
+
+def metric(extent: Float[np.ndarray, "3"], size: SizePrior) -> Float[np.ndarray, "3"]:
+    """Scale measured proportions to metres so that the two longest sides agree with the prior."""
+    have, want = np.sort(extent)[1:], np.sort(size.extent)[1:]
+    return extent * float(np.sqrt(np.prod(want) / np.prod(have)))

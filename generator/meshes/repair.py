@@ -1,0 +1,327 @@
+"""Repair foreign meshes: loose, doubled and inside-out triangles; sheets get a thickness.
+
+In this order: vertices at one place are one; slivers, doubled faces, crumbs and fins go
+(``clean``); faces are turned outwards; small holes are closed (``fill_holes``). What then has more
+than 1 % of flawed edges is refused (``check_surface``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import trimesh
+from jaxtyping import Bool, Float, Int
+from scipy import sparse
+from scipy.sparse.csgraph import connected_components
+
+from ..errors import BackendError
+from ..physics.parts import THINNEST
+from ..scene.triangles import Faces, Vertices, areas, pieces, weld_index
+from .reading.surface import ColoredSurface
+
+_CRUMB = 5e-4  # share of the whole area below which a loose piece is none
+_SHEET = 0.5  # share of faces with a back of their own from which a mesh is a doubled sheet
+_GAP = 0.2  # of the diagonal: length of rim of the largest hole that is closed
+_FIN = 0.05  # share of the whole area that may go of pieces that hang on edges of three faces
+_FLAWED = 0.01  # share of edges above which a mesh is no surface
+_FLAT = 1e-3  # of the longest side: thinner things are flat
+
+
+def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
+    """Return a surface without slivers, doubled faces, loose crumbs and fins.
+
+    A crumb is a piece with less than 0.05 % of the area; fins hang on edges of two other faces, and
+    have 5 % together at most. Of two faces on the same corners that look apart, an inner wall, both
+    go; where most faces are so doubled, it is a sheet, and one of each stays.
+
+    Raises:
+        BackendError: nothing is left, or it is flat.
+    """
+    surface = surface.keep(_sound(surface.vertices, surface.faces, weld_index(surface.vertices)))
+    if not len(surface.faces):
+        raise BackendError(f"{what} has only triangles without area. Export a mesh with faces.")
+    used = surface.vertices[surface.faces].reshape(-1, 3)
+    extent = np.ptp(used, axis=0)
+    if extent.min() < _FLAT * extent.max():
+        raise BackendError(f"{what} is flat: its extent is {extent.tolist()}. Give it thickness.")
+    return surface
+
+
+def welded_shape(vertices: Float[np.ndarray, "v 3"], faces: Faces) -> tuple[Vertices, Faces]:
+    """Return a shape with vertices at the same place made one, and unused ones left out."""
+    weld = weld_index(vertices)
+    used, joined = np.unique(weld[faces], return_inverse=True)
+    first = np.unique(weld, return_index=True)[1]
+    return np.asarray(vertices, np.float64)[first[used]], joined.reshape(-1, 3)
+
+
+def tidy(vertices: Vertices, faces: Faces) -> Int[np.ndarray, "k 3"]:
+    """Return a welded shape's faces put right as ``clean`` does a surface's."""
+    return faces[_sound(vertices, faces, np.arange(len(vertices)))]
+
+
+def inside_out(vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "m"]:
+    """Return which faces must be turned over so that all look outwards (by trimesh)."""
+    mesh = trimesh.Trimesh(vertices, faces, process=False)
+    if mesh.is_watertight and mesh.is_winding_consistent:  # a cavity's wall may face inwards
+        return np.full(len(faces), mesh.volume < 0)
+    trimesh.repair.fix_normals(mesh, multibody=True)
+    return (mesh.faces != faces).any(1)
+
+
+def fill_holes(
+    vertices: Vertices, faces: Faces
+) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "j 3"]]:
+    """Close holes with a rim of at most a fifth of the diagonal; a bowl's mouth stays open.
+
+    Each gets a fan around its middle, also those that meet in a corner; single triangles get none.
+    trimesh's own filling goes by the number of a rim's corners, and puts lids on boxes.
+    """
+    sides, edge, total = _edges(faces)
+    rim = total[edge] == 1
+    rim &= ~_single_sides(rim)
+    start, end = sides[rim].T
+    if not len(start):
+        return vertices, faces
+    rim = _loops(start, end)
+    start, end, rim = (found[rim >= 0] for found in (start, end, rim))
+    total = np.bincount(rim, np.linalg.norm(vertices[start] - vertices[end], axis=1))
+    diagonal = float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    small = (total > 0) & (total < _GAP * diagonal)
+    chosen = small[rim]
+    if not chosen.any():
+        return vertices, faces
+    number = np.cumsum(small) - 1
+    corners = np.bincount(rim)[small]
+    middle = [np.bincount(rim, vertices[start, k])[small] / corners for k in range(3)]
+    fans = np.column_stack([end[chosen], start[chosen], len(vertices) + number[rim[chosen]]])
+    return np.vstack([vertices, np.column_stack(middle)]), np.vstack([faces, fans])
+
+
+def check_surface(faces: Faces, what: str) -> None:
+    """Refuse what is no surface even after its repair.
+
+    Of all edges, 1 % at most may be flawed. Sound are those that join two faces of one side, or
+    two pairs (things that touch), and rims that run around an opening and meet no other rim.
+    Flawed are those of three faces or more, of two that turn over, the rims of single triangles,
+    and where rims meet.
+
+    Raises:
+        BackendError: more are flawed.
+    """
+    torn, uneven = flaws(faces)
+    if torn + uneven > _FLAWED:
+        raise BackendError(
+            f"{what} is no surface: {torn:.1%} of its edges are torn, {uneven:.1%} join three "
+            f"faces or turn over; together {_FLAWED:.0%} may after repair. Merge its vertices, or "
+            "make it manifold (Blender: Mesh, Clean Up)."
+        )
+
+
+def flaws(faces: Faces) -> tuple[float, float]:
+    """Return which shares of a shape's edges are torn, and do not join two faces or two pairs."""
+    sides, edge, total = _edges(faces)
+    net = np.abs(np.bincount(edge, np.where(sides[:, 0] < sides[:, 1], 1, -1)))
+    uneven = ((total > 2) & (total % 2 == 1)) | ((total == 2) & (net > 0))
+    rim = total[edge] == 1
+    starts = np.bincount(sides[rim, 0], minlength=int(faces.max()) + 1)
+    ends = np.bincount(sides[rim, 1], minlength=int(faces.max()) + 1)
+    meeting = (starts != 1) | (ends != 1)
+    torn = rim & (_single_sides(rim) | meeting[sides].any(1))
+    return float(torn.sum() / len(total)), float(uneven.sum() / len(total))
+
+
+def _edges(
+    faces: Faces,
+) -> tuple[Int[np.ndarray, "s 2"], Int[np.ndarray, "s"], Int[np.ndarray, "e"]]:
+    """Return sides (all first ones first), the edge of each, and how many lie on each edge."""
+    sides = np.concatenate([faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
+    _, edge, total = np.unique(_edge_keys(faces), return_inverse=True, return_counts=True)
+    return sides, edge.reshape(-1), total
+
+
+def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
+    """Return a number for each side, the same for those on one edge."""
+    radix = int(faces.max()) + 1
+    keys = np.empty((3, len(faces)), np.int64)
+    for k in range(3):
+        one, other = faces[:, k], faces[:, (k + 1) % 3]
+        keys[k] = np.minimum(one, other) * radix + np.maximum(one, other)
+    return keys.reshape(-1)
+
+
+def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool[np.ndarray, "m"]:
+    """Tell which faces stay: no slivers, doubled ones, loose crumbs or fins."""
+    corner = weld[faces]
+    kept = np.flatnonzero((corner != np.roll(corner, 1, axis=1)).all(1))
+    area = areas(vertices, faces)
+    for stays in (_single, _sizable, _finless):
+        if len(kept):
+            kept = kept[stays(corner[kept], area[kept])]
+    sound = np.zeros(len(faces), bool)
+    sound[kept] = True
+    return sound
+
+
+def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
+    """Tell which faces stay when small pieces that hang on edges of three faces are left out."""
+    # A piece hangs together by edges of two faces. Those with a free rim go first, and smaller
+    # ones; what then hangs on sound edges stays.
+    total = np.unique(_edge_keys(faces), return_counts=True)[1]
+    odd = (total > 2) & (total % 2 == 1)
+    if not odd.any():
+        return np.ones(len(faces), bool)
+    _, edge, total = _edges(faces)
+    owner = np.tile(np.arange(len(faces)), 3)
+    order = np.argsort(edge, kind="stable")
+    pairs = owner[order[total[edge[order]] == 2]].reshape(-1, 2)
+    links = sparse.coo_matrix((np.ones(len(pairs), np.int8), pairs.T), shape=(len(faces),) * 2)
+    count, piece = connected_components(links, directed=False)
+    area = np.bincount(piece, area)
+    free = np.bincount(piece[owner], total[edge] == 1) > 0
+    by_piece = np.argsort(piece[owner], kind="stable")
+    starts = np.searchsorted(piece[owner][by_piece], np.arange(count + 1))
+    gone = np.zeros(count, bool)
+    room = _FIN * float(area.sum())
+    hanging = np.unique(piece[owner][odd[edge]])
+    for k in hanging[np.lexsort((area[hanging], ~free[hanging]))]:
+        own = edge[by_piece[starts[k] : starts[k + 1]]]
+        if area[k] <= room and ((total[own] > 2) & (total[own] % 2 == 1)).any():
+            np.subtract.at(total, own, 1)
+            gone[k] = True
+            room -= float(area[k])
+    return ~gone[piece]
+
+
+def _single_sides(rim: Bool[np.ndarray, "s"]) -> Bool[np.ndarray, "s"]:
+    """Tell which sides are of faces with nothing but rims, given which sides are rims."""
+    return np.tile(rim.reshape(3, -1).all(0), 3)
+
+
+def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:
+    """Return for each side of a rim which loop it is in, -1 for none; none meets a corner twice."""
+    ahead: dict[int, list[int]] = {}
+    for side, corner in enumerate(start.tolist()):
+        ahead.setdefault(corner, []).append(side)
+    ends, loop, count = end.tolist(), np.full(len(start), -1), 0
+    for first in start.tolist():
+        way: list[int] = []
+        corners, place = [first], {first: 0}
+        while way or ahead.get(first):
+            sides = ahead.get(corners[-1])
+            if not sides:  # a way that ends nowhere is in no loop
+                way.pop()
+                del place[corners.pop()]
+                continue
+            way.append(sides.pop())
+            there = ends[way[-1]]
+            if there not in place:
+                place[there] = len(corners)
+                corners.append(there)
+                continue
+            back = place[there]
+            loop[way[back:]] = count
+            count += 1
+            for corner in corners[back + 1 :]:
+                del place[corner]
+            del way[back:], corners[back + 1 :]
+    return loop
+
+
+def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
+    """Tell which faces stay where several have the same corners."""
+    group = _group(np.sort(corner, axis=1))
+    if int(group.max()) + 1 == len(corner):
+        return np.ones(len(corner), bool)
+    lowest = corner.argmin(1)
+    turned = np.take_along_axis(corner, (lowest[:, None] + np.arange(3)) % 3, axis=1)
+    way = np.where(turned[:, 1] < turned[:, 2], 1, -1)
+    first = np.zeros(len(corner), bool)
+    first[np.unique(2 * group + (way > 0), return_index=True)[1]] = True
+    both = np.bincount(group[first], minlength=group.max() + 1)[group] > 1
+    if both.mean() > _SHEET:
+        first[:] = False
+        first[np.unique(group, return_index=True)[1]] = True
+        return first
+    return first & ~both
+
+
+def _group(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
+    """Return a number for each row, the same for equal ones, in their order."""
+    group = np.zeros(len(rows), np.int64)
+    for column in rows.T:
+        group = np.unique(group * (int(column.max()) + 1) + column, return_inverse=True)[1]
+        group = group.reshape(-1)
+    return group
+
+
+def _sizable(corner: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
+    """Tell which faces belong to a connected piece of some size."""
+    piece = pieces(corner, int(corner.max()) + 1)[corner[:, 0]]
+    area = np.bincount(piece, area)
+    return (area > _CRUMB * area.sum())[piece]
+
+
+_SHARE = 1.5e-3  # of its longest side that a sheet is made thick; repair refuses a third less
+_THIN_SHARE = 0.05  # share of its longest side below which a thin thing is a sheet
+_SAME = 1e-6  # share of its longest side up to which both sides of a sheet are one
+
+
+def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
+    """Return a sheet with a thickness, and the thickness; other surfaces unchanged, and 0.
+
+    A sheet is thinner than ``physics.parts.THINNEST`` or than 0.15 % of its longest side, along any
+    direction. If it has two sides, they move apart along that direction; a single layer becomes two
+    layers with a rim.
+    """
+    used = surface.vertices[np.unique(surface.faces)]
+    middle = used.mean(0)
+    normal = _normal(used - middle)
+    along = (surface.vertices - middle) @ normal
+    low, high = float(((used - middle) @ normal).min()), float(((used - middle) @ normal).max())
+    longest = float(np.ptp(used, axis=0).max())
+    wanted = max(THINNEST, _SHARE * longest)
+    if high - low >= min(wanted, _THIN_SHARE * longest):
+        return surface, 0.0
+    if high - low > _SAME * longest:
+        shift = (along - (low + high) / 2) * (wanted / (high - low) - 1)
+        return replace(surface, vertices=surface.vertices + shift[:, None] * normal), wanted
+    return _extrude(surface, normal * wanted / 2), wanted
+
+
+def _normal(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "3"]:
+    """Return the direction in which points extend least; along an axis if nearly so."""
+    normal = np.linalg.eigh(points.T @ points)[1][:, 0]
+    axis = int(np.abs(normal).argmax())
+    return np.eye(3)[axis] if abs(normal[axis]) > 1 - 1e-6 else normal
+
+
+def _extrude(surface: ColoredSurface, half: Float[np.ndarray, "3"]) -> ColoredSurface:
+    """Return a layer as two, ``half`` above and below it, joined by a rim."""
+    count, faces = len(surface.vertices), surface.faces
+    sides, owner = _rim(surface)
+    if len(faces) and np.cross(*np.diff(surface.vertices[faces[0]], axis=0)) @ half < 0:
+        half = -half  # the first layer looks outwards
+    a, b = sides.T
+    rim = np.concatenate([
+        np.column_stack([b, a, a + count]), np.column_stack([b, a + count, b + count]),
+    ])  # fmt: skip
+    return replace(
+        surface,
+        vertices=np.concatenate([surface.vertices + half, surface.vertices - half]),
+        faces=np.concatenate([faces, faces[:, ::-1] + count, rim]),
+        uv=np.concatenate([surface.uv] * 2),
+        colors=np.concatenate([surface.colors] * 2),
+        picture=np.concatenate([surface.picture, surface.picture, *[surface.picture[owner]] * 2]),
+    )
+
+
+def _rim(surface: ColoredSurface) -> tuple[Int[np.ndarray, "k 2"], Int[np.ndarray, "k"]]:
+    """Return the sides that belong to one face alone, and their faces."""
+    sides = np.concatenate([surface.faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
+    welded = np.sort(weld_index(surface.vertices)[sides], axis=1)
+    _, edge, total = np.unique(welded, axis=0, return_inverse=True, return_counts=True)
+    alone = total[edge.reshape(-1)] == 1
+    owner = np.tile(np.arange(len(surface.faces)), 3)
+    return sides[alone], owner[alone]

@@ -1,0 +1,306 @@
+"""Compare a reconstruction with its plan, object by object."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+
+import numpy as np
+from jaxtyping import Float
+
+from ...errors import SceneError
+from ...geometry import rotation_z, wrap
+from ...layout import build_models, natural_yaw, table_size
+from ...layout.furniture import find_fitted
+from ...layout.rest import support_of
+from ...scene import TABLE, Instance, Model, Placement, Rotation, ScenePlan
+from .matches import fresh_names, match_planned, rename_plan
+
+ALIKE = 1.35, 1.2
+"""A side that is longer or shorter by this factor than the plan's model, and than other variants of
+its kind, has another size: where the drawing shows the catalogue's things."""
+
+REAL = 2.0, 1.5
+"""The same where it shows any things of their kinds."""
+
+UNKNOWN = 2.0
+"""The same for things that the catalogue lacks, whose sizes are a guess; their shapes are too."""
+
+TABLES = 1.3
+"""The same for the sides of a table."""
+
+_HARDLY = 0.05  # logarithm of a factor below which no warning tells of it
+_VARIANTS = 4  # of a thing of the catalogue, whose shapes a found one may have
+_APART = 104_729  # between the seeds of two
+_SLACK = 0.008, 0.1  # metres, and share of the longest side, that sides may differ anyway
+
+LOOSE = ("group", "heap")
+"""Kinds of groups that have no form to keep."""
+
+_SHAPE = "its outline in the drawing has other proportions"
+_FITTED = "it has to fit another object"
+_ALIKE = "it has to look like the others that are laid"
+
+
+@dataclass(frozen=True, eq=False)
+class SceneDraft:
+    """A scene to lay out: a plan by the scene's names, and what is known of its things.
+
+    Attributes:
+        models: of every planned thing, of its size in metres.
+        planned: the plan's own models of them.
+        seen: names of those that the reconstruction has.
+        shown: where it has them, if on what the plan has them on.
+        table: its model, of its size in metres.
+        warnings: what was put right.
+        found: yaws of those that the reconstruction has.
+        yaws: which way things face in the drawing, radians, where it tells; without members of
+            groups, which are arranged as a whole.
+    """
+
+    plan: ScenePlan
+    models: Mapping[str, Model]
+    planned: Mapping[str, Model]
+    seen: tuple[str, ...]
+    shown: Mapping[str, Placement]
+    table: Model
+    warnings: tuple[str, ...] = ()
+    found: FoundYaws = field(default_factory=lambda: FoundYaws({}))
+    yaws: Mapping[str, float] = field(default_factory=dict[str, float])
+
+    def doubt(self, names: Collection[str], reason: str) -> SceneDraft:
+        """Return the draft with the plan's models and no known places of these things."""
+        mine = [n for n in self.models if n in names and self.models[n] is not self.planned[n]]
+        yaws, warnings = dict(self.yaws), list(self.warnings)
+        for name in mine:
+            yaw = self.found.of(name, self.planned[name]) if name in yaws else None
+            told = name not in yaws or yaw is not None
+            yaws.pop(name, None)
+            if yaw is not None:
+                yaws[name] = yaw
+            warnings.append(_plan_warning(name, reason, told))
+        return replace(
+            self, models={**self.models, **{n: self.planned[n] for n in mine}},
+            shown={n: p for n, p in self.shown.items() if n not in names},
+            warnings=tuple(warnings), yaws=yaws,
+        )  # fmt: skip
+
+
+def draft_scene(
+    plan: ScenePlan,
+    instances: Sequence[Instance],
+    models: Mapping[str, Model],
+    placements: Sequence[Placement],
+    table_scale: Float[np.ndarray, "3"],
+    seed: int,
+    alike: tuple[float, float] = REAL,
+    rotations: Mapping[str, Rotation] = MappingProxyType({}),
+    turn: Turn | None = None,
+) -> SceneDraft:
+    """Match what was reconstructed to the plan; put right what has another size or shape.
+
+    ``models`` are the instances' and the table's, ``placements`` where they stand, world frame;
+    ``table_scale`` is the table's extent, metres; ``seed`` of the looks of what the plan adds.
+    ``alike`` says how much sizes may differ (``ALIKE``, ``REAL``). ``rotations`` are those of the
+    instances' models, and ``turn`` finds that of another model.
+    A thing whose sides all differ by about one factor is scaled; one with other proportions is the
+    plan's. What shows no planned thing is left out.
+    """
+    table, placed = _fit_table(plan, models[TABLE], placements, table_scale, seed)
+    pairs = match_planned(plan, instances, placed, build_models(plan, seed))
+    missing = [planned for planned in plan.objects if planned.name not in pairs]
+    names = pairs | fresh_names(missing, {TABLE, *(i.name for i in instances)})
+    renamed = rename_plan(plan, names)
+    warnings = [
+        *(f"{i.name} is left out: the text asks for no other {i.label}." for i in instances
+          if i.name in placed and i.name not in pairs.values()),
+        *(f"{names[o.name]} is not to be seen in the drawing; it stands where the plan has it."
+          for o in missing),
+    ]  # fmt: skip
+    if not np.allclose(table.size, table_scale):
+        warnings.append("The table has the plan's size, not that in the drawing.")
+    scales = {name: placed[name].scale for name in pairs.values()}
+    factors = _size_factors(renamed, scales, seed, alike)
+    own = build_models(renamed, seed)
+    found = FoundYaws({n: placed[n].yaw for n in pairs.values()}, rotations, turn)
+    chosen, shown, yaws = dict(own), dict[str, Placement](), dict[str, float]()
+    grouped, formed = _list_grouped(renamed), _list_grouped(renamed, besides=LOOSE)
+    rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
+    for planned in renamed.objects:
+        name, yaw = planned.name, natural_yaw(planned, own[planned.name], renamed, rng)
+        if name not in placed:
+            continue
+        factor, below = factors[name], support_of(planned) or TABLE
+        there = below in (TABLE, placed[name].on)
+        if isinstance(factor, str):
+            turned = None if name in formed else found.of(name, own[name])
+            warnings.append(_plan_warning(name, factor, turned is not None or name in formed))
+        else:
+            turned = placed[name].yaw
+            chosen[name] = replace(models[name], size=scales[name] * factor, slots=own[name].slots)
+            if abs(np.log(factor)) > _HARDLY:
+                warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
+        if turned is not None and name not in grouped:
+            yaws[name] = turned
+        inside = any(r.kind == "in" and r.target == below for r in planned.relations)
+        if there:
+            shown[name] = replace(
+                placed[name], yaw=yaw if turned is None else turned, scale=chosen[name].size,
+                on=below, inside=inside,
+            )  # fmt: skip
+    return SceneDraft(
+        renamed, chosen, own, tuple(pairs.values()), shown, table, tuple(warnings), found, yaws
+    )
+
+
+def _plan_warning(name: str, reason: str, told: bool) -> str:
+    """Return the warning that a thing has the plan's shape, and its yaw if none is ``told``."""
+    tail = "" if told else " The drawing does not tell its yaw, which is the plan's too."
+    return f"{name} is built from the plan: {reason}.{tail}"
+
+
+def _list_grouped(plan: ScenePlan, besides: Collection[str] = ()) -> set[str]:
+    """Return the names of what is arranged in groups, ``besides`` those of these kinds."""
+    groups = [g for g in plan.groups if g.kind not in besides]
+    return {n for g in groups for n in (*g.members, *([g.around] if g.around else []))}
+
+
+def _size_factors(
+    plan: ScenePlan,
+    scales: Mapping[str, Float[np.ndarray, "3"]],
+    seed: int,
+    alike: tuple[float, float],
+) -> dict[str, float | str]:
+    """Return by what factor each thing found must grow, or why the plan's takes its place.
+
+    A size that the text tells ("small") is kept exactly, one that the thing's kind usually has, in
+    any of its variants, about. What is made for each other is the plan's; so is what is laid alike
+    at several seats, unless all of it was found.
+    """
+    variants = [build_models(plan, seed)]
+    fitted = find_fitted(plan)
+    factors: dict[str, float | str] = {}
+    for planned in plan.objects:
+        name = planned.name
+        if name not in scales:
+            continue
+        told = planned.size is not None or "size" in planned.attributes
+        stand_in = variants[0][name].stand_in
+        tolerance = UNKNOWN if stand_in and not told else alike[0]
+        factor = compare_sizes(scales[name], variants[0][name].size, tolerance)
+        for k in range(1, 1 if told or factor == 1 else _VARIANTS):
+            if k == len(variants):
+                variants.append(build_models(plan, seed + _APART * k))
+            if compare_sizes(scales[name], variants[k][name].size, alike[1]) == 1:
+                factor = 1.0
+                break
+        if (stand_in and factor is None) or (told and factor == 1):
+            factor = _mean_factor(scales[name], variants[0][name].size)
+        factors[name] = _FITTED if name in fitted else _SHAPE if factor is None else factor
+    for names in _list_laid_alike(plan):
+        if not all(isinstance(factors.get(name), float) for name in names):
+            known = {n: factors[n] for n in names if n in factors}
+            factors |= {n: _ALIKE for n, f in known.items() if isinstance(f, float)}
+    return factors
+
+
+def _list_laid_alike(plan: ScenePlan) -> list[list[str]]:
+    """Return the things of place settings, those of one kind together."""
+    laid = {name for group in plan.groups if group.kind == "setting" for name in group.members}
+    kinds: dict[str, list[str]] = {}
+    for planned in plan.objects:
+        if planned.name in laid:
+            kind = f"{planned.noun} {sorted(planned.attributes.items())}"
+            kinds.setdefault(kind, []).append(planned.name)
+    return list(kinds.values())
+
+
+def compare_sizes(
+    found: Float[np.ndarray, "3"], planned: Float[np.ndarray, "3"], tolerance: float
+) -> float | None:
+    """Return by what factor a thing must grow to have a planned size; None for another shape.
+
+    Extents are (length, width, height) in metres; which horizontal side is the longer one does not
+    matter. 1 means that no side differs by more than ``tolerance``.
+    """
+    have, want = (np.array([*np.sort(e[:2]), e[2]], float) for e in (found, planned))
+    slack = min(_SLACK[0], _SLACK[1] * float(want.max()))
+    off = np.where(np.abs(have - want) < slack, 0.0, np.log(want / have))
+    if (np.abs(off) <= np.log(tolerance)).all():
+        return 1.0
+    if np.ptp(np.log(want / have)) > np.log(tolerance):
+        return None
+    return _mean_factor(found, planned)
+
+
+def _mean_factor(found: Float[np.ndarray, "3"], planned: Float[np.ndarray, "3"]) -> float:
+    return float(np.cbrt(np.prod(planned) / np.prod(found)))
+
+
+def _fit_table(
+    plan: ScenePlan,
+    model: Model,
+    placements: Sequence[Placement],
+    scale: Float[np.ndarray, "3"],
+    seed: int,
+) -> tuple[Model, dict[str, Placement]]:
+    """Return the table, of the plan's size if it has another, with the places on it."""
+    try:
+        wanted = np.array(table_size(plan, build_models(plan, seed)).size)
+    except SceneError:  # only what the picture shows tells whether all of it has room
+        wanted = np.array(plan.table.size)
+    ratio = wanted / scale
+    if (np.abs(np.log(ratio[:2])) <= np.log(TABLES)).all():
+        ratio = np.ones(3)
+    size = scale * ratio
+    factors = np.array([*ratio[:2], 1.0])
+    lift = np.array([0.0, 0.0, float(size[2] - scale[2])])
+    placed = {p.name: replace(p, translation=p.translation * factors + lift) for p in placements}
+    return replace(model, size=size), placed
+
+
+Turn = Callable[[str, Model], Rotation]
+"""Finds the rotation of another model of an instance in the drawing (Sec. 3.3), by its name."""
+
+AGREE = float(np.deg2rad(15.0))
+"""Yaws of two shapes of one thing that differ by less say the same."""
+
+TOLD, SURE = 0.2, 0.5
+"""From these margins on (``Rotation.margin``) the drawing tells a yaw that two shapes agree on, and
+one that only the plan's shape has."""
+
+
+@dataclass(frozen=True, eq=False)
+class FoundYaws:
+    """Yaws of things as the drawing shows them, radians.
+
+    Attributes:
+        yaws: of the shapes that were found, by name.
+        rotations: what is known of how sure these are.
+        turn: finds the yaw of another shape. With None the yaws are of the things' fronts, which
+            all shapes share.
+    """
+
+    yaws: Mapping[str, float]
+    rotations: Mapping[str, Rotation] = field(default_factory=dict[str, Rotation])
+    turn: Turn | None = None
+
+    def of(self, name: str, planned: Model) -> float | None:
+        """Return the yaw at which the drawing shows the plan's model; None where it does not tell.
+
+        A modeler chooses the axes of its meshes by itself, so a yaw of the shape that was found
+        counts only if the plan's shape looks like the drawing at the same yaw.
+        """
+        yaw = self.yaws[name]
+        if self.turn is None:
+            return yaw
+        other = self.turn(name, replace(planned, orientation=rotation_z(yaw)))
+        if other.symmetric:
+            return yaw
+        known = self.rotations.get(name)
+        margin = max(other.margin, known.margin if known else 0.0)
+        apart = abs(wrap(other.order * (other.yaw - yaw))) / other.order
+        if apart <= AGREE and margin >= TOLD:
+            return yaw
+        return other.yaw if other.margin >= SURE else None

@@ -1,0 +1,152 @@
+"""Showings: objects as a policy sees them, each with the grasps the expert would take there.
+
+They teach the part of a policy that says where to grasp (``networks.grasp_head``). Nothing is
+played: the expert names its grasps of every object at a table, as the table stands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import Float32, UInt8
+
+from generator.errors import BundleError, InputError, SceneError
+from generator.geometry import rotation_yaw, rotation_z
+from generator.io.bounded import read_arrays
+from generator.io.files import write_file
+
+from ...expert.planning.choice import choose
+from ...expert.planning.grasps import plan_grasps
+from ...goals.goal import Raised
+from ...observations.height_map import CELLS, HeightLook
+from ...robot.panda import Panda
+from ...scenes.source import SceneSource
+from ...tasks.candidates import liftable
+from ...world.world import World
+from ...world.worlds import WorldCache
+
+COLUMNS = ("angle", "x", "y", "z", "opening", "width", "score")
+"""Of a grasp: the bearing of the fingers' opening and the tool's place in the target's heading
+frame (radians; metres from the centre of its box, and for z from its lowest point), the rest as
+``Grasp`` has it."""
+
+CHUNK = 100
+"""Tables whose showings are kept in one file."""
+
+MOST = 200
+"""Grasps of an object that are kept, the best ones."""
+
+_MAX_BYTES = 512 * 2**20  # of one file
+
+
+@dataclass(frozen=True, eq=False)
+class GraspShowing:
+    """One object: ``maps`` and ``stands`` as a policy sees them, and the expert's grasps.
+
+    ``maps`` are the first two of ``observations.height_map``; ``stands`` where the robot's base is
+    from the centre of the object's box (x, y, heading frame), and how high the box's lowest corner
+    is above the table top and that above the base, metres. ``grasps`` has ``COLUMNS``: first the
+    one that the expert chooses, then those it rates lower, best first. What it rates higher, but
+    the arm cannot reach, is left out.
+    """
+
+    maps: UInt8[np.ndarray, "2 48 48"]
+    stands: Float32[np.ndarray, "4"]
+    grasps: Float32[np.ndarray, "g 7"]
+
+
+def showings(source: SceneSource, tables: int, seed: int) -> Iterator[list[GraspShowing]]:
+    """Yield what the expert shows at ``tables`` drawn tables, table by table."""
+    rng, look = np.random.default_rng((seed, 6)), HeightLook()
+    worlds = WorldCache(Panda(), 1)
+    for _ in range(tables):
+        try:
+            world = worlds.get(source.draw(rng), lambda _: None)
+            names = [name for name, why in liftable(world).items() if why is None]
+        except SceneError:
+            yield []
+            continue
+        world.reset()
+        found = [showing(world, name, look) for name in names]
+        yield [each for each in found if each is not None]
+
+
+def showing(world: World, name: str, look: HeightLook) -> GraspShowing | None:
+    """Return the showing of one object where it is now, None if the arm reaches no grasp of it."""
+    plan = choose(world, name)
+    if plan is None:
+        return None
+    center, heading = world.position(name), rotation_yaw(world.rotation(name))
+    turn = rotation_z(-heading)
+    planned = plan_grasps(world, name)
+    first = next(k for k, g in enumerate(planned) if g.score <= plan.grasp.score)
+    low = float(center[2] - np.abs(world.rotation(name)[2]) @ world.half_extent[world.index(name)])
+    middle, table = np.array([*center[:2], low]), world.scene.table.height
+    rows = [
+        (g.angle - heading, *(turn @ (g.point - middle)), g.opening, g.width, g.score)
+        for g in planned[first : first + MOST]
+    ]  # fmt: skip
+    base = turn @ (world.base_position - center)
+    stands = np.array([*base[:2], low - table, table - world.base_position[2]], np.float32)
+    maps = look.maps(world, Raised(name, center))[:2]
+    return GraspShowing(maps, stands, np.array(rows, np.float32))
+
+
+def gather(
+    source: SceneSource, number: int, folder: Path, heed: Callable[[], None] | None = None
+) -> list[GraspShowing]:
+    """Return the showings of chunk ``number``, which are made and kept if ``folder`` has not them.
+
+    ``heed`` is called after each table that is made.
+
+    Raises:
+        BundleError: the file is damaged.
+        StorageError: it cannot be written.
+    """
+    path = folder / f"showings-{number:03d}.npz"
+    if not path.is_file():
+        shown: list[GraspShowing] = []
+        for each in showings(source, CHUNK, number):
+            shown += each
+            if heed is not None:
+                heed()
+        write_showings(shown, path)
+    return read_showings(path)
+
+
+def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
+    """Write showings, whole or not at all (StorageError: they cannot be written)."""
+    content = BytesIO()
+    np.savez_compressed(
+        content,
+        maps=np.array([one.maps for one in shown], np.uint8).reshape(-1, 2, CELLS, CELLS),
+        stands=np.array([one.stands for one in shown], np.float32).reshape(-1, 4),
+        grasps=np.concatenate([np.empty((0, 7), np.float32), *(one.grasps for one in shown)]),
+        counts=np.array([len(one.grasps) for one in shown], np.int64),
+    )
+    path.parent.mkdir(parents=True, exist_ok=True)
+    write_file(content.getvalue(), path.with_suffix(".part")).replace(path)
+
+
+def read_showings(path: Path) -> list[GraspShowing]:
+    """Read a file of showings (BundleError: it is damaged)."""
+    try:
+        kept = read_arrays(path, "The file of showings", InputError, max_bytes=_MAX_BYTES)
+        maps, stands, grasps, counts = (kept[k] for k in ("maps", "stands", "grasps", "counts"))
+        n, total = len(counts), int(counts.sum())
+        shapes = (maps.shape, stands.shape, grasps.shape)
+        if (
+            shapes != ((n, 2, CELLS, CELLS), (n, 4), (total, len(COLUMNS)))
+            or counts.min(initial=1) < 1
+        ):
+            raise ValueError(f"arrays of other shapes: {shapes}")
+        if not (np.isfinite(stands).all() and np.isfinite(grasps).all()):
+            raise ValueError("numbers that are not finite")
+    except (ValueError, KeyError, TypeError, InputError) as error:
+        raise BundleError(f"{path} holds no sound showings ({error}). Delete it.") from error
+    parts = np.split(grasps.astype(np.float32), np.cumsum(counts)[:-1]) if n else []
+    return [GraspShowing(*row) for row in zip(maps, stands.astype(np.float32), parts, strict=True)]

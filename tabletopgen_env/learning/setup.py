@@ -1,0 +1,251 @@
+"""What a recipe trains with: its scenes, its environments, its model."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, cast
+
+import gymnasium as gym
+import numpy as np
+from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
+from stable_baselines3 import PPO, SAC, TD3, HerReplayBuffer
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.noise import NormalActionNoise
+from stable_baselines3.common.torch_layers import (
+    BaseFeaturesExtractor,
+    CombinedExtractor,
+    FlattenExtractor,
+)
+from stable_baselines3.common.vec_env import DummyVecEnv, VecEnv, VecMonitor
+from torch import nn
+
+from generator.errors import InputError, require_known, require_number
+
+from ..parallel.vector import TabletopVectorEnv
+from ..scenes import STARTER, CurriculumScenes, FreshScenes, SceneSource, resolve, split
+from ..scenes.lookup import on_demand
+from ..scenes.splits import Side, digest_of
+from ..tasks.task import Task
+from .adapters.slots import SlotVecEnv
+from .networks.goal_extractor import GoalExtractor
+from .networks.look_extractor import LookExtractor
+from .networks.network import TableExtractor
+from .networks.sight_extractor import SightExtractor
+from .recipes import Network, Recipe
+
+_CLASSES: dict[str, type[BaseAlgorithm]] = {"sac": SAC, "td3": TD3, "ppo": PPO, "clone": SAC}
+_OURS = {
+    "policy", "env", "seed", "policy_kwargs", "replay_buffer_class", "replay_buffer_kwargs",
+    "tensorboard_log", "verbose", "device", "_init_setup_model", "rollout_buffer_class",
+    "rollout_buffer_kwargs",
+}  # fmt: skip
+
+KEPT, MOST_KEPT = 16, 300
+"""Compiled worlds that an environment keeps, and those it keeps of scenes that are met again."""
+
+ACTIVATIONS: dict[str, type[nn.Module]] = {"relu": nn.ReLU, "tanh": nn.Tanh}
+
+
+def spec_of(task: str) -> EnvSpec:
+    """Return what is registered for a task."""
+    import tabletopgen_env  # noqa: F401  (registers)
+
+    return gym.spec(f"TabletopGen/{task}-v0")
+
+
+def source_of(
+    scenes: str | tuple[str, ...], side: Side, variants: int | None = None, task: Task | None = None
+) -> SceneSource:
+    """Return the source of a recipe's scenes; those made on demand are kept to one side.
+
+    ``variants`` is how many "fresh" tables there are on both sides, None for the usual number;
+    ``task`` what those made on demand are for, None for anything.
+
+    Raises:
+        BundleError: no bundle fits.
+        InputError: no source is called so.
+    """
+    chosen = list(scenes) if isinstance(scenes, tuple) else scenes
+    needs, start = ((), STARTER) if task is None else (task.needs, task.scenes)
+    made = on_demand(chosen)
+    source = split(chosen, side, needs=needs, start=start) if made else resolve(chosen)
+    return source if variants is None else _vary(source, variants)
+
+
+def _vary(source: SceneSource, variants: int) -> SceneSource:
+    """Return a source with as many fresh tables, if it draws such."""
+    if isinstance(source, CurriculumScenes) and isinstance(source.source, FreshScenes):
+        return replace(source, source=_vary(source.source, variants))
+    return replace(source, variants=variants) if isinstance(source, FreshScenes) else source
+
+
+def worlds_kept(source: SceneSource) -> int:
+    """Return how many compiled worlds an environment at a source keeps: all, where they are few."""
+    if isinstance(source, CurriculumScenes):
+        inner = source.source
+        return max(worlds_kept(inner) if isinstance(inner, SceneSource) else KEPT, source.size)
+    if isinstance(source, FreshScenes) and source.variants <= MOST_KEPT:
+        return source.variants
+    return KEPT
+
+
+def count_shared(source: SceneSource, other: SceneSource) -> int:
+    """Return how many tables two sources have in common, by digest, of those they have at hand.
+
+    Of a refreshing pool those it begins with count, too.
+
+    Raises:
+        BundleError: a bundle is gone or damaged.
+    """
+
+    def at_hand(source: SceneSource) -> set[str]:
+        held = (source, getattr(source, "initial", None))
+        return {digest_of(ref) for each in held for ref in getattr(each, "refs", ())}
+
+    return len(at_hand(source) & at_hand(other))
+
+
+def single_env(
+    task: str, keywords: Mapping[str, Any], source: SceneSource, **more: Any
+) -> gym.Env[Any, np.ndarray]:
+    """Return one environment of a task with a recipe's keywords, with its id's time limit."""
+    own = {"cache": worlds_kept(source), **keywords, **more}
+    return gym.make(spec_of(task), scenes=source, **own)
+
+
+def vector_env(recipe: Recipe, source: SceneSource) -> TabletopVectorEnv:
+    """Return a recipe's environments for training; the scenes are left open."""
+    limit = spec_of(recipe.task).max_episode_steps
+    return TabletopVectorEnv(
+        recipe.envs, processes=recipe.processes, autoreset_mode="SameStep",
+        max_episode_steps=limit, task=recipe.task, scenes=source, cache=worlds_kept(source),
+        **recipe.env,
+    )  # fmt: skip
+
+
+def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
+    """Return a recipe's environments as Stable-Baselines3 steps them, a seed each."""
+    made = VecMonitor(SlotVecEnv(vector_env(recipe, source)))
+    made.seed(seed)
+    return made
+
+
+def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
+    """Return an untrained model on the CPU for one environment, or ``many_envs``.
+
+    ``seed`` is of its weights and of what it tries.
+
+    Raises:
+        InputError: the algorithm has no such option, or an option does not fit.
+    """
+    kind: Any = _CLASSES[recipe.algorithm]
+    options = dict(recipe.options)
+    known = set(inspect.signature(kind.__init__).parameters) - _OURS - {"self"}
+    for key in options:
+        require_known(key, known, f"{recipe.name}: {kind.__name__} has no option")
+    noise = options.pop("action_noise", None)
+    if noise is not None:
+        require_number(f"{recipe.name} needs options.action_noise", noise, minimum=0)
+        size = env.action_space.shape
+        options["action_noise"] = NormalActionNoise(np.zeros(size), np.full(size, float(noise)))
+    if recipe.algorithm == "clone":
+        options["buffer_size"] = 1  # it replays nothing
+    if recipe.hindsight:
+        _check_start(recipe)
+        options["replay_buffer_class"] = HerReplayBuffer
+        options["replay_buffer_kwargs"] = {"n_sampled_goal": recipe.hindsight}
+    policy = "MultiInputPolicy" if isinstance(env.observation_space, spaces.Dict) else "MlpPolicy"
+    try:
+        return kind(
+            policy, env, seed=seed, device="cpu",
+            policy_kwargs=policy_keywords(recipe.network, env.observation_space), **options,
+        )  # fmt: skip
+    except (TypeError, ValueError, AssertionError) as error:
+        raise InputError(f"{recipe.name}: {kind.__name__} refuses its options: {error}") from error
+
+
+def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
+    """Return a recipe's model for as many environments as it has, with a buffer for a step of each.
+
+    ``like`` says what the environments see and do; it is not touched.
+
+    Raises:
+        InputError: as ``new_model``.
+    """
+    count = 1 if recipe.algorithm == "clone" else recipe.envs
+    if recipe.algorithm in ("sac", "td3"):
+        size = recipe.options.get("buffer_size", count)
+        require_number(
+            f"{recipe.name} needs options.buffer_size", size, minimum=count, integer=True
+        )
+        recipe = replace(recipe, options={**recipe.options, "buffer_size": count})
+    blanks = [lambda: _Blank(like)] * count
+    return new_model(recipe, DummyVecEnv(blanks), 0)  # pyright: ignore[reportArgumentType]
+
+
+class _Blank(gym.Env):
+    """Has the spaces of an environment, and does nothing."""
+
+    def __init__(self, like: gym.Env[Any, Any]) -> None:
+        self.observation_space, self.action_space = like.observation_space, like.action_space
+
+
+def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
+    """Load a zip of Stable-Baselines3, which runs whatever it contains.
+
+    Raises:
+        InputError: it is no such zip, or not of the recipe's algorithm.
+    """
+    if recipe.algorithm not in _CLASSES:
+        raise InputError(f"{recipe.name}: {recipe.algorithm} writes no zips. Play a policy file.")
+    kind = _CLASSES[recipe.algorithm]
+    try:
+        return kind.load(path, device="cpu")
+    except Exception as error:  # whatever it contains
+        raise InputError(
+            f"{path} cannot be loaded as {kind.__name__} ({type(error).__name__}: {error})."
+        ) from error
+
+
+def policy_keywords(network: Network, space: spaces.Space[Any]) -> dict[str, Any]:
+    """Return a network's description as SB3's policies take it."""
+    kind, keywords = extractor_of(network, space)
+    own = {"normalize_images": False} if network.finds_grasps else {}  # it scales itself
+    return {
+        **own,
+        "features_extractor_class": kind,
+        "features_extractor_kwargs": keywords,
+        "net_arch": list(network.layers),
+        "activation_fn": ACTIVATIONS[network.activation],
+    }
+
+
+def extractor_of(
+    network: Network, space: spaces.Space[Any]
+) -> tuple[type[BaseFeaturesExtractor], dict[str, Any]]:
+    """Return the class of a network's extractor, and its keywords."""
+    if network.extractor == "flat":
+        flat = CombinedExtractor if isinstance(space, spaces.Dict) else FlattenExtractor
+        return cast("type[BaseFeaturesExtractor]", flat), {}
+    kinds = {
+        "table": TableExtractor, "goal": GoalExtractor, "look": LookExtractor,
+        "sight": SightExtractor,
+    }  # fmt: skip
+    return kinds[network.extractor], {"width": network.width}
+
+
+def _check_start(recipe: Recipe) -> None:
+    """Refuse hindsight that would have to learn before an episode is over."""
+    limit = spec_of(recipe.task).max_episode_steps or 0
+    first = limit * recipe.envs
+    starts = recipe.options.get("learning_starts", 100)
+    require_number(f"{recipe.name} needs options.learning_starts", starts, minimum=0, integer=True)
+    if not recipe.demonstrations and starts <= first:
+        raise InputError(
+            f"{recipe.name}: with hindsight, learning_starts must be above {first}, the steps of "
+            f"{recipe.envs} episodes of {recipe.task}; it is {starts}."
+        )

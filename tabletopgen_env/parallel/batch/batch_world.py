@@ -1,0 +1,220 @@
+"""Many worlds stepped together, a different table in each: what ``World`` is for one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import torch
+from jaxtyping import Bool, Float, Int
+from torch import Tensor
+
+from generator.errors import InputError, require_number
+
+from ...robot.panda import HOME_CTRL
+from .bank import SceneBank
+from .engine import find_device, to_device
+from .limits import BatchLimits, check_memory
+from .simulator import Simulator
+from .state import ARRAYS, FACTS, POSES, BatchState
+from .union.contacts import TouchReader
+from .union.slot_union import START_FIELDS
+
+DIVERGED = 1e10
+"""Positions and velocities beyond this have diverged; it is MuJoCo's own bound (mjMAXVAL)."""
+
+SPOILING = ("NEFC", "NJMAX_NNZ", "BROADPHASE", "NARROWPHASE", "CCD")
+"""Overflows, by MuJoCo Warp's names, after which contacts or constraints are missing. The others
+say that a solver stopped early."""
+
+Indices = Sequence[int] | Int[Tensor, "k"]
+
+
+class BatchWorld:
+    """Scenes of a bank with a robot at each, simulated together.
+
+    It simulates what ``World`` does: the same steps, servos and contacts, in single precision and
+    without sleeping. At first world k holds scene k of the bank, modulo their number. Equal calls
+    on the CPU give equal bytes; on a GPU sums are taken in any order.
+
+    Attributes:
+        bank: the scenes.
+        num_worlds: how many worlds there are.
+        device: where they are.
+        limits: what there is room for.
+        state: the worlds as tensors; see ``BatchState``.
+        bad: which worlds overflowed or diverged in the last step. What such a world holds means
+            nothing until it is loaded again; the others are not affected.
+
+    Args:
+        bank: the scenes.
+        num_worlds: how many worlds.
+        device: "cuda", "cuda:<number>" or "cpu".
+        limits: what there is room for; None for ``BatchLimits.of(bank)``.
+
+    Raises:
+        InputError: no such device, not enough memory (the message says how many worlds fit), the
+            extra ``gpu`` is missing or of another version than MuJoCo, or fewer than one world.
+    """
+
+    def __init__(
+        self,
+        bank: SceneBank,
+        num_worlds: int,
+        *,
+        device: str | torch.device = "cuda",
+        limits: BatchLimits | None = None,
+    ) -> None:
+        require_number("BatchWorld needs num_worlds", num_worlds, minimum=1, integer=True)
+        self.num_worlds = num_worlds
+        self.device = find_device(device)
+        self.limits = limits or BatchLimits.of(bank)
+        check_memory(bank, self.limits, num_worlds, self.device)
+        union = bank.union
+        self._simulator = simulator = Simulator(union.model, num_worlds, self.limits, self.device)
+        self._arrays = {name: simulator.array(name) for name in ARRAYS}
+        self._spoiling = simulator.overflow_bits(SPOILING)
+        self._touching = TouchReader(union, num_worlds, self.device)
+        self._home = torch.tensor(HOME_CTRL, device=self.device)
+        self._commanded = self._home[:7].repeat(num_worlds, 1)
+        self._counts = torch.zeros(2, dtype=torch.long, device=self.device)
+        self.bad: Bool[Tensor, "w"] = torch.zeros_like(simulator.chosen)
+        self.state = BatchState.of(self._arrays, union.addresses, num_worlds)
+        self._take(bank)
+
+    @property
+    def overflows(self) -> int:
+        """How often a world has needed more contacts or rows than there is room for."""
+        return int(self._counts[0])
+
+    @property
+    def divergences(self) -> int:
+        """How often a world has diverged without an overflow."""
+        return int(self._counts[1])
+
+    def swap(self, bank: SceneBank) -> None:
+        """Take a bank of the same shape in place of the present one; nothing is compiled.
+
+        Every world begins anew, world k with scene k modulo their number. ``state`` stays valid.
+
+        Raises:
+            InputError: the bank has another shape; make it with ``shape=``.
+        """
+        if bank.union.shape != self.bank.union.shape:
+            raise InputError(
+                "The new bank has another shape than the one it is to take the place of. Make it "
+                "with SceneBank(worlds, shape=old.union.shape)."
+            )
+        self._simulator.exchange(bank.union.model)
+        self._take(bank)
+
+    def load(
+        self,
+        worlds: Indices,
+        scenes: Indices,
+        *,
+        qpos: Float[Tensor, "k nq"] | None = None,
+        ctrl: Float[Tensor, "k 8"] | None = None,
+    ) -> None:
+        """Put a scene of the bank into each of some worlds, at rest. The others stay bit-equal.
+
+        Indices on a GPU are not checked, for that would wait for it.
+
+        Args:
+            worlds: which worlds, none twice.
+            scenes: the number of each one's scene.
+            qpos: where everything is; None for the scenes' own poses and the robot at home.
+            ctrl: the commands; None for those that hold the robot at home.
+
+        Raises:
+            InputError: there is no such world or scene, or as many of both.
+        """
+        at = self._indices("worlds", worlds, self.num_worlds)
+        of = self._indices("scenes", scenes, len(self.bank))
+        if len(at) != len(of):
+            raise InputError(f"load needs a scene for each world, got {len(of)} for {len(at)}.")
+        simulator, state = self._simulator, self.state
+        for field, rows in simulator.fields.items():
+            rows[at] = self._rows[field][of]
+        simulator.reset(at)
+        for field in START_FIELDS:
+            self._arrays[field][at] = self._rows[field][of]
+        if qpos is not None:
+            state.qpos[at] = qpos
+        state.ctrl[at] = self._home if ctrl is None else ctrl
+        self._commanded[at] = state.ctrl[at, :7]
+        state.touches[at], self.bad[at] = False, False
+        state.scene[at] = of
+        for name, rows in self._facts.items():
+            getattr(state, name)[at] = rows[of]
+        self._update_poses(at)
+
+    def step(self, ctrl: Float[Tensor, "w 8"], substeps: int) -> Bool[Tensor, "w"]:
+        """Simulate ``substeps`` steps of ``TIMESTEP`` seconds in every world; return ``bad``.
+
+        The arm's servo commands move evenly from the last call's to ``ctrl``, as ``World.step``
+        says; the gripper's is there at once.
+
+        Raises:
+            InputError: ``ctrl`` is not eight commands for each world; ``substeps`` is below 1.
+        """
+        require_number("step needs substeps", substeps, minimum=1, integer=True)
+        if tuple(ctrl.shape) != (self.num_worlds, 8):
+            raise InputError(
+                f"step needs ctrl of shape ({self.num_worlds}, 8), got {tuple(ctrl.shape)}."
+            )
+        wanted = ctrl.to(self.device, torch.float32)
+        way = wanted[:, :7] - self._commanded
+        self.state.ctrl.copy_(wanted)
+        self._arrays["overflow"].zero_()
+        for k in range(1, substeps):
+            self.state.ctrl[:, :7] = self._commanded + way * (k / substeps)
+            self._simulator.step()
+        self.state.ctrl.copy_(wanted)
+        self._simulator.step()
+        self._commanded.copy_(wanted[:, :7])
+        self._feel()
+        self._judge()
+        return self.bad
+
+    # -------------------------------------------------------------------------------------- parts
+
+    def _take(self, bank: SceneBank) -> None:
+        """Load a bank's scenes, one after the other, into all worlds."""
+        self.bank = bank
+        shapes = {**self._arrays, **self._simulator.fields}
+        self._rows = {
+            name: to_device(rows, self.device).reshape(-1, *shapes[name].shape[1:])
+            for name, rows in bank.rows.items()
+        }
+        self._facts = {name: to_device(getattr(bank, name), self.device) for name in FACTS}
+        self.load(range(self.num_worlds), [k % len(bank) for k in range(self.num_worlds)])
+
+    def _indices(self, name: str, given: Indices, count: int) -> Int[Tensor, "k"]:
+        """Return indices on the device; those that are not there yet are checked."""
+        at = torch.as_tensor(given, dtype=torch.long)
+        if at.device.type == "cpu" and len(at) and not 0 <= at.min() <= at.max() < count:
+            wrong = sorted({k for k in at.tolist() if not 0 <= k < count})
+            raise InputError(f"There are {name} 0 to {count - 1}, got {wrong[:5]}.")
+        return at.to(self.device)
+
+    def _update_poses(self, at: Int[Tensor, "k"]) -> None:
+        """Let poses follow the joints in some worlds; those of the others are kept."""
+        before = {name: self._arrays[name].clone() for name in POSES}
+        self._simulator.update_poses()
+        for name, array in before.items():
+            array[at] = self._arrays[name][at]
+            self._arrays[name].copy_(array)
+
+    def _feel(self) -> None:
+        """Note what the robot touches."""
+        contacts = [self._arrays[name] for name in ("contact.geom", "contact.worldid", "nacon")]
+        self.state.touches.copy_(self._touching.read(contacts[0], contacts[1], contacts[2]))
+
+    def _judge(self) -> None:
+        """Note which worlds overflowed or diverged in the last step."""
+        overflowed = (self._arrays["overflow"] & self._spoiling) != 0
+        sound = torch.ones_like(self.bad)
+        for name in ("qpos", "qvel"):
+            sound &= (self._arrays[name].abs() < DIVERGED).all(1)  # False where not a number
+        torch.logical_or(overflowed, ~sound, out=self.bad)
+        self._counts += torch.stack([overflowed.sum(), (self.bad & ~overflowed).sum()])

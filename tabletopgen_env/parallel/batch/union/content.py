@@ -1,0 +1,171 @@
+"""What one compiled world holds, in the robot's base frame: the material of a bank's row.
+
+Numbers are gathered from the model that the environment compiles of the scene alone, so offsets of
+meshes, bounds and inverse weights are the same floats there and in a batch.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.geometry import turned_quaternion
+from generator.physics.mjcf import FLOOR
+from generator.physics.spec import new_data, scene_spec
+from generator.scene import TABLE, Scene
+
+from ....robot.mount import PEDESTAL
+from ....world.world import World, gripper_sides
+from .look import SceneLook
+
+if TYPE_CHECKING:
+    import mujoco
+
+GeomKind = tuple[int, int]
+"""Type (``mjtGeom``) and dimension of contacts of a geom: what no batched field can change."""
+
+GEOM_FIELDS = (
+    "geom_size", "geom_aabb", "geom_rbound", "geom_pos", "geom_quat", "geom_friction",
+    "geom_solref", "geom_solimp", "geom_solmix",
+)  # fmt: skip
+"""Fields of a model that a scene fills for each of its geoms."""
+
+BODY_FIELDS = (
+    "body_mass", "body_inertia", "body_ipos", "body_iquat", "body_invweight0", "body_subtreemass",
+)  # fmt: skip
+"""Fields of a model that a scene fills for each of its objects."""
+
+
+@dataclass(frozen=True, eq=False)
+class BodyGeoms:
+    """The colliding geoms of a body.
+
+    ``kinds`` and ``hulls`` (names of meshes, None for primitives) have one entry a geom, and each
+    array of ``fields``, by ``GEOM_FIELDS``, one row.
+    """
+
+    kinds: tuple[GeomKind, ...]
+    hulls: tuple[str | None, ...]
+    fields: Mapping[str, Float[np.ndarray, "k ..."]]
+
+    @cached_property
+    def need(self) -> Counter[GeomKind]:
+        """How many geoms of each kind these are."""
+        return Counter(self.kinds)
+
+
+@dataclass(frozen=True, eq=False)
+class ObjectContent:
+    """One object: its geoms, its inertia by ``BODY_FIELDS``, and how it starts.
+
+    ``pose`` is its position and quaternion in the base frame, ``half_extent`` half its box
+    (metres), ``dof_invweight0`` MuJoCo's inverse weights of its six degrees of freedom.
+    """
+
+    name: str
+    geoms: BodyGeoms
+    inertia: Mapping[str, Any]
+    dof_invweight0: Float[np.ndarray, "6"]
+    pose: Float[np.ndarray, "7"]
+    half_extent: Float[np.ndarray, "3"]
+
+
+@dataclass(frozen=True, eq=False)
+class SceneContent:
+    """One scene. What stands still (``fixed``) is table and pedestal, at ``fixed_pos``/``_mat``.
+
+    ``table`` is the height of the top over the base and half the extents of its outline, the longer
+    first; ``floor`` the height of the floor; ``yaw`` the turn of the base in the world; metres and
+    radians. ``hulls`` are the vertices of the convex meshes by name, ``robot`` ``robot_numbers``,
+    ``look`` what is drawn of it, None where there are no pictures.
+    """
+
+    name: str
+    objects: tuple[ObjectContent, ...]
+    fixed: BodyGeoms
+    fixed_pos: Float[np.ndarray, "k 3"]
+    fixed_mat: Float[np.ndarray, "k 3 3"]
+    table: Float[np.ndarray, "3"]
+    floor: float
+    yaw: float
+    hulls: Mapping[str, Float[np.ndarray, "_v 3"]]
+    robot: Float[np.ndarray, "_r"]
+    look: SceneLook | None = None
+
+    @classmethod
+    def of(cls, world: World, looks: bool = False) -> SceneContent:
+        """Read a world, which stays as it is. Its scene's poses are the start."""
+        import mujoco
+
+        model, scene = world.model, world.scene
+        data = new_data(model)
+        mujoco.mj_kinematics(model, data)
+        fixed = [g for name in (TABLE, PEDESTAL) for g in _colliding(model, model.body(name).id)]
+        at, turn = data.geom_xpos[fixed], data.geom_xmat[fixed].reshape(-1, 3, 3)
+        floor = data.geom_xpos[model.geom(FLOOR).id]
+        return cls(
+            scene.name,
+            tuple(_object(world, k) for k in range(len(world.names))),
+            _geoms(model, fixed),
+            world.to_base(at),
+            world.base_rotation.T @ turn,
+            np.array([scene.table.height - world.base_position[2], *world.half_top]),
+            float(world.to_base(floor)[2]),
+            world.mount.yaw,
+            _hulls(scene),
+            robot_numbers(model),
+            SceneLook.of(world) if looks else None,
+        )
+
+
+def robot_numbers(model: mujoco.MjModel) -> Float[np.ndarray, "_r"]:
+    """Return what makes the robot of a model move as it does, to tell two robots apart."""
+    bodies = np.flatnonzero(gripper_sides(model))
+    geoms = np.isin(model.geom_bodyid, bodies) & (model.geom_contype > 0)
+    numbers = [getattr(model, field)[bodies] for field in ("body_mass", "body_inertia")]
+    numbers += [getattr(model, field)[geoms] for field in ("geom_size", "geom_friction")]
+    gains = [model.actuator_gainprm, model.actuator_biasprm]
+    return np.concatenate([array.ravel() for array in numbers + gains])
+
+
+def _object(world: World, row: int) -> ObjectContent:
+    """Read the object in a world's row."""
+    model, body = world.model, int(world.bodies[row])
+    thing, dof = world.scene.objects[row], model.body_dofadr[body]
+    quaternion = turned_quaternion(thing.pose.quaternion, -world.mount.yaw)
+    return ObjectContent(
+        thing.name,
+        _geoms(model, _colliding(model, body)),
+        {field: getattr(model, field)[body].copy() for field in BODY_FIELDS},
+        model.dof_invweight0[dof : dof + 6].copy(),
+        np.concatenate([world.to_base(thing.pose.position), quaternion]),
+        world.half_extent[row],
+    )
+
+
+def _geoms(model: mujoco.MjModel, geoms: list[int]) -> BodyGeoms:
+    kinds = zip(model.geom_type[geoms].tolist(), model.geom_condim[geoms].tolist(), strict=True)
+    meshes = model.geom_dataid[geoms].tolist()
+    return BodyGeoms(
+        tuple(kinds),
+        tuple(model.mesh(mesh).name if mesh >= 0 else None for mesh in meshes),
+        {field: getattr(model, field)[geoms] for field in GEOM_FIELDS},
+    )
+
+
+def _colliding(model: mujoco.MjModel, body: int) -> list[int]:
+    """Return the geoms of a body that can touch something."""
+    first = model.body_geomadr[body]
+    geoms = range(first, first + model.body_geomnum[body])
+    return [g for g in geoms if model.geom_contype[g]]
+
+
+def _hulls(scene: Scene) -> dict[str, Float[np.ndarray, "_v 3"]]:
+    meshes = scene_spec(scene, visuals=False).meshes
+    return {mesh.name: np.asarray(mesh.uservert, np.float32).reshape(-1, 3) for mesh in meshes}

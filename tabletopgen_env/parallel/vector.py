@@ -1,0 +1,380 @@
+"""Many tables at once: a Gymnasium vector environment on threads, or in several processes.
+
+MuJoCo simulates without Python's lock, so threads help some, with nothing copied, and every scene
+compiled once, however many slots meet it. What is Python's of a step runs on one core, though;
+processes use as many as there are, and each compiles the scenes that its slots meet::
+
+    gymnasium.make_vec("tabletopgen_env:TabletopGen/PickPlace-v0", num_envs=16, threads=4)
+    gymnasium.make_vec("tabletopgen_env:TabletopGen/PickPlace-v0", num_envs=16, processes=4)
+
+Slots are environments of their own: each draws its scenes and goals with its own seed, and what it
+does is bit for bit what a single environment with that seed does, whatever the number of threads
+or processes. Scenes alone may differ: those of "refreshing" go by the clock, those of a curriculum
+by the order in which slots ask for them.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any, Unpack
+
+import gymnasium as gym
+import numpy as np
+from gymnasium import spaces
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+from gymnasium.wrappers import TimeLimit
+from jaxtyping import Bool, Float
+
+from generator.errors import InputError, require_number
+from generator.threads import cores
+
+from ..env import as_options, make_env, played_at
+from ..scenes import SceneChoice, SharedScenes, resolve
+from ..scenes.source import close
+from ..settings import EnvConfig, Settings, check_settings, read_settings
+from ..tasks.task import Task
+from ..world.worlds import Masters
+from .workers import pickling
+from .workers.checks import check_actions, read_mask, read_mode, read_seeds
+from .workers.joint import check_joint
+from .workers.scene_server import AskedScenes, is_lent, shared_scene
+from .workers.shards import ShardSlots, split_slots
+from .workers.slots import Job, SlotRunner
+from .workers.threads import ThreadSlots
+
+
+@dataclass(frozen=True)
+class Processes:
+    """In which processes slots are, and how they are stepped there.
+
+    Args:
+        count: how many processes.
+        together: whether the slots of a process are stepped in one pass of the batched core
+            (``core``): a sixth less CPU time for 16 slots, a third less for 32, and results that
+            agree with a single environment's to rounding, and so part from them in the course of an
+            episode. For observations of states and goals without hints and noise.
+
+    Raises:
+        InputError: the count is no integer, or below 1.
+    """
+
+    count: int
+    together: bool = False
+
+    def __post_init__(self) -> None:
+        needs = "A vector environment needs processes"
+        require_number(needs, self.count, minimum=1, integer=True)
+
+
+class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
+    """``num_envs`` environments stepped together, as ``gymnasium.vector.VectorEnv`` says.
+
+    Arrays have one row a slot; infos have Gymnasium's vector format. ``reset`` takes one seed (slot
+    k gets seed + k) or a list, the options of ``TabletopEnv.reset`` for all slots alike, and the
+    option "reset_mask", an array of bools, to reset some slots only.
+
+    A copy (``pickle``, ``copy.deepcopy``) has copies of the slots, as ``TabletopEnv`` says: all are
+    to be reset first. A fork has neither threads nor processes of its own, and cannot step it; send
+    it a pickled copy.
+
+    With ``processes`` the scenes, the task, the settings, and what ``call`` and its like take and
+    return are sent to the processes and have to be picklable; ``envs`` is not to be had. An error
+    in a slot is raised here as it was there. If a process is killed, the others are closed, and so
+    is the vector environment. The processes end with this one, however that ends.
+
+    Args:
+        num_envs: how many slots.
+        scenes: where tables come from, as for ``env.make_env``: one source for all slots, renewed
+            and made harder for all together. A ``SceneSource`` is left to who made it; no other
+            thread may draw from it meanwhile. With ``processes``, fixed and fresh scenes are drawn
+            in each of them; any other source stays in this one, which they ask for each scene.
+        task, preset: what to do; see ``env.make_env``.
+        threads: how many threads step them; None for one a core. Each slot keeps to one thread,
+            as OpenGL contexts have to.
+        processes: in how many further processes the slots are, split evenly, each a thread; None
+            for this process and ``threads``. See ``Processes``.
+        autoreset_mode: what follows an episode's end: "NextStep" (the next step resets the slot and
+            its action is ignored), "SameStep" (the slot is reset at once; what it saw last is in
+            ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (reset it yourself);
+            Gymnasium's ``AutoresetMode`` and the names of its members do, too.
+        max_episode_steps: the time limit; None for none (the registered ids have theirs).
+        settings: those of ``TabletopEnv``; ``cache`` is how many compiled worlds each slot keeps,
+            and how many scenes all slots of a process share.
+
+    Raises:
+        InputError: a setting is wrong, or cannot be sent to a process.
+        BundleError: no bundle fits ``scenes``.
+        WorkerDied: a process could not be started.
+    """
+
+    def __init__(
+        self,
+        num_envs: int = 1,
+        *,
+        scenes: SceneChoice | None = None,
+        task: Task | str = "PickPlace",
+        preset: str | None = None,
+        threads: int | None = None,
+        processes: int | Processes | None = None,
+        autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
+        max_episode_steps: int | None = None,
+        **settings: Unpack[Settings],
+    ) -> None:
+        shards = processes
+        if not isinstance(shards, Processes | None):
+            shards = Processes(shards)
+        counts = {
+            "num_envs": num_envs, "threads": threads, "max_episode_steps": max_episode_steps,
+        }  # fmt: skip
+        for name, count in counts.items():
+            if count is not None or name == "num_envs":
+                needs = f"A vector environment needs {name}"
+                require_number(needs, count, minimum=1, integer=True)
+        if None not in (threads, shards):
+            raise InputError(
+                "A vector environment has threads or processes, each of which is one thread; give "
+                f"one of them, not threads={threads} and processes={processes!r}."
+            )
+        check_settings(settings, *counts, "processes", "autoreset_mode")
+        config = _share_worlds(read_settings(settings))
+        if shards is not None and shards.together:
+            check_joint(config)
+        scenes, task = played_at(scenes, task, preset)
+        self._source = source = resolve(scenes, task.needs, task.scenes)
+        self._shared_scene = partial(
+            shared_scene, needs=task.needs, start=task.scenes, processes=shards is not None
+        )
+        self._closes_source = source is not scenes
+        self.autoreset_mode = read_mode(autoreset_mode)
+        slot = partial(_slot, max_episode_steps, task, config)
+        if shards is None:
+            shared = SharedScenes(source)
+            envs = [slot(shared) for _ in range(num_envs)]
+            many = min(num_envs, threads or cores())
+            self._runner: SlotRunner = ThreadSlots(envs, self.autoreset_mode, many)
+        else:
+            asked = AskedScenes() if is_lent(source) else None
+            if shards.together:
+                slot = partial(_slot, None, task, config)
+            envs = [slot(asked or source) for _ in range(num_envs)]
+            many = min(num_envs, shards.count)
+            self._runner = ShardSlots(
+                split_slots(
+                    envs,
+                    self.autoreset_mode,
+                    many,
+                    asked,
+                    source,
+                    shards.together,
+                    max_episode_steps,
+                )
+            )
+        self._process = os.getpid()
+        self._describe(num_envs, envs[0])
+
+    # ---------------------------------------------------------------------------------- gymnasium
+
+    def reset(
+        self,
+        *,
+        seed: int | Sequence[int | None] | None = None,
+        options: dict[str, Any] | None = None,
+    ) -> tuple[Any, dict[str, Any]]:
+        """Reset all slots, or those of the option "reset_mask".
+
+        If one of them fails, none of them has an episode: ``step`` asks for another reset.
+
+        Raises:
+            InputError: as ``TabletopEnv.reset``, or a wrong number of seeds, or a wrong mask.
+        """
+        options = as_options(options)
+        mask = read_mask(options.pop("reset_mask", None), self.num_envs)
+        seeds = read_seeds(seed, self.num_envs)
+        if "scene" in options:
+            options["scene"] = self._shared_scene(options["scene"])
+        with self._running() as runner:
+            playing = runner.arrays.playing
+            try:
+                infos = runner.reset({int(k): seeds[k] for k in np.flatnonzero(mask)}, options)
+            except BaseException:
+                playing[mask] = False
+                raise
+            if not playing.all():
+                raise InputError("Reset all slots before some of them.")
+            return runner.arrays.observe(), infos
+
+    def step(
+        self, actions: Any
+    ) -> tuple[
+        Any, Float[np.ndarray, "n"], Bool[np.ndarray, "n"], Bool[np.ndarray, "n"], dict[str, Any]
+    ]:
+        """Step every slot, or reset it, as ``metadata["autoreset_mode"]`` says.
+
+        Raises:
+            InputError: an action of wrong shape or with NaN; no ``reset`` before, or one that
+                failed; a slot whose episode is over, if autoreset is disabled.
+            WorkerDied: a process of the slots has ended.
+        """
+        with self._running() as runner:
+            self._check_playing()
+            rows = runner.arrays
+            rows.actions[:] = check_actions(actions, self.num_envs, self._actions)
+            infos = runner.step()
+            ends = rows.rewards.copy(), rows.terminated.copy(), rows.truncated.copy()
+            return rows.observe(), *ends, infos
+
+    def render(self) -> tuple[Any, ...]:
+        """Return what each slot's ``render`` returns."""
+        return tuple(self.visit(pickling.render))
+
+    def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
+        """Call a method of each slot's environment, or get an attribute; return the results."""
+        return tuple(self.visit(partial(pickling.call, name=name, args=args, kwargs=kwargs)))
+
+    def get_attr(self, name: str) -> tuple[Any, ...]:
+        """Return an attribute of each slot's environment, or what it returns, if it is called."""
+        return self.call(name)
+
+    def set_attr(self, name: str, values: Any) -> None:
+        """Set an attribute of each slot's environment: a list or tuple is a value for each.
+
+        Raises:
+            InputError: there are more or fewer values than slots.
+        """
+        if not isinstance(values, list | tuple):
+            values = [values] * self.num_envs
+        if len(values) != self.num_envs:
+            raise InputError(f"{self.num_envs} slots need as many values, got {len(values)}.")
+        with self._running() as runner:
+            runner.visit(
+                {k: partial(pickling.put, name=name, value=v) for k, v in enumerate(values)}
+            )
+
+    def visit(self, work: Job, slots: Iterable[int] | None = None) -> list[Any]:
+        """Return what a function returns of each slot's environment, or of some slots'.
+
+        It runs where the slot is, in its thread or process.
+
+        Raises:
+            InputError: there is no such slot, or the function or what it returns cannot be sent.
+        """
+        chosen = list(range(self.num_envs) if slots is None else slots)
+        if wrong := [k for k in chosen if k not in range(self.num_envs)]:
+            raise InputError(f"There are slots 0 to {self.num_envs - 1}, not {wrong}.")
+        with self._running() as runner:
+            return runner.visit(dict.fromkeys(chosen, work))
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Close the slots, end threads or processes, and what ``scenes`` has running."""
+        if not hasattr(self, "_runner") or self._process != os.getpid():
+            return
+        try:
+            self._runner.close()
+        finally:
+            if self._closes_source:
+                close(self._source)
+
+    @property
+    def np_random(self) -> Any:
+        """The slots' random generators; of those in processes, copies."""
+        return self.get_attr("np_random")
+
+    @property
+    def np_random_seed(self) -> Any:
+        """The seeds of the slots' random generators."""
+        return self.get_attr("np_random_seed")
+
+    # -------------------------------------------------------------------------------------- slots
+
+    @property
+    def envs(self) -> list[gym.Env]:
+        """The slots' environments (InputError: they are in other processes)."""
+        if isinstance(self._runner, ThreadSlots):
+            return self._runner.slots.envs
+        raise InputError(
+            "The environments of these slots are in other processes; use call, get_attr, set_attr "
+            "or visit."
+        )
+
+    @property
+    def pids(self) -> tuple[int, ...]:
+        """The ids of the slots' processes, in the order of slots; none for threads."""
+        return self._runner.pids if isinstance(self._runner, ShardSlots) else ()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps; its slots have no episodes, as theirs say."""
+        if self.pids:
+            self._check_process()
+        state = {k: v for k, v in self.__dict__.items() if k != "_process"}
+        return state | ({"_runner": None} if self.closed else {})
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._process = os.getpid()
+
+    # -------------------------------------------------------------------------------------- parts
+
+    def _describe(self, count: int, slot: gym.Env) -> None:
+        """Take over spaces and metadata from a slot's environment."""
+        assert isinstance(slot.action_space, spaces.Box)
+        self.num_envs = count
+        self.metadata = {**slot.metadata, "autoreset_mode": self.autoreset_mode}
+        self.render_mode = slot.render_mode
+        self._actions = self.single_action_space = slot.action_space
+        self.action_space = batch_space(self.single_action_space, count)
+        self.single_observation_space = slot.observation_space
+        self.observation_space = batch_space(self.single_observation_space, count)
+
+    @contextmanager
+    def _running(self) -> Iterator[SlotRunner]:
+        """Give what steps the slots; if it is lost meanwhile, close.
+
+        Raises:
+            InputError: the vector environment is closed, or of another process.
+        """
+        if self.closed or not self._runner.live:
+            raise InputError("This vector environment is closed; make a new one.")
+        self._check_process()
+        try:
+            yield self._runner
+        except BaseException:
+            if not self._runner.live:
+                self.close()
+            raise
+
+    def _check_process(self) -> None:
+        if self._process != os.getpid():
+            raise InputError(
+                "This vector environment was made before the process was forked, and its threads "
+                "and processes are not here; make one here, or send a pickled copy."
+            )
+
+    def _check_playing(self) -> None:
+        """Refuse a step of slots that have no episode, or one that is over."""
+        rows = self._runner.arrays
+        if not rows.playing.all():
+            idle = np.flatnonzero(~rows.playing).tolist()
+            raise InputError(f"Call reset() before stepping: the slots {idle} have no episode.")
+        if self.autoreset_mode == AutoresetMode.DISABLED and rows.over.any():
+            over = np.flatnonzero(rows.over).tolist()
+            raise InputError(
+                f"The episodes of the slots {over} are over and autoreset is disabled: call "
+                "reset(options={'reset_mask': ...}) first."
+            )
+
+
+def _slot(limit: int | None, task: Task, config: EnvConfig, scenes: SceneChoice) -> gym.Env:
+    env = make_env(scenes, task=task, **vars(config))
+    return env if limit is None else TimeLimit(env, limit)
+
+
+def _share_worlds(config: EnvConfig) -> EnvConfig:
+    """Return a config whose environments copy worlds that are compiled once."""
+    worlds = config.worlds
+    masters = worlds.masters or Masters(worlds.arm, worlds.cache)
+    return replace(config, worlds=replace(worlds, masters=masters))

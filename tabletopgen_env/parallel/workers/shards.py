@@ -1,0 +1,265 @@
+"""Slots in several processes, some in each, that share arrays with this one.
+
+A step writes the actions into the arrays, wakes each shard by one byte, and waits for one byte of
+each. The processes are workers of a pool (``generator.jobs.workers``): new Python processes, which
+need no main guard in a script, and which end with this process, however that ends.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import selectors
+import socket
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import wait
+from dataclasses import dataclass, replace
+from multiprocessing.connection import Connection
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from gymnasium import spaces
+from gymnasium.vector import AutoresetMode
+from jaxtyping import Float
+
+from generator.jobs.workers import WorkerDied, WorkerPool
+
+from ...scenes import SceneSource
+from .arrays import SharedBlock, lay_out, open_memory, pad
+from .infos import NUMBERS, InfoReader
+from .pickling import pack
+from .scene_server import AskedScenes, LentScenes, Wish
+from .shard import DONE, STEP, ShardAnswer, ShardEnvs, ShardPlace, serve
+from .slots import Job
+
+_PATIENCE = 5.0  # seconds that shards have to close their environments
+
+
+@dataclass(frozen=True)
+class ShardParts:
+    """What shards are made of.
+
+    Attributes:
+        packed: of each its ``ShardEnvs``, packed.
+        sizes: how many slots each has.
+        observation, action: the spaces of a slot.
+        source: where their scenes come from, if they ask for them.
+    """
+
+    packed: tuple[bytes, ...]
+    sizes: tuple[int, ...]
+    observation: spaces.Space
+    action: spaces.Box
+    source: SceneSource | None = None
+
+
+def split_slots(
+    envs: Sequence[gym.Env],
+    mode: AutoresetMode,
+    processes: int,
+    asked: AskedScenes | None,
+    source: SceneSource,
+    joint: bool,
+    limit: int | None,
+) -> ShardParts:
+    """Return the parts of as many shards as there are processes; slots are split evenly, in order.
+
+    ``asked`` is what the environments draw from, if ``source`` is to stay here; ``joint`` and
+    ``limit`` as ``ShardEnvs`` has them.
+
+    Raises:
+        InputError: an environment cannot be sent to another process.
+    """
+    shares = np.array_split(np.arange(len(envs)), processes)
+    parts = [ShardEnvs([envs[k] for k in share], mode, asked, joint, limit) for share in shares]
+    one: Any = envs[0]
+    return ShardParts(
+        tuple(pack(part, "The task, the scenes and the settings") for part in parts),
+        tuple(map(len, shares)), one.observation_space, one.action_space,
+        None if asked is None else source,
+    )  # fmt: skip
+
+
+class ShardSlots:
+    """Slots in processes; a copy has processes of its own, with copies of the environments.
+
+    Raises:
+        WorkerDied: a process could not be started.
+        InputError: what was sent could not be unpacked there.
+    """
+
+    def __init__(self, parts: ShardParts) -> None:
+        self._firsts = np.cumsum([0, *parts.sizes]).tolist()
+        self._lent = None if parts.source is None else LentScenes(parts.source)
+        self.live = True
+        self._owing: set[int] = set()
+        self._selector = selectors.DefaultSelector()
+        self._reader = InfoReader(self._start(parts))
+        self._parts = replace(parts, packed=())  # which are large, and where they are needed now
+        self.pids = self._begin()
+
+    def step(self) -> dict[str, Any]:
+        """Step or reset every slot."""
+        self._request(dict.fromkeys(range(len(self._channels)), STEP))
+        return self._reader.read_all()
+
+    def reset(self, seeds: Mapping[int, int | None], options: dict[str, Any]) -> dict[str, Any]:
+        """Reset some slots."""
+        self._request({
+            shard: pack(("reset", (of, options)), "The options of a reset")
+            for shard, of in self._share(seeds).items()
+        })  # fmt: skip
+        return self._reader.read(seeds)
+
+    def visit(self, jobs: Mapping[int, Job]) -> list[Any]:
+        """Do a job with each of some environments; what it takes and gives is sent."""
+        answers = self._request({
+            shard: pack(("visit", (of,)), "What the slots are to do")
+            for shard, of in self._share(jobs).items()
+        })  # fmt: skip
+        values = [value for shard in sorted(answers) for value in answers[shard].value]
+        done = dict(zip(sorted(jobs), values, strict=True))
+        return [done[k] for k in jobs]
+
+    def close(self) -> None:
+        """Close the environments and end the processes; may be called twice."""
+        self.live = False
+        self._selector.close()
+        for channel in self._channels:
+            channel.close()
+        with contextlib.suppress(KeyboardInterrupt):
+            wait(self._futures, _PATIENCE)
+        self._pool.close()
+
+    # --------------------------------------------------------------------------------- processes
+
+    def _start(self, parts: ShardParts) -> Float[np.ndarray, "m n"]:
+        """Start the processes, which share the arrays; return the numbers of their infos."""
+        count: int = self._firsts[-1]
+
+        def take(shape: tuple[int, ...], dtype: Any) -> np.ndarray:
+            nonlocal size
+            array = np.zeros(shape, dtype)
+            size += pad(array.nbytes)
+            return array
+
+        size = 0
+        lay_out(take, count, parts.observation, parts.action)
+        take((NUMBERS, count), float)
+        memory = open_memory(size)
+        block = SharedBlock(memory, size)
+        self.arrays = lay_out(block.take, count, parts.observation, parts.action)
+        pairs = [socket.socketpair() for _ in parts.packed]
+        theirs = tuple(their.fileno() for _, their in pairs)
+        self._pool = WorkerPool(len(pairs), descriptors=(*theirs, memory))
+        places = [
+            ShardPlace(k, self._firsts[k], count, theirs, memory, size) for k in range(len(pairs))
+        ]
+        self._futures = [
+            self._pool.submit(serve, place, own)
+            for place, own in zip(places, parts.packed, strict=True)
+        ]
+        os.close(memory)
+        for _, their in pairs:
+            their.close()
+        self._channels = [Connection(ours.detach()) for ours, _ in pairs]
+        for shard, channel in enumerate(self._channels):
+            self._selector.register(channel, selectors.EVENT_READ, shard)
+        return block.take((NUMBERS, count), float)
+
+    def _begin(self) -> tuple[int, ...]:
+        """Wait until every shard has its environments; return the ids of their processes."""
+        self._owing = set(range(len(self._channels)))
+        try:
+            answers = self._finish()
+        except BaseException:
+            self.close()
+            raise
+        return tuple(answers[shard].value for shard in sorted(answers))
+
+    def __reduce__(self) -> tuple[type[ShardSlots], tuple[ShardParts]]:
+        copies = self._request(dict.fromkeys(range(len(self._channels)), pack(("copy", ()), "")))
+        packed = tuple(copies[shard].value for shard in sorted(copies))
+        return type(self), (replace(self._parts, packed=packed),)
+
+    # ----------------------------------------------------------------------------------- talking
+
+    def _share(self, told: Mapping[int, Any]) -> dict[int, dict[int, Any]]:
+        """Return what each shard is told of its slots, which it counts from 0."""
+        shares: dict[int, dict[int, Any]] = {}
+        for k in sorted(told):
+            shard = int(np.searchsorted(self._firsts, k, "right")) - 1
+            shares.setdefault(shard, {})[k - self._firsts[shard]] = told[k]
+        return shares
+
+    def _request(self, requests: Mapping[int, bytes]) -> dict[int, ShardAnswer]:
+        """Send requests to shards; return their answers, or raise the first slot's error."""
+        if self._owing:  # a call before was interrupted
+            self._gather()
+        for shard, request in requests.items():
+            with self._talking(shard):
+                self._owing.add(shard)
+                self._channels[shard].send_bytes(request)
+        return self._finish()
+
+    def _finish(self) -> dict[int, ShardAnswer]:
+        """Return the answers of all shards that owe one, or raise the first slot's error."""
+        answers = self._gather()
+        for shard in sorted(answers):
+            if (error := answers[shard].error) is not None:
+                raise error
+        return answers
+
+    def _gather(self) -> dict[int, ShardAnswer]:
+        """Return the answers of all shards that owe one; meanwhile draw the scenes they want."""
+        answers: dict[int, ShardAnswer] = {}
+        while self._owing:
+            for key, _ in self._selector.select():
+                with self._talking(key.data):
+                    self._hear(key.data, answers)
+        return answers
+
+    def _hear(self, shard: int, answers: dict[int, ShardAnswer]) -> None:
+        """Receive a shard's answer, or fulfil its wish."""
+        packed = self._channels[shard].recv_bytes()
+        message: ShardAnswer | Wish = ShardAnswer() if packed == DONE else pickle.loads(packed)
+        if isinstance(message, Wish):
+            assert self._lent is not None
+            self._channels[shard].send_bytes(self._lent.fulfil(message))
+        else:
+            self._reader.take(message.changes)
+            answers[shard] = message
+            self._owing.discard(shard)
+
+    @contextlib.contextmanager
+    def _talking(self, shard: int) -> Iterator[None]:
+        """Close all shards where what is said does not get through whole, and answered."""
+        try:
+            yield
+        except (EOFError, OSError):
+            error = self._explain(shard)
+            self.close()
+            raise error from None
+        except BaseException:  # interrupted
+            self.close()
+            raise
+
+    def _explain(self, shard: int) -> WorkerDied:
+        """Return the error that says how a shard ended."""
+        try:
+            self._futures[shard].result(_PATIENCE)
+            how = "hung up"
+        except WorkerDied as error:
+            how = error.how or f"could not be started ({error})"
+        except Exception as error:
+            how = f"failed ({type(error).__name__}: {error})"
+        first, last = self._firsts[shard], self._firsts[shard + 1] - 1
+        died = WorkerDied(
+            f"The process of shard {shard} of {len(self._channels)} (slots {first} to {last} of "
+            f"the vector environment) {how}. The other shards are closed, too: make a new vector "
+            "environment, with fewer processes, or a smaller cache, if memory is short."
+        )
+        died.how = how
+        return died

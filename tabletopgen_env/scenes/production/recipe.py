@@ -1,0 +1,163 @@
+"""What decides a scene that is made on demand, and the making."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from generator.errors import InputError, SceneError, choices
+from generator.language.distribution import SceneDistribution
+from generator.scene import Scene, ScenePlan
+
+from ..splits import SplitRule, kinds_of, scene_kinds
+
+COMPOSE, GENERATE = "compose", "generate"
+
+ATTEMPTS = 3
+"""Seeds tried until a scene can be made."""
+
+MOST_SEEDS = 2**30
+"""Seeds of recipes are below this; those of further attempts are above it."""
+
+Maker = Callable[[str | ScenePlan, int], Scene]
+"""Makes a scene of a text or plan, and a seed."""
+
+
+@dataclass(frozen=True)
+class SceneRecipe:
+    """What decides a scene that is made on demand: the same recipe makes the same scene.
+
+    Attributes:
+        what: a text, or the distribution that its plan is drawn from.
+        seed: of the plan and of everything after it, in [0, 2^30).
+        making: "compose" (text to plan to layout, about a second), "generate" (all stages of the
+            paper, with the embedded backends) or "module:function" for a function of your own
+            that takes a text or ``ScenePlan``, and a seed, and returns a ``Scene``.
+        rules: what the scene must be.
+    """
+
+    what: str | SceneDistribution
+    seed: int
+    making: str = COMPOSE
+    rules: tuple[SplitRule, ...] = ()
+
+    @property
+    def identity(self) -> str:
+        """What tells the scene from all others, the same in every process."""
+        what = self.what if isinstance(self.what, str) else json.dumps(_facts(self.what))
+        making = "fresh" if self.making == COMPOSE else f"fresh by {self.making}"
+        return f"{making}:{self.seed}:{what}"
+
+    @property
+    def key(self) -> str:
+        """The key of the scene's reference."""
+        if self.making == COMPOSE:  # what is planned is what is made, whatever the rules
+            return self.identity
+        return " ".join([self.identity, *(str(r) for r in self.rules if r.by == "category")])
+
+    @property
+    def planned(self) -> bool:
+        """Whether ``plan`` says what the scene will hold."""
+        return self.making in (COMPOSE, GENERATE) or not isinstance(self.what, str)
+
+    def plan(self) -> ScenePlan:
+        """Return what will be on the table, without making it.
+
+        Raises:
+            InputError: the text cannot be planned.
+        """
+        if isinstance(self.what, str):
+            from generator.composition import plan_scene
+
+            return plan_scene(self.what, self.seed)
+        return self.what.plan(np.random.default_rng(self.seed))
+
+    def admitted(self) -> bool:
+        """Tell whether the rules admit the scene, as far as can be told before it is made."""
+        return all(
+            rule.admits(lambda: self.identity, self._kinds)
+            for rule in self.rules
+            if rule.by == "digest" or self.planned
+        )
+
+    def _kinds(self) -> frozenset[str]:
+        return kinds_of((o.category, o.noun) for o in self.plan().objects)
+
+    def make(self) -> Scene:
+        """Make the scene.
+
+        Raises:
+            InputError: the text cannot be planned, or there is no such way of making.
+            SceneError: no sound scene of the right side came of any attempt.
+        """
+        make = maker(self.making)
+        text = isinstance(self.what, str) and self.making != COMPOSE
+        what = str(self.what) if text else self.plan()
+        failures: list[str] = []
+        for attempt in range(ATTEMPTS):
+            try:
+                return self._check(make(what, self.seed + attempt * MOST_SEEDS))
+            except SceneError as error:
+                failures.append(str(error))
+        raise SceneError(
+            f"{ATTEMPTS} attempts at a scene of {self.identity!r} failed: "
+            + " ".join(dict.fromkeys(failures))
+        )
+
+    def _check(self, scene: Scene) -> Scene:
+        """Return the scene if it is what the rules ask for; what is planned may turn out else."""
+        found = scene_kinds(scene)
+        for rule in self.rules:
+            if rule.by == "category" and not rule.admits(lambda: "", lambda: found):
+                raise SceneError(f"Scene {scene.name!r} is not for {rule}.")
+        return scene
+
+
+def _facts(distribution: SceneDistribution) -> dict[str, Any]:
+    """Return a distribution as plain JSON values; without needs as before there were any."""
+    facts = dataclasses.asdict(distribution)
+    return {k: v for k, v in facts.items() if k != "needs" or v}
+
+
+def maker(making: str) -> Maker:
+    """Return the function that ``SceneRecipe.making`` names.
+
+    Raises:
+        InputError: there is none.
+    """
+    if making == COMPOSE:
+        from generator.composition import compose
+
+        return compose
+    if making == GENERATE:
+        return _generate
+    module, colon, name = making.partition(":")
+    if not colon:
+        raise InputError(
+            f"Scenes cannot be made by {making!r}."
+            + choices(making, (COMPOSE, GENERATE, "module:function"))
+        )
+    try:
+        return getattr(importlib.import_module(module), name)
+    except (ImportError, AttributeError, ValueError) as error:
+        raise InputError(
+            f"Scenes cannot be made by {making!r}: {error}. Name a module that can be imported "
+            "and a function in it."
+        ) from error
+
+
+def _generate(what: str | ScenePlan, seed: int) -> Scene:
+    """Generate a scene that passes its gate."""
+    from generator.pipeline import generate
+
+    scene = generate(what, seed=seed).scene
+    if scene.report is None or not scene.report.passed:
+        failures = scene.report.failure_text if scene.report else "it was not judged"
+        raise SceneError(f"A generated scene is not sound: {failures}.")
+    return scene

@@ -1,0 +1,125 @@
+"""Listening: a port that is this server's, and serving until Ctrl-C."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+import sys
+import threading
+import webbrowser
+from collections.abc import Callable, Iterator
+from types import FrameType
+from typing import cast
+
+import uvicorn
+from starlette.types import ASGIApp
+from uvicorn.protocols.http.h11_impl import H11Protocol, RequestResponseCycle
+
+from generator.errors import BackendError
+
+from .cancellation import StudioThreads
+from .guard import Access
+
+_GRACE = 2  # seconds that answers under way have at the end
+_IDLE = 0.5  # seconds that threads of requests have after that
+_HEAD = 15.0  # seconds in which the head of a request is to come
+
+
+@contextlib.contextmanager
+def bind(host: str, port: int) -> Iterator[socket.socket]:
+    """Yield a socket that listens.
+
+    Raises:
+        BackendError: the port is taken, or the host is not this machine's.
+    """
+    try:
+        family = socket.AF_INET6 if ":" in host else socket.AF_INET
+        listening = socket.create_server((host, port), family=family, backlog=128)
+    except (OSError, OverflowError) as error:
+        raise BackendError(
+            f"Port {port} of {host} cannot be used ({getattr(error, 'strerror', None) or error}). "
+            "Choose another --port, or 0 for any that is free."
+        ) from error
+    with listening:
+        yield listening
+
+
+class HastyProtocol(H11Protocol):
+    """Closes connections on which no whole head of a request comes: there is room for so many."""
+
+    def connection_made(self, transport: asyncio.Transport) -> None:
+        """Begin to wait for a request."""
+        super().connection_made(transport)
+        self._late: asyncio.TimerHandle | None = None
+        self._wait()
+
+    def data_received(self, data: bytes) -> None:
+        """Take what came; wait on where it is no whole head."""
+        super().data_received(data)
+        cycle = cast("RequestResponseCycle | None", self.cycle)
+        if cycle is not None and not cycle.response_complete:
+            self._stop_waiting()
+        elif self._late is None:
+            self._wait()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Wait no longer."""
+        self._stop_waiting()
+        super().connection_lost(exc)
+
+    def _wait(self) -> None:
+        self._late = self.loop.call_later(_HEAD, self.transport.close)
+
+    def _stop_waiting(self) -> None:
+        if self._late is not None:
+            self._late.cancel()
+            self._late = None
+
+
+class _Server(uvicorn.Server):
+    """Tells the application at once that the process is to end, not once all answers are sent."""
+
+    def __init__(self, config: uvicorn.Config, stop: Callable[[], None]) -> None:
+        super().__init__(config)
+        self._stop = stop
+
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        self._stop()
+        super().handle_exit(sig, frame)
+
+
+def serve(
+    app: ASGIApp, listening: socket.socket, access: Access, browse: bool, stop: Callable[[], None]
+) -> bool:
+    """Answer requests until the process is interrupted; then call ``stop`` and end.
+
+    Return whether a thread of a request is still busy, which keeps the process from ending.
+
+    Raises:
+        BackendError: the application cannot begin.
+    """
+    config = uvicorn.Config(
+        app, log_level="warning", access_log=False, server_header=False, proxy_headers=False,
+        ws="none", http=HastyProtocol, loop="asyncio", lifespan="on", timeout_keep_alive=30,
+        timeout_graceful_shutdown=_GRACE, limit_concurrency=512,
+    )  # fmt: skip
+    print(f"Open {access.link}", flush=True)
+    for study in access.studies:
+        print(f"Raters of study {study} open {access.study_link(study)}", flush=True)
+    print("Ctrl-C ends the studio; jobs that run then begin again with the next one.",
+          file=sys.stderr)  # fmt: skip
+    if browse:
+        opened = (access.ticket_link,)
+        threading.Thread(target=webbrowser.open, args=opened, daemon=True).start()
+    server, threads = _Server(config, stop), StudioThreads()
+
+    async def answer_all() -> None:
+        asyncio.get_running_loop().set_default_executor(threads)
+        await server.serve(sockets=[listening])
+
+    with contextlib.suppress(KeyboardInterrupt):
+        asyncio.run(answer_all())
+    if not server.started:
+        raise BackendError("The studio could not begin; what is above says why.")
+    return not threads.wait_idle(_IDLE)
