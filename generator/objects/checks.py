@@ -124,7 +124,8 @@ def check_shape(models: Iterable[Model], max_faces: int = MAX_FACES) -> Iterator
     volumes = [signed_volume(m.vertices.astype(float), m.faces) for m in meshes]
     faces = max(len(m.faces) for m in meshes)
     side = max(max(m.texture.shape[:2]) for m in meshes)
-    low, high = min(m.uv.min() for m in meshes), max(m.uv.max() for m in meshes)
+    low = min(float(m.uv.min()) for m in meshes)
+    high = max(float(m.uv.max()) for m in meshes)
     holes = sum(not is_closed(m) for m in meshes)
     yield CheckResult("closed surface", holes == 0, f"{holes} of {len(meshes)} variants have holes")
     filled = f"{min(volumes):.2g} of the unit box"
@@ -153,7 +154,7 @@ def check_parts(models: Iterable[Model]) -> Iterator[CheckResult]:
 
 def _overhang(model: Model) -> tuple[bool, str]:
     over = max(float(np.abs(part.bounds).max()) for part in model.parts) - 0.5
-    return over <= MAX_OVERHANG, f"a part sticks out by {max(over, 0):.4f} of the box"
+    return over <= MAX_OVERHANG, f"{max(over, 0):.4f} of the box outside, at most {MAX_OVERHANG}"
 
 
 def _gap(model: Model) -> tuple[bool, str]:
