@@ -19,7 +19,6 @@ import tabletop_objects.catalogue as catalogue
 from generator.objects.soundness import mass_of
 from tabletop_objects import CATEGORIES, build
 
-
 ROOT = Path(__file__).parents[2]
 
 
