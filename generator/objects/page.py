@@ -84,7 +84,7 @@ def _section(theme: str, group: Sequence[Category]) -> str:
 
 def _card(category: Category, number: int) -> str:
     x, y = number % COLUMNS * SIDE, number // COLUMNS * SIDE
-    source = source_text(*find_source(category))
+    source = escape(source_text(*find_source(category))).replace("/", "/<wbr>")
     words = " ".join([category.key, category.noun, *category.aliases]).lower()
     aliases = ", ".join(category.aliases)
     also = f'<p class="also">{escape(aliases)}</p>' if aliases else ""
@@ -93,9 +93,9 @@ def _card(category: Category, number: int) -> str:
         f'<span class="thumb" role="img" aria-label="Picture: {escape(category.noun)}" '
         f'style="background-position:-{x}px -{y}px"></span>'
         f"<h3>{escape(category.noun)}</h3>"
-        f"<p>{size_text(category.size)}, {mass_text(category.mass)}</p>"
+        f"<p><span>{size_text(category.size)}</span> <span>{mass_text(category.mass)}</span></p>"
         f'{also}<code class="key">{escape(category.key)}</code>'
-        f"<code>{escape(source)}</code></li>"
+        f"<code>{source}</code></li>"
     )
 
 

@@ -40,7 +40,7 @@ def test_the_page_names_every_object_and_its_source(page: Path) -> None:
     for group in by_folder(("bedroom", "tea")).values():
         for category in group:
             assert f'<code class="key">{category.key}</code>' in text
-    assert text.count("tabletop_objects/objects/tea/") == len(by_folder(("tea",))["tea"])
+    assert text.count("tabletop_objects/<wbr>objects/<wbr>tea/") == len(by_folder(("tea",))["tea"])
     assert "{{" not in text
 
 
