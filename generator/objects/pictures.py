@@ -98,7 +98,9 @@ def _middle(model: Model) -> Float[np.ndarray, "3"]:
     return np.array([0.0, 0.0, model.size[2] / 2])
 
 
-def lay_out(cells: Sequence[Picture], columns: int, color: int = 255) -> Picture:
+def lay_out(
+    cells: Sequence[Picture], columns: int, color: int = 255
+) -> UInt8[np.ndarray, "sheet_h sheet_w 3"]:
     """Return pictures of one size in rows without gaps; missing cells are of one ``color``."""
     height, width = cells[0].shape[:2]
     rows = -(-len(cells) // columns)
