@@ -46,7 +46,7 @@ test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of array
 test-fast: $(VENV)/.installed-dev $(if $(shell command -v npm),web)
 	TABLETOPGEN_CHECK_ARRAYS=1 $(PYTEST) -m "not slow"
 
-test-catalogue: $(VENV)/.installed-dev  ## the catalogue's tests on every category, not on some
+test-catalogue: $(VENV)/.installed-dev  ## checks of every category; TABLETOPGEN_RECORD_PROOFS=1 records what passes
 	TABLETOPGEN_EVERY_CATEGORY=1 $(PYTEST) tests/catalogue
 
 lint: $(VENV)/.installed-dev

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
@@ -139,10 +140,17 @@ def build(
     Raises:
         InputError: no category has that name, or the style is unknown.
     """
-    category = get_category(key)
+    category = load_category(get_category(key))
+    return model_of(category, look_of(category, seed, attributes), size)
+
+
+def look_of(
+    category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
+) -> Look:
+    """Return the choices that a seed makes for a category; attributes override them."""
     digest = hashlib.sha256(category.key.encode()).digest()
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, int.from_bytes(digest[:4], "big")])
-    return model_of(load_category(category), Look(rng, attributes), size)
+    return Look(rng, attributes)
 
 
 def load_category(category: Category) -> Category:
@@ -150,17 +158,43 @@ def load_category(category: Category) -> Category:
     return category.shape.load() if isinstance(category.shape, _Deferred) else category
 
 
+def find_declaration(key: str) -> Category | None:
+    """Return the category with this key as a module declares it now, in the index or not, or None.
+
+    Only the module that declares it is imported.
+    """
+    found = _search_sources(key)
+    if found is None:
+        return None
+    parts = found[0].relative_to(Path(__file__).parent).with_suffix("").parts
+    return read_module(".".join((str(__package__), *parts))).get(key)
+
+
 def find_source(category: Category) -> tuple[Path, int]:
-    """Return the file that declares a category of the index, and the line (from 1)."""
-    draw = category.shape
-    if not isinstance(draw, _Deferred):
-        raise InputError(f"{category.key} is not from the index.")
-    path = Path(__file__).parent.joinpath(*draw.module.split(".")[1:]).with_suffix(".py")
-    marks = f'category("{category.key}",', f'Category("{category.key}",'
-    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-        if any(mark in line for mark in marks):
-            return path, number
-    raise InputError(f"{path} does not declare {category.key}; rebuild the index.")
+    """Return the file that declares a category, and the line (from 1)."""
+    if isinstance(draw := category.shape, _Deferred):
+        path = Path(__file__).parent.joinpath(*draw.module.split(".")[1:]).with_suffix(".py")
+        line = _find_line(path, category.key)
+        found = (path, line) if line else None
+    else:
+        found = _search_sources(category.key)
+    if found is None:
+        raise InputError(f"No module declares {category.key}; rebuild the index.")
+    return found
+
+
+def _search_sources(key: str) -> tuple[Path, int] | None:
+    for path in sorted(Path(__file__).with_name("objects").rglob("*.py")):
+        if line := _find_line(path, key):
+            return path, line
+    return None
+
+
+def _find_line(path: Path, key: str) -> int:
+    """Return the line on which a file declares a category, or 0."""
+    text = path.read_text(encoding="utf-8")
+    declared = re.search(rf'[cC]ategory\(\s*"{re.escape(key)}",', text)
+    return 0 if declared is None else text.count("\n", 0, declared.start()) + 1
 
 
 def model_of(category: Category, look: Look, size: Extent | None = None) -> Model:

@@ -49,11 +49,11 @@ def index_text() -> str:
     found = declarations()
     ranked = list(json.loads(INDEX.read_bytes())) if INDEX.exists() else []
     keys = [k for k in ranked if k in found] + sorted(found.keys() - set(ranked))
-    rows = [f"{json.dumps(k)}: {json.dumps(_row(*found[k]), ensure_ascii=False)}" for k in keys]
+    rows = [f"{json.dumps(k)}: {json.dumps(row_of(*found[k]), ensure_ascii=False)}" for k in keys]
     return "{\n" + ",\n".join(rows) + "\n}\n"
 
 
-def _row(module: str, category: Category) -> dict[str, object]:
+def row_of(module: str, category: Category) -> dict[str, object]:
     """Return the facts of a category that differ from their defaults."""
     facts = {f.name: getattr(category, f.name) for f in FACTS}
     facts = {f.name: facts[f.name] for f in FACTS if facts[f.name] != f.default}

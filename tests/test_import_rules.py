@@ -43,6 +43,7 @@ LAYERS: tuple[tuple[str, ...], ...] = (
     ("generator.backends", "generator.generation"),
     ("generator.pipeline", "generator.composition", "generator.evaluation"),
     ("generator.jobs", "generator.editing", "generator.exports", "generator.imports"),
+    ("generator.objects",),
     ("generator", "generator.cli"),
     ("generator.__main__",),
     ("tabletopgen_env.robot", "tabletopgen_env.affordance", "tabletopgen_env.files"),

@@ -49,6 +49,7 @@ OWN: Mapping[str, EntryPoint] = MappingProxyType({
         "doctor": "machine.command:doctor",
         "cache": "cache:app",
         "models": "models:app",
+        "objects": "objects:app",
     }.items()
 })  # fmt: skip
 """The commands of this package, in the order that ``--help`` lists them."""

@@ -1,4 +1,4 @@
-"""Scenes as all exports write them: bodies with a mesh in metres, inertia and convex pieces.
+"""A scene or an object as all exports write it: meshes in metres, inertia and convex pieces.
 
 All is in the body's own frame (an object's is its canonical frame scaled to metres; the table's has
 its origin at the centre of its box), z up in the world, metres, kilograms, radians. Names are
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,8 +17,8 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from ..physics.inertia import body_mass
-from ..physics.mjcf import GeomKind, primitive_kind
-from ..scene import TABLE, ConvexPart, Mesh, Scene
+from ..physics.mjcf import Document, GeomKind, document, object_document, primitive_kind
+from ..scene import TABLE, ConvexPart, Mesh, Object, Scene
 
 if TYPE_CHECKING:
     from trimesh import Trimesh
@@ -90,6 +90,42 @@ class ExportBody:
     pieces: tuple[ExportPiece, ...]
 
 
+@dataclass(frozen=True, eq=False)
+class ExportWorld:
+    """Bodies above a floor at z = 0, as all formats write them.
+
+    Attributes:
+        name: of the scene or the object.
+        bodies: the table, if there is one, then the objects.
+        ground: coefficient of friction of the floor and the table.
+        mjcf: returns the same bodies as MJCF with its files.
+    """
+
+    name: str
+    bodies: tuple[ExportBody, ...]
+    ground: float
+    mjcf: Callable[[], Document]
+
+
+def scene_world(scene: Scene) -> ExportWorld:
+    """Return a scene for its export.
+
+    Raises:
+        SceneError: the table's shape has no volume.
+    """
+    return ExportWorld(scene.name, bodies_of(scene), scene.table.friction, lambda: document(scene))
+
+
+def object_world(thing: Object) -> ExportWorld:
+    """Return one object at its pose above a floor that is as rough as itself."""
+
+    def mjcf() -> Document:
+        return object_document(thing, visuals=True, floor=thing.friction)
+
+    (name,) = legal_names([thing.name])
+    return ExportWorld(thing.name, (_object_body(name, thing),), thing.friction, mjcf)
+
+
 def bodies_of(scene: Scene) -> tuple[ExportBody, ...]:
     """Return the table, fixed, and the objects of a scene as they rest.
 
@@ -106,14 +142,15 @@ def bodies_of(scene: Scene) -> tuple[ExportBody, ...]:
             weight.mass, weight.com, weight.inertia, table.friction, table.model.mesh,
             table.model.mesh.vertices * table.scale, tuple(map(piece_of, table.parts)),
         ),
-        *(
-            ExportBody(
-                name, thing.label, False, thing.pose.position, thing.pose.quaternion,
-                thing.mass, thing.com, thing.inertia, thing.friction, thing.model.mesh,
-                thing.model.mesh.vertices * thing.scale, tuple(map(piece_of, thing.parts)),
-            )
-            for name, thing in zip(names, scene.objects, strict=True)
-        ),
+        *(_object_body(name, thing) for name, thing in zip(names, scene.objects, strict=True)),
+    )  # fmt: skip
+
+
+def _object_body(name: str, thing: Object) -> ExportBody:
+    return ExportBody(
+        name, thing.label, False, thing.pose.position, thing.pose.quaternion,
+        thing.mass, thing.com, thing.inertia, thing.friction, thing.model.mesh,
+        thing.model.mesh.vertices * thing.scale, tuple(map(piece_of, thing.parts)),
     )  # fmt: skip
 
 

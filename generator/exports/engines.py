@@ -49,9 +49,8 @@ class EngineFriction:
     gazebo: float
 
 
-def engine_friction(bodies: Sequence[ExportBody]) -> Mapping[str, EngineFriction]:
-    """Return the coefficients of each body by its name; the floor is as rough as the table."""
-    table = next(body.friction for body in bodies if body.name == TABLE)
+def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, EngineFriction]:
+    """Return the coefficients of each body by its name; the floor is as rough as the ``table``."""
     wanted = {body.name: max(body.friction, table) for body in bodies}  # on the table, in MuJoCo
     most = max(wanted.values())
     middle = max(table, _REACH * most)

@@ -17,17 +17,16 @@ import numpy as np
 from PIL import Image
 
 from ..geometry import quaternion_matrix
-from ..scene import Scene
-from .bodies import RESERVED, ExportBody, ExportPiece, bodies_of, free_name
+from .bodies import RESERVED, ExportBody, ExportPiece, ExportWorld, free_name
 
 _VERTICES, _INDICES = 34962, 34963  # ARRAY_BUFFER and ELEMENT_ARRAY_BUFFER
 
 
-def glb_files(scene: Scene) -> Mapping[str, bytes]:
-    """Return a scene as one GLB file."""
+def glb_files(world: ExportWorld) -> Mapping[str, bytes]:
+    """Return all bodies as one GLB file."""
     import trimesh
 
-    bodies = bodies_of(scene)
+    bodies = world.bodies
     whole = trimesh.Scene()
     details: dict[str, dict[str, Any]] = {}
     taken = {*RESERVED, *(body.name for body in bodies)}
@@ -48,7 +47,7 @@ def glb_files(scene: Scene) -> Mapping[str, bytes]:
     roots = [free_name(root, taken) for root in ("y_up", "y_up_collision")]
 
     def arrange(tree: dict[str, Any]) -> None:
-        _arrange(tree, scene.name, details, roots)
+        _arrange(tree, world.name, details, roots)
         _mark_buffers(tree)
 
     packed = whole.export(file_type="glb", tree_postprocessor=arrange, unitize_normals=True)

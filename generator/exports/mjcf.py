@@ -12,16 +12,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..physics.mjcf import document
-from ..scene import TABLE, ConvexPart, Scene
-from .bodies import ExportBody, bodies_of, piece_of
+from ..scene import ConvexPart
+from .bodies import ExportBody, ExportWorld, piece_of
 from .files import INERTIA, number_text, plain_obj
 from .loaders import loader_scripts
 
 
-def mjcf_files(scene: Scene) -> Mapping[str, bytes]:
-    """Return a scene's MJCF and the files it refers to, by path."""
-    written = document(scene)
+def mjcf_files(world: ExportWorld) -> Mapping[str, bytes]:
+    """Return the MJCF and the files it refers to, by path."""
+    written = world.mjcf()
     root = ET.fromstring(written.xml)
     files = dict(written.files)
     for mesh in root.iter("mesh"):
@@ -33,8 +32,10 @@ def mjcf_files(scene: Scene) -> Mapping[str, bytes]:
             mesh.set("file", path)
     for compiler in root.iter("compiler"):
         compiler.attrib.pop("inertiafromgeom")  # whose default takes geoms where nothing is said
-    table = next(body for body in root.iter("body") if body.attrib["name"] == TABLE)
-    table.insert(0, _inertial(bodies_of(scene)[0]))
+    fixed = {body.name: body for body in world.bodies if body.fixed}
+    for element in root.iter("body"):
+        if element.attrib["name"] in fixed:
+            element.insert(0, _inertial(fixed[element.attrib["name"]]))
     ET.indent(root)
     return {"scene.xml": ET.tostring(root) + b"\n", **files, **loader_scripts("mujoco")}
 

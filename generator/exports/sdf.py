@@ -12,8 +12,7 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from ..scene import Scene
-from .bodies import ExportBody, ExportPiece, bodies_of, floor_body
+from .bodies import ExportBody, ExportPiece, ExportWorld, floor_body
 from .engines import DRAKE, EngineFriction, drake_properties, engine_friction
 from .files import INERTIA, ExportFiles, along, document_text, number_text, roll_pitch_yaw
 from .loaders import loader_scripts
@@ -22,8 +21,8 @@ VERSION = "1.9"
 """Of SDFormat; ellipsoids came with 1.8."""
 
 
-def sdf_files(scene: Scene) -> Mapping[str, bytes]:
-    """Return a scene's SDF and the files it refers to, by path."""
+def sdf_files(content: ExportWorld) -> Mapping[str, bytes]:
+    """Return the SDF and the files it refers to, by path."""
     files = ExportFiles()
     root = ET.Element("sdf", {"version": VERSION, **DRAKE})
     world = ET.SubElement(root, "world", name="scene")
@@ -32,9 +31,8 @@ def sdf_files(scene: Scene) -> Mapping[str, bytes]:
     _put(light, "direction", [0.3, 0.4, -1])
     _put(light, "diffuse", [0.8, 0.8, 0.8, 1])
     _put(light, "specular", [0.1, 0.1, 0.1, 1])
-    bodies = bodies_of(scene)
-    rubbing = engine_friction(bodies)
-    for body in (floor_body(scene.table.friction), *bodies):
+    rubbing = engine_friction(content.bodies, content.ground)
+    for body in (floor_body(content.ground), *content.bodies):
         _model(world, body, rubbing[body.name], files)
     return {"scene.sdf": document_text(root), **files.content, **loader_scripts("drake")}
 

@@ -20,9 +20,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from ..render.shading import sample_texture
-from ..scene import Scene
 from ..scene.triangles import areas
-from .bodies import ExportBody, ExportPiece, bodies_of, floor_body
+from .bodies import ExportBody, ExportPiece, ExportWorld, floor_body
 from .engines import DRAKE, EngineFriction, drake_properties, engine_friction
 from .files import INERTIA, ExportFiles, along, document_text, number_text, roll_pitch_yaw
 from .loaders import loader_scripts
@@ -30,11 +29,11 @@ from .loaders import loader_scripts
 _COMPILER = {"strippath": "false", "fusestatic": "false", "discardvisual": "false"}
 
 
-def urdf_files(scene: Scene) -> Mapping[str, bytes]:
-    """Return a scene's URDF and the files it refers to, by path."""
-    files, bodies = ExportFiles(), bodies_of(scene)
-    rubbing = engine_friction(bodies)
-    root = _robot(scene.name)
+def urdf_files(world: ExportWorld) -> Mapping[str, bytes]:
+    """Return the URDF and the files it refers to, by path."""
+    files, bodies = ExportFiles(), world.bodies
+    rubbing = engine_friction(bodies, world.ground)
+    root = _robot(world.name)
     ET.SubElement(root, "link", name="world")
     for body in bodies:
         _link(root, body, rubbing[body.name], files, "")
@@ -47,7 +46,7 @@ def urdf_files(scene: Scene) -> Mapping[str, bytes]:
         ET.SubElement(joint, "child", link=body.name)
     written = {"scene.urdf": document_text(root)}
     poses = {}
-    for body in (floor_body(scene.table.friction), *bodies):
+    for body in (floor_body(world.ground), *bodies):
         alone = _robot(body.name)
         _link(alone, body, rubbing[body.name], files, "../")
         written[f"objects/{body.name}.urdf"] = document_text(alone)

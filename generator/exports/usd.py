@@ -22,32 +22,31 @@ from scipy.spatial.transform import Rotation
 from ..errors import InputError
 from ..io.pictures import encode_png
 from ..physics.mjcf import texture_path
-from ..scene import Scene
-from .bodies import ExportBody, ExportPiece, bodies_of
+from .bodies import ExportBody, ExportPiece, ExportWorld
 
 CRATE = "scene.usdc"
 _AXES = "XYZ"
 
 
-def usd_files(scene: Scene) -> Mapping[str, bytes]:
-    """Return a scene as a crate and its textures, by path.
+def usd_files(world: ExportWorld) -> Mapping[str, bytes]:
+    """Return all bodies as a crate and its textures, by path.
 
     Raises:
         InputError: usd-core is not installed.
     """
     with tempfile.TemporaryDirectory() as folder:
-        _write(scene, Path(folder))
+        _write(world, Path(folder))
         return _read_all(Path(folder))
 
 
-def usdz_files(scene: Scene) -> Mapping[str, bytes]:
-    """Return a scene as one USDZ package.
+def usdz_files(world: ExportWorld) -> Mapping[str, bytes]:
+    """Return all bodies as one USDZ package.
 
     Raises:
         InputError: usd-core is not installed.
     """
     with tempfile.TemporaryDirectory() as folder:
-        _write(scene, Path(folder))
+        _write(world, Path(folder))
         from pxr import Sdf, UsdUtils
 
         noon = time.mktime((2000, 1, 1, 12, 0, 0, 0, 0, -1))  # the package holds local times
@@ -56,7 +55,7 @@ def usdz_files(scene: Scene) -> Mapping[str, bytes]:
         package = Path(folder) / "scene.usdz"
         asset = Sdf.AssetPath(str(Path(folder) / CRATE))
         if not UsdUtils.CreateNewUsdzPackage(asset, str(package)):
-            raise InputError(f"USD could not package {scene.name!r}. Export it to 'usd' instead.")
+            raise InputError(f"USD could not package {world.name!r}. Export it to 'usd' instead.")
         return {"scene.usdz": package.read_bytes()}
 
 
@@ -65,7 +64,7 @@ def _read_all(folder: Path) -> dict[str, bytes]:
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
 
 
-def _write(scene: Scene, folder: Path) -> None:
+def _write(content: ExportWorld, folder: Path) -> None:
     """Write ``scene.usdc`` and its textures to a folder."""
     try:
         from pxr import Gf, Usd, UsdGeom, UsdPhysics
@@ -88,7 +87,7 @@ def _write(scene: Scene, folder: Path) -> None:
     floor.CreateLengthAttr(8.0)
     floor.CreateExtentAttr([Gf.Vec3f(-4, -4, 0), Gf.Vec3f(4, 4, 0)])
     UsdPhysics.CollisionAPI.Apply(floor.GetPrim())
-    for body in bodies_of(scene):
+    for body in content.bodies:
         _put(stage, f"/World/{body.name}", body, folder)
     stage.GetRootLayer().Save()
 

@@ -1,4 +1,4 @@
-"""Write a scene in a format that other programs read."""
+"""Write a scene, or one object, in a format that other programs read."""
 
 from __future__ import annotations
 
@@ -9,14 +9,15 @@ from types import MappingProxyType
 from ..bundle.publication import publish
 from ..errors import StorageError, require_known
 from ..io.files import write_whole
-from ..scene import Scene
+from ..scene import Object, Scene
+from .bodies import ExportWorld, object_world, scene_world
 from .glb import glb_files
 from .mjcf import mjcf_files
 from .sdf import sdf_files
 from .urdf import urdf_files
 from .usd import usd_files, usdz_files
 
-WRITERS: Mapping[str, Callable[[Scene], Mapping[str, bytes]]] = MappingProxyType(
+WRITERS: Mapping[str, Callable[[ExportWorld], Mapping[str, bytes]]] = MappingProxyType(
     {
         "mjcf": mjcf_files,
         "urdf": urdf_files,
@@ -53,8 +54,22 @@ def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -
         StorageError: the folder cannot be written, or the disk is full.
     """
     require_known(to, WRITERS, "No export to")
-    stem, folder = name or scene.name, Path(folder)
-    files = WRITERS[to](scene)
+    return _write(scene_world(scene), to, Path(folder), name or scene.name)
+
+
+def export_object(thing: Object, to: str, folder: str | Path) -> Path:
+    """Write one object as ``export`` writes a scene: free, above a floor, without a table.
+
+    Raises:
+        InputError: there is no such format, or its library is not installed.
+        StorageError: the folder cannot be written, or the disk is full.
+    """
+    require_known(to, WRITERS, "No export to")
+    return _write(object_world(thing), to, Path(folder), thing.name)
+
+
+def _write(world: ExportWorld, to: str, folder: Path, stem: str) -> Path:
+    files = WRITERS[to](world)
     try:
         if to not in ALONE:
             return publish(folder, f"{stem}-{to}", files)

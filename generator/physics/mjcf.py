@@ -81,12 +81,10 @@ def document(
     _settings(root)
     assets = _Assets(ET.SubElement(root, "asset"), visuals, paths)
     world = ET.SubElement(root, "worldbody")
-    ET.SubElement(
-        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
-        condim="4", solref="0.01 1",
-    )  # fmt: skip
+    _floor(world)
     if visuals:
-        _light_and_cameras(world, scene)
+        _light(world, scene.table.height)
+        _cameras(world, scene)
     table = ET.SubElement(world, "body", name=TABLE, pos=_text([0, 0, scene.table.height / 2]))
     assets.draw(table, scene.table.model.mesh, scene.table.scale)
     for part in scene.table.parts:
@@ -103,13 +101,27 @@ def document(
     return Document(ET.tostring(root, encoding="unicode") + "\n", dict(assets.files))
 
 
-def object_document(thing: Object) -> Document:
-    """Return the MJCF of one object alone, free in empty space: what the physics needs of it."""
+def object_document(
+    thing: Object, *, visuals: bool = False, floor: float | None = None
+) -> Document:
+    """Return the MJCF of one object alone, free at its pose.
+
+    Args:
+        thing: the object.
+        visuals: also draw it, with a light; otherwise only what the physics needs.
+        floor: friction of a floor at z = 0; None leaves the space empty.
+    """
     root = ET.Element("mujoco", model=thing.name)
     _settings(root)
-    assets = _Assets(ET.SubElement(root, "asset"), False, {})
-    _body(ET.SubElement(root, "worldbody"), thing, assets)
-    return Document(ET.tostring(root, encoding="unicode") + "\n", {})
+    assets = _Assets(ET.SubElement(root, "asset"), visuals, {})
+    world = ET.SubElement(root, "worldbody")
+    if floor is not None:
+        _floor(world).set("friction", _text([floor]))
+    if visuals:
+        _light(world, 0.0)
+    _body(world, thing, assets)
+    ET.indent(root)
+    return Document(ET.tostring(root, encoding="unicode") + "\n", dict(assets.files))
 
 
 def written_poses(things: Sequence[Object]) -> Float[np.ndarray, "n 7"]:
@@ -177,11 +189,22 @@ def _settings(root: ET.Element) -> None:
     ET.SubElement(solid, "geom", group="3", condim="4", solref="0.01 1", rgba=".3 .6 .9 .4")
 
 
-def _light_and_cameras(world: ET.Element, scene: Scene) -> None:
+def _floor(world: ET.Element) -> ET.Element:
+    return ET.SubElement(
+        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
+        condim="4", solref="0.01 1",
+    )  # fmt: skip
+
+
+def _light(world: ET.Element, height: float) -> None:
+    """Add a light two metres above a height."""
     ET.SubElement(
-        world, "light", type="directional", pos=_text([0, 0, scene.table.height + 2]),
+        world, "light", type="directional", pos=_text([0, 0, height + 2]),
         dir="0.3 0.4 -1", diffuse=".5 .5 .5", specular=".1 .1 .1",
     )  # fmt: skip
+
+
+def _cameras(world: ET.Element, scene: Scene) -> None:
     points = _points(scene)
     cameras = {
         "reference": framing_camera(points, scene.view, 960, 720),

@@ -17,6 +17,7 @@ from typing import Any
 from generator.bundle import read_files
 from generator.errors import SceneError, TabletopError
 from generator.exports import ALONE, WRITERS
+from generator.exports.bodies import scene_world
 from generator.scene import Scene
 from generator.scene.provenance import plain
 
@@ -152,7 +153,7 @@ def _downloads(
     made = {f"{name}.zip": ("Bundle (MJCF)", archive(name, held))}
     for kind in formats:
         report(kind)
-        written = WRITERS[kind](scene)
+        written = WRITERS[kind](scene_world(scene))
         if kind in ALONE:
             (content,) = written.values()
             made[f"{name}.{kind}"] = (_LABELS[kind], content)

@@ -1,18 +1,33 @@
-"""The models of each category, built once for all that is asked of them."""
+"""Records which categories pass: ``TABLETOPGEN_RECORD_PROOFS=1`` rewrites ``proven.json``."""
+
+import os
 
 import pytest
-from built import SOME, Models
-
-from tabletop_objects import CATEGORIES
 
 
-@pytest.fixture(scope="session", params=sorted(CATEGORIES))
-def models(request: pytest.FixtureRequest) -> Models:
-    """The models of one category."""
-    return Models(request.param)
+class Recorder:
+    """Collects reports of categories in the process that sees all of them."""
+
+    def __init__(self) -> None:
+        self.passed: dict[str, str] = {}
+        self.failed: set[str] = set()
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        facts = dict(report.user_properties)
+        key, proof = facts.get("category"), facts.get("proof")
+        if report.failed and isinstance(key, str):
+            self.failed.add(key)
+        elif report.when == "call" and report.passed and isinstance(proof, str):
+            self.passed[str(key)] = proof
+
+    def pytest_sessionfinish(self) -> None:
+        import proofs
+
+        if self.passed or self.failed:
+            proofs.record(self.passed, self.failed)
 
 
-@pytest.fixture(scope="session", params=SOME)
-def variants(request: pytest.FixtureRequest) -> Models:
-    """The models of one of some categories; tests of the same one follow each other."""
-    return Models(request.param)
+def pytest_configure(config: pytest.Config) -> None:
+    worker = hasattr(config, "workerinput")
+    if os.environ.get("TABLETOPGEN_RECORD_PROOFS") and not worker:
+        config.pluginmanager.register(Recorder(), "proofs")

@@ -1,46 +1,11 @@
-"""Every category looks different from seed to seed: in proportions, colours or prints."""
+"""Looks: how they are counted, and that requested colours show."""
 
 import numpy as np
 import pytest
-from built import Models
-from jaxtyping import Float
 
+from generator.objects.looks import count_looks
 from generator.scene import Model
 from tabletop_objects import build
-
-
-def appearance(model: Model) -> Float[np.ndarray, "n"]:
-    """Size (log), then mean and spread of the surface's colours, in steps one can see."""
-    mesh = model.mesh
-    points = mesh.vertices.astype(float)[mesh.faces] * model.size
-    area = np.linalg.norm(
-        np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1
-    )
-    height, width = mesh.texture.shape[:2]
-    colors = []
-    for weights in np.array([(4, 1, 1), (1, 4, 1), (1, 1, 4), (2, 2, 2)]) / 6:
-        u, v = np.einsum("k,fkd->df", weights, mesh.uv[mesh.faces])
-        rows = np.clip(((1 - v) * height).astype(int), 0, height - 1)
-        colors.append(mesh.texture[rows, np.clip((u * width).astype(int), 0, width - 1)])
-    seen, share = np.concatenate(colors).astype(float), np.tile(area, 4) / area.sum() / 4
-    mean = share @ seen
-    spread = np.sqrt(share @ (seen - mean) ** 2)
-    return np.concatenate([np.log(model.size) / 0.05, mean / 8, spread / 6])
-
-
-def count_looks(models: list[Model]) -> int:
-    """How many of the models differ from all counted before them in at least one visible step."""
-    kept: list[np.ndarray] = []
-    for model in models:
-        here = appearance(model)
-        if all(np.abs(here - other).max() > 1 for other in kept):
-            kept.append(here)
-    return len(kept)
-
-
-@pytest.mark.slow
-def test_category_has_five_looks(variants: Models):
-    assert count_looks(variants.first(10)) >= 5
 
 
 def test_same_seed_counts_once():

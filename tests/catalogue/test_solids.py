@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from solidity import is_closed
 
+from generator.objects.soundness import is_closed
 from generator.scene import Mesh
 from tabletop_objects.kit import outlines, solids, surfaces
 from tabletop_objects.kit.shapes import mesh_of, pack, shape

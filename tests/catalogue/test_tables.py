@@ -4,10 +4,10 @@ import itertools
 
 import numpy as np
 import pytest
-from solidity import fingerprint, is_closed
 
 from generator.errors import InputError
 from generator.geometry import inside_margin
+from generator.objects.soundness import fingerprint, is_closed
 from generator.scene import PlannedTable
 from generator.tables import LEGS, OUTLINES, build_table, outline_of
 

@@ -30,6 +30,16 @@ GIVEN: Mapping[str, Mapping[str, str]] = MappingProxyType({
 })  # fmt: skip
 """Files that a page takes for granted, and where they come from."""
 
+COPIED: Mapping[str, str] = MappingProxyType({
+    "docs/guides/add-an-object.md": "tabletop_objects",
+})  # fmt: skip
+"""Packages of the checkout that a page changes; its blocks run beside a copy."""
+
+MODULES: Mapping[str, str] = MappingProxyType({
+    "docs/guides/add-an-object.md": "tabletop_objects/objects/music/forks.py",
+})  # fmt: skip
+"""Where the first Python block of a page goes, which is a module."""
+
 CHEAP = ("docs/concepts/frames.md", "docs/reference/api/index.md")
 """Pages whose blocks run in about a second together."""
 
@@ -94,6 +104,11 @@ def test_the_blocks_of_a_page_run(
     monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
     for name, origin in GIVEN.get(page, {}).items():
         shutil.copy(ROOT / origin, folder / name)
+    if page in COPIED:
+        shutil.copytree(ROOT / COPIED[page], folder / COPIED[page])
+    if page in MODULES:
+        module = next(b for b in BLOCKS if b.page == page and b.language == "python")
+        (folder / MODULES[page]).write_text(module.code)
     names: dict[str, Any] = {"__name__": "__main__"}
     with torch_threads(1), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)

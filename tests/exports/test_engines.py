@@ -62,7 +62,8 @@ def test_friction_on_the_table_is_mujocos_by_each_engines_rule(engine: str, tabl
     made = [replace(thing, friction=mu) for thing, mu in zip(things, rough, strict=True)]
     scene = toy_scene(tuple(made))
     scene = scene.replace(table=replace(scene.table, friction=table))
-    found = {n: getattr(f, engine) for n, f in engine_friction(bodies_of(scene)).items()}
+    friction = engine_friction(bodies_of(scene), scene.table.friction)
+    found = {n: getattr(f, engine) for n, f in friction.items()}
     assert min(found.values()) > 0
     for thing in made:
         both = RULES[engine](found[thing.name], found[TABLE])
@@ -70,7 +71,7 @@ def test_friction_on_the_table_is_mujocos_by_each_engines_rule(engine: str, tabl
 
 
 def test_every_collision_says_its_friction_to_each_engine(scene: Scene, tmp_path: Path) -> None:
-    wanted = engine_friction(bodies_of(scene))
+    wanted = engine_friction(bodies_of(scene), scene.table.friction)
     folder = export(scene, "urdf", tmp_path)
     roots = [ET.parse(path).getroot() for path in (folder / "objects").glob("*.urdf")]
     assert len(roots) == len(wanted) == len(scene.objects) + 2

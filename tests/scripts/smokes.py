@@ -227,6 +227,9 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         ("page_gallery.png", "studio_make.png"),
         program="chromium",
     ),
+    "docs/make_object_sheets.py": Smoke(
+        "pets --workers 1 --out {out}", ("images/objects/pets.webp", "reference/objects.md")
+    ),
     "docs/make_task_pictures.py": Smoke("reach --out {out}", ("reach.png",)),
     "examples/demo.py": Smoke(
         "--only text --text 'a die and a bowl' --out {out}",

@@ -1,0 +1,275 @@
+"""Checks of one category: shape, collision parts, size, mass, looks, rest, styles, facts.
+
+``check_category`` runs all of them on the variants of the first seeds. ``tests/catalogue`` and
+``tabletopgen objects check`` print the same results.
+"""
+
+from __future__ import annotations
+
+import json
+import traceback
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+
+from tabletop_objects import CATEGORIES, Category
+from tabletop_objects.catalogue import INDEX, look_of, model_of
+from tabletop_objects.index import row_of
+from tabletop_objects.kit.solids import signed_volume
+from tabletop_objects.kit.styles import STYLES
+
+from ..scene import Model
+from .looks import count_looks
+from .soundness import fingerprint, is_closed, mass_of
+from .standing import drift
+
+VARIANTS = 10
+"""Seeds of which the looks are counted; the first ones are checked in full."""
+
+SOUND, SIZED = 3, 8
+"""Numbers of seeds whose shapes are checked, and whose mean size is compared with the nominal."""
+
+MIN_LOOKS = 5
+MAX_FACES, MAX_STYLED_FACES, MAX_TEXTURE = 4000, 5000, 640
+MAX_PARTS, MAX_PART_VERTICES = 32, 32
+MAX_OVERHANG = 0.004  # of the unit box: how far a part may stick out of it
+MAX_GAP = 6e-4  # metres between the bottoms of the mesh and of the parts
+MIN_PART = 2e-4  # metres along each axis
+SIZE_TOLERANCE = 1.35  # ratio of the mean size to the nominal one, each axis
+MAX_VARIANT = 2.2  # ratio of one variant's diagonal to the nominal one
+MASS_RANGE = 0.4, 2.5  # of a variant's mass to the nominal one
+MIN_MASS = 0.002  # kg: lighter bodies get this mass
+MAX_STYLED_CHANGE = 0.012  # of the longest side
+MAX_DRIFT, MAX_TURN = 0.005, 3.0  # metres and degrees within a second
+
+INDEX_COMMAND = "python -m tabletop_objects.index"
+
+
+@dataclass(frozen=True)
+class CheckResult:
+    """Outcome of one check: its name, whether it passed, and the measured values."""
+
+    name: str
+    passed: bool
+    detail: str = ""
+
+
+def check_category(
+    category: Category, source: Path, index: Path = INDEX
+) -> tuple[CheckResult, ...]:
+    """Check a category as its module declares it.
+
+    A drawing function that raises an exception fails the check "drawing", and the checks of its
+    models are left out.
+
+    Args:
+        category: as declared, with its drawing function, not from the index.
+        source: the file that declares it.
+        index: the ``index.json`` that should hold its row.
+    """
+    facts = check_names(category), check_index(category, source, index)
+    try:
+        models = [build_variant(category, seed) for seed in range(VARIANTS)]
+        again = build_variant(category, 1)
+        styled = {s: build_variant(category, 0, {"style": s}) for s in sorted(STYLES)}
+    except Exception as error:  # a drawing function is code of a contributor
+        return _drawing_failure(error), *facts
+    return (
+        CheckResult("drawing", True, f"{VARIANTS} variants, {len(styled)} styles"),
+        *check_shape(models[:SOUND]),
+        *check_parts(models[:SOUND]),
+        check_size(category, models[:SIZED]),
+        check_variant_size(category, models[0]),
+        check_mass(category, models[0]),
+        check_seeds(models[:SOUND], again),
+        check_looks(models),
+        check_rest(models[0]),
+        *(check_style(style, model, models[0]) for style, model in styled.items()),
+        *facts,
+    )
+
+
+def build_variant(
+    category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
+) -> Model:
+    """Build a variant of a category that need not be in the index, as ``build`` would."""
+    return model_of(category, look_of(category, seed, attributes))
+
+
+def _drawing_failure(error: Exception) -> CheckResult:
+    frames = traceback.extract_tb(error.__traceback__)
+    at = f" ({frames[-1].filename}:{frames[-1].lineno})" if frames else ""
+    return CheckResult("drawing", False, f"{type(error).__name__}: {error}{at}")
+
+
+def _first(name: str, findings: Iterable[tuple[bool, str]]) -> CheckResult:
+    """Return the first failed finding, or the last one."""
+    detail = ""
+    for passed, detail in findings:
+        if not passed:
+            return CheckResult(name, False, detail)
+    return CheckResult(name, True, detail)
+
+
+# ----------------------------------------------------------------------------------------- shape
+
+
+def check_shape(models: Iterable[Model], max_faces: int = MAX_FACES) -> Iterator[CheckResult]:
+    """Yield checks of the surface, the number of faces and the texture of models."""
+    meshes = [model.mesh for model in models]
+    volumes = [signed_volume(m.vertices.astype(float), m.faces) for m in meshes]
+    faces = max(len(m.faces) for m in meshes)
+    side = max(max(m.texture.shape[:2]) for m in meshes)
+    low = min(float(m.uv.min()) for m in meshes)
+    high = max(float(m.uv.max()) for m in meshes)
+    holes = sum(not is_closed(m) for m in meshes)
+    yield CheckResult("closed surface", holes == 0, f"{holes} of {len(meshes)} variants have holes")
+    filled = f"{min(volumes):.2g} of the unit box"
+    yield CheckResult("positive volume", min(volumes) > 0, filled)
+    yield CheckResult("faces", faces <= max_faces, f"{faces}, at most {max_faces}")
+    texels = f"{side} texels, at most {MAX_TEXTURE}"
+    yield CheckResult("texture", side <= MAX_TEXTURE, texels)
+    yield CheckResult("uv", low >= 0 and high <= 1, f"from {low:.3f} to {high:.3f}")
+
+
+def check_parts(models: Iterable[Model]) -> Iterator[CheckResult]:
+    """Yield checks of the convex parts of models."""
+    models = list(models)
+    counts = [len(model.parts) for model in models]
+    counted = f"{min(counts)} to {max(counts)}, 1 to {MAX_PARTS} allowed"
+    yield CheckResult("convex parts", min(counts) >= 1 and max(counts) <= MAX_PARTS, counted)
+    if min(counts) == 0:
+        return
+    vertices = max(len(part.vertices) for model in models for part in model.parts)
+    most = f"{vertices} in a part, at most {MAX_PART_VERTICES}"
+    yield CheckResult("part vertices", vertices <= MAX_PART_VERTICES, most)
+    yield _first("parts inside the mesh", map(_overhang, models))
+    yield _first("parts reach the bottom", map(_gap, models))
+    yield _first("parts not flat", map(_thickness, models))
+
+
+def _overhang(model: Model) -> tuple[bool, str]:
+    over = max(float(np.abs(part.bounds).max()) for part in model.parts) - 0.5
+    return over <= MAX_OVERHANG, f"{max(over, 0):.4f} of the box outside, at most {MAX_OVERHANG}"
+
+
+def _gap(model: Model) -> tuple[bool, str]:
+    low = min(float(part.bounds[0, 2]) for part in model.parts)
+    gap = (low + 0.5) * float(model.size[2])
+    return gap < MAX_GAP, f"gap of {1000 * max(gap, 0):.2f} mm, less than {1000 * MAX_GAP:.1f}"
+
+
+def _thickness(model: Model) -> tuple[bool, str]:
+    thin = min(float((np.ptp(p.vertices, axis=0) * model.size).min()) for p in model.parts)
+    return thin > MIN_PART, f"thinnest {1000 * thin:.2f} mm, more than {1000 * MIN_PART:.1f}"
+
+
+# -------------------------------------------------------------------------------- size and mass
+
+
+def check_size(category: Category, models: Iterable[Model]) -> CheckResult:
+    """Compare the mean size of variants with the nominal size."""
+    mean = np.mean([model.size for model in models], axis=0)
+    ratio = np.abs(np.log(mean / category.size))
+    near = bool((ratio < np.log(SIZE_TOLERANCE)).all())
+    detail = f"mean {size_text(mean)}, nominal {size_text(category.size)}"
+    return CheckResult("nominal size", near, detail)
+
+
+def check_variant_size(category: Category, model: Model) -> CheckResult:
+    """Compare the diagonal of one variant with the nominal one."""
+    ratio = float(np.linalg.norm(model.size) / np.linalg.norm(category.size))
+    near = 1 / MAX_VARIANT < ratio < MAX_VARIANT
+    return CheckResult("size of a variant", near, f"{size_text(model.size)}, {ratio:.2f} times")
+
+
+def check_mass(category: Category, model: Model) -> CheckResult:
+    """Compare the mass of one variant with the nominal one."""
+    mass, (low, high) = mass_of(model), MASS_RANGE
+    near = low * category.mass < mass < high * max(category.mass, MIN_MASS)
+    return CheckResult("mass", near, f"{mass:.3g} kg, nominal {category.mass:.3g} kg")
+
+
+def size_text(size: Iterable[float]) -> str:
+    """Return an extent in metres as "8.5 x 8.3 x 9.5 cm"."""
+    return " x ".join(f"{100 * side:.3g}" for side in size) + " cm"
+
+
+# ------------------------------------------------------------------------------ variants and rest
+
+
+def check_seeds(models: Iterable[Model], again: Model) -> CheckResult:
+    """Check that models differ by seed, and that ``again`` equals the second one."""
+    prints = [fingerprint(model) for model in models]
+    distinct = len({*prints})
+    same = fingerprint(again) == prints[1]
+    repeat = "repeats" if same else "does not repeat"
+    detail = f"{distinct} of {len(prints)} variants differ, the same seed {repeat}"
+    return CheckResult("seeds", distinct == len(prints) and same, detail)
+
+
+def check_looks(models: Iterable[Model]) -> CheckResult:
+    """Count the looks among variants."""
+    looks = count_looks(models)
+    return CheckResult("looks", looks >= MIN_LOOKS, f"{looks} of {VARIANTS}, at least {MIN_LOOKS}")
+
+
+def check_rest(model: Model) -> CheckResult:
+    """Check that a model stays for a second where it stands."""
+    moved, turned = drift(model)
+    detail = f"moves {1000 * moved:.1f} mm and turns {turned:.1f}° in 1 s"
+    return CheckResult("rest", moved < MAX_DRIFT and turned < MAX_TURN, detail)
+
+
+def check_style(style: str, model: Model, plain: Model) -> CheckResult:
+    """Check the shape and the parts of a styled model, and its size against the plain one."""
+    results = *check_shape([model], MAX_STYLED_FACES), *check_parts([model])
+    change = float((np.abs(model.size - plain.size) / plain.size.max()).max())
+    sized = CheckResult("size", change <= MAX_STYLED_CHANGE, f"changes by {change:.1%}")
+    failed = [f"{r.name}: {r.detail}" for r in (*results, sized) if not r.passed]
+    detail = "; ".join(failed) or f"{len(model.mesh.faces)} faces"
+    return CheckResult(f"style {style}", not failed, detail)
+
+
+# ----------------------------------------------------------------------------------------- facts
+
+
+def check_names(category: Category) -> CheckResult:
+    """Check that no other category claims one of the names of this one."""
+    names = {category.noun, *category.aliases}
+    taken = {
+        f"{name!r} is a name of {other}"
+        for name in names
+        for other, is_noun in _claims().get(name, ())
+        if other != category.key and not (is_noun and name == category.noun)
+    }
+    return CheckResult("names", not taken, "; ".join(sorted(taken)) or f"{len(names)} names")
+
+
+@cache
+def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
+    """Return who claims each name: the key of a category, and whether the name is its noun."""
+    claims: dict[str, tuple[tuple[str, bool], ...]] = {}
+    for key, category in CATEGORIES.items():
+        for name in {category.noun, *category.aliases}:
+            claims[name] = (*claims.get(name, ()), (key, name == category.noun))
+    return MappingProxyType(claims)
+
+
+def check_index(category: Category, source: Path, index: Path = INDEX) -> CheckResult:
+    """Check that the index holds the category as its module declares it."""
+    module = f"{source.parent.name}.{source.stem}"
+    row = _rows(index).get(category.key)
+    current = row is not None and row == json.loads(json.dumps(row_of(module, category)))
+    state = "current" if current else "missing" if row is None else "out of date"
+    advice = "" if current else f"; run: {INDEX_COMMAND}"
+    return CheckResult("index", current, f"its row is {state}{advice}")
+
+
+@cache
+def _rows(index: Path) -> Mapping[str, dict[str, object]]:
+    return MappingProxyType(json.loads(index.read_bytes()))
