@@ -33,6 +33,7 @@ SIDES: Mapping[str, View] = MappingProxyType(
 )  # fmt: skip
 
 LOOKS = 4
+_DIAGONAL = 0.25  # metres
 _UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 _INK, _LINE = (40, 44, 52), (120, 126, 138)
 
@@ -63,13 +64,13 @@ def measure(model: Model, side: int = 240) -> Picture:
     camera = _frame(model, View(0.0, np.deg2rad(4.0), _FOV), side, room=1.35)
     picture = Image.fromarray(_render(model, camera))
     pen, font = ImageDraw.Draw(picture), ImageFont.load_default(13)
-    x, y, z = (model.size * [0.5, -0.5, 1.0]).tolist()
+    x, y, z = (_size(model) * [0.5, -0.5, 1.0]).tolist()
     corners = np.array([[-x, y, 0.0], [x, y, 0.0], [x, y, z]])
     (left, low), (right, _), (_, high) = camera.project(corners).tolist()
     below, beside = min(low + 14, side - 22), min(right + 14, side - 8)
     _rule(pen, (left, below), (right, below))
     _rule(pen, (beside, low), (beside, high))
-    wide, tall = (f"{100 * length:.3g} cm" for length in (2 * x, z))
+    wide, tall = (f"{100 * length:.3g} cm" for length in model.size[[0, 2]])
     pen.text(((left + right) / 2, below + 5), wide, _INK, font, anchor="mt")
     pen.text((beside, high - 6), tall, _INK, font, anchor="rb")
     return np.asarray(picture, np.uint8)
@@ -85,17 +86,25 @@ def _rule(pen: ImageDraw.ImageDraw, start: tuple[float, float], end: tuple[float
 
 def _frame(model: Model, view: View, side: int, room: float = 1.08) -> Camera:
     """Return a camera that shows a model's whole box, with some room around it."""
-    reach = float(np.linalg.norm(model.size)) / 2
-    return Camera.looking_at(_middle(model), view, room * reach / np.sin(view.fov / 2), side, side)
+    distance = room * _DIAGONAL / 2 / np.sin(view.fov / 2)
+    return Camera.looking_at(_middle(model), view, distance, side, side)
 
 
 def _render(model: Model, camera: Camera) -> Picture:
-    item = place(model.mesh, model.size, _middle(model), _UPRIGHT)
+    item = place(model.mesh, _size(model), _middle(model), _UPRIGHT)
     return render([item], camera, ground_shadow=0.35).image
 
 
+def _size(model: Model) -> Float[np.ndarray, "3"]:
+    """Return a model's extent in the pictures, where all diagonals are equal.
+
+    The softness of shadows is in metres: it would hide those of small objects.
+    """
+    return model.size * (_DIAGONAL / np.linalg.norm(model.size))
+
+
 def _middle(model: Model) -> Float[np.ndarray, "3"]:
-    return np.array([0.0, 0.0, model.size[2] / 2])
+    return np.array([0.0, 0.0, _size(model)[2] / 2])
 
 
 def lay_out(
