@@ -13,7 +13,7 @@ from tyro.conf import Positional, arg
 from ..errors import escape, require_number, require_seed
 from ..io.files import check_folder, check_target
 from .inspection import Format
-from .printing import emit, progress
+from .output import emit, progress
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -19,7 +19,7 @@ import httpx2
 
 from ...errors import BackendError
 from ...io.bounded import split_url
-from .exchange import begin
+from .pending import begin
 
 _PROXIES = ("http", "https", "socks5", "socks5h")
 

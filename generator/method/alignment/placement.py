@@ -9,8 +9,8 @@ import numpy as np
 from jaxtyping import Float
 from scipy.optimize import linear_sum_assignment
 
-from ...backends.protocols import Imager, Reasoner, Segmenter
-from ...errors import SceneError, require
+from ...backends.protocols import Imager, PoseGuesser, Reasoner, Segmenter
+from ...errors import BackendError, SceneError, require
 from ...geometry import rotated_extent
 from ...render.contact import at_rest
 from ...scene import (
