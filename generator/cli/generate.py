@@ -12,7 +12,7 @@ from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from ..backends.paid_run import save_ledger, scene_key
 from ..errors import DryRunError, InputError, SceneError, escape, exit_code, require_seed
-from ..imports.reader import ImportOptions
+from ..imports.options import ImportOptions
 from ..io.files import check_folder
 from ..scene import Density, Intrinsics
 from . import paid_options

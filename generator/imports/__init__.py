@@ -15,7 +15,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .reader import ImportOptions as ImportOptions
+from .options import ImportOptions as ImportOptions
 
 if TYPE_CHECKING:
     from ..method.assembly import AssemblyConfig

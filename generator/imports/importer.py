@@ -16,7 +16,8 @@ from ..scene import Provenance, Scene
 from ..scene.provenance import scene_name, versions
 from .building import build_scene
 from .folder import POSES
-from .reader import ImportOptions, SourceKind, read_scene
+from .options import ImportOptions
+from .reader import SourceKind, read_scene
 
 _SCENE = "scene.xml"
 _KINDS: Mapping[str, SourceKind] = MappingProxyType(

@@ -6,16 +6,15 @@ loop, crash or fill the memory costs a child process, and ends as one error.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from ..errors import InputError, require
+from ..errors import InputError
 from ..meshes.reading.bounds import LIMITS
 from ..meshes.reading.surface import ColoredSurface
 from ..physics.inertia import MassProperties
 from ..sandbox import SandboxError, call
-from ..scene import MAX_LEAN, ConvexPart
+from ..scene import ConvexPart
 from .foreign import ForeignBody, ForeignScene, ImportOutcome
 
 SourceKind = Literal["mjcf", "glb", "obj", "folder"]
@@ -80,33 +79,3 @@ def _advice(error: SandboxError) -> str:
     if error.breach in ("parser", "crash"):
         return "Export it again, or check it with the program that made it."
     return "Use fewer or smaller meshes and textures."
-
-
-@dataclass(frozen=True)
-class ImportOptions:
-    """How a foreign scene is read.
-
-    Attributes:
-        name: Name of the scene; its own if left out.
-        table: Name of the fixed body, geom or node that is the table; found if left out.
-        root: Folder that a MJCF and all its files are inside of; the file's own if left out.
-        drop_failing: Leave out objects that the physical gate names, instead of failing.
-        scale: Factor of all lengths: 0.001 for a file in millimetres. In a folder it applies to the
-            files of objects that have no scale of their own, not to positions.
-        lean: Degrees by which gravity leans in the physical gate; 0 judges the scene on a level
-            table, where round objects stay, and generated scenes pass at 2.
-
-    Raises:
-        InputError: scale or lean is out of range.
-    """
-
-    name: str | None = None
-    table: str | None = None
-    root: Path | None = None
-    drop_failing: bool = False
-    scale: float = 1.0
-    lean: float = 0.0
-
-    def __post_init__(self) -> None:
-        require(self, "scale", minimum=1e-6, maximum=1e6)
-        require(self, "lean", minimum=0, maximum=MAX_LEAN)

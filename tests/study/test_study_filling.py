@@ -46,7 +46,7 @@ HOSTILE: dict[str, Callable[[str], str | bytes]] = {
     "another policy": lambda page: page.replace("default-src 'none'", "default-src *"),
     "spaces in the data": lambda page: page.replace('"schema":1', '"schema": 1'),
     "markup in the data": lambda page: page.replace('"title":""', '"title":"<b>"'),
-    "the data twice": lambda page: page.replace("</body>", f"{filling.MARK}</body>"),
+    "the data twice": lambda page: page.replace("</body>", f"{page_data.MARK}</body>"),
     "no data": lambda page: tiny.TEMPLATE,
     "no text": lambda page: b"\xff" + page.encode(),
     "empty": lambda page: "",
