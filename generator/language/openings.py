@@ -19,11 +19,7 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
             ("rack", "empty_toast_rack", "toast bread_slice"),
             ("rack", "empty_wine_rack", "wine_bottle"),
             ("rack", "letter_rack", "letter envelope magazine newspaper postcard vinyl_record"),
-            (
-                "flower pot",
-                "plant_pot",
-                _PLANTS,
-            ),
+            ("flower pot", "plant_pot", _PLANTS),
             ("pot", "plant_pot", _PLANTS),
         )
         for kind in kinds.split()

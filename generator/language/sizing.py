@@ -13,12 +13,11 @@ from dataclasses import replace
 import numpy as np
 
 from tabletop_objects import CATEGORIES
+from tabletop_objects.values import Extent
 
 from ..scene import PlannedObject
 from . import relations
 from .openings import cut_category, is_lit, open_category
-
-Extent = tuple[float, float, float]
 
 _GROWTH: Mapping[str, float] = {
     "bowl": 1.75, "basket": 1.6, "box": 1.8, "tray": 1.9, "plate": 1.35, "pot": 1.5, "pan": 1.3,
