@@ -14,35 +14,21 @@ import argparse
 import dataclasses
 import enum
 import hashlib
-import importlib
 import json
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
-from typing import Any
 
 import numpy as np
+
+from tabletop_objects import CATEGORIES, Category, build
 
 LOOKS: tuple[tuple[int, dict[str, str]], ...] = (
     (0, {}), (1, {}), (2, {"color": "red", "material": "wood"}),
     (3, {"style": "cartoon", "size": "large"}), (4, {"style": "low-poly", "color": "blue"}),
 )  # fmt: skip
 """Seeds and attributes of the looks."""
-
-LIBRARIES = "tabletop_objects", "generator.catalogue"
-"""Modules that have ``CATEGORIES`` and ``build``; the first that exists is recorded."""
-
-
-def library() -> Any:
-    """Return the module of the objects."""
-    for name in LIBRARIES:
-        try:
-            return importlib.import_module(name)
-        except ModuleNotFoundError as error:
-            if error.name != name:
-                raise
-    raise SystemExit(f"none of {', '.join(LIBRARIES)} is installed")
 
 
 def words(value: object) -> Iterator[bytes]:
@@ -82,15 +68,14 @@ def digest(value: object) -> str:
 
 def record_category(key: str) -> tuple[str, dict[str, str]]:
     """Return the digests of one category: of its facts and of each look."""
-    objects = library()
     looks = {
-        f"look {number}": digest(objects.build(key, seed, attributes=attributes))
+        f"look {number}": digest(build(key, seed, attributes=attributes))
         for number, (seed, attributes) in enumerate(LOOKS)
     }
-    return key, {"facts": digest(facts(objects.CATEGORIES[key])), **looks}
+    return key, {"facts": digest(facts(CATEGORIES[key])), **looks}
 
 
-def facts(category: Any) -> dict[str, object]:
+def facts(category: Category) -> dict[str, object]:
     """Return what a category says besides its builder."""
     names = ("key", "size", "mass", "aliases", "themes", "roles", "colors", "friction", "state",
              "holder", "noun", "container", "ball", "density")  # fmt: skip
@@ -99,7 +84,7 @@ def facts(category: Any) -> dict[str, object]:
 
 def record(path: Path, workers: int, only: Sequence[str] = ()) -> None:
     """Write the digests of all categories, or of some, in their order."""
-    keys = [key for key in library().CATEGORIES if not only or key in only]
+    keys = [key for key in CATEGORIES if not only or key in only]
     with ProcessPoolExecutor(workers) as pool:
         found = dict(pool.map(record_category, keys, chunksize=16))
     path.write_text(json.dumps(found, indent=0) + "\n")

@@ -18,11 +18,10 @@ from tabletop_objects.kit import surfaces
 from tabletop_objects.kit.parts import box_part, cylinder_part, hull_of, resting_ball
 from tabletop_objects.kit.shapes import Category, Shape, shape
 from tabletop_objects.kit.solids import block, box, cylinder, ellipsoid, join, lathe, torus, tube
-from tabletop_objects.kit.surfaces import SIZE_FACTORS, Look, tint_color
+from tabletop_objects.kit.surfaces import Look, size_factor, tint_color
+from tabletop_objects.values import Extent
 
 from .scene import Model
-
-Extent = tuple[float, float, float]
 
 GENERIC = "generic"
 """Category of a stand-in."""
@@ -83,8 +82,7 @@ def build_stand_in(
 def stand_in_size(family: str, attributes: Mapping[str, str] = MappingProxyType({})) -> Extent:
     """Return the extent expected of a family's stand-in, metres."""
     x, y, z = FAMILIES.get(family, FAMILIES["block"]).extent
-    words = attributes.get("size", "").split()
-    factor = next((SIZE_FACTORS[word] for word in words if word in SIZE_FACTORS), 1.0)
+    factor = size_factor(attributes)
     return x * factor, y * factor, z * factor
 
 

@@ -18,7 +18,7 @@ from jaxtyping import Float
 from .errors import InputError, choices
 from .kit.shapes import Category, Shape, mesh_of
 from .kit.solids import signed_volume
-from .kit.surfaces import SIZE_FACTORS, Look
+from .kit.surfaces import Look, size_factor
 from .values import Extent, Holder, Mesh, Model, Physics, parts_to_unit_box, to_unit_box
 
 _VARIATION = 0.5, 2.0  # a variant's mass relative to the nominal one
@@ -214,14 +214,14 @@ def model_of(category: Category, look: Look, size: Extent | None = None) -> Mode
         made = show_color(made, color)
     mesh = mesh_of(made)
     unit, center, extent = to_unit_box(mesh)
-    words = look.attributes.get("size", "").lower().split()
-    factor = next((SIZE_FACTORS[w] for w in words if w in SIZE_FACTORS), 1.0)
-    return Model(name=category.key, label=category.noun, mesh=unit, size=extent * factor
-                 if size is None else np.array(size), physics=_physics(category, mesh, extent),
-                 parts=parts_to_unit_box(made.parts, center, extent), category=category.key,
-                 container=category.container, slots=tuple(replace(slot, at=(slot.at - center)
-                                                                   / extent)
-                                                           for slot in made.slots))  # fmt: skip
+    full = extent * size_factor(look.attributes) if size is None else np.array(size)
+    slots = tuple(replace(slot, at=(slot.at - center) / extent) for slot in made.slots)
+    return Model(
+        name=category.key, label=category.noun, mesh=unit, size=full,
+        physics=_physics(category, mesh, extent),
+        parts=parts_to_unit_box(made.parts, center, extent), category=category.key,
+        container=category.container, slots=slots,
+    )  # fmt: skip
 
 
 def _physics(category: Category, mesh: Mesh, extent: Float[np.ndarray, "3"]) -> Physics:

@@ -18,7 +18,7 @@ class TabletopError(Exception):
 
 
 class InputError(TabletopError, ValueError):
-    """What the caller passed in cannot be used: a text, an image, a setting, an action."""
+    """An argument is invalid: a text, an image, a setting or an action."""
 
 
 def choices(wrong: str, available: Iterable[str]) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float
 
 from tabletop_objects import get_category
-from tabletop_objects.kit.surfaces import SIZE_FACTORS
+from tabletop_objects.kit.surfaces import size_factor
 
 from ..errors import InputError
 from ..geometry import quaternion_yaw
@@ -140,8 +140,7 @@ def _usual(scene: Scene, thing: Object) -> tuple[Float[np.ndarray, "3"], str] | 
     planned = [p for p in scene.plan.objects if p.name == thing.name] if scene.plan else []
     if planned and planned[0].size is not None:
         return np.array(planned[0].size), "plan"
-    words = planned[0].attributes.get("size", "").lower().split() if planned else []
-    factor = next((SIZE_FACTORS[w] for w in words if w in SIZE_FACTORS), 1.0)
+    factor = size_factor(planned[0].attributes) if planned else 1.0
     for word in (thing.model.category, thing.label):
         try:
             return factor * np.array(get_category(word).size), "catalogue"

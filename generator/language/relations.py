@@ -7,12 +7,12 @@ from dataclasses import replace
 from typing import cast, get_args
 
 from tabletop_objects import CATEGORIES
+from tabletop_objects.values import Extent
 
 from ..errors import InputError
 from ..scene import TABLE, PlannedObject, Relation, RelationKind
 from ..stand_ins import FAMILIES, GENERIC, stand_in_size
 
-Extent = tuple[float, float, float]
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))
 OPPOSITE: Mapping[str, str] = {
     "left_of": "right_of", "right_of": "left_of", "behind": "in_front_of", "in_front_of": "behind",

@@ -14,11 +14,10 @@ from types import MappingProxyType
 import numpy as np
 
 from tabletop_objects import CATEGORIES
+from tabletop_objects.values import Extent
 
 from ..scene import PlannedObject
 from . import relations
-
-Extent = tuple[float, float, float]
 
 _GROWTH: Mapping[str, float] = {
     "bowl": 1.75, "basket": 1.6, "box": 1.8, "tray": 1.9, "plate": 1.35, "pot": 1.5, "pan": 1.3,
@@ -234,11 +233,7 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
             ("rack", "empty_toast_rack", "toast bread_slice"),
             ("rack", "empty_wine_rack", "wine_bottle"),
             ("rack", "letter_rack", "letter envelope magazine newspaper postcard vinyl_record"),
-            (
-                "flower pot",
-                "plant_pot",
-                _PLANTS,
-            ),
+            ("flower pot", "plant_pot", _PLANTS),
             ("pot", "plant_pot", _PLANTS),
         )
         for kind in kinds.split()

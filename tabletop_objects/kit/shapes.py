@@ -202,7 +202,7 @@ def serve(
 
 
 Drawing = Callable[[Look], Pieces]
-"""What draws the pieces of one variant."""
+"""Draws the pieces of one variant."""
 
 Bodies = int | Sequence[int] | None
 """How many of the first pieces collide, or which ones; None stands for all."""

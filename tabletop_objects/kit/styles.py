@@ -34,7 +34,7 @@ FEW = 60
 """A solid of at most this many faces is low-poly as it stands."""
 
 SHEET = 0.2
-"""What is thinner than this, relative to its next side, keeps its print in low-poly."""
+"""Solids thinner than this, relative to their next side, keep their print in low-poly."""
 
 STRAY = 0.06
 """How far low-poly may depart from a solid, relative to its longest side."""

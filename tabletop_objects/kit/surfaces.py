@@ -282,7 +282,14 @@ T = TypeVar("T")
 SIZE_FACTORS: Mapping[str, float] = {"tiny": 0.65, "mini": 0.7, "small": 0.8, "little": 0.8,
                                      "medium": 1.0, "big": 1.25, "large": 1.25, "huge": 1.45,
                                      "giant": 1.45}  # fmt: skip
-"""What a size word does to an object's extent."""
+"""Factors of size words on an object's extent."""
+
+
+def size_factor(attributes: Mapping[str, str]) -> float:
+    """Return the factor of the attribute "size" on an extent; 1 without a known size word."""
+    words = attributes.get("size", "").lower().split()
+    return next((SIZE_FACTORS[word] for word in words if word in SIZE_FACTORS), 1.0)
+
 
 WOODS: Mapping[str, RGB] = {"oak": (196, 154, 104), "walnut": (112, 76, 50),
                             "pine": (222, 186, 132), "beech": (214, 172, 124),

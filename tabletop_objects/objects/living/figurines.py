@@ -637,7 +637,7 @@ FIGURES: MappingProxyType[str, Callable[[], Named]] = MappingProxyType(
     {"angel": _angel, "bird": _bird, "cat": _cat, "elephant": _elephant, "lady": _lady,
      "owl": _owl, "penguin": _penguin, "rabbit": _rabbit}
 )  # fmt: skip
-"""What a figurine may be."""
+"""Kinds of figurines."""
 
 
 @category("figurine", size=(0.062, 0.066, 0.105), mass=0.12, material="ceramic", hollow=True,

@@ -252,7 +252,7 @@ DRAWN: MappingProxyType[str, Callable[[Canvas, Look, RGB], None]] = MappingProxy
     {"city": _city, "lines": _lines, "old": _old, "relief": _relief, "roads": _roads,
      "world": _world}
 )  # fmt: skip
-"""What a map may show."""
+"""Kinds of maps."""
 
 
 @category("scroll", size=(0.176, 0.153, 0.0259), mass=0.08, material="paper",

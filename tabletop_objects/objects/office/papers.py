@@ -267,7 +267,7 @@ INK: RGB = (62, 62, 70)
 GRAY: RGB = (140, 140, 146)
 
 Print = Callable[[Look, prints.Canvas, RGB], None]
-"""What prints one paper, in its accent colour."""
+"""Prints one paper, in its accent colour."""
 
 
 def paper(

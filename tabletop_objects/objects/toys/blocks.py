@@ -13,7 +13,7 @@ from ...kit.primitives import at_box, side_view
 from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, shape
 from ...kit.solids import Solid, block, box, cylinder, join, prism
 from ...kit.surfaces import Look, tint_color
-from .shapes import body, paint, same
+from .shapes import Made, body, paint, same
 
 
 @category("magnetic_tile", size=(0.075, 0.075, 0.006), mass=0.03, material="plastic",
@@ -30,10 +30,6 @@ def magnetic_tile(look: Look) -> Pieces:
                                                                  (0, 0, 0.0015))]  # fmt: skip
     return [(join(frame), surfaces.plain(color)), (pane, surfaces.plain(tint_color(color, 1.45))),
             (join(bars), surfaces.plain(tint_color(color, 1.1)))]  # fmt: skip
-
-
-Made = tuple[list[Solid], list[Solid]]
-"""What is drawn, and the solids whose hulls it collides with."""
 
 
 def _arch(k: float) -> Made:

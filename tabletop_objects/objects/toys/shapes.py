@@ -19,7 +19,7 @@ from ...kit.surfaces import Look
 CUBE_PAINTS = ("red", "blue", "green", "yellow", "orange", "purple", "wooden", "teal", "pink")
 
 Made = tuple[list[Solid], list[Solid]]
-"""What is drawn, and the solids whose hulls it collides with."""
+"""The visible solids, and the solids whose hulls are the collision parts."""
 
 
 def paint(
