@@ -112,9 +112,7 @@ def generate(
     step(alignment=alignment)  # beyond the paper: all objects against all outlines, without depth
     refinement = run.refine(alignment)
 
-    step(
-        refinement=refinement
-    )  # Sec. 3.4: bodies that rest, judged by the gate
+    step(refinement=refinement)  # Sec. 3.4: bodies that rest, judged by the gate
     warnings = _warn_hidden(reference, instances) + alignment.warnings
     provenance = _provenance(source, depth, intrinsics, reference, b, config, seed, warnings)
     scene = run.publish(
