@@ -96,7 +96,7 @@ class MemberReader(ThingReader, ABC):
             draft.attributes.update(noun.attributes)
         return free or None
 
-    def _ranked(self, noun: Noun) -> Members:
+    def _by_rank(self, noun: Noun) -> Members:
         if noun.definite and (best := self._ordinal(noun) or self._superlative(noun)):
             return self._refer(noun, best)
         return SKIP
@@ -255,7 +255,7 @@ def _is_spread(post: object) -> bool:
 RULES: tuple[Rule, ...] = (
     Rule("six cups, half of them red", MemberReader._half_or_rest),
     Rule("five mugs: the left one is red, the other four blue", MemberReader._described_rest),
-    Rule("three mugs in a row, the left one on a plate", MemberReader._ranked),
+    Rule("three mugs in a row, the left one on a plate", MemberReader._by_rank),
     Rule("a plate with two steaks and another with four patties", MemberReader._another_carrier),
     Rule("a carrot in front of the rabbit and another in front of the plate",
          MemberReader._another),
