@@ -20,6 +20,7 @@ from assets_cache import store
 from generator import editing
 from generator.backends import Backends
 from generator.bundle import load
+from generator.composition import compose
 from generator.method.figures import preview
 from generator.pipeline import generate
 from generator.render.sheet import grid
@@ -35,6 +36,17 @@ SWAPS = (
     ("vanity", "hand_mirror_1", "a hairbrush"),
 )
 """For the picture of edits: starter, removed thing, new thing."""
+
+
+TABLES = (
+    "a kitchen counter with a cutting board with vegetables, a chef's knife, a stand mixer, a bowl "
+    "of eggs, a rolling pin, spice jars and a kettle",
+    "a crowded workbench with a drill, a hammer, pliers, screwdrivers, a tape measure, a toolbox, "
+    "a paint can, a vise and a box of screws",
+    "a messy office desk with a laptop, a desk lamp, a mug with pencils, a stack of books, "
+    "headphones, a potted plant, sticky notes and a camera",
+)
+"""For the picture of composed tables."""
 
 
 def across(images: list[np.ndarray], width: int = WIDTH) -> np.ndarray:
@@ -85,6 +97,12 @@ def starters(text: str, out: Path) -> dict[str, np.ndarray]:
     return {"starters": grid(shown, names, columns=5, cell=240)}
 
 
+def tables(text: str, out: Path) -> dict[str, np.ndarray]:
+    """Return three composed tables side by side."""
+    scenes = [compose(each, seed=3, density="dense") for each in TABLES]
+    return {"tables": across([preview(scene) for scene in scenes])}
+
+
 def expert(text: str, out: Path) -> dict[str, np.ndarray]:
     """Return a film strip of the expert at a starter."""
     return {"expert": film_strip(at_work("starter", (240, 320)))}
@@ -104,7 +122,13 @@ def edits(text: str, out: Path) -> dict[str, np.ndarray]:
 
 
 PICTURES: Mapping[str, Callable[[str, Path], Mapping[str, np.ndarray]]] = MappingProxyType(
-    {"generated": generate_pictures, "starters": starters, "expert": expert, "edits": edits}
+    {
+        "tables": tables,
+        "generated": generate_pictures,
+        "starters": starters,
+        "expert": expert,
+        "edits": edits,
+    }
 )
 """What can be made, by name; "generated" makes two pictures, hero and stages."""
 
