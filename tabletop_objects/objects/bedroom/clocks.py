@@ -1,4 +1,4 @@
-"""Clocks (bedroom)."""
+"""Clocks of the bedroom theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Breads (breakfast)."""
+"""Breads of the breakfast theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Foods (breakfast)."""
+"""Foods of the breakfast theme."""
 
 from __future__ import annotations
 

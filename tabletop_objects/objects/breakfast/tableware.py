@@ -1,4 +1,4 @@
-"""Tableware (breakfast)."""
+"""Tableware of the breakfast theme."""
 
 from __future__ import annotations
 

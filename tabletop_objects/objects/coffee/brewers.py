@@ -1,4 +1,4 @@
-"""Brewers (coffee)."""
+"""Brewers of the coffee theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cakes (coffee)."""
+"""Cakes of the coffee theme."""
 
 from __future__ import annotations
 

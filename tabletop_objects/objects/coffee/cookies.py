@@ -1,4 +1,4 @@
-"""Cookies (coffee)."""
+"""Cookies of the coffee theme."""
 
 from __future__ import annotations
 

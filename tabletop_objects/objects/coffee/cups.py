@@ -1,4 +1,4 @@
-"""Cups (coffee)."""
+"""Cups of the coffee theme."""
 
 from __future__ import annotations
 

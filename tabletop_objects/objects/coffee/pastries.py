@@ -1,4 +1,4 @@
-"""Pastries (coffee)."""
+"""Pastries of the coffee theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sweets (coffee)."""
+"""Sweets of the coffee theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Art supplies (craft)."""
+"""Art supplies of the craft theme."""
 
 from __future__ import annotations
 

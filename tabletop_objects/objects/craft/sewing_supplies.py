@@ -1,4 +1,4 @@
-"""Sewing supplies (craft)."""
+"""Sewing supplies of the craft theme."""
 
 from __future__ import annotations
 

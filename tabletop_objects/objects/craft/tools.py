@@ -1,4 +1,4 @@
-"""Tools (craft)."""
+"""Tools of the craft theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Barware (dining)."""
+"""Barware of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bottles (dining)."""
+"""Bottles of the dining theme."""
 
 from __future__ import annotations
 

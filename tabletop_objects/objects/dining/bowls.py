@@ -1,4 +1,4 @@
-"""Bowls (dining)."""
+"""Bowls of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Boxes (dining)."""
+"""Boxes of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Candles (dining)."""
+"""Candles of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cards (dining)."""
+"""Cards of the dining theme."""
 
 from __future__ import annotations
 

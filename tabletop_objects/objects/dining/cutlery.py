@@ -1,4 +1,4 @@
-"""Cutlery (dining)."""
+"""Cutlery of the dining theme."""
 
 from __future__ import annotations
 

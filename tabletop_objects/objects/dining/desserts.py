@@ -1,4 +1,4 @@
-"""Desserts (dining)."""
+"""Desserts of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Foods (dining)."""
+"""Foods of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Glasses (dining)."""
+"""Glasses of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Holders (dining)."""
+"""Holders of the dining theme."""
 
 from __future__ import annotations
 

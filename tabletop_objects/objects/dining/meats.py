@@ -1,4 +1,4 @@
-"""Meats (dining)."""
+"""Meats of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Plates (dining)."""
+"""Plates of the dining theme."""
 
 from __future__ import annotations
 

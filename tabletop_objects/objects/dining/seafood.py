@@ -1,4 +1,4 @@
-"""Seafood (dining)."""
+"""Seafood of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Shakers (dining)."""
+"""Shakers of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sushi (dining)."""
+"""Sushi of the dining theme."""
 
 from __future__ import annotations
 

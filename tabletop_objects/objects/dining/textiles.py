@@ -1,4 +1,4 @@
-"""Textiles (dining)."""
+"""Textiles of the dining theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Components (electronics)."""
+"""Components of the electronics theme."""
 
 from __future__ import annotations
 

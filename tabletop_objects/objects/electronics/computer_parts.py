@@ -1,4 +1,4 @@
-"""Computer parts (electronics)."""
+"""Computer parts of the electronics theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Devices (electronics)."""
+"""Devices of the electronics theme."""
 
 from __future__ import annotations
 

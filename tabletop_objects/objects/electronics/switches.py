@@ -1,4 +1,4 @@
-"""Switches (electronics)."""
+"""Switches of the electronics theme."""
 
 from __future__ import annotations
 

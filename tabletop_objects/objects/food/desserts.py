@@ -1,4 +1,4 @@
-"""Desserts (food)."""
+"""Desserts of the food theme."""
 
 from __future__ import annotations
 

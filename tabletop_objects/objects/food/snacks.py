@@ -1,4 +1,4 @@
-"""Snacks (food)."""
+"""Snacks of the food theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sweets (food)."""
+"""Sweets of the food theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Board games (games)."""
+"""Board games of the games theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cards (games)."""
+"""Cards of the games theme."""
 
 from __future__ import annotations
 

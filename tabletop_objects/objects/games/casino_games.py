@@ -1,4 +1,4 @@
-"""Casino games (games)."""
+"""Casino games of the games theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Dice (games)."""
+"""Dice of the games theme."""
 
 from __future__ import annotations
 

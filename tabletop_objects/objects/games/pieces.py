@@ -1,4 +1,4 @@
-"""Pieces (games)."""
+"""Pieces of the games theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Devices (gaming)."""
+"""Devices of the gaming theme."""
 
 from __future__ import annotations
 

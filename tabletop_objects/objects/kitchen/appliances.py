@@ -1,4 +1,4 @@
-"""Appliances (kitchen)."""
+"""Appliances of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bags (kitchen)."""
+"""Bags of the kitchen theme."""
 
 from __future__ import annotations
 

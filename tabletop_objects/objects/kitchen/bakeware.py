@@ -1,4 +1,4 @@
-"""Bakeware (kitchen)."""
+"""Bakeware of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Beans (kitchen)."""
+"""Beans of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Berries (kitchen)."""
+"""Berries of the kitchen theme."""
 
 from __future__ import annotations
 

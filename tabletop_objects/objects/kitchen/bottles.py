@@ -1,4 +1,4 @@
-"""Bottles (kitchen)."""
+"""Bottles of the kitchen theme."""
 
 from __future__ import annotations
 

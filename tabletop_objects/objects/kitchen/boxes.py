@@ -1,4 +1,4 @@
-"""Boxes (kitchen)."""
+"""Boxes of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Breads (kitchen)."""
+"""Breads of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cans (kitchen)."""
+"""Cans of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Citrus (kitchen)."""
+"""Citrus of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cleaners (kitchen)."""
+"""Cleaners of the kitchen theme."""
 
 from __future__ import annotations
 

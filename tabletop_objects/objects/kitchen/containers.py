@@ -1,4 +1,4 @@
-"""Containers (kitchen)."""
+"""Containers of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cookware (kitchen)."""
+"""Cookware of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cutters (kitchen)."""
+"""Cutters of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Dairy (kitchen)."""
+"""Dairy of the kitchen theme."""
 
 from __future__ import annotations
 

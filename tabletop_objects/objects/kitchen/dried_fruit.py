@@ -1,4 +1,4 @@
-"""Dried fruit (kitchen)."""
+"""Dried fruit of the kitchen theme."""
 
 from __future__ import annotations
 

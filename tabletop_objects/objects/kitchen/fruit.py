@@ -1,4 +1,4 @@
-"""Fruit (kitchen)."""
+"""Fruit of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Greens (kitchen)."""
+"""Greens of the kitchen theme."""
 
 from __future__ import annotations
 

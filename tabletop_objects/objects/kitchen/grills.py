@@ -1,4 +1,4 @@
-"""Grills (kitchen)."""
+"""Grills of the kitchen theme."""
 
 from __future__ import annotations
 

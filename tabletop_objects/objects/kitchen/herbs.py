@@ -1,4 +1,4 @@
-"""Herbs (kitchen)."""
+"""Herbs of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Jars (kitchen)."""
+"""Jars of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Knives (kitchen)."""
+"""Knives of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Makers (kitchen)."""
+"""Makers of the kitchen theme."""
 
 from __future__ import annotations
 

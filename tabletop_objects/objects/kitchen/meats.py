@@ -1,4 +1,4 @@
-"""Meats (kitchen)."""
+"""Meats of the kitchen theme."""
 
 from __future__ import annotations
 

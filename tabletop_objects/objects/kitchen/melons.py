@@ -1,4 +1,4 @@
-"""Melons (kitchen)."""
+"""Melons of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Nuts (kitchen)."""
+"""Nuts of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Openers (kitchen)."""
+"""Openers of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Papers (kitchen)."""
+"""Papers of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Racks (kitchen)."""
+"""Racks of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Roots (kitchen)."""
+"""Roots of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Seafood (kitchen)."""
+"""Seafood of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Snacks (kitchen)."""
+"""Snacks of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Spices (kitchen)."""
+"""Spices of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Spoons (kitchen)."""
+"""Spoons of the kitchen theme."""
 
 from __future__ import annotations
 

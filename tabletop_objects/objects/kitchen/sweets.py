@@ -1,4 +1,4 @@
-"""Sweets (kitchen)."""
+"""Sweets of the kitchen theme."""
 
 from __future__ import annotations
 

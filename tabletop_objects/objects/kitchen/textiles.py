@@ -1,4 +1,4 @@
-"""Textiles (kitchen)."""
+"""Textiles of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Trash (kitchen)."""
+"""Trash of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Utensils (kitchen)."""
+"""Utensils of the kitchen theme."""
 
 from __future__ import annotations
 

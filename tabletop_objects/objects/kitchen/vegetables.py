@@ -1,4 +1,4 @@
-"""Vegetables (kitchen)."""
+"""Vegetables of the kitchen theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Apparatus (lab)."""
+"""Apparatus of the lab theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Labware (lab)."""
+"""Labware of the lab theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Medical supplies (lab)."""
+"""Medical supplies of the lab theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Models (lab)."""
+"""Models of the lab theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Robots (lab)."""
+"""Robots of the lab theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Teeth (lab)."""
+"""Teeth of the lab theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Watches (lab)."""
+"""Watches of the lab theme."""
 
 from __future__ import annotations
 

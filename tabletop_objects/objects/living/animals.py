@@ -1,4 +1,4 @@
-"""Animals (living)."""
+"""Animals of the living theme."""
 
 from __future__ import annotations
 

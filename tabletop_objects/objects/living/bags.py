@@ -1,4 +1,4 @@
-"""Bags (living)."""
+"""Bags of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bouquets (living)."""
+"""Bouquets of the living theme."""
 
 from __future__ import annotations
 

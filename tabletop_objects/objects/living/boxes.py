@@ -1,4 +1,4 @@
-"""Boxes (living)."""
+"""Boxes of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Candles (living)."""
+"""Candles of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cards (living)."""
+"""Cards of the living theme."""
 
 from __future__ import annotations
 

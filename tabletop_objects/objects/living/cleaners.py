@@ -1,4 +1,4 @@
-"""Cleaners (living)."""
+"""Cleaners of the living theme."""
 
 from __future__ import annotations
 

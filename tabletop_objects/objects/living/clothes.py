@@ -1,4 +1,4 @@
-"""Clothes (living)."""
+"""Clothes of the living theme."""
 
 from __future__ import annotations
 

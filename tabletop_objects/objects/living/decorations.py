@@ -1,4 +1,4 @@
-"""Decorations (living)."""
+"""Decorations of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Drums (living)."""
+"""Drums of the living theme."""
 
 from __future__ import annotations
 

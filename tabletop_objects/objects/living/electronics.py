@@ -1,4 +1,4 @@
-"""Electronics (living)."""
+"""Electronics of the living theme."""
 
 from __future__ import annotations
 

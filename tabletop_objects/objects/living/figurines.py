@@ -1,4 +1,4 @@
-"""Figurines (living)."""
+"""Figurines of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Flowers (living)."""
+"""Flowers of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hats (living)."""
+"""Hats of the living theme."""
 
 from __future__ import annotations
 

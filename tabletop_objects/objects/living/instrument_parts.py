@@ -1,4 +1,4 @@
-"""Instrument parts (living)."""
+"""Instrument parts of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Instruments (living)."""
+"""Instruments of the living theme."""
 
 from __future__ import annotations
 

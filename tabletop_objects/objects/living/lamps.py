@@ -1,4 +1,4 @@
-"""Lamps (living)."""
+"""Lamps of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Leaves (living)."""
+"""Leaves of the living theme."""
 
 from __future__ import annotations
 

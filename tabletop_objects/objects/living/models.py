@@ -1,4 +1,4 @@
-"""Models (living)."""
+"""Models of the living theme."""
 
 from __future__ import annotations
 

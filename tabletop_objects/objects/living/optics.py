@@ -1,4 +1,4 @@
-"""Optics (living)."""
+"""Optics of the living theme."""
 
 from __future__ import annotations
 

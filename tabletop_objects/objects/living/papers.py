@@ -1,4 +1,4 @@
-"""Papers (living)."""
+"""Papers of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pet supplies (living)."""
+"""Pet supplies of the living theme."""
 
 from __future__ import annotations
 

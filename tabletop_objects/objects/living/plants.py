@@ -1,4 +1,4 @@
-"""Plants (living)."""
+"""Plants of the living theme."""
 
 from __future__ import annotations
 

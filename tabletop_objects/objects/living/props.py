@@ -1,4 +1,4 @@
-"""Props (living)."""
+"""Props of the living theme."""
 
 from __future__ import annotations
 

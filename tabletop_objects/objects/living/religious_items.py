@@ -1,4 +1,4 @@
-"""Religious items (living)."""
+"""Religious items of the living theme."""
 
 from __future__ import annotations
 

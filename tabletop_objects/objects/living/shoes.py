@@ -1,4 +1,4 @@
-"""Shoes (living)."""
+"""Shoes of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Signs (living)."""
+"""Signs of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Snacks (living)."""
+"""Snacks of the living theme."""
 
 from __future__ import annotations
 

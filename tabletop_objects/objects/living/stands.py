@@ -1,4 +1,4 @@
-"""Stands (living)."""
+"""Stands of the living theme."""
 
 from __future__ import annotations
 

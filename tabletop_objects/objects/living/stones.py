@@ -1,4 +1,4 @@
-"""Stones (living)."""
+"""Stones of the living theme."""
 
 from __future__ import annotations
 

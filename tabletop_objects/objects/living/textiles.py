@@ -1,4 +1,4 @@
-"""Textiles (living)."""
+"""Textiles of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tiles (living)."""
+"""Tiles of the living theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tobacco (living)."""
+"""Tobacco of the living theme."""
 
 from __future__ import annotations
 

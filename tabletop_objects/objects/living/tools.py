@@ -1,4 +1,4 @@
-"""Tools (living)."""
+"""Tools of the living theme."""
 
 from __future__ import annotations
 

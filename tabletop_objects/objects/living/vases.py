@@ -1,4 +1,4 @@
-"""Vases (living)."""
+"""Vases of the living theme."""
 
 from __future__ import annotations
 

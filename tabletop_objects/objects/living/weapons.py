@@ -1,4 +1,4 @@
-"""Weapons (living)."""
+"""Weapons of the living theme."""
 
 from __future__ import annotations
 

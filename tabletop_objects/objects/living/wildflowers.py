@@ -1,4 +1,4 @@
-"""Wildflowers (living)."""
+"""Wildflowers of the living theme."""
 
 from __future__ import annotations
 

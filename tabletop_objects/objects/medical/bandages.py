@@ -1,4 +1,4 @@
-"""Bandages (medical)."""
+"""Bandages of the medical theme."""
 
 from __future__ import annotations
 

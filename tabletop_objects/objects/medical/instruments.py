@@ -1,4 +1,4 @@
-"""Instruments (medical)."""
+"""Instruments of the medical theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Medicines (medical)."""
+"""Medicines of the medical theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Instruments (music)."""
+"""Instruments of the music theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Records (music)."""
+"""Records of the music theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Books (office)."""
+"""Books of the office theme."""
 
 from __future__ import annotations
 

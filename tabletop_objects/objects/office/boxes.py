@@ -1,4 +1,4 @@
-"""Boxes (office)."""
+"""Boxes of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cards (office)."""
+"""Cards of the office theme."""
 
 from __future__ import annotations
 

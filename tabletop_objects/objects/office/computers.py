@@ -1,4 +1,4 @@
-"""Computers (office)."""
+"""Computers of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cups (office)."""
+"""Cups of the office theme."""
 
 from __future__ import annotations
 

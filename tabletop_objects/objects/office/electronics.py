@@ -1,4 +1,4 @@
-"""Electronics (office)."""
+"""Electronics of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fossils (office)."""
+"""Fossils of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Holders (office)."""
+"""Holders of the office theme."""
 
 from __future__ import annotations
 

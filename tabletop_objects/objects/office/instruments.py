@@ -1,4 +1,4 @@
-"""Instruments (office)."""
+"""Instruments of the office theme."""
 
 from __future__ import annotations
 

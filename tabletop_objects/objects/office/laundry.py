@@ -1,4 +1,4 @@
-"""Laundry (office)."""
+"""Laundry of the office theme."""
 
 from __future__ import annotations
 

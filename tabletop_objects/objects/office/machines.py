@@ -1,4 +1,4 @@
-"""Machines (office)."""
+"""Machines of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Minerals (office)."""
+"""Minerals of the office theme."""
 
 from __future__ import annotations
 

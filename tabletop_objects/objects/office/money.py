@@ -1,4 +1,4 @@
-"""Money (office)."""
+"""Money of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ornaments (office)."""
+"""Ornaments of the office theme."""
 
 from __future__ import annotations
 

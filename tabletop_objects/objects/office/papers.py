@@ -1,4 +1,4 @@
-"""Papers (office)."""
+"""Papers of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Snacks (office)."""
+"""Snacks of the office theme."""
 
 from __future__ import annotations
 

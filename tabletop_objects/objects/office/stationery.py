@@ -1,4 +1,4 @@
-"""Stationery (office)."""
+"""Stationery of the office theme."""
 
 from __future__ import annotations
 

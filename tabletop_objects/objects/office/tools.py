@@ -1,4 +1,4 @@
-"""Tools (office)."""
+"""Tools of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Toys (office)."""
+"""Toys of the office theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bowls (pets)."""
+"""Bowls of the pets theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Devices (play)."""
+"""Devices of the play theme."""
 
 from __future__ import annotations
 

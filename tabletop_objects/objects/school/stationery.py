@@ -1,4 +1,4 @@
-"""Stationery (school)."""
+"""Stationery of the school theme."""
 
 from __future__ import annotations
 

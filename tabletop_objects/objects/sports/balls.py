@@ -1,4 +1,4 @@
-"""Balls (sports)."""
+"""Balls of the sports theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Equipment (sports)."""
+"""Equipment of the sports theme."""
 
 from __future__ import annotations
 

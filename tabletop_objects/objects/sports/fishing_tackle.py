@@ -1,4 +1,4 @@
-"""Fishing tackle (sports)."""
+"""Fishing tackle of the sports theme."""
 
 from __future__ import annotations
 

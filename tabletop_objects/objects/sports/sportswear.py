@@ -1,4 +1,4 @@
-"""Sportswear (sports)."""
+"""Sportswear of the sports theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Teaware (tea)."""
+"""Teaware of the tea theme."""
 
 from __future__ import annotations
 

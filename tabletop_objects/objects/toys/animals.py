@@ -1,4 +1,4 @@
-"""Animals (toys)."""
+"""Animals of the toys theme."""
 
 from __future__ import annotations
 

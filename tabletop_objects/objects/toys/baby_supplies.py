@@ -1,4 +1,4 @@
-"""Baby supplies (toys)."""
+"""Baby supplies of the toys theme."""
 
 from __future__ import annotations
 

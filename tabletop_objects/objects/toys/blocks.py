@@ -1,4 +1,4 @@
-"""Blocks (toys)."""
+"""Blocks of the toys theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Figures (toys)."""
+"""Figures of the toys theme."""
 
 from __future__ import annotations
 

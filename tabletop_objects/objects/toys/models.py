@@ -1,4 +1,4 @@
-"""Models (toys)."""
+"""Models of the toys theme."""
 
 from __future__ import annotations
 

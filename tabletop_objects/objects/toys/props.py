@@ -1,4 +1,4 @@
-"""Props (toys)."""
+"""Props of the toys theme."""
 
 from __future__ import annotations
 

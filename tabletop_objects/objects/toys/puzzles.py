@@ -1,4 +1,4 @@
-"""Puzzles (toys)."""
+"""Puzzles of the toys theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Shapes (toys)."""
+"""Shapes of the toys theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Toys (toys)."""
+"""Toys of the toys theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Vehicles (toys)."""
+"""Vehicles of the toys theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Weapons (toys)."""
+"""Weapons of the toys theme."""
 
 from __future__ import annotations
 

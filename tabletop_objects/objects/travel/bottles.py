@@ -1,4 +1,4 @@
-"""Bottles (travel)."""
+"""Bottles of the travel theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fixtures (vanity)."""
+"""Fixtures of the vanity theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Gemstones (vanity)."""
+"""Gemstones of the vanity theme."""
 
 from __future__ import annotations
 

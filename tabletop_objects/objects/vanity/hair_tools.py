@@ -1,4 +1,4 @@
-"""Hair tools (vanity)."""
+"""Hair tools of the vanity theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Jewelry (vanity)."""
+"""Jewelry of the vanity theme."""
 
 from __future__ import annotations
 

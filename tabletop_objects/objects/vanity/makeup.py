@@ -1,4 +1,4 @@
-"""Makeup (vanity)."""
+"""Makeup of the vanity theme."""
 
 from __future__ import annotations
 

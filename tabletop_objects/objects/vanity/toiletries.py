@@ -1,4 +1,4 @@
-"""Toiletries (vanity)."""
+"""Toiletries of the vanity theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Towels (vanity)."""
+"""Towels of the vanity theme."""
 
 from __future__ import annotations
 

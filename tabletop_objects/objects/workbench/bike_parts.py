@@ -1,4 +1,4 @@
-"""Bike parts (workbench)."""
+"""Bike parts of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Boxes (workbench)."""
+"""Boxes of the workbench theme."""
 
 from __future__ import annotations
 

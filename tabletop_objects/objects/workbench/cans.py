@@ -1,4 +1,4 @@
-"""Cans (workbench)."""
+"""Cans of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Car parts (workbench)."""
+"""Car parts of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Electronics (workbench)."""
+"""Electronics of the workbench theme."""
 
 from __future__ import annotations
 

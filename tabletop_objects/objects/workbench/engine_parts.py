@@ -1,4 +1,4 @@
-"""Engine parts (workbench)."""
+"""Engine parts of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fasteners (workbench)."""
+"""Fasteners of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fittings (workbench)."""
+"""Fittings of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Machine parts (workbench)."""
+"""Machine parts of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Materials (workbench)."""
+"""Materials of the workbench theme."""
 
 from __future__ import annotations
 

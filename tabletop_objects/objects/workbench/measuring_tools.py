@@ -1,4 +1,4 @@
-"""Measuring tools (workbench)."""
+"""Measuring tools of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Power tools (workbench)."""
+"""Power tools of the workbench theme."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tools (workbench)."""
+"""Tools of the workbench theme."""
 
 from __future__ import annotations
 
