@@ -29,7 +29,7 @@ def facing(solid: Solid) -> Solid:
 
 
 def lay_down(solid: Solid, x: float = 0.0, z: float = 0.0) -> Solid:
-    """Return a standing solid laid down along +x, with its base at ``x`` and its axis at ``z``."""
+    """Return an upright solid laid down along +x, with its base at ``x`` and its axis at ``z``."""
     return solid.turn(1, np.pi / 2).move(x=x, z=z)
 
 
@@ -326,7 +326,7 @@ PRINTS = ("red", "navy", "teal", "green", "mustard", "crimson", "orange", "purpl
 def label_skin(
     look: Look, base: RGB, word: str, low: float, high: float, ground: RGB = (244, 242, 234)
 ) -> surfaces.Tile:
-    """Return a bottle's surface, plain with a label between the heights v ``low`` and ``high``."""
+    """Return a plain bottle surface with a label between the heights v = ``low`` and ``high``."""
     print_ = prints.label(look.rng, word, look.own_color(*PRINTS), ground)
     skin = surfaces.speckles(look.rng, base, 3, 32)
     return surfaces.stack((skin, low), (print_, high - low), (skin, 1 - high), side=192)

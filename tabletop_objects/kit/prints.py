@@ -216,7 +216,7 @@ CODE: tuple[RGB, ...] = ((206, 144, 110), (110, 180, 230), (200, 200, 206), (130
 
 
 def desktop(rng: np.random.Generator, width: int = 256, height: int = 160) -> Tile:
-    """Return a computer screen with windows, code, charts, a table, a call or a picture, or off."""
+    """Return a computer screen: windows, code, charts, a table, a call, a picture, or blank."""
     kind = int(rng.integers(8))
     if kind == 0:
         return _off(width, height)
@@ -606,7 +606,7 @@ def wrap(
 
 
 def turned_to(tile: Tile, u: float) -> Tile:
-    """Return a wrap-round print with its front moved from u = 0.5 to ``u``."""
+    """Return a wrap-round print moved so that its front is at ``u`` instead of u = 0.5."""
     return np.roll(tile, round((u - 0.5) * tile.shape[1]), axis=1)
 
 

@@ -76,7 +76,10 @@ class Solid:
         return Solid(vertices, self.faces, self.uv)
 
     def bend(self, warp: Callable[[Float[np.ndarray, "n 3"]], Float[np.ndarray, "n 3"]]) -> Solid:
-        """Return the solid with its vertices moved by ``warp``, which must keep it embedded."""
+        """Return the solid with its vertices moved by ``warp``.
+
+        The result must not intersect itself.
+        """
         return Solid(warp(self.vertices.copy()), self.faces, self.uv)
 
     def paint(self, low: tuple[float, float], high: tuple[float, float]) -> Solid:

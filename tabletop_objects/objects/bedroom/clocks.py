@@ -1,4 +1,4 @@
-"""Clocks of the bedroom theme."""
+"""Objects of the ``bedroom`` theme: clocks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Breads of the breakfast theme."""
+"""Objects of the ``breakfast`` theme: breads."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def focaccia(look: Look) -> Shape:
           themes=("breakfast", "dining"), roles=("edible", "big"), colors=("amber",),
           state="lying flat")  # fmt: skip
 def bloomer(look: Look) -> Shape:
-    """A plump loaf with slanted cuts across its crust."""
+    """A plump bloomer loaf with slanted cuts across its crust."""
     long, r = look.between(0.22, 0.27), look.between(0.052, 0.06)
     bread = bent_rod(long, r, blunt=3.5, squash=0.8)
     cuts = [ellipsoid(0.09, 0.012, 0.012, 12, 6).turn(2, 0.9).move(x=u * long, z=0.78 * r)
@@ -76,7 +76,7 @@ def bloomer(look: Look) -> Shape:
           "zopf"), themes=("breakfast", "dining"), roles=("edible", "big"), colors=("copper",),
           state="lying flat")  # fmt: skip
 def challah(look: Look) -> Shape:
-    """A braided loaf with seeds."""
+    """A braided challah loaf with seeds."""
     long, r = look.between(0.24, 0.29), look.between(0.02, 0.023)
     t = np.linspace(0, 1, 50)
     thick = r * np.sqrt(np.maximum(1 - np.abs(2 * t - 1) ** 4, 0.08))
@@ -97,7 +97,7 @@ def challah(look: Look) -> Shape:
           aliases=("grissini", "grissino", "bread stick"), themes=("breakfast", "dining"),
           roles=("edible",), colors=("amber",), state="lying flat")  # fmt: skip
 def breadstick(look: Look) -> Shape:
-    """A thin crisp stick of bread."""
+    """A thin, crisp breadstick."""
     long, r = look.between(0.19, 0.23), look.between(0.006, 0.0075)
     t = np.linspace(-0.5, 0.5, 30)
     path = np.column_stack([long * t, 0.0015 * np.sin(22 * t), 0 * t])

@@ -1,4 +1,4 @@
-"""Foods of the breakfast theme."""
+"""Objects of the ``breakfast`` theme: dishes and other food."""
 
 from __future__ import annotations
 

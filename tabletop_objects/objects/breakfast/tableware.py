@@ -1,4 +1,4 @@
-"""Tableware of the breakfast theme."""
+"""Objects of the ``breakfast`` theme: tableware."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Brewers of the coffee theme."""
+"""Objects of the ``coffee`` theme: brewers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cakes of the coffee theme."""
+"""Objects of the ``coffee`` theme: cakes."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def madeleine(look: Look) -> Shape:
           themes=("coffee", "tea"), roles=("edible", "round"), colors=("brown",))  # fmt: skip
 @vary()
 def teacake(look: Look) -> Shape:
-    """A chocolate-covered dome of marshmallow on a biscuit."""
+    """A teacake: a dome of marshmallow on a biscuit, covered with chocolate."""
     r = look.between(0.027, 0.032)
     dome = lathe([(0, 0), (r, 0), (r, 0.2 * r), (0.92 * r, 0.6 * r), (0.6 * r, 1.05 * r),
                   (0, 1.2 * r)], 26)  # fmt: skip
@@ -50,7 +50,7 @@ def teacake(look: Look) -> Shape:
           themes=("coffee", "tea"), roles=("edible", "round", "flat"),
           colors=("amber",))  # fmt: skip
 def eccles_cake(look: Look) -> Shape:
-    """A round flat currant cake with three cuts and sugar."""
+    """A round, flat currant cake with three cuts and sugar on top."""
     r, h = look.between(0.038, 0.044), look.between(0.022, 0.027)
     body = lathe([(0, 0), (0.85 * r, 0), (r, 0.4 * h), (0.85 * r, 0.85 * h), (0.4 * r, h), (0, h)],
                  26)  # fmt: skip
@@ -137,7 +137,7 @@ def yule_log(look: Look) -> Shape:
           aliases=("battenberg cake", "battenburg", "chequered cake"), themes=("coffee", "tea"),
           roles=("edible",), colors=("yellow",))  # fmt: skip
 def battenberg(look: Look) -> Shape:
-    """A pink and yellow chequered cake in marzipan."""
+    """A pink and yellow chequered cake covered with marzipan."""
     long, x = look.between(0.12, 0.16), look.between(0.055, 0.065)
     image = prints.canvas(96, 96, (238, 206, 130))
     for i in range(2):

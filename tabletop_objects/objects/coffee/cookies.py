@@ -1,4 +1,4 @@
-"""Cookies of the coffee theme."""
+"""Objects of the ``coffee`` theme: cookies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cups of the coffee theme."""
+"""Objects of the ``coffee`` theme: cups."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pastries of the coffee theme."""
+"""Objects of the ``coffee`` theme: pastries."""
 
 from __future__ import annotations
 
@@ -137,7 +137,7 @@ def strudel(look: Look) -> Shape:
           aliases=("cannolo", "brandy snap", "cream horn", "cannolis"), themes=("coffee", "tea"),
           roles=("edible",), state="lying flat")  # fmt: skip
 def cannoli(look: Look) -> Shape:
-    """A crisp pastry tube filled with cream at both ends."""
+    """A cannoli: a crisp pastry tube filled with cream at both ends."""
     long, r = look.between(0.1, 0.12), look.between(0.016, 0.019)
     shell = cylinder(r, long, 24).turn(1, np.pi / 2).move(x=-long / 2)
     lip = torus(r, 0.0016, 22, 6).turn(1, np.pi / 2)
@@ -215,7 +215,7 @@ def baklava(look: Look) -> Shape:
           roles=("edible",))  # fmt: skip
 @vary()
 def kouign_amann(look: Look) -> Shape:
-    """A glazed square pastry with caramelised, folded corners."""
+    """A kouign-amann: a glazed square pastry with caramelised, folded corners."""
     x = look.between(0.07, 0.085)
     body = pad(x, x, 0.04, 0.014, soft=0.6)
     flaps = [ball(0.036, 0.036, 0.018, (0.2 * x * i, 0.2 * x * j, 0.036), 12)
@@ -326,7 +326,7 @@ def croissant(look: Look) -> Shape:
           themes=("coffee",), roles=("edible", "round", "flat"), colors=("pink", "brown"),
           state="lying flat", common=True)  # fmt: skip
 def donut(look: Look) -> Shape:
-    """A glazed ring donut with sprinkles."""
+    """A glazed, ring-shaped donut with sprinkles."""
     dough = look.own_color("tan", "amber", "copper")
     icing = look.color("pink", "brown", "white", "lavender", "mint")
     base = torus(0.029, 0.0165, 28, 12).scale(1, 1, 0.95)

@@ -1,4 +1,4 @@
-"""Sweets of the coffee theme."""
+"""Objects of the ``coffee`` theme: sweets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Art supplies of the craft theme."""
+"""Objects of the ``craft`` theme: art supplies."""
 
 from __future__ import annotations
 
@@ -276,7 +276,7 @@ def pipe_cleaner(look: Look) -> Shape:
           aliases=("ice lolly stick", "lollipop stick", "wooden craft stick"), themes=("craft",),
           roles=("flat",), colors=("tan",))  # fmt: skip
 def lolly_stick(look: Look) -> Shape:
-    """A flat wooden stick with round ends."""
+    """A flat wooden lolly stick with round ends."""
     color = look.color("tan", "wooden", "red", "blue", "green", "yellow", "beige")
     long, w = look.between(0.1, 0.15), look.between(0.009, 0.017)
     made = plate(rectangle(long, w, 0.499 * w, 8), 0.0022, bevel=0.0004)
@@ -351,7 +351,7 @@ def canvas(look: Look) -> Shape:
           themes=("craft", "workbench"), roles=("flat",), colors=("wooden", "red"),
           state="lying flat", common=True)  # fmt: skip
 def paint_brush(look: Look) -> Shape:
-    """A flat paint brush, lying flat."""
+    """A flat paint brush, lying on its side."""
     w = look.between(0.022, 0.045)
     wood = look.surface(look.color("wooden", "red", "black", "yellow"), "plastic")
     tip = look.own_color("tan", "brown", "black")

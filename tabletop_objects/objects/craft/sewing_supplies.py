@@ -1,4 +1,4 @@
-"""Sewing supplies of the craft theme."""
+"""Objects of the ``craft`` theme: sewing supplies."""
 
 from __future__ import annotations
 

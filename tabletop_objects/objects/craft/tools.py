@@ -1,4 +1,4 @@
-"""Tools of the craft theme."""
+"""Objects of the ``craft`` theme: tools."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Barware of the dining theme."""
+"""Objects of the ``dining`` theme: barware."""
 
 from __future__ import annotations
 

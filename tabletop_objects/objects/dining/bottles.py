@@ -1,4 +1,4 @@
-"""Bottles of the dining theme."""
+"""Objects of the ``dining`` theme: bottles."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def beer_bottle(look: Look) -> Shape:
           aliases=("can of beer", "beer tin", "lager can", "tin of beer"), themes=("dining",),
           roles=("round", "tall"), colors=("green", "gold"))  # fmt: skip
 def beer_can(look: Look) -> Shape:
-    """A can of beer."""
+    """A beer can."""
     return _can(look, 0.033, look.between(0.12, 0.165), look.pick(["BEER", "LAGER", "PILS", "IPA"]),
                 ("green", "gold", "red", "navy", "white", "black"))  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Bowls of the dining theme."""
+"""Objects of the ``dining`` theme: bowls."""
 
 from __future__ import annotations
 

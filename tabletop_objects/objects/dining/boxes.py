@@ -1,4 +1,4 @@
-"""Boxes of the dining theme."""
+"""Objects of the ``dining`` theme: boxes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Candles of the dining theme."""
+"""Objects of the ``dining`` theme: candles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cards of the dining theme."""
+"""Objects of the ``dining`` theme: cards."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cutlery of the dining theme."""
+"""Objects of the ``dining`` theme: cutlery."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Desserts of the dining theme."""
+"""Objects of the ``dining`` theme: desserts."""
 
 from __future__ import annotations
 

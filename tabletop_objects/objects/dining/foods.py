@@ -1,4 +1,4 @@
-"""Foods of the dining theme."""
+"""Objects of the ``dining`` theme: dishes and other food."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _unit(p: np.ndarray) -> np.ndarray:
           themes=("dining",), roles=("edible", "flat"), state="lying flat")  # fmt: skip
 @vary()
 def borek(look: Look) -> Shape:
-    """A spiral of filled filo pastry."""
+    """A borek: a spiral of filled filo pastry."""
     r = look.between(0.055, 0.07)
     t = np.linspace(0.8, 5.4 * np.pi, 60)
     away = 0.86 * r * t / t[-1]

@@ -1,4 +1,4 @@
-"""Glasses of the dining theme."""
+"""Objects of the ``dining`` theme: glasses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Holders of the dining theme."""
+"""Objects of the ``dining`` theme: holders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Meats of the dining theme."""
+"""Objects of the ``dining`` theme: meats."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def chicken_nugget(look: Look) -> Shape:
           themes=("dining",), roles=("edible",), state="lying flat")  # fmt: skip
 @vary()
 def kebab(look: Look) -> Shape:
-    """A skewer of grilled meat, pepper and onion, lying flat."""
+    """A kebab: a skewer of grilled meat, pepper and onion, lying flat."""
     long = look.between(0.21, 0.25)
     stick = tube([(-0.5 * long, 0, 0), (0.5 * long, 0, 0)], [0.0007, 0.0017], 6)
     tones: list[RGB] = [(126, 72, 40), (200, 46, 38), (126, 72, 40), (236, 226, 196),

@@ -1,4 +1,4 @@
-"""Plates of the dining theme."""
+"""Objects of the ``dining`` theme: plates."""
 
 from __future__ import annotations
 

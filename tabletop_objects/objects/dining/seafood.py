@@ -1,4 +1,4 @@
-"""Seafood of the dining theme."""
+"""Objects of the ``dining`` theme: seafood."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Shakers of the dining theme."""
+"""Objects of the ``dining`` theme: shakers."""
 
 from __future__ import annotations
 

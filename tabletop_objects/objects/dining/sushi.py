@@ -1,4 +1,4 @@
-"""Sushi of the dining theme."""
+"""Objects of the ``dining`` theme: sushi."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Textiles of the dining theme."""
+"""Objects of the ``dining`` theme: textiles."""
 
 from __future__ import annotations
 

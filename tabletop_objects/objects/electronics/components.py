@@ -1,4 +1,4 @@
-"""Components of the electronics theme."""
+"""Objects of the ``electronics`` theme: components."""
 
 from __future__ import annotations
 
@@ -313,7 +313,7 @@ def transformer(look: Look) -> Shape:
           aliases=("copper coil", "choke coil", "toroidal coil", "wire coil"),
           themes=("electronics",), colors=("copper",))  # fmt: skip
 def inductor(look: Look) -> Shape:
-    """A ring-shaped core wound with copper wire, lying flat with its two ends exposed."""
+    """An inductor lying flat: a ring-shaped core wound with copper wire, with two free ends."""
     color = look.color("copper", "bronze", "green", "red")
     k = look.between(0.8, 1.4)
     core = torus(0.013, 0.0052, 28, 8).scale(1, 1, 1.15).move(z=0.006)

@@ -1,4 +1,4 @@
-"""Computer parts of the electronics theme."""
+"""Objects of the ``electronics`` theme: computer parts."""
 
 from __future__ import annotations
 

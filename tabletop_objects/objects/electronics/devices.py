@@ -1,4 +1,4 @@
-"""Devices of the electronics theme."""
+"""Objects of the ``electronics`` theme: electronic devices."""
 
 from __future__ import annotations
 

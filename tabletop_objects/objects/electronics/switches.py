@@ -1,4 +1,4 @@
-"""Switches of the electronics theme."""
+"""Objects of the ``electronics`` theme: switches."""
 
 from __future__ import annotations
 

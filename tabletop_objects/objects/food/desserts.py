@@ -1,4 +1,4 @@
-"""Desserts of the food theme."""
+"""Objects of the ``food`` theme: desserts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Snacks of the food theme."""
+"""Objects of the ``food`` theme: snacks."""
 
 from __future__ import annotations
 
@@ -426,7 +426,7 @@ def bubble_tea(look: Look) -> Shape:
           "strawberry punnet", "box of strawberries", "fruit punnet", "punnet of berries",
           "punnet of cherries"), themes=("food",), colors=("red",))  # fmt: skip
 def punnet(look: Look) -> Shape:
-    """A clear or cardboard tray heaped with strawberries or blueberries."""
+    """A clear or cardboard punnet heaped with strawberries or blueberries."""
     k, color = look.between(0.88, 1.06), look.color("red", "red", "indigo", "crimson", "maroon")
     x, y, h = 0.15 * k, 0.11 * k, 0.055 * k
     outline = rectangle(x, y, 0.02 * k)

@@ -1,4 +1,4 @@
-"""Sweets of the food theme."""
+"""Objects of the ``food`` theme: sweets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Board games of the games theme."""
+"""Objects of the ``games`` theme: board games."""
 
 from __future__ import annotations
 

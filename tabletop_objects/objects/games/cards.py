@@ -1,4 +1,4 @@
-"""Cards of the games theme."""
+"""Objects of the ``games`` theme: cards."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Casino games of the games theme."""
+"""Objects of the ``games`` theme: casino games."""
 
 from __future__ import annotations
 

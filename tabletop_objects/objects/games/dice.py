@@ -1,4 +1,4 @@
-"""Dice of the games theme."""
+"""Objects of the ``games`` theme: dice."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pieces of the games theme."""
+"""Objects of the ``games`` theme: game pieces."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Devices of the gaming theme."""
+"""Objects of the ``gaming`` theme: electronic devices."""
 
 from __future__ import annotations
 

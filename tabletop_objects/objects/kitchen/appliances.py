@@ -1,4 +1,4 @@
-"""Appliances of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: appliances."""
 
 from __future__ import annotations
 
@@ -489,7 +489,7 @@ def kettle(look: Look) -> Shape:
          (0, 0.96 * h)], v=[0, 0.01, 0.05, 0.9, 0.95, 1],
     )  # fmt: skip
     tile = skin
-    if look.chance(0.35):  # a glass window, or a band
+    if look.chance(0.35):  # a glass window or a band
         band = surfaces.plain(look.pick([(150, 186, 200), (40, 40, 44), (200, 202, 206)]))
         tile = surfaces.stack((skin, 3), (band, look.pick([1, 4])), (skin, 4), side=96)
     base = cylinder(1.02 * r, 0.02, 32, bevel=0.003)

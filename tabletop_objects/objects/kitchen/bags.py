@@ -1,4 +1,4 @@
-"""Bags of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: bags."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ...kit.surfaces import RGB, Look, readable_on, tint_color
           "coffee pouch"), themes=("kitchen", "coffee"), roles=("tall",), colors=("brown", "black"),
           common=True)  # fmt: skip
 def coffee_bag(look: Look) -> Shape:
-    """A standing bag of coffee with a folded, clipped top."""
+    """An upright bag of coffee with a folded, clipped top."""
     x, y, h = look.between(0.085, 0.11), look.between(0.055, 0.07), look.between(0.17, 0.23)
     color = look.color("brown", "black", "tan", "red", "green", "cream", "teal")
     word = look.pick(["COFFEE", "ROAST", "ARABICA", "BEANS", "ESPRESSO"])
@@ -95,7 +95,7 @@ def soft_pack(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[floa
           "open shopping bag", "paper shopping bag", "empty bag"), themes=("kitchen",),
           roles=("container", "tall"), colors=("tan",))  # fmt: skip
 def open_paper_bag(look: Look) -> Shape:
-    """A brown paper bag standing open."""
+    """An upright, open brown paper bag."""
     k = look.between(0.92, 1.08)
     color = look.color("tan", "tan", "white", "brown", "beige")
     x, y, h, t = 0.16 * k, 0.105 * k, 0.2 * k, 0.0024
@@ -235,7 +235,7 @@ def rice_bag(look: Look) -> Shape:
 def bag(
     x: float, y: float, h: float, face: surfaces.Tile, side: surfaces.Tile
 ) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return the walls of an open standing bag with printed faces and folded sides."""
+    """Return the walls of an open, upright bag with printed faces and folded sides."""
     t = 0.0022
     front = box(x, t, h)
     wing = box(t, y - 2 * t, h)

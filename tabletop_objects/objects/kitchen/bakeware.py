@@ -1,4 +1,4 @@
-"""Bakeware of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: bakeware."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Beans of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: beans and peas."""
 
 from __future__ import annotations
 

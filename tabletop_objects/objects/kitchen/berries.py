@@ -1,4 +1,4 @@
-"""Berries of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: berries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bottles of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: bottles."""
 
 from __future__ import annotations
 

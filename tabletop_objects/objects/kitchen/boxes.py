@@ -1,4 +1,4 @@
-"""Boxes of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: boxes."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def cool_box(look: Look) -> Shape:
           "box of granola"), themes=("kitchen", "dining"), roles=("tall",),
           colors=("red", "yellow"), common=True)  # fmt: skip
 def cereal_box(look: Look) -> Shape:
-    """An upright box of cereal."""
+    """An upright cereal box."""
     x, y, h = look.between(0.17, 0.19), look.between(0.05, 0.06), look.between(0.24, 0.28)
     color = look.color("red", "yellow", "blue", "orange", "green")
     title = look.pick(["OATS", "FLAKES", "CRUNCH", "MUESLI"])

@@ -1,4 +1,4 @@
-"""Cans of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: cans."""
 
 from __future__ import annotations
 

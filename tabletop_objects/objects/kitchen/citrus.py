@@ -1,4 +1,4 @@
-"""Citrus of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: citrus fruit."""
 
 from __future__ import annotations
 

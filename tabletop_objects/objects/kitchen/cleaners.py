@@ -1,4 +1,4 @@
-"""Cleaners of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: cleaning supplies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Containers of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: containers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cookware of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: cookware."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cutters of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: cutting tools."""
 
 from __future__ import annotations
 

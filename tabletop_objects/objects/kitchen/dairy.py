@@ -1,4 +1,4 @@
-"""Dairy of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: dairy."""
 
 from __future__ import annotations
 

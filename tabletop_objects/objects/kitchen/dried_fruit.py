@@ -1,4 +1,4 @@
-"""Dried fruit of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: dried fruit."""
 
 from __future__ import annotations
 

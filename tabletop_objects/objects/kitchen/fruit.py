@@ -1,4 +1,4 @@
-"""Fruit of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: fruit."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Greens of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: leafy vegetables."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Grills of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: grills."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Herbs of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: herbs."""
 
 from __future__ import annotations
 

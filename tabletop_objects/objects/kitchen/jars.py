@@ -1,4 +1,4 @@
-"""Jars of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: jars."""
 
 from __future__ import annotations
 

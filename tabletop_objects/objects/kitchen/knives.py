@@ -1,4 +1,4 @@
-"""Knives of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: knives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Makers of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: machines that make food and drinks."""
 
 from __future__ import annotations
 

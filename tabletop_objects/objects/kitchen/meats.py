@@ -1,4 +1,4 @@
-"""Meats of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: meats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Melons of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: melons."""
 
 from __future__ import annotations
 

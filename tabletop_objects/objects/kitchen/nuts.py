@@ -1,4 +1,4 @@
-"""Nuts of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: nuts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Openers of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: openers."""
 
 from __future__ import annotations
 

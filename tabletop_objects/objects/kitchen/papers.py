@@ -1,4 +1,4 @@
-"""Papers of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: paper goods."""
 
 from __future__ import annotations
 

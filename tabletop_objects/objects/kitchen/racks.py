@@ -1,4 +1,4 @@
-"""Racks of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: racks."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def trivet(look: Look) -> Shape:
           themes=("kitchen",), roles=("tall", "big"), colors=("wooden",),
           opened="empty_knife_block")  # fmt: skip
 def knife_block(look: Look) -> Shape:
-    """A slanted wooden block with knife handles sticking out."""
+    """A slanted wooden knife block with knife handles sticking out."""
     x, y, h = look.between(0.1, 0.12), look.between(0.13, 0.15), look.between(0.2, 0.23)
     color = look.color("wooden", "brown", "black", "tan", "white")
     skin = look.surface(color, "wood")

@@ -1,4 +1,4 @@
-"""Roots of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: root vegetables."""
 
 from __future__ import annotations
 

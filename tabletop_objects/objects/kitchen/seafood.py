@@ -1,4 +1,4 @@
-"""Seafood of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: seafood."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Snacks of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: snacks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Spices of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: spices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Spoons of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: spoons."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sweets of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: sweets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Textiles of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: textiles."""
 
 from __future__ import annotations
 

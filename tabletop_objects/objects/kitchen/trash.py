@@ -1,4 +1,4 @@
-"""Trash of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: trash."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def apple_core(look: Look) -> Shape:
           aliases=("ball of foil", "crumpled foil", "tin foil ball"), themes=("kitchen",),
           colors=("silver",))  # fmt: skip
 def foil_ball(look: Look) -> Shape:
-    """A ball of kitchen foil."""
+    """A ball of crumpled kitchen foil."""
     color = look.color("silver", "silver", "gold", "copper")
     d = look.between(0.04, 0.065)
     knots = look.rng.normal(size=(30, 3))

@@ -1,4 +1,4 @@
-"""Utensils of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: utensils."""
 
 from __future__ import annotations
 
@@ -216,7 +216,7 @@ def skewer(look: Look) -> Shape:
           aliases=("basting brush", "baking brush", "kitchen brush"), themes=("kitchen",),
           roles=("flat",), colors=("wooden",), state="lying flat")  # fmt: skip
 def pastry_brush(look: Look) -> Shape:
-    """A flat pastry brush with bristles or silicone strands, lying flat."""
+    """A pastry brush with bristles or silicone strands, lying flat."""
     long, wide = look.between(0.19, 0.23), look.between(0.032, 0.042)
     color = look.color("wooden", "red", "black", "teal", "wooden")
     handle = look.surface(color, "wood")

@@ -1,4 +1,4 @@
-"""Vegetables of the kitchen theme."""
+"""Objects of the ``kitchen`` theme: vegetables."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .nuts import Heap, heap
 @category("tomato", size=(0.067, 0.067, 0.062), mass=0.13, material="food", themes=("kitchen",),
           roles=("round", "edible"), colors=("red",), common=True)  # fmt: skip
 def tomato(look: Look) -> Shape:
-    """A tomato with its green leaves."""
+    """A tomato with green leaves around its stem."""
     d, tall = look.between(0.058, 0.076), look.between(0.74, 0.98)
     color = look.color("red", "red", "coral", "crimson")
     body = press_flat(ellipsoid(d, d, tall * d, 24, 14), 0.45 * tall * d)

@@ -1,4 +1,4 @@
-"""Apparatus of the lab theme."""
+"""Objects of the ``lab`` theme: apparatus."""
 
 from __future__ import annotations
 
@@ -406,7 +406,7 @@ WHITE = surfaces.plain((242, 242, 240))
           colors=("wooden",))  # fmt: skip
 @from_pieces()
 def plant_press(look: Look) -> Pieces:
-    """A plant press: paper between two boards with slats on top and two straps around it."""
+    """A plant press: paper between two boards with slats on top and two straps."""
     tile = wood(look, "wooden", "beige")
     boards = [at_box(0.22, 0.16, 0.01, (0, 0, z)) for z in (0, 0.045)]
     paper = at_box(0.21, 0.15, 0.036, (0, 0, 0.0095))
@@ -486,7 +486,7 @@ def owl_pellet(look: Look) -> Pieces:
           colors=("white",))  # fmt: skip
 @from_pieces()
 def quadrat(look: Look) -> Pieces:
-    """A square frame with a grid of strings, lying flat."""
+    """A quadrat: a square frame with a grid of strings, lying flat."""
     tile = plastic(look, "white", "red", "wooden", "yellow")
     s = 0.24
     sides = [at_box(s, 0.01, 0.01, (0, t * s / 2, 0)) for t in (-1, 1)] + [

@@ -1,4 +1,4 @@
-"""Labware of the lab theme."""
+"""Objects of the ``lab`` theme: labware."""
 
 from __future__ import annotations
 

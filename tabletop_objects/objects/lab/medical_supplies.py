@@ -1,4 +1,4 @@
-"""Medical supplies of the lab theme."""
+"""Objects of the ``lab`` theme: medical supplies."""
 
 from __future__ import annotations
 
@@ -289,7 +289,7 @@ PILL_CUTTER_WHITE = surfaces.plain((244, 243, 240))
           colors=("clear",))  # fmt: skip
 @from_pieces(foot=0.06)
 def spacer_device(look: Look) -> Pieces:
-    """A clear inhaler chamber lying flat: a coloured end on the left, a ring at the mouthpiece."""
+    """A clear inhaler spacer lying flat, with a coloured end on the left and a ring."""
     body = spindle(
         (-0.07, 0.02), (-0.06, 0.028), (0.05, 0.028), (0.065, 0.018), (0.085, 0.014), z=0.028
     )
@@ -305,7 +305,7 @@ def spacer_device(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=(0, 2, 3))
 def tourniquet(look: Look) -> Pieces:
-    """A looped strap on its edge with its end on the right, and a black rod and buckle in front."""
+    """A tourniquet: a strap in a loop on its edge, with a black rod and a buckle in front."""
     color = look.color("black", "orange", "blue", "red")
     loop = lathe([(0.045, 0), (0.047, 0), (0.047, 0.036), (0.045, 0.036)], 40, loop=True)
     tail = at_box(0.12, 0.0025, 0.036, (0.06, -0.046, 0)).turn(2, 0.04)
@@ -373,7 +373,7 @@ def jade_roller(look: Look) -> Pieces:
           colors=("pink",))  # fmt: skip
 @from_pieces()
 def toe_separator(look: Look) -> Pieces:
-    """A soft bar with five rounded teeth at the back."""
+    """A toe separator: a soft bar with five rounded teeth at the back."""
     tile = plastic(look, "pink", "purple", "mint", "yellow")
     bar = at_block(0.085, 0.014, 0.018, 0.006)
     posts = [
@@ -387,7 +387,7 @@ def toe_separator(look: Look) -> Pieces:
           colors=("sky",))  # fmt: skip
 @from_pieces()
 def pill_cutter(look: Look) -> Pieces:
-    """A small rounded box with a tablet, a pale wedge, and a steel blade below its raised lid."""
+    """A pill cutter: a small box with a tablet, a pale wedge and a blade below its raised lid."""
     tile = plastic(look, "sky", "clear", "pink", "green", "white")
     low, high = (at_block(0.075, 0.045, 0.016, 0.01),
                  at_block(0.075, 0.045, 0.01, 0.01).turn(0, 0.6).move(0, 0.008, 0.03))  # fmt: skip

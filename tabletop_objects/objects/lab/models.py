@@ -1,4 +1,4 @@
-"""Models of the lab theme."""
+"""Objects of the ``lab`` theme: models and miniatures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Robots of the lab theme."""
+"""Objects of the ``lab`` theme: robots."""
 
 from __future__ import annotations
 

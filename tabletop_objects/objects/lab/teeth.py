@@ -1,4 +1,4 @@
-"""Teeth of the lab theme."""
+"""Objects of the ``lab`` theme: teeth and dental casts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Watches of the lab theme."""
+"""Objects of the ``lab`` theme: watch parts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def watch_link(look: Look) -> Pieces:
-    """Three rounded metal bars side by side with the middle one offset, joined by a thin pin."""
+    """A watch link: three rounded metal bars side by side, joined by a thin pin."""
     steel = shine(look, "silver", "gold")
     bars = [at_block(0.0055, 0.02, 0.003, 0.001, (-0.0058 + 0.0058 * k, 0.0016 * (k % 2), 0))
             for k in range(3)]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Animals of the living theme."""
+"""Objects of the ``living`` theme: animals."""
 
 from __future__ import annotations
 
@@ -170,7 +170,7 @@ def _rodent(
 def _bird(
     tall: float, palette: tuple[str, ...], *, tail: float, crest: bool, fluffy: bool
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a small, standing bird facing left."""
+    """Return the shape function of a small bird standing and facing left."""
 
     def make(look: Look) -> Shape:
         k, color = tall * look.between(0.88, 1.12), look.color(*palette)
@@ -443,7 +443,7 @@ def toy_bat(look: Look) -> Shape:
           "raven figure", "plastic raven", "fake crow", "blackbird", "raven ornament"),
           themes=("living",), colors=("black",))  # fmt: skip
 def raven(look: Look) -> Shape:
-    """A standing black raven."""
+    """A black raven, standing."""
     thing = bird(Look(look.rng, {"color": "black", **look.attributes})).scale(1.5)
     dark = [replace(p, tile=(p.tile * 0.22 + 14).astype(np.uint8)) for p in thing.pieces[1:6]]
     return replace(thing, pieces=(thing.pieces[0], *dark, thing.pieces[6]))

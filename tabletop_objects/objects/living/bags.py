@@ -1,4 +1,4 @@
-"""Bags of the living theme."""
+"""Objects of the ``living`` theme: bags."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from ..workbench.boxes import case
           "charcoal sack"), themes=("living",), roles=("tall", "big"),
           colors=("tan", "black"))  # fmt: skip
 def charcoal_bag(look: Look) -> Shape:
-    """A standing paper sack of charcoal with a folded top and a flame on its front."""
+    """An upright paper sack of charcoal with a folded top and a flame on its front."""
     k = look.between(0.94, 1.06)
     color = look.color("tan", "black", "red", "orange")
     x, y, h = 0.2 * k, 0.1 * k, 0.28 * k
@@ -106,7 +106,7 @@ def waist_bag(look: Look) -> Shape:
           aliases=("tote", "canvas bag", "canvas tote", "cloth bag", "shopper"), themes=("living",),
           roles=("big",), colors=("cream",))  # fmt: skip
 def tote_bag(look: Look) -> Shape:
-    """An open, standing canvas tote bag with two handles and a print."""
+    """An open, upright canvas tote bag with two handles and a print."""
     color = look.color("cream", "white", "black", "navy", "mustard", "sage")
     k = look.between(0.75, 0.95)
     body = block(0.26, 0.09, 0.25, 0.02)
@@ -186,7 +186,7 @@ def lavender_sachet(look: Look) -> Shape:
           "potting soil bag", "bag of potting soil", "slug pellet tub"), themes=("living",),
           roles=("tall",), colors=("green",))  # fmt: skip
 def fertilizer_bag(look: Look) -> Shape:
-    """A small standing sack of fertiliser or compost with a plant on its front."""
+    """A small, upright sack of fertiliser or compost with a plant on its front."""
     x, y, h = look.between(0.12, 0.15), look.between(0.06, 0.075), look.between(0.17, 0.21)
     color = look.color("green", "olive", "yellow", "brown", "white", "teal")
     image = prints.canvas(112, 160, color)
@@ -337,7 +337,7 @@ def purse(look: Look) -> Shape:
           aliases=("clutch bag", "evening bag", "clutch purse"), themes=("living",),
           roles=("flat",), colors=("black", "gold"), state="lying flat")  # fmt: skip
 def clutch(look: Look) -> Shape:
-    """A flat evening bag with a flap like an envelope, lying flat."""
+    """An evening bag with a flap like an envelope, lying flat."""
     x, y, h = look.between(0.22, 0.26), look.between(0.13, 0.15), look.between(0.026, 0.034)
     color = look.color("black", "gold", "silver", "red", "pink", "navy", "purple")
     body = pad(x, y, h, 0.01, soft=0.4, steps=4)
@@ -354,7 +354,7 @@ def clutch(look: Look) -> Shape:
           "schoolbag", "book bag", "pannier", "packing cube"), themes=("living",),
           roles=("big", "tall"), colors=("red", "navy"))  # fmt: skip
 def backpack(look: Look) -> Shape:
-    """A small standing backpack with a front pocket, zips, a loop and straps behind."""
+    """A small, upright backpack with a front pocket, zips, a loop and straps behind."""
     color = look.color("red", "navy", "green", "gray", "black", "teal", "mustard", "pink")
     x, y, h = 0.2, 0.11, 0.27
     body = _body(x, y, h, [(0.95, 0.95, 0), (1, 1, 0.05), (1, 1, 0.6), (0.92, 0.9, 0.85),
@@ -432,7 +432,7 @@ def _suitcase_case(look: Look, travel: bool) -> Shape:
           themes=("living",), roles=("big",), colors=("brown", "red"),
           opened="open_suitcase")  # fmt: skip
 def suitcase(look: Look) -> Shape:
-    """A small standing suitcase: leather with straps, or a hard shell on wheels."""
+    """A small, upright suitcase: leather with straps, or a hard shell on wheels."""
     return _suitcase_case(look, look.chance(0.4))
 
 

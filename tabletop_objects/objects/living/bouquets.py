@@ -1,4 +1,4 @@
-"""Bouquets of the living theme."""
+"""Objects of the ``living`` theme: bouquets."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Boxes of the living theme."""
+"""Objects of the ``living`` theme: boxes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Candles of the living theme."""
+"""Objects of the ``living`` theme: candles."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cards of the living theme."""
+"""Objects of the ``living`` theme: cards."""
 
 from __future__ import annotations
 

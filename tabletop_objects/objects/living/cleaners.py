@@ -1,4 +1,4 @@
-"""Cleaners of the living theme."""
+"""Objects of the ``living`` theme: cleaning supplies."""
 
 from __future__ import annotations
 

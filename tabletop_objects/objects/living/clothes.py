@@ -1,4 +1,4 @@
-"""Clothes of the living theme."""
+"""Objects of the ``living`` theme: clothes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Decorations of the living theme."""
+"""Objects of the ``living`` theme: decorations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Drums of the living theme."""
+"""Objects of the ``living`` theme: drums."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HIDE = surfaces.plain((232, 216, 184))
 
 
 def _shell(profile: list[tuple[float, float]], *palette: str) -> Drawing:
-    """A standing drum with a turned body, a skin, hoops and ropes."""
+    """A drum standing upright, with a turned body, a skin, hoops and ropes."""
 
     def draw(look: Look) -> Pieces:
         tile = wood(look, *palette)

@@ -1,4 +1,4 @@
-"""Electronics of the living theme."""
+"""Objects of the ``living`` theme: electronics."""
 
 from __future__ import annotations
 
@@ -208,7 +208,7 @@ def game_cartridge(look: Look) -> Shape:
           "film", "microfilm reel", "negative strip", "film reel", "reel of film", "music roll"),
           themes=("living",), roles=("round",), colors=("yellow",))  # fmt: skip
 def film_roll(look: Look) -> Shape:
-    """A standing 35 mm film canister with a strip of film sticking out."""
+    """An upright 35 mm film canister with a strip of film sticking out."""
     k = look.between(0.95, 1.1)
     color = look.color("yellow", "green", "red", "blue", "black", "orange")
     r, h = 0.0125 * k, 0.047 * k

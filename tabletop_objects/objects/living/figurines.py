@@ -1,4 +1,4 @@
-"""Figurines of the living theme."""
+"""Objects of the ``living`` theme: figurines."""
 
 from __future__ import annotations
 
@@ -203,7 +203,7 @@ def buddha_head(look: Look) -> Pieces:
 
 
 def _robed_figure(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> Drawing:
-    """A standing robed figure with folded hands and a veil over its head."""
+    """A robed figure standing with folded hands and a veil over its head."""
 
     def draw(look: Look) -> Pieces:
         gown, cover = plastic(look, *robe), dye(look, *veil)

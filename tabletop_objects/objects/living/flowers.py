@@ -1,4 +1,4 @@
-"""Flowers of the living theme."""
+"""Objects of the ``living`` theme: flowers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hats of the living theme."""
+"""Objects of the ``living`` theme: hats."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def elf_hat(look: Look) -> Shape:
           aliases=("cracker crown", "christmas cracker hat", "tissue paper crown", "cracker hat",
           "cardboard crown"), themes=("living",), roles=("round",), colors=("yellow",))  # fmt: skip
 def paper_crown(look: Look) -> Shape:
-    """A thin, standing paper crown from a cracker: a ring with points."""
+    """A thin paper crown from a cracker: a ring with points, standing upright."""
     k = look.between(0.92, 1.08)
     color = look.color("yellow", "red", "green", "purple", "orange", "blue")
     r, h, t = 0.085, 0.075, 0.0022

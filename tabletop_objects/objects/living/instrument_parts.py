@@ -1,4 +1,4 @@
-"""Instrument parts of the living theme."""
+"""Objects of the ``living`` theme: instrument parts."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def guitar_tuner(look: Look) -> Pieces:
           roles=("flat",), colors=("beige",), state="lying")  # fmt: skip
 @from_pieces()
 def clarinet_reed(look: Look) -> Pieces:
-    """A flat cane reed lying flat, thinner towards its right end."""
+    """A clarinet reed lying flat: a strip of cane that is thinner towards its right end."""
     tile = wood(look, "beige", "cream", "tan")
     body = at_block(0.067, 0.013, 0.003, 0.003).bend(
         lambda p: p * np.column_stack([np.ones((len(p), 2)), np.clip(0.75 - 11 * p[:, 0], 0.2,

@@ -1,4 +1,4 @@
-"""Instruments of the living theme."""
+"""Objects of the ``living`` theme: instruments."""
 
 from __future__ import annotations
 
@@ -557,7 +557,7 @@ def banjo(look: Look) -> Pieces:
           themes=("living",), roles=("tall",), colors=("brown", "gold"))  # fmt: skip
 @from_pieces()
 def harp(look: Look) -> Pieces:
-    """A small standing harp with a sound box, a curved neck, a pillar and strings."""
+    """A small, upright harp with a sound box, a curved neck, a pillar and strings."""
     tile = wood(look, "brown", "wooden", "gold", "tan")
     base = at_box(0.12, 0.07, 0.016, (0.0, 0, 0))
     box = straight((-0.045, 0, 0.014), (0.085, 0, 0.22), (0.03, 0.014), 4)

@@ -1,4 +1,4 @@
-"""Lamps of the living theme."""
+"""Objects of the ``living`` theme: lamps."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ GLASS: RGB = (218, 228, 230)
           aliases=("lamp shade", "fabric lampshade", "shade of a lamp"), themes=("living",),
           roles=("round", "big"), colors=("cream",))  # fmt: skip
 def lampshade(look: Look) -> Shape:
-    """A standing cone-shaped fabric lampshade, open at the top and bottom."""
+    """A cone-shaped fabric lampshade, open at the top and bottom."""
     k = look.between(0.9, 1.1)
     color = look.color("cream", "white", "tan", "red", "teal", "navy", "green")
     low, top, h = 0.12 * k, look.between(0.06, 0.1) * k, 0.15 * k

@@ -1,4 +1,4 @@
-"""Leaves of the living theme."""
+"""Objects of the ``living`` theme: leaves."""
 
 from __future__ import annotations
 

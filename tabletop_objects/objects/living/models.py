@@ -1,4 +1,4 @@
-"""Models of the living theme."""
+"""Objects of the ``living`` theme: models and miniatures."""
 
 from __future__ import annotations
 

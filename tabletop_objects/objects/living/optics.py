@@ -1,4 +1,4 @@
-"""Optics of the living theme."""
+"""Objects of the ``living`` theme: optical instruments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Papers of the living theme."""
+"""Objects of the ``living`` theme: paper goods."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pet supplies of the living theme."""
+"""Objects of the ``living`` theme: pet supplies."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def birdhouse(look: Look) -> Shape:
           aliases=("birdfeeder", "feeder"), themes=("living",), roles=("tall",),
           colors=("green", "wooden"))  # fmt: skip
 def bird_feeder(look: Look) -> Shape:
-    """A standing bird feeder: a tray with seeds, a tube and a roof."""
+    """A bird feeder on a stand: a tray with seeds, a tube and a roof."""
     color = look.color("wooden", "green", "red", "black", "copper", "teal")
     r = look.between(0.062, 0.075)
     tray = cylinder(r, 0.014, 28, bevel=0.002)

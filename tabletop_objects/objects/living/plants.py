@@ -1,4 +1,4 @@
-"""Plants of the living theme."""
+"""Objects of the ``living`` theme: plants."""
 
 from __future__ import annotations
 

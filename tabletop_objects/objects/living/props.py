@@ -1,4 +1,4 @@
-"""Props of the living theme."""
+"""Objects of the ``living`` theme: props."""
 
 from __future__ import annotations
 
@@ -231,7 +231,7 @@ def rabbit_foot(look: Look) -> Shape:
           aliases=("iron shackle", "pair of shackles", "handcuffs", "pair of handcuffs", "manacle"),
           themes=("living",), roles=("flat",), colors=("gray",))  # fmt: skip
 def shackle(look: Look) -> Shape:
-    """Two iron cuffs joined by a short chain, lying flat."""
+    """A pair of iron shackles joined by a short chain, lying flat."""
     k = look.between(0.85, 1.15)
     color = look.color("charcoal", "gray", "brown", "black")
     cuffs = [torus(0.034, 0.0065, 30, 8).move(s * 0.085, 0, 0.0062) for s in (-1, 1)]
@@ -578,7 +578,7 @@ def ghost(look: Look) -> Shape:
           aliases=("mummy figure", "mummy figurine", "toy mummy", "zombie figure", "zombie",
           "zombies"), themes=("living",), colors=("cream",))  # fmt: skip
 def mummy(look: Look) -> Shape:
-    """A standing mummy wrapped in bandages, with visible eyes."""
+    """A mummy wrapped in bandages, standing, with visible eyes."""
     k = look.between(0.85, 1.15)
     color = look.color("cream", "ivory", "beige", "tan")
     body = lathe(np.maximum(smooth([(0, 0), (0.02, 0), (0.02, 0.01), (0.026, 0.045), (0.03, 0.075),

@@ -1,4 +1,4 @@
-"""Religious items of the living theme."""
+"""Objects of the ``living`` theme: religious items."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from ..toys.shapes import body
 
 
 def _cross(figure: bool, stepped: bool) -> Drawing:
-    """A standing cross on a base, with or without a figure."""
+    """A cross standing on a base, with or without a figure."""
 
     def draw(look: Look) -> Pieces:
         tile = look.surface(look.color("brown", "gold", "wooden", "silver"), look.pick(
@@ -165,7 +165,7 @@ def monstrance(look: Look) -> Pieces:
           "orthodox icon"), themes=("living",), colors=("gold",))  # fmt: skip
 @from_pieces()
 def icon(look: Look) -> Pieces:
-    """A standing painted icon of a saint with a halo on gold, leaning on a foot."""
+    """An upright painted icon: a saint with a halo on gold, leaning on a foot."""
     image = prints.canvas(96, 128, (206, 168, 88))
     robe = look.color("crimson", "navy", "green", "maroon")
     prints.polygon(image, [(0.12, 1), (0.2, 0.62), (0.5, 0.5), (0.8, 0.62), (0.88, 1)], robe)
@@ -289,7 +289,7 @@ def ankh(look: Look) -> Pieces:
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def pentacle(look: Look) -> Pieces:
-    """A five-pointed star in a ring, lying flat."""
+    """A pentacle lying flat: a five-pointed star in a ring."""
     tile = metal(look, "silver", "gold", "bronze")
     a = np.pi / 2 + np.arange(6) * 4 * np.pi / 5
     star = [rod([(0.032 * np.cos(p), 0.032 * np.sin(p), 0.003),
@@ -446,7 +446,7 @@ def yad(look: Look) -> Pieces:
           aliases=("phylactery",), themes=("living",), colors=("black",))  # fmt: skip
 @from_pieces()
 def tefillin(look: Look) -> Pieces:
-    """A black leather cube on a base, with its strap coiled beside it."""
+    """A tefillin: a black leather cube on a base with its strap coiled beside it."""
     black = surfaces.speckles(look.rng, look.color("black", "charcoal"), 6)
     base, top = at_box(0.045, 0.06, 0.008), at_box(0.032, 0.032, 0.03, (0, 0.006, 0.008))
     path = [(0.02, -0.02, 0.004), (0.05, -0.035, 0.004), (0.07, 0, 0.004), (0.05, 0.03, 0.004),
@@ -518,7 +518,7 @@ def prayer_shawl(look: Look) -> Pieces:
           "offering plate"), themes=("living",), roles=("container", "flat"),
           colors=("gold",))  # fmt: skip
 def paten(look: Look) -> Shape:
-    """A shallow metal dish with a rim, for communion wafers."""
+    """A paten: a shallow metal dish with a rim, for communion wafers."""
     tile = metal(look, "gold", "gold", "silver")
     side = [(0.05, 0.0), (0.07, 0.006), (0.085, 0.012)]
     body, parts = open_vessel(side, 0.0025, 0.003)

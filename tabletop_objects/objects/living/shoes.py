@@ -1,4 +1,4 @@
-"""Shoes of the living theme."""
+"""Objects of the ``living`` theme: shoes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Signs of the living theme."""
+"""Objects of the ``living`` theme: signs."""
 
 from __future__ import annotations
 

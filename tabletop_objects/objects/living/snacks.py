@@ -1,4 +1,4 @@
-"""Snacks of the living theme."""
+"""Objects of the ``living`` theme: snacks."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ STICK: RGB = (244, 240, 230)
           aliases=("lolly", "swirl lollipop"), themes=("living",), roles=("edible",),
           colors=("red", "pink"), state="lying flat")  # fmt: skip
 def lollipop(look: Look) -> Shape:
-    """A swirled flat lollipop or a round one on its stick, lying flat."""
+    """A round or flat, swirled lollipop on its stick, lying flat."""
     r, long = look.between(0.017, 0.026), look.between(0.075, 0.1)
     color = look.color(*BRIGHT)
     rows, columns = np.mgrid[0:128, 0:128] / 127 - 0.5
@@ -87,7 +87,7 @@ def gummy_bear(look: Look) -> Shape:
           aliases=("liquorice", "licorice wheel", "liquorice wheel"), themes=("living",),
           roles=("edible", "flat"), colors=("black",), state="lying flat")  # fmt: skip
 def licorice(look: Look) -> Shape:
-    """A wheel of liquorice lace."""
+    """A coiled wheel of liquorice lace."""
     r, t = look.between(0.02, 0.025), look.between(0.006, 0.008)
     turn = np.linspace(0, 6 * np.pi, 70)
     away = 0.15 * r + 0.78 * r * turn / turn[-1]

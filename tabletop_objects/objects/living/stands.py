@@ -1,4 +1,4 @@
-"""Stands of the living theme."""
+"""Objects of the ``living`` theme: stands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stones of the living theme."""
+"""Objects of the ``living`` theme: stones."""
 
 from __future__ import annotations
 

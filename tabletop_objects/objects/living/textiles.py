@@ -1,4 +1,4 @@
-"""Textiles of the living theme."""
+"""Objects of the ``living`` theme: textiles."""
 
 from __future__ import annotations
 

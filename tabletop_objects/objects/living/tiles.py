@@ -1,4 +1,4 @@
-"""Tiles of the living theme."""
+"""Objects of the ``living`` theme: tiles."""
 
 from __future__ import annotations
 

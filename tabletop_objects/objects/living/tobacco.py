@@ -1,4 +1,4 @@
-"""Tobacco of the living theme."""
+"""Objects of the ``living`` theme: tobacco products."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def cigarette_packet(look: Look) -> Shape:
           aliases=("cigar case", "metal card case", "card case"), themes=("living",),
           roles=("flat",), colors=("silver",), state="lying flat")  # fmt: skip
 def cigarette_case(look: Look) -> Shape:
-    """A flat metal case with rounded corners and an engraved band, lying flat."""
+    """A slim metal cigarette case with rounded corners and an engraved band, lying flat."""
     k, color = look.between(0.92, 1.08), look.color("silver", "gold", "black", "bronze")
     body = block(0.1 * k, 0.08 * k, 0.016, 0.01, 0.003)
     image = surfaces.fit(surfaces.brushed_metal(look.rng, color), 128, 160).copy()

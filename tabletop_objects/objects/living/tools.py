@@ -1,4 +1,4 @@
-"""Tools of the living theme."""
+"""Objects of the ``living`` theme: tools."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Vases of the living theme."""
+"""Objects of the ``living`` theme: vases."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Weapons of the living theme."""
+"""Objects of the ``living`` theme: weapons."""
 
 from __future__ import annotations
 

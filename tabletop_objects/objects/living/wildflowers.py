@@ -1,4 +1,4 @@
-"""Wildflowers of the living theme."""
+"""Objects of the ``living`` theme: wildflowers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bandages of the medical theme."""
+"""Objects of the ``medical`` theme: bandages."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def first_aid_kit(look: Look) -> Shape:
           "sam splint", "sling"), themes=("medical",), roles=("round",), colors=("white", "tan"),
           common=True)  # fmt: skip
 def bandage_roll(look: Look) -> Shape:
-    """A standing roll of gauze or elastic bandage with a loose end or one held by clips or tape."""
+    """An upright roll of gauze or elastic bandage, loose or held by clips or tape."""
     r, h = look.between(0.02, 0.032), look.between(0.05, 0.09)
     color = look.color("white", "white", "cream", "tan", "beige", "blue", "pink", "green", "red")
     ridged = look.chance(0.5)

@@ -1,4 +1,4 @@
-"""Instruments of the medical theme."""
+"""Objects of the ``medical`` theme: instruments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Medicines of the medical theme."""
+"""Objects of the ``medical`` theme: medicines."""
 
 from __future__ import annotations
 

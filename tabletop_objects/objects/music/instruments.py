@@ -1,4 +1,4 @@
-"""Instruments of the music theme."""
+"""Objects of the ``music`` theme: instruments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Records of the music theme."""
+"""Objects of the ``music`` theme: recordings and music players."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def cassette(look: Look) -> Shape:
 
 
 def _sleeve(x: float, y: float, h: float, spine: bool) -> Callable[[Look], Shape]:
-    """A flat case or sleeve with a printed front, lying flat."""
+    """A thin case or sleeve with a printed front, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.02)

@@ -1,4 +1,4 @@
-"""Books of the office theme."""
+"""Objects of the ``office`` theme: books."""
 
 from __future__ import annotations
 

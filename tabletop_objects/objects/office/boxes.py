@@ -1,4 +1,4 @@
-"""Boxes of the office theme."""
+"""Objects of the ``office`` theme: boxes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cards of the office theme."""
+"""Objects of the ``office`` theme: cards."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ Draw = Callable[[Look, RGB], surfaces.Tile]
 def _card(
     x: float, y: float, h: float, draw: Draw, palette: tuple[str, ...], count: int = 1
 ) -> Callable[[Look], Shape]:
-    """A flat card, or a small pile of cards, lying flat; ``draw`` prints the face."""
+    """A card, or a small pile of cards, lying flat; ``draw`` prints the face."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.03)

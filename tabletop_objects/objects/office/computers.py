@@ -1,4 +1,4 @@
-"""Computers of the office theme."""
+"""Objects of the ``office`` theme: computers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cups of the office theme."""
+"""Objects of the ``office`` theme: cups."""
 
 from __future__ import annotations
 

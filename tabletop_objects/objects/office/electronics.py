@@ -1,4 +1,4 @@
-"""Electronics of the office theme."""
+"""Objects of the ``office`` theme: electronics."""
 
 from __future__ import annotations
 

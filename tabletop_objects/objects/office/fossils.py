@@ -1,4 +1,4 @@
-"""Fossils of the office theme."""
+"""Objects of the ``office`` theme: fossils."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def belemnite(look: Look) -> Pieces:
           colors=("beige",), state="lying")  # fmt: skip
 @from_pieces(foot=0.15)
 def crinoid(look: Look) -> Pieces:
-    """A sea lily stem of stacked rings, lying flat."""
+    """A crinoid fossil lying flat: the stem of a sea lily with stacked rings."""
     tile = _skin(look, "beige", "gray", "tan")
     points: list[tuple[float, float]] = []
     for k in range(11):

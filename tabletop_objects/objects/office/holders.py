@@ -1,4 +1,4 @@
-"""Holders of the office theme."""
+"""Objects of the ``office`` theme: holders."""
 
 from __future__ import annotations
 
@@ -191,7 +191,7 @@ def magazine_file(look: Look) -> Pieces:
           themes=("office",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def docket_spike(look: Look) -> Pieces:
-    """A round metal base with an upright spike through four sheets of paper."""
+    """A docket spike: a metal base with an upright spike through four sheets of paper."""
     base = disc(0.045, 0.012)
     pin = standing((0.0018, 0.01), (0.0016, 0.12), (0.0003, 0.135), sides=8)
     notes = [at_box(0.07, 0.1, 0.0012).turn(2, a).move(0.004 * np.cos(3 * a), 0, 0.014 + 0.006 * k)

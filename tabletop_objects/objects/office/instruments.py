@@ -1,4 +1,4 @@
-"""Instruments of the office theme."""
+"""Objects of the ``office`` theme: instruments."""
 
 from __future__ import annotations
 
@@ -196,7 +196,7 @@ def sextant(look: Look) -> Pieces:
           roles=("tall",), colors=("black",))  # fmt: skip
 @from_pieces()
 def anemometer(look: Look) -> Pieces:
-    """An anemometer: three rotating cups on a post with a foot."""
+    """An anemometer: three cups on a rotor above a post with a foot."""
     foot, post = disc(0.05, 0.014), standing((0.008, 0.014), (0.007, 0.17), sides=12)
     arms, bowls = [], []
     for a in np.arange(3) * 2.0944 + 0.4:

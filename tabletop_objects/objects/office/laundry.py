@@ -1,4 +1,4 @@
-"""Laundry of the office theme."""
+"""Objects of the ``office`` theme: laundry supplies."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def washing_line_reel(look: Look) -> Pieces:
           roles=("flat",), colors=("white",))  # fmt: skip
 @from_pieces()
 def collar_stiffener(look: Look) -> Pieces:
-    """A thin, flat strip lying flat, square on the left and pointed on the right."""
+    """A thin collar stiffener lying flat, square on the left and pointed on the right."""
     return [(plate([(-0.032, -0.0055), (0.024, -0.0055), (0.034, 0), (0.024, 0.0055),
                     (-0.032, 0.0055)], 0.001), plastic(look, "white", "clear",
                                                        "silver"))]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Machines of the office theme."""
+"""Objects of the ``office`` theme: machines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Minerals of the office theme."""
+"""Objects of the ``office`` theme: minerals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Money of the office theme."""
+"""Objects of the ``office`` theme: money."""
 
 from __future__ import annotations
 

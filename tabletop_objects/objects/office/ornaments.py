@@ -1,4 +1,4 @@
-"""Ornaments of the office theme."""
+"""Objects of the ``office`` theme: ornaments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Papers of the office theme."""
+"""Objects of the ``office`` theme: paper goods."""
 
 from __future__ import annotations
 
@@ -400,7 +400,7 @@ def sticker(look: Look) -> Shape:
           "bubblegum wrapper"), themes=("office",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def wrapper(look: Look) -> Shape:
-    """An empty, crumpled foil wrapper of gum or a sweet."""
+    """An empty, crumpled foil wrapper."""
     k = look.between(0.9, 1.2)
     color = look.color("silver", "red", "green", "gold", "purple", "pink", "blue")
     u, v = np.meshgrid(np.linspace(-1, 1, 15), np.linspace(-1, 1, 13))

@@ -1,4 +1,4 @@
-"""Snacks of the office theme."""
+"""Objects of the ``office`` theme: snacks."""
 
 from __future__ import annotations
 

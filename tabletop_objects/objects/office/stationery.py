@@ -1,4 +1,4 @@
-"""Stationery of the office theme."""
+"""Objects of the ``office`` theme: stationery."""
 
 from __future__ import annotations
 
@@ -171,7 +171,7 @@ STEEL: RGB = (186, 189, 194)
           "chalkboard slate", "blackboard", "writing slate", "slate board"), themes=("office",),
           roles=("big", "tall"), colors=("silver",))  # fmt: skip
 def whiteboard(look: Look) -> Shape:
-    """A small whiteboard on feet with a drawing on it."""
+    """A small whiteboard with a drawing on it, standing on feet."""
     k = look.between(0.88, 1.06)
     color = look.color("silver", "wooden", "black", "blue", "white", "red")
     x, h = 0.32 * k, 0.23 * k
@@ -225,7 +225,7 @@ def whiteboard_eraser(look: Look) -> Shape:
           aliases=("highlighter pen", "highlighter marker", "text marker"), themes=("office",),
           roles=("flat",), colors=("yellow", "pink"), state="lying flat")  # fmt: skip
 def highlighter(look: Look) -> Shape:
-    """A flat highlighter with a bright cap, lying flat."""
+    """A highlighter with a bright cap, lying flat."""
     k = look.between(0.92, 1.06)
     color = look.color("yellow", "lime", "pink", "orange", "cyan", "yellow")
     x, y, h = 0.118 * k, 0.026 * k, 0.014 * k
@@ -265,7 +265,7 @@ def push_pin(look: Look) -> Shape:
           "cycle clip", "toe clip", "mudguard clip", "baby gate latch"), themes=("office",),
           roles=("flat",), colors=("silver",))  # fmt: skip
 def paper_clip(look: Look) -> Shape:
-    """One paper clip, lying flat."""
+    """A single paper clip, lying flat."""
     k = look.between(1.0, 1.5)
     color = look.color("silver", "silver", "red", "blue", "green", "yellow", "gold", "pink")
     r = 0.0007 * k

@@ -1,4 +1,4 @@
-"""Tools of the office theme."""
+"""Objects of the ``office`` theme: tools."""
 
 from __future__ import annotations
 

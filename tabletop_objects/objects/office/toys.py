@@ -1,4 +1,4 @@
-"""Toys of the office theme."""
+"""Objects of the ``office`` theme: various toys."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def toy_chair(look: Look) -> Pieces:
           aliases=("newton's cradle", "newton cradle", "pendulum balls", "pendulum",
           "desk pendulum"), themes=("office",), roles=("tall",), colors=("silver",))  # fmt: skip
 def newtons_cradle(look: Look) -> Shape:
-    """Five steel balls hanging in a row from a frame."""
+    """A Newton's cradle: five steel balls hanging in a row from a frame."""
     k = look.between(0.85, 1.05)
     color = look.color("silver", "black", "gold", "charcoal")
     x, y, h = 0.15 * k, 0.11 * k, 0.14 * k
@@ -86,7 +86,7 @@ def planet_model(look: Look) -> Pieces:
           colors=("brown",))  # fmt: skip
 @from_pieces(bodies=2)
 def volcano_model(look: Look) -> Pieces:
-    """A rock cone on a square base, with lava in its crater and four streams of lava."""
+    """A volcano model: a rock cone on a square base with lava in its crater and on its slopes."""
     color = look.color("brown", "charcoal", "terracotta")
     rock = standing((0.09, 0.008), (0.075, 0.025), (0.05, 0.07), (0.03, 0.115), (0.018, 0.115),
                     (0.012, 0.1), sides=18)  # fmt: skip
@@ -114,7 +114,7 @@ def volcano_model(look: Look) -> Pieces:
           "pie chart model"), themes=("office",), colors=("red",))  # fmt: skip
 @from_pieces()
 def fraction_circle(look: Look) -> Pieces:
-    """A disc cut into coloured wedges."""
+    """A fraction circle: a disc cut into coloured wedges."""
     n = look.pick([4, 6, 8])
     pieces: Pieces = []
     for k in range(n):

@@ -1,4 +1,4 @@
-"""Bowls of the pets theme."""
+"""Objects of the ``pets`` theme: bowls."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Devices of the play theme."""
+"""Objects of the ``play`` theme: electronic devices."""
 
 from __future__ import annotations
 

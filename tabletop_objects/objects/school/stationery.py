@@ -1,4 +1,4 @@
-"""Stationery of the school theme."""
+"""Objects of the ``school`` theme: stationery."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def drawing_compass(look: Look) -> Shape:
           aliases=("counting frame", "bead frame", "row counter"), themes=("school",),
           roles=("tall", "big"), colors=("wooden",))  # fmt: skip
 def abacus(look: Look) -> Shape:
-    """A standing abacus frame with rows of coloured beads."""
+    """An abacus: an upright frame with rows of coloured beads."""
     k = look.between(0.88, 1.06)
     wood = look.surface(look.color("wooden", "tan", "red", "wooden", "blue"), "wood")
     x, h, t = 0.22 * k, 0.2 * k, 0.012 * k

@@ -1,4 +1,4 @@
-"""Balls of the sports theme."""
+"""Objects of the ``sports`` theme: balls."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def football_skin(color: RGB, ink: RGB = (30, 32, 36)) -> Tile:
           "badminton ball", "shuttle"), themes=("sports",), roles=("round",),
           colors=("white",))  # fmt: skip
 def shuttlecock(look: Look) -> Shape:
-    """A shuttlecock standing on the rim of its feathers, cork up."""
+    """A shuttlecock standing on the rim of its feathers with its cork up."""
     k = look.between(0.95, 1.08)
     color = look.color("white", "white", "white", "yellow")
     image = prints.canvas(160, 64, color)
@@ -195,7 +195,7 @@ def hockey_puck(look: Look) -> Shape:
 
 
 def _ball(d: float, cover: surfaces.Tile, seams: list[Solid], ink: RGB, *, fine: int = 28) -> Shape:
-    """Return a ball of diameter ``d`` with raised or printed seams, resting on a small flat."""
+    """Return a ball of diameter ``d`` with raised or printed seams and a small flat spot."""
     core = ellipsoid(d, d, d, fine, 18)
     pieces = [(press_flat(core, 0.488 * d), cover)]
     if seams:

@@ -1,4 +1,4 @@
-"""Equipment of the sports theme."""
+"""Objects of the ``sports`` theme: equipment."""
 
 from __future__ import annotations
 
@@ -233,7 +233,7 @@ def arrow(look: Look) -> Shape:
           aliases=("arrow quiver", "quiver of arrows"), themes=("sports",), roles=("tall",),
           colors=("brown",))  # fmt: skip
 def quiver(look: Look) -> Shape:
-    """A standing leather quiver with a few arrows in it."""
+    """An upright leather quiver with a few arrows in it."""
     color = look.color("brown", "tan", "black", "maroon")
     k = look.between(0.85, 1.15)
     body = drum(0.032, 0.17, top=0.04)

@@ -1,4 +1,4 @@
-"""Fishing tackle of the sports theme."""
+"""Objects of the ``sports`` theme: fishing tackle."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sportswear of the sports theme."""
+"""Objects of the ``sports`` theme: sportswear."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Teaware of the tea theme."""
+"""Objects of the ``tea`` theme: teaware."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def cookie(look: Look) -> Shape:
           themes=("tea", "dining"), roles=("round", "support", "big"), colors=("white", "pink"),
           common=True)  # fmt: skip
 def cake_stand(look: Look) -> Shape:
-    """A footed stand for cake."""
+    """A cake stand on a foot."""
     r, h = look.between(0.1, 0.15), look.between(0.08, 0.13)
     color = look.color("white", "pink", "mint", "sky", "cream", "wooden", "teal")
     glaze = look.surface(color, "ceramic")

@@ -1,4 +1,4 @@
-"""Animals of the toys theme."""
+"""Objects of the ``toys`` theme: animals."""
 
 from __future__ import annotations
 
@@ -282,7 +282,7 @@ def snail(look: Look) -> Shape:
           "stuffed cat", "plush rabbit", "plush dog", "beanie baby", "plushie", "stuffed toy"),
           themes=("toys",), colors=("brown", "cream"), state="sitting", common=True)  # fmt: skip
 def teddy_bear(look: Look) -> Shape:
-    """A small sitting teddy bear."""
+    """A small teddy bear, sitting."""
     color = look.color("brown", "tan", "cream", "gray", "terracotta")
     fur = surfaces.knitting(look.rng, color)
     pale, dark = surfaces.plain(tint_color(color, 1.35)), surfaces.plain((34, 28, 26))

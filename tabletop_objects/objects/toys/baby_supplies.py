@@ -1,4 +1,4 @@
-"""Baby supplies of the toys theme."""
+"""Objects of the ``toys`` theme: baby supplies."""
 
 from __future__ import annotations
 

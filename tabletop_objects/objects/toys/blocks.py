@@ -1,4 +1,4 @@
-"""Blocks of the toys theme."""
+"""Objects of the ``toys`` theme: blocks."""
 
 from __future__ import annotations
 

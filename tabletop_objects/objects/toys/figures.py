@@ -1,4 +1,4 @@
-"""Figures of the toys theme."""
+"""Objects of the ``toys`` theme: figures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BLACK = surfaces.plain((34, 34, 37))
           "lego person"), themes=("toys",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=4)
 def lego_figure(look: Look) -> Pieces:
-    """A small jointed brick figure."""
+    """A small, jointed brick figure."""
     shirt, trousers = plastic(look, *PAINTS), dye(look, "blue", "black", "gray", "green", "red")
     yellow = surfaces.plain((246, 206, 70))
     legs = [at_box(0.0075, 0.008, 0.0135, (s * 0.0041, 0, 0)) for s in (-1, 1)]
@@ -64,7 +64,7 @@ def vinyl_figure(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=8)
 def bobblehead(look: Look) -> Pieces:
-    """A figure with a big head on a spring."""
+    """A bobblehead: a figure with a big head on a spring."""
     base = disc(0.034, 0.01)
     shirt = plastic(look, *PAINTS)
     legs = [standing((0.008, 0.01), (0.009, 0.04)).move(x=s * 0.01) for s in (-1, 1)]
@@ -283,7 +283,7 @@ def puppet(look: Look) -> Shape:
 
 
 def _figure(big: float) -> dict[str, list[Solid]]:
-    """Return a standing figure with legs, a trunk, arms and a head of width ``big``."""
+    """Return a figure standing upright with legs, a trunk, arms and a head of width ``big``."""
     legs = [drum(0.0125, 0.036, (s * 0.0145, 0, 0.006), top=0.014) for s in (-1, 1)]
     feet = [ball(0.026, 0.038, 0.02, (s * 0.0145, -0.005, 0.008), 12) for s in (-1, 1)]
     trunk = [block(0.054, 0.036, 0.045, 0.014, 0.006).move(z=0.036)]

@@ -1,4 +1,4 @@
-"""Models of the toys theme."""
+"""Objects of the ``toys`` theme: models and miniatures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Props of the toys theme."""
+"""Objects of the ``toys`` theme: props."""
 
 from __future__ import annotations
 
@@ -211,7 +211,7 @@ def mask(look: Look) -> Shape:
           aliases=("tiara", "diadem", "golden crown", "gold crown", "king crown", "queen crown"),
           themes=("toys", "vanity"), colors=("gold",))  # fmt: skip
 def crown(look: Look) -> Shape:
-    """A standing crown or tiara: a band with points, balls and gems."""
+    """A crown or tiara standing upright: a band with points, balls and gems."""
     color = look.color("gold", "gold", "silver", "copper")
     r, h = look.between(0.06, 0.078), look.between(0.055, 0.075)
     n, count = 60, 10

@@ -1,4 +1,4 @@
-"""Puzzles of the toys theme."""
+"""Objects of the ``toys`` theme: puzzles."""
 
 from __future__ import annotations
 

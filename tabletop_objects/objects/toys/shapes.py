@@ -1,4 +1,4 @@
-"""Shapes of the toys theme."""
+"""Objects of the ``toys`` theme: shapes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def paint(
     palette: tuple[str, ...] = CUBE_PAINTS,
     default: tuple[str, ...] = ("plastic", "wood"),
 ) -> Callable[[Look], Shape]:
-    """Return a block's shape function from ``make``, which takes a scale."""
+    """Return a block's shape function from ``make``, which takes a scale factor."""
 
     def make_block(look: Look) -> Shape:
         k = look.between(0.9, 1.12)

@@ -1,4 +1,4 @@
-"""Toys of the toys theme."""
+"""Objects of the ``toys`` theme: various toys."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def fidget_cube(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=(0, 2, 4, 6, 8, 10))
 def pop_it(look: Look) -> Pieces:
-    """A silicone mat with rows of bubbles in rainbow colours."""
+    """A pop-it toy: a silicone mat with rows of bubbles in rainbow colours."""
     rows = ("red", "orange", "yellow", "green", "blue", "purple")
     base = [at_block(0.128, 0.0214, 0.005, 0.004, (0, 0.0535 - 0.0214 * k, 0)) for k in range(6)]
     pieces: Pieces = []
@@ -768,7 +768,7 @@ def cup_and_ball(look: Look) -> Shape:
           aliases=("praxinoscope", "stroboscope", "phenakistoscope"), themes=("toys",),
           colors=("black",))  # fmt: skip
 def zoetrope(look: Look) -> Shape:
-    """A slotted drum on a foot with a strip of pictures inside."""
+    """A zoetrope: a slotted drum on a foot with a strip of pictures inside."""
     color = look.color("black", "red", "navy", "wooden")
     k = look.between(0.85, 1.15)
     foot = standing((0.045, 0), (0.045, 0.008), (0.012, 0.018), (0.009, 0.06), sides=24)

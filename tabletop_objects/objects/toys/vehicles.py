@@ -1,4 +1,4 @@
-"""Vehicles of the toys theme."""
+"""Objects of the ``toys`` theme: vehicles."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def toy_car(look: Look) -> Shape:
           aliases=("train", "locomotive", "toy locomotive"), themes=("toys",),
           colors=("red", "blue"), common=True)  # fmt: skip
 def toy_train(look: Look) -> Shape:
-    """A wooden locomotive with four wheels."""
+    """A wooden toy locomotive with four wheels."""
     paint = surfaces.speckles(look.rng, look.color("red", "blue", "green", "violet"), 4)
     other = surfaces.speckles(look.rng, look.own_color("yellow", "orange", "teal"), 4)
     wood = surfaces.wood(look.rng, (206, 164, 110))
@@ -248,7 +248,7 @@ def toy_bus(look: Look) -> Shape:
           "toy bulldozer", "bulldozer", "digger"), themes=("toys",),
           colors=("green", "red"))  # fmt: skip
 def toy_tractor(look: Look) -> Shape:
-    """A toy tractor with two large wheels behind."""
+    """A toy tractor with two large rear wheels."""
     color = look.color("green", "red", "blue", "orange")
     paint = surfaces.speckles(look.rng, color, 4)
     hood = block(0.07, 0.034, 0.03, 0.006, 0.003).move(-0.024, 0, 0.026)
@@ -533,7 +533,7 @@ def satellite(look: Look) -> Shape:
           aliases=("rover model", "mars rover", "moon rover", "lunar rover", "toy rover"),
           themes=("toys",), colors=("white",))  # fmt: skip
 def rover(look: Look) -> Shape:
-    """A six-wheeled rover with a camera mast, panels and an arm."""
+    """A six-wheeled rover with a camera mast, solar panels and an arm."""
     color = look.color("white", "silver", "gold", "orange")
     k = look.between(0.85, 1.15)
     wheels = [drum(0.017, 0.014, (x, s * 0.05 - 0.007, 0.017), 1, sides=16)

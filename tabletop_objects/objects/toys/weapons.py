@@ -1,4 +1,4 @@
-"""Weapons of the toys theme."""
+"""Objects of the ``toys`` theme: weapons."""
 
 from __future__ import annotations
 

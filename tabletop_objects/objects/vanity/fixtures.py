@@ -1,4 +1,4 @@
-"""Fixtures of the vanity theme."""
+"""Objects of the ``vanity`` theme: fixtures."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Gemstones of the vanity theme."""
+"""Objects of the ``vanity`` theme: gemstones."""
 
 from __future__ import annotations
 

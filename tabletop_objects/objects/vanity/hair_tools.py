@@ -1,4 +1,4 @@
-"""Hair tools of the vanity theme."""
+"""Objects of the ``vanity`` theme: hair tools."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("toupee", "hairpiece", "clown wig", "fancy dress wig"), themes=("vanity",),
           roles=("big",), colors=("brown",))  # fmt: skip
 def wig(look: Look) -> Shape:
-    """A standing wig: a cap of long, wavy, parted hair."""
+    """A wig standing upright: a cap of long, wavy, parted hair."""
     color = look.color("brown", "black", "yellow", "orange", "pink", "gray", "red")
     k = look.between(0.85, 1.05)
     long = look.between(0.06, 0.12)

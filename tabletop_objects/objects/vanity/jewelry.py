@@ -1,4 +1,4 @@
-"""Jewelry of the vanity theme."""
+"""Objects of the ``vanity`` theme: jewelry."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Makeup of the vanity theme."""
+"""Objects of the ``vanity`` theme: makeup."""
 
 from __future__ import annotations
 
@@ -155,7 +155,7 @@ def powder_puff(look: Look) -> Shape:
           "wash bag", "toiletries bag", "zipper pouch", "dopp kit", "vanity case"),
           themes=("vanity",), colors=("pink", "navy"))  # fmt: skip
 def makeup_bag(look: Look) -> Shape:
-    """A standing zipped pouch, wider at the bottom."""
+    """An upright, zipped make-up bag, wider at the bottom."""
     x, y, h = look.between(0.15, 0.19), look.between(0.06, 0.08), look.between(0.09, 0.11)
     color = look.color("pink", "navy", "black", "teal", "mustard", "coral", "sage", "gray")
     cloth = surfaces.fit(glaze_tile(look, color), 128, 128)

@@ -1,4 +1,4 @@
-"""Toiletries of the vanity theme."""
+"""Objects of the ``vanity`` theme: toiletries."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from ...kit.surfaces import RGB, Look, Tile, readable_on, tint_color
           aliases=("roll of toilet paper", "toilet paper roll", "loo roll"), themes=("vanity",),
           roles=("round",), colors=("white",))  # fmt: skip
 def toilet_roll(look: Look) -> Shape:
-    """A standing roll of toilet paper with its last sheet hanging down."""
+    """An upright roll of toilet paper with its last sheet hanging down."""
     r, h = look.between(0.048, 0.058), look.between(0.092, 0.105)
     color = look.color("white", "white", "cream", "pink", "sky")
     roll = lathe([(0.02, 0), (r, 0), (r, h), (0.02, h)], 30, loop=True)
@@ -50,7 +50,7 @@ def toilet_roll(look: Look) -> Shape:
           aliases=("bath puff", "shower puff", "bath sponge", "bath pouf", "shower sponge", "loofa",
           "luffa"), themes=("vanity",), colors=("pink", "teal"))  # fmt: skip
 def loofah(look: Look) -> Shape:
-    """A ruffled bath puff with a cord."""
+    """A loofah: a ruffled bath puff with a cord."""
     color = look.color("pink", "teal", "purple", "white", "green", "blue", "orange")
     d = look.between(0.09, 0.12)
     ruffles: list[Solid] = []
@@ -115,7 +115,7 @@ STEEL = (196, 200, 206)
           "spudger", "haemostat", "hemostat", "tick remover", "needle holder", "tweezer set"),
           themes=("vanity",), colors=("silver",), state="lying")  # fmt: skip
 def tweezers(look: Look) -> Shape:
-    """A pair of tweezers lying on its side."""
+    """A pair of tweezers, lying on its side."""
     color = look.color("silver", "pink", "black", "gold", "teal", "red")
     long = look.between(0.085, 0.105)
     h = long / 2

@@ -1,4 +1,4 @@
-"""Towels of the vanity theme."""
+"""Objects of the ``vanity`` theme: towels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bike parts of the workbench theme."""
+"""Objects of the ``workbench`` theme: bike parts."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def pedal(look: Look) -> Shape:
           aliases=("bike saddle", "bicycle saddle", "bike seat", "bicycle seat", "cycle saddle"),
           themes=("workbench",), roles=("big",), colors=("black", "brown"))  # fmt: skip
 def saddle(look: Look) -> Shape:
-    """A bicycle saddle on its rails."""
+    """A bicycle saddle with its rails."""
     color = look.color("black", "brown", "tan", "white", "red")
     k = look.between(0.9, 1.1)
     outline = np.array([(-0.13, -0.055), (-0.11, -0.072), (-0.06, -0.066), (0.0, -0.03),
@@ -214,7 +214,7 @@ def bike_light(look: Look) -> Shape:
           aliases=("tire lever", "bike lever"), themes=("workbench",), roles=("flat",),
           colors=("blue", "yellow"))  # fmt: skip
 def tyre_lever(look: Look) -> Shape:
-    """A flat tyre lever with a hooked tip, lying flat."""
+    """A tyre lever with a hooked tip, lying flat."""
     color = look.color("blue", "yellow", "red", "black", "orange", "green")
     k = look.between(0.85, 1.15)
     rim = [(-0.06, -0.009), (0.03, -0.007), (0.055, -0.005), (0.06, 0), (0.055, 0.005),

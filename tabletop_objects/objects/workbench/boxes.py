@@ -1,4 +1,4 @@
-"""Boxes of the workbench theme."""
+"""Objects of the ``workbench`` theme: boxes."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ DARK = (44, 46, 50)
           themes=("workbench",), roles=("big",), colors=("red", "black"), state="standing open",
           opened="tool_caddy", common=True)  # fmt: skip
 def tool_kit(look: Look) -> Shape:
-    """An open case of sockets, bits and a ratchet."""
+    """An open tool case with sockets, bits and a ratchet."""
     x, y, h = look.between(0.26, 0.34), look.between(0.17, 0.21), look.between(0.034, 0.042)
     color = look.color("red", "black", "blue", "orange", "green")
     shell, metal = surfaces.speckles(look.rng, color, 4), tool_steel(look)

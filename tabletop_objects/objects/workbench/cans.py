@@ -1,4 +1,4 @@
-"""Cans of the workbench theme."""
+"""Objects of the ``workbench`` theme: cans."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("oiler", "oil dispenser can", "lubricant can"), themes=("workbench",),
           roles=("tall",), colors=("red", "copper"))  # fmt: skip
 def oil_can(look: Look) -> Shape:
-    """A standing oil can: a flat cone with a long, bent spout."""
+    """An oil can: a flat cone with a long, bent spout."""
     k = look.between(0.88, 1.08)
     color = look.color("red", "green", "blue", "copper", "silver", "yellow")
     body = lathe(np.array([(0, 0), (0.04, 0), (0.042, 0.003), (0.042, 0.04), (0.034, 0.05),

@@ -1,4 +1,4 @@
-"""Car parts of the workbench theme."""
+"""Objects of the ``workbench`` theme: car parts."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def steering_wheel(look: Look) -> Pieces:
           roles=("flat", "big"), colors=("silver",))  # fmt: skip
 @from_pieces(bodies=1)
 def hubcap(look: Look) -> Pieces:
-    """A domed metal wheel cover lying flat, with eight dark oval slots around a badge."""
+    """A hubcap lying flat: a domed metal cover with eight dark oval slots around a badge."""
     steel = metal(look, "silver", "silver", "gray", "black")
     face = standing((0.165, 0), (0.17, 0.004), (0.165, 0.016), (0.13, 0.022), (0.05, 0.026),
                     (0.03, 0.03), sides=40)  # fmt: skip

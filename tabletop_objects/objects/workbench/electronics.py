@@ -1,4 +1,4 @@
-"""Electronics of the workbench theme."""
+"""Objects of the ``workbench`` theme: electronics."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import RGB, Look, plain, tint_color
           "alkaline battery", "d cell", "c cell", "aa cell", "pack of batteries"),
           themes=("workbench", "office"), colors=("black", "gold"))  # fmt: skip
 def battery(look: Look) -> Shape:
-    """A standing round AA or AAA cell, or a rectangular 9 V block."""
+    """An upright, round AA or AAA cell, or a rectangular 9 V block."""
     color = look.color("black", "gold", "green", "red", "blue", "orange", "silver", "yellow")
     steel = surfaces.plain((200, 202, 208))
     other = look.pick([(200, 150, 80), (206, 208, 212), (40, 40, 44), (230, 190, 60)])
@@ -102,7 +102,7 @@ def walkie_talkie(look: Look) -> Shape:
           "extension lead", "extension cable"), themes=("workbench",), roles=("big",),
           colors=("orange",))  # fmt: skip
 def cable_reel(look: Look) -> Shape:
-    """An extension cable on a reel in a standing frame."""
+    """An extension cable on a reel in an upright frame."""
     k = look.between(0.85, 1.0)
     color = look.color("orange", "red", "blue", "yellow", "black", "green")
     r, wide = 0.09 * k, 0.085 * k
@@ -201,7 +201,7 @@ def power_plug(look: Look) -> Pieces:
 
 
 def _schuko(kind: str) -> Drawing:
-    """A small plug on a curled cord."""
+    """A small mains plug on a curled cord."""
 
     def draw(look: Look) -> Pieces:
         z = 0.008

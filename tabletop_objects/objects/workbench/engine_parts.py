@@ -1,4 +1,4 @@
-"""Engine parts of the workbench theme."""
+"""Objects of the ``workbench`` theme: engine parts."""
 
 from __future__ import annotations
 
@@ -160,7 +160,7 @@ def camshaft(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def cylinder_head(look: Look) -> Pieces:
-    """A metal block with hexagon bolts and four dark plugs on top and four dark ports in front."""
+    """A cylinder head: a metal block with bolts and four dark plugs on top and ports in front."""
     steel = metal(look, "silver", "gray")
     body = at_box(0.34, 0.16, 0.07)
     deck = at_box(0.32, 0.06, 0.02, (0, 0, 0.07))
@@ -231,7 +231,7 @@ def turbocharger(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=2)
 def flywheel(look: Look) -> Pieces:
-    """A metal disc lying flat: a toothed rim and six small dark holes around a wide one."""
+    """A flywheel lying flat: a disc with a toothed rim and six small holes around a wide one."""
     n = 60
     a = np.arange(2 * n) * np.pi / n
     r = np.where(np.arange(2 * n) % 2, 0.125, 0.13)
@@ -262,7 +262,7 @@ def ignition_coil(look: Look) -> Pieces:
           colors=("charcoal",))  # fmt: skip
 @from_pieces(bodies=1)
 def gasket(look: Look) -> Pieces:
-    """A head gasket: a thin plate with large and small holes, drawn on it."""
+    """A head gasket: a thin plate with large and small printed holes."""
     color = look.color("charcoal", "silver", "brown", "copper")
     body = at_block(0.3, 0.12, 0.002, 0.012)
     holes = [disc(0.034, 0.0004, (x, 0, 0.0019)) for x in (-0.105, -0.035, 0.035, 0.105)]
@@ -279,7 +279,7 @@ def gasket(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.06)
 def catalytic_converter(look: Look) -> Pieces:
-    """An oval metal drum lying flat, with three bands around it and a flanged pipe at each end."""
+    """A catalytic converter lying flat: an oval drum with three bands and two flanged pipes."""
     steel = metal(look, "silver", "gray", "bronze")
     body = spindle((-0.15, 0.024), (-0.11, 0.024), (-0.08, 0.05), (0.08, 0.05), (0.11, 0.024),
                    (0.15, 0.024), z=0.05).scale(1, 1.3, 1)  # fmt: skip
@@ -314,7 +314,7 @@ def alternator(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=4)
 def water_pump(look: Look) -> Pieces:
-    """A round metal body on a flange with a grooved pulley on top and a pipe to the right."""
+    """A water pump: a round body on a flange with a grooved pulley on top and a pipe."""
     steel = metal(look, "silver", "gray", "bronze")
     body = disc(0.045, 0.04, (0, 0, 0.0))
     flange = at_block(0.12, 0.06, 0.012, 0.02)

@@ -1,4 +1,4 @@
-"""Fasteners of the workbench theme."""
+"""Objects of the ``workbench`` theme: fasteners."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def staple_strip(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=2)
 def hose_clip(look: Look) -> Pieces:
-    """A metal band in a ring lying flat, with a box and a screw behind and slots in front."""
+    """A hose clip lying flat: a slotted metal band in a ring with a box and a screw."""
     steel = metal(look, "silver", "silver", "gray")
     band = lathe([(0.019, 0), (0.02, 0), (0.02, 0.009), (0.019, 0.009)], 36, loop=True)
     box = at_block(0.014, 0.01, 0.01, 0.002, (0, 0.022, 0))
@@ -141,7 +141,7 @@ def hose_clip(look: Look) -> Pieces:
           themes=("workbench",), colors=("brass",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def standoff(look: Look) -> Pieces:
-    """A hexagonal metal spacer lying flat, with a thin stud on the right and a hole on the left."""
+    """A hexagonal metal standoff lying flat: a thin stud on the right and a hole on the left."""
     steel = metal(look, "brass", "silver", "gold")
     return [(spindle((-0.008, 0.0032), (0.008, 0.0032), sides=6, z=0.0028), steel),
             (spindle((0.008, 0.0016), (0.014, 0.0016), sides=10, z=0.0028), steel),
@@ -156,7 +156,7 @@ VELCRO_STRAP_BLACK = surfaces.plain((34, 34, 37))
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def cable_clip(look: Look) -> Pieces:
-    """A small plastic block with an arch on top and an upright metal nail on the right."""
+    """A cable clip: a small plastic block with an arch on top and an upright metal nail."""
     tile = plastic(look, "white", "black", "gray")
     body = at_block(0.016, 0.01, 0.008, 0.002)
     loop = (tube([(*p, 0.0) for p in arc((0, 0), 0.006, 0, np.pi, 10)], 0.0022,
@@ -172,7 +172,7 @@ def cable_clip(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces()
 def grommet(look: Look) -> Pieces:
-    """A soft ring lying flat, with a groove around its outside."""
+    """A soft grommet lying flat: a ring with a groove around its outside."""
     tile = plastic(look, "black", "gray", "white", "charcoal")
     body = lathe([(0.008, 0), (0.015, 0), (0.016, 0.003), (0.013, 0.004), (0.013, 0.007),
                   (0.016, 0.008), (0.015, 0.011), (0.008, 0.011)], 28, loop=True)  # fmt: skip
@@ -301,7 +301,7 @@ WASHER_METALS = ("silver", "silver", "brass", "charcoal", "gray", "copper")
           "cleat", "spacer ring"), themes=("workbench",), roles=("flat", "round"),
           colors=("silver",))  # fmt: skip
 def washer(look: Look) -> Shape:
-    """A flat washer."""
+    """A flat metal washer."""
     k = look.between(0.85, 1.3)
     r, hole, h = 0.0115 * k, 0.0055 * k, 0.0017
     body = lathe([(hole, 0), (r, 0), (r, h), (hole, h)], 32, loop=True)

@@ -1,4 +1,4 @@
-"""Fittings of the workbench theme."""
+"""Objects of the ``workbench`` theme: fittings."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, plain, tint_color
           aliases=("faucet", "water tap", "bathroom tap", "kitchen tap", "sink tap", "mixer tap"),
           themes=("workbench",), roles=("tall",), colors=("silver",))  # fmt: skip
 def tap(look: Look) -> Shape:
-    """A standing tap with a body, a curved spout and a handle."""
+    """An upright tap with a body, a curved spout and a handle."""
     color = look.color("silver", "silver", "gold", "black", "copper")
     k = look.between(0.85, 1.1)
     base = standing((0.028, 0), (0.028, 0.006), (0.018, 0.014), (0.0165, 0.1), (0.019, 0.106),
@@ -139,7 +139,7 @@ def door_handle(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def drawer_pull(look: Look) -> Pieces:
-    """A curved metal bar that rises from two round feet."""
+    """A drawer pull: a curved metal bar on two round feet."""
     steel = metal(look, "silver", "brass", "black", "gold")
     bar = rod([(-0.055, 0, 0.0), (-0.053, 0, 0.02), (-0.035, 0, 0.028), (0.035, 0, 0.028),
                (0.053, 0, 0.02), (0.055, 0, 0.0)], 0.0055, 10, 5)  # fmt: skip
@@ -185,7 +185,7 @@ def latch(look: Look) -> Pieces:
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def magnet_catch(look: Look) -> Pieces:
-    """A small plastic block with a lug at each end and two metal strips along its front."""
+    """A magnet catch: a plastic block with a lug at each end and two metal strips in front."""
     body = at_block(0.045, 0.016, 0.014, 0.003)
     ears = at_block(0.065, 0.012, 0.004, 0.005)
     face = [at_box(0.034, 0.002, 0.003, (0, -0.0085, z)) for z in (0.003, 0.009)]
@@ -198,7 +198,7 @@ def magnet_catch(look: Look) -> Pieces:
           aliases=("lock", "combination lock", "pad lock", "d-lock", "bike lock", "key safe"),
           themes=("workbench",), colors=("brass", "silver"))  # fmt: skip
 def padlock(look: Look) -> Shape:
-    """A standing padlock: a body with a keyhole or number wheels, and a shackle."""
+    """An upright padlock: a body with a keyhole or number wheels, and a shackle."""
     k = look.between(0.85, 1.25)
     color = look.color("brass", "gold", "silver", "black", "red", "blue", "charcoal")
     metal = look.surface(color, "metal")
@@ -254,7 +254,7 @@ def hinge(look: Look) -> Shape:
           aliases=("angle bracket", "l bracket", "corner bracket", "shelf bracket", "metal bracket",
           "stabiliser"), themes=("workbench",), colors=("silver",))  # fmt: skip
 def bracket(look: Look) -> Shape:
-    """A standing angle bracket with one arm on the table and one upright."""
+    """An angle bracket with one arm on the table and one upright."""
     k = look.between(0.85, 1.15)
     metal = look.surface(look.color(*METALS, "white", "black"), "metal")
     a, wide, t = 0.06 * k, 0.022 * k, 0.0028

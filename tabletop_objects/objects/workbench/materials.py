@@ -1,4 +1,4 @@
-"""Materials of the workbench theme."""
+"""Objects of the ``workbench`` theme: materials."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def scrap(look: Look) -> Shape:
           aliases=("house brick", "clay brick", "fired brick", "brick of clay", "masonry brick"),
           themes=("workbench",), roles=("support",), colors=("terracotta",))  # fmt: skip
 def house_brick(look: Look) -> Shape:
-    """A fired brick with an indentation on top."""
+    """A house brick with an indentation on top."""
     color = look.color("terracotta", "brown", "red", "cream", spread=14)
     k = look.between(0.92, 1.06)
     body = block(0.215, 0.1025, 0.06, 0.002)

@@ -1,4 +1,4 @@
-"""Measuring tools of the workbench theme."""
+"""Objects of the ``workbench`` theme: measuring tools."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Power tools of the workbench theme."""
+"""Objects of the ``workbench`` theme: power tools."""
 
 from __future__ import annotations
 
@@ -378,7 +378,7 @@ def drill_press(look: Look) -> Pieces:
           colors=("red",), state="lying")  # fmt: skip
 @from_pieces(bodies=6)
 def air_compressor(look: Look) -> Pieces:
-    """A painted tank on two feet with a motor, a finned pump, a gauge and a long handle."""
+    """An air compressor: a tank on two feet with a motor, a finned pump, a gauge and a handle."""
     tile = plastic(look, "red", "blue", "black", "orange")
     tank = spindle((-0.15, 0.04), (-0.135, 0.065), (0.135, 0.065), (0.15, 0.04), z=0.09)
     feet = [at_box(0.03, 0.1, 0.03, (x, 0, 0)) for x in (-0.09, 0.09)]

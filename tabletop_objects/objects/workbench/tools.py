@@ -1,4 +1,4 @@
-"""Tools of the workbench theme."""
+"""Objects of the ``workbench`` theme: tools."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def wheel_brace(look: Look) -> Pieces:
           aliases=("extinguisher", "mini fire extinguisher"), themes=("workbench",),
           roles=("tall",), colors=("red",))  # fmt: skip
 def fire_extinguisher(look: Look) -> Shape:
-    """A small, standing fire extinguisher with a lever and a hose."""
+    """A small fire extinguisher with a lever and a hose, standing upright."""
     color = look.color("red", "red", "crimson", "orange")
     k = look.between(0.75, 0.95)
     body = standing((0.045, 0), (0.05, 0.004), (0.05, 0.2), (0.042, 0.225), (0.018, 0.24),
@@ -72,7 +72,7 @@ def fire_extinguisher(look: Look) -> Shape:
           "foot file"), themes=("workbench",), colors=("wooden", "red"),
           state="lying flat")  # fmt: skip
 def metal_file(look: Look) -> Shape:
-    """A flat metal file lying flat: a hatched blade on the left and a wooden or plastic handle."""
+    """A metal file lying flat: a hatched blade on the left and a wooden or plastic handle."""
     long, wide = look.between(0.22, 0.3), look.between(0.018, 0.026)
     color = look.color("wooden", "red", "blue", "orange", "black", "yellow", "green")
     cut = 0.08 * long
@@ -393,7 +393,7 @@ def crowbar(look: Look) -> Shape:
           aliases=("wood plane", "block plane", "bench plane", "carpenter plane", "jack plane",
           "woodworking plane"), themes=("workbench",), colors=("wooden",))  # fmt: skip
 def hand_plane(look: Look) -> Shape:
-    """A standing woodworking plane with a sole, an iron, a front knob and a rear handle."""
+    """A woodworking plane with a sole, an iron, a front knob and a rear handle."""
     k = look.between(0.88, 1.05)
     color = look.color("wooden", "brown", "maroon", "wooden", "tan")
     wood = look.surface(color, "wood")
@@ -426,7 +426,7 @@ def _rounded_ends(x: float, y: float) -> np.ndarray:
           aliases=("vice", "bench vise", "bench vice", "table vise", "table vice"),
           themes=("workbench",), roles=("big",), colors=("blue", "red"))  # fmt: skip
 def vise(look: Look) -> Shape:
-    """A standing bench vise: a base, two jaws and a screw with a bar."""
+    """A bench vise with a base, two jaws and a screw with a bar."""
     k = look.between(0.8, 1.0)
     color = look.color("blue", "red", "green", "charcoal", "gray", "orange")
     paint = look.surface(color, "plastic")
@@ -578,7 +578,7 @@ def screwdriver(look: Look) -> Shape:
           "jeweller hammer"), themes=("workbench",), colors=("wooden", "red"), state="lying flat",
           common=True)  # fmt: skip
 def hammer(look: Look) -> Shape:
-    """A claw hammer, lying on its side."""
+    """A claw hammer with a steel head and a handle, lying on its side."""
     paint = look.color(
         "wooden", "wooden", "tan", "red", "blue", "black", "yellow", "orange", "green"
     )
