@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 
 from .errors import InputError, SceneError, require_seed
 from .language.planner import plan_scene
@@ -14,19 +15,16 @@ from .layout import build_models, lay_out
 from .layout.relation_check import (
     Rest,
     check_relations,
-    list_unmet,
     observe,
     record_relations,
     warn_unmet,
 )
 from .method.assembly import AssemblyConfig, Rested, bring_to_rest, finish
+from .method.attempts import ATTEMPTS, Candidate, try_layouts
 from .scene import Density, Model, Provenance, Scene, ScenePlan
 from .scene.provenance import scene_name, versions
 
-ATTEMPTS = 6
-"""Layouts tried until one comes to rest soundly."""
-
-_FULFILLED = 3  # layouts tried until one comes to rest with all relations that were asked for
+_FULFILLED = 3  # layouts tried until a sound one will do in which not all relations hold
 
 
 def compose(
@@ -58,36 +56,30 @@ def compose(
     if not plan.objects:
         raise InputError("The plan holds no object; a scene needs at least one.")
     models = build_models(plan, seed)
-    failures = ""
-    best: Scene | None = None
-    waiting: list[tuple[int, int, Rested, Rest]] = []
-    for attempt in range(ATTEMPTS):
-        rested = _rest_layout(plan, models, seed + 7919 * attempt, seed, name, config)
+
+    def lay_out_again(layout_seed: int) -> Candidate:
+        rested = _rest_layout(plan, models, layout_seed, seed, name, config)
         seen = observe(rested.scene)
         unmet = sum(not outcome.holds for outcome in check_relations(plan, seen))
-        waiting.append((unmet, attempt, rested, seen))
-        enough = attempt + 1 >= _FULFILLED
-        for unmet, _, rested, seen in sorted(waiting, key=lambda each: each[:2]):
-            if unmet and (not enough or (best and len(list_unmet(best)) <= unmet)):
-                break  # to judge a layout costs more than to try another
-            scene = finish(rested, config)
-            waiting = [each for each in waiting if each[2] is not rested]
-            assert scene.report is not None
-            if not scene.report.passed:
-                failures = scene.report.failure_text
-                continue
-            same = scene.objects is rested.scene.objects
-            scene = record_relations(scene, seen if same else None)
-            if best is None or len(list_unmet(scene)) < len(list_unmet(best)):
-                best = scene
-        if best is not None and (enough or not list_unmet(best)):
-            break
-    if best is not None:
-        return warn_unmet(best)
+        return Candidate(partial(_judge, rested, seen, config), unmet)
+
+    attempts = try_layouts(lay_out_again, seed, fulfilled=_FULFILLED)
+    if attempts.best is not None:
+        return warn_unmet(attempts.best)
+    report = attempts.failed[-1].report
     raise SceneError(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
-        f"{failures}. Try another seed, or fewer stacked things."
+        f"{report.failure_text if report else ''}. Try another seed, or fewer stacked things."
     )
+
+
+def _judge(rested: Rested, seen: Rest, config: AssemblyConfig | None) -> Scene:
+    """Return the scene with the gate's report, and in it the relations if it passed."""
+    scene = finish(rested, config)
+    assert scene.report is not None
+    if not scene.report.passed:
+        return scene
+    return record_relations(scene, seen if scene.objects is rested.scene.objects else None)
 
 
 def _rest_layout(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from jaxtyping import Bool, Float, Real
 from numpy.typing import ArrayLike
@@ -82,25 +81,6 @@ def mask_box(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "4"]:
     if not len(ys):
         raise InputError("An empty mask has no box.")
     return np.array([xs[0], ys[0], xs[-1] + 1, ys[-1] + 1], float)
-
-
-def main_parts(mask: Bool[np.ndarray, "h w"], share: float = 0.1) -> Bool[np.ndarray, "h w"]:
-    """Return the largest connected part of a mask, with the others of at least its ``share``."""
-    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
-    areas = stats[1:, cv2.CC_STAT_AREA]
-    if not len(areas):
-        return mask
-    return np.isin(numbers, np.flatnonzero(areas >= share * areas.max()) + 1)
-
-
-def fill_holes(mask: Bool[np.ndarray, "h w"], share: float) -> Bool[np.ndarray, "h w"]:
-    """Fill enclosed holes smaller than ``share`` of the mask's area."""
-    outside = (~mask).astype(np.uint8)
-    _, numbers, stats, _ = cv2.connectedComponentsWithStats(outside, connectivity=4)
-    border = np.unique(np.concatenate([numbers[0], numbers[-1], numbers[:, 0], numbers[:, -1]]))
-    small = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] < share * max(int(mask.sum()), 1))
-    inner = np.setdiff1d(np.setdiff1d(small, border), [0])
-    return mask | np.isin(numbers, inner)
 
 
 # ------------------------------------------------------------------------------------- camera

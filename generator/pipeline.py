@@ -1,25 +1,36 @@
-"""The method as one page (Sec. 3, Fig. 2): each line of :func:`generate` is a stage."""
+"""The method on one page (Sec. 3, Fig. 2): each step of :func:`generate` is a stage."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from functools import partial
 
 from .backends import Backends
+from .backends.protocols import PoseGuesser
 from .comparison.doubts import match_picture, warn_of_eye_level
 from .errors import require_seed
-from .generation import STAGES, Config, Generation
+from .generation import STAGES, Ablation, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
-from .method.alignment import align, ask_layout
+from .method.alignment import Alignment, align, ask_layout
 from .method.extraction import extract
 from .method.models import make_models
 from .method.publish import Reconstruction, publish
 from .method.reference import DepthSource, Source, fetch, fetch_depth, refer, source_digest
-from .method.refinement import refine_scene
+from .method.refinement import Refinement, refine_scene
 from .method.rotation import estimate_rotation, estimate_rotations
 from .method.stopwatch import Stopwatch, Watch
-from .scene import Instance, Intrinsics, Provenance, Reference, Scene
+from .scene import (
+    Instance,
+    Intrinsics,
+    Model,
+    Provenance,
+    Reference,
+    Rotation,
+    Scene,
+    SizePrior,
+    View,
+)
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
@@ -51,8 +62,8 @@ def generate(
         intrinsics: of the picture; they go with ``depth``.
         name: name of the scene; None makes one from the text, or "picture".
         progress: called as each stage starts.
-        watch: called as each stage ends, with its name and what was found until then, by names of
-            fields of ``Generation``; ``method.figures.draw_stage`` makes pictures of it.
+        watch: called as each stage ends, with its name and the results so far, keyed by fields of
+            ``Generation``; ``method.figures.draw_stage`` draws them.
 
     Raises:
         InputError: the source cannot be used, or the seed is not a whole number in range.
@@ -61,11 +72,9 @@ def generate(
     """
     require_seed(seed)
     seed = int(seed)
-    b = backends or Backends.select("embedded")
-    config = config or Config()
+    b, config = backends or Backends.select("embedded"), config or Config()
     b.check()  # fail before any work if a dependency or a file is missing
-    source = fetch(source, config.reference)
-    depth = fetch_depth(depth, config.reference)
+    source, depth = fetch(source, config.reference), fetch_depth(depth, config.reference)
     guesser = pose_guesser(b.reasoner) if config.without else None
     clock = Stopwatch(STAGES, progress, watch)
     step = clock.step
@@ -92,58 +101,100 @@ def generate(
         reference, instances, sizes, view, b.modeler, b.reasoner,
         model_each=b.each("modeler"), review_each=b.each("reasoner"),
     )  # fmt: skip
+    run = _Run(b, config, seed, guesser, reference, instances, view, sizes, models)
 
-    step(models=models)  # Sec. 3.3, DRO: Eqs. 1-4; left out (Sec. 4.3), the reasoner says the yaws
-    if guesser is not None and "dro" in config.without:
-        rotations = ask_rotations(reference, instances, sizes, view, guesser)
-    else:
-        rotations = estimate_rotations(
-            reference, instances, models, view, b.encoder, config.rotation, seed
-        )
+    step(models=models)  # Sec. 3.3, DRO: Eqs. 1-4
+    rotations = run.rotate()
 
-    step(rotations=rotations)  # Sec. 3.3, TSA: Eqs. 5-6; left out, the reasoner says the layout
-    if guesser is not None and "tsa" in config.without:
-        alignment = ask_layout(
-            reference, instances, models, sizes, rotations, view, b.reasoner, guesser
-        )
-    else:
-        alignment = align(
-            reference, instances, models, sizes, rotations, view,
-            b.imager, b.segmenter, b.reasoner, config.alignment,
-        )  # fmt: skip
+    step(rotations=rotations)  # Sec. 3.3, TSA: Eqs. 5-6
+    alignment = run.align(rotations)
 
-    step(alignment=alignment)  # beyond the paper: all together against all outlines, without depth
-    unrefined = depth is not None or config.without
-    placements = alignment.placements
-    height, width = reference.image.shape[:2]
-    refined = refine_scene(
-        instances, models, placements, alignment.table_scale, view, (width, height),
-        replace(config.refinement, steps=0) if unrefined else config.refinement, seed,
-    )  # fmt: skip
+    step(alignment=alignment)  # beyond the paper: all objects against all outlines, without depth
+    refinement = run.refine(alignment)
 
-    step(refinement=refined)  # Sec. 3.4: bodies with mass, friction, convex parts; settled, judged
+    step(refinement=refinement)  # Sec. 3.4: bodies that rest, judged by the gate
     warnings = _warn_hidden(reference, instances) + alignment.warnings
-    found = Reconstruction(
-        reference, instances, sizes, models, view, alignment.table_scale,
-        _provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
-        name or scene_name(reference.prompt), seed,
-        config.assembly, config.refinement, config.supplement,
-        getattr(b.imager, "draws_catalogue", False), config.leave_out, rotations,
-        None if guesser is not None and "dro" in config.without else partial(
-            estimate_rotation, reference, instances, view=view, encoder=b.encoder,
-            config=config.rotation, seed=seed,
-        ),
-    )  # fmt: skip
-    scene = publish(found, refined, alignment.placements)
+    provenance = _provenance(source, depth, intrinsics, reference, b, config, seed, warnings)
+    scene = run.publish(
+        rotations, alignment, refinement, provenance, name or scene_name(reference.prompt)
+    )
     match = None
     if reference.plan is None:
         match = match_picture(scene, instances, reference)
-        told = (*warn_of_eye_level(scene), *match.doubts, *match.notes)
-        scene = _with_warnings(scene, told)
+        scene = _with_warnings(scene, (*warn_of_eye_level(scene), *match.doubts, *match.notes))
     return Generation(
-        reference, instances, view, sizes, models, rotations, alignment, refined, scene,
+        reference, instances, view, sizes, models, rotations, alignment, refinement, scene,
         clock.stop(scene=scene), match,
     )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class _Run:
+    """The settings of a run and the results of its first stages, which the later stages share."""
+
+    backends: Backends
+    config: Config
+    seed: int
+    guesser: PoseGuesser | None  # stands in for the stages that are left out
+    reference: Reference
+    instances: tuple[Instance, ...]
+    view: View
+    sizes: Mapping[str, SizePrior]
+    models: Mapping[str, Model]
+
+    def _guesser(self, stage: Ablation) -> PoseGuesser | None:
+        """Return the reasoner that answers in place of a stage, None if the stage runs."""
+        return self.guesser if stage in self.config.without else None
+
+    def rotate(self) -> dict[str, Rotation]:
+        if guesser := self._guesser("dro"):
+            return ask_rotations(self.reference, self.instances, self.sizes, self.view, guesser)
+        return estimate_rotations(
+            self.reference, self.instances, self.models, self.view, self.backends.encoder,
+            self.config.rotation, self.seed,
+        )  # fmt: skip
+
+    def align(self, rotations: Mapping[str, Rotation]) -> Alignment:
+        known = self.reference, self.instances, self.models, self.sizes, rotations, self.view
+        b = self.backends
+        if guesser := self._guesser("tsa"):
+            return ask_layout(*known, b.reasoner, guesser)
+        return align(*known, b.imager, b.segmenter, b.reasoner, self.config.alignment)
+
+    def refine(self, alignment: Alignment) -> Refinement:
+        height, width = self.reference.image.shape[:2]
+        config = self.config.refinement
+        if self.reference.depth is not None or self.config.without:
+            config = replace(config, steps=0)
+        return refine_scene(
+            self.instances, self.models, alignment.placements, alignment.table_scale, self.view,
+            (width, height), config, self.seed,
+        )  # fmt: skip
+
+    def publish(
+        self,
+        rotations: Mapping[str, Rotation],
+        alignment: Alignment,
+        refinement: Refinement,
+        provenance: Provenance,
+        name: str,
+    ) -> Scene:
+        turn = partial(
+            estimate_rotation, self.reference, self.instances, view=self.view,
+            encoder=self.backends.encoder, config=self.config.rotation, seed=self.seed,
+        )  # fmt: skip
+        reconstruction = Reconstruction(
+            self.reference, self.instances, self.sizes, self.models, self.view,
+            alignment.table_scale, provenance, name, self.seed,
+            assembly=self.config.assembly,
+            refinement=self.config.refinement,
+            supplements=self.config.supplement,
+            of_catalogue=getattr(self.backends.imager, "draws_catalogue", False),
+            leave_out=self.config.leave_out,
+            rotations=rotations,
+            turn=None if self._guesser("dro") else turn,
+        )  # fmt: skip
+        return publish(reconstruction, refinement, alignment.placements)
 
 
 def _with_warnings(scene: Scene, warnings: tuple[str, ...]) -> Scene:

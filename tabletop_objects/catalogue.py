@@ -15,7 +15,7 @@ from types import MappingProxyType
 import numpy as np
 from jaxtyping import Float
 
-from .errors import InputError, choices
+from .errors import InputError, suggestion
 from .kit.shapes import Category, Shape, mesh_of
 from .kit.solids import signed_volume
 from .kit.surfaces import Look, size_factor
@@ -80,7 +80,10 @@ def get_category(word: str) -> Category:
     """
     category = find_category(word)
     if category is None:
-        raise InputError(f"There is no object {word!r}." + choices(word, load_index()))
+        near = suggestion(word.replace(" ", "_"), load_index().keys())
+        raise InputError(
+            f"There is no object {word!r}.{near} tabletop_objects.search lists objects by name."
+        )
     return category
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 import unicodedata
 from collections.abc import Collection, Iterable
+
+_SIMILAR = 60.0  # of 100; as similar is a misspelt name to the right one
 
 
 class TabletopError(Exception):
@@ -24,10 +25,16 @@ class InputError(TabletopError, ValueError):
 def choices(wrong: str, available: Iterable[str]) -> str:
     """Return the end of an error message about an unknown name: a suggestion and all names."""
     names = sorted(available)
-    near = difflib.get_close_matches(wrong, names, n=1)
-    hint = f" Did you mean {near[0]!r}?" if near else ""
-    listed = ", ".join(names) if names else "nothing"
-    return f"{hint} Available: {listed}."
+    shown = ", ".join(names) if names else "nothing"
+    return f"{suggestion(wrong, names)} Available: {shown}."
+
+
+def suggestion(wrong: str, names: Collection[str]) -> str:
+    """Return " Did you mean 'mug'?" with the name most like a wrong one, "" if none is."""
+    from rapidfuzz import fuzz, process
+
+    near = process.extractOne(wrong, names, scorer=fuzz.ratio, score_cutoff=_SIMILAR)
+    return f" Did you mean {near[0]!r}?" if near else ""
 
 
 def require_known(value: object, known: Collection[str], unknown: str) -> None:

@@ -16,7 +16,8 @@ socket.socket.connect = refuse
 socket.create_connection = refuse
 socket.getaddrinfo = refuse
 {statement}
-heavy = ("torch", "stable_baselines3", "mujoco", "cv2", "httpx2", "openai", "transformers", "warp")
+heavy = ("torch", "stable_baselines3", "mujoco", "cv2", "coacd", "httpx2", "openai", "transformers",
+         "warp")
 print(" ".join(m for m in heavy if m in sys.modules))
 """
 
@@ -44,13 +45,23 @@ def test_composing_and_evaluating_geometry_need_no_torch(module: str) -> None:
 
 def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:
     assert loaded_by("from generator import Backends") == []
-    assert set(loaded_by("from generator import load, save")) <= {"cv2"}
+    assert loaded_by("from generator import load, save") == []
     import generator
 
     assert all(callable(getattr(generator, name)) for name in generator.__all__)
     assert {*generator.__all__} <= {*dir(generator)}
     with pytest.raises(AttributeError, match="'generator' has no attribute 'regenerate'"):
         generator.regenerate  # noqa: B018
+
+
+def test_stepping_a_shipped_bundle_loads_no_learning_and_no_vision() -> None:
+    loaded = loaded_by(
+        "import gymnasium, tabletopgen_env\n"
+        "env = gymnasium.make('TabletopGen/Lift-v0')\n"
+        "env.reset(seed=0)\n"
+        "env.step(env.action_space.sample())"
+    )
+    assert {*loaded} & {"torch", "cv2", "coacd", "stable_baselines3"} == set()
 
 
 @pytest.mark.slow

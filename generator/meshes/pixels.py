@@ -1,4 +1,4 @@
-"""Questions about masks: nearest inside pixel, hull, pieces, distance, overlap, the frame."""
+"""Operations on masks: nearest inside pixel, hull, pieces, holes, distance, overlap, frame."""
 
 from __future__ import annotations
 
@@ -72,6 +72,25 @@ def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarra
     away = distances(mask)
     x, y = np.clip(points.astype(int), 0, np.array([mask.shape[1], mask.shape[0]]) - 1).T
     return away[y, x]
+
+
+def main_parts(mask: Mask, share: float = 0.1) -> Mask:
+    """Return the largest connected part of a mask, with the others of at least its ``share``."""
+    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    areas = stats[1:, cv2.CC_STAT_AREA]
+    if not len(areas):
+        return mask
+    return np.isin(numbers, np.flatnonzero(areas >= share * areas.max()) + 1)
+
+
+def fill_holes(mask: Mask, share: float) -> Mask:
+    """Fill enclosed holes smaller than ``share`` of the mask's area."""
+    outside = (~mask).astype(np.uint8)
+    _, numbers, stats, _ = cv2.connectedComponentsWithStats(outside, connectivity=4)
+    border = np.unique(np.concatenate([numbers[0], numbers[-1], numbers[:, 0], numbers[:, -1]]))
+    small = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] < share * max(int(mask.sum()), 1))
+    inner = np.setdiff1d(np.setdiff1d(small, border), [0])
+    return mask | np.isin(numbers, inner)
 
 
 def largest_piece(mask: Mask) -> Mask:

@@ -12,7 +12,8 @@ import numpy as np
 
 from ..backends.protocols import Each, Imager, Reasoner, Segmenter, in_turn
 from ..errors import SceneError, require
-from ..geometry import fill_holes, main_parts, mask_box
+from ..geometry import mask_box
+from ..meshes.pixels import fill_holes, main_parts
 from ..scene import TABLE, Detection, Instance, Reference, ScenePlan
 
 SPECK = 1e-4

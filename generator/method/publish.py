@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -43,18 +44,17 @@ from ..scene import (
     View,
 )
 from .assembly import AssemblyConfig, assemble
+from .attempts import Candidate, try_layouts
 from .planned import ALIKE, REAL, Laid, SceneDraft, Turn, draft_scene, lay_out_draft
 from .refinement import Refinement, RefinementConfig, outline_misfit
 
 WORSE = 0.005
 """By how much the finished scene's outlines may agree worse than those before the refinement."""
 
-ATTEMPTS = 6
-"""Scenes of a text that are tried until one comes to rest soundly."""
-
 _FEET = 4  # things of a picture that are put on feet to pass the gate
-_FULFILLED = 4  # and until one does with all relations that were asked for
+_FULFILLED = 4  # scenes of a text tried until a sound one will do in which not all relations hold
 _FAITHFUL = 2  # of them keep what the drawing shows
+_MISPLACED = "what was found does not stand as asked for"
 
 UNREFINED = "The joint refinement is left out: finished, the scene agrees better without it."
 
@@ -196,34 +196,41 @@ def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -
 def publish_planned(found: Reconstruction, draft: SceneDraft) -> Scene:
     """Return the soundest scene of a draft in which most of the plan's relations hold at rest.
 
-    What the drawing shows is tried first; what the gate's failures name, or a relation that does
-    not hold, is the plan's from then on, and everything from the third scene on. Relations that do
-    not hold in the end are warnings, and in the report.
+    The first attempt keeps what the drawing shows. Objects named by the gate's failures or by a
+    relation that does not hold are the plan's in later attempts, and all are from the third on.
+    Relations that do not hold in the end are warnings, and in the report.
     """
-    best: Scene | None = None
-    failed: Scene | None = None
-    for number in range(ATTEMPTS):
-        if number == _FAITHFUL:
-            draft = draft.doubt({*draft.models}, "what was found does not stand as asked for")
-        laid = lay_out_draft(draft, found.seed + 7919 * number)
-        scene, draft = found.assemble_laid(laid), laid.draft
+    attempts = try_layouts(_Drafting(found, draft).lay_out, found.seed, fulfilled=_FULFILLED)
+    return attempts.failed[0] if attempts.best is None else warn_unmet(attempts.best)
+
+
+@dataclass(eq=False)
+class _Drafting:
+    """A draft that doubts what did not hold in the attempts before."""
+
+    found: Reconstruction
+    draft: SceneDraft
+    attempts: int = 0
+
+    def lay_out(self, seed: int) -> Candidate:
+        if self.attempts == _FAITHFUL:
+            self.draft = self.draft.doubt({*self.draft.models}, _MISPLACED)
+        self.attempts += 1
+        layout = lay_out_draft(self.draft, seed)
+        self.draft = layout.draft
+        return Candidate(partial(self._judge, layout))
+
+    def _judge(self, layout: Laid) -> Scene:
+        scene, known = self.found.assemble_laid(layout), {*self.draft.models}
         if scene.report is not None and not scene.report.passed:
-            failed = failed or scene
-            names = {name for failure in scene.report.failures for name in failure.objects}
-            draft = draft.doubt({*draft.models} & names or {*draft.models}, "it would not stand")
-            continue
+            failing = {name for failure in scene.report.failures for name in failure.objects}
+            self.draft = self.draft.doubt(known & failing or known, "it would not stand")
+            return scene
         scene = record_relations(scene)
-        if best is None or len(list_unmet(scene)) < len(list_unmet(best)):
-            best = scene
-        unmet = list_unmet(scene)
-        if not unmet or number + 1 >= _FULFILLED:
-            break
-        doubted = {name for outcome in unmet for name in (outcome.name, outcome.target)}
-        draft = draft.doubt(doubted, "what was found does not stand as asked for")
-    if best is not None:
-        return warn_unmet(best)
-    assert failed is not None
-    return failed
+        doubted = {name for each in list_unmet(scene) for name in (each.name, each.target)}
+        if doubted:
+            self.draft = self.draft.doubt(doubted, _MISPLACED)
+        return scene
 
 
 def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import get_args
@@ -111,7 +110,8 @@ def _explain(text: str, error: BundleError) -> BundleError | InputError:
     if colon and head.isidentifier() and len(head) > 1:
         meant = text if head == STARTER else f"{head}:PROMPT"
         return InputError(f"scenes cannot be {text!r}." + choices(meant, FORMS))
-    near = difflib.get_close_matches(text, FORMS, n=1, cutoff=0.75)
-    if near:
+    from rapidfuzz import fuzz, process
+
+    if near := process.extractOne(text, FORMS, scorer=fuzz.ratio, score_cutoff=75):
         return BundleError(f"{error} Or did you mean scenes={near[0]!r}?")
     return BundleError(f"{error} Besides bundles, scenes can be {', '.join(map(repr, FORMS))}.")

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError, SceneError
-from generator.geometry import fill_holes, mask_box
+from generator.geometry import mask_box
+from generator.meshes.pixels import fill_holes
 from generator.method.extraction import ExtractionConfig, clean, extract, unique_names
 from generator.scene import Detection, Instance, PlannedObject, PlannedTable, Reference, ScenePlan
 

@@ -15,9 +15,9 @@ from generator.errors import InputError
 from generator.generation import Config
 from generator.layout import build_models, lay_out
 from generator.method.assembly import body
+from generator.method.attempts import ATTEMPTS
 from generator.method.planned import Laid
 from generator.method.publish import (
-    ATTEMPTS,
     UNREFINED,
     Attempt,
     Reconstruction,

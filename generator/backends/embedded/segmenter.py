@@ -11,9 +11,9 @@ import torch
 from jaxtyping import Bool, Float, UInt8
 
 from ...errors import SceneError
-from ...geometry import main_parts, mask_box
+from ...geometry import mask_box
 from ...language.names import assign, free_labels, shape_word, weigh
-from ...meshes.pixels import dilate, foot_of
+from ...meshes.pixels import dilate, foot_of, main_parts
 from ...scene import TABLE, Detection, Intrinsics
 from ...threads import single_thread
 from .carriers import find_carriers

@@ -18,15 +18,15 @@ from ..syntax.phrases.tree import (
 from ..vessel_sizes import holds_things, is_lit
 from . import contents
 from .links import link, topmost
+from .members import MemberReader
 from .references import Target
 from .relations import CUTLERY
-from .things import ThingReader
 
 _DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at", "beside", "aside")
 
 
 @dataclass(eq=False)
-class CarryReader(ThingReader, ABC):
+class CarryReader(MemberReader, ABC):
     """Reads what things bring along, and puts it where it fits until the text says more."""
 
     def _carry(self, post: Carry, owner: Target, noun: Noun | None) -> None:

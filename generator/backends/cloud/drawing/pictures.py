@@ -8,7 +8,7 @@ from jaxtyping import Bool, Float, UInt8
 from numpy.typing import ArrayLike
 
 from ....errors import UnusableError
-from ....geometry import main_parts
+from ....meshes.pixels import main_parts
 from ....pictures import PictureLimits, decode
 from ..server.json_text import Wrong
 

@@ -16,8 +16,8 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from ....errors import SceneError
-from ....geometry import Camera, convex_outline, main_parts, rotation_z, view_rotation, wrap
-from ....meshes.pixels import dilate, distance_to, hull_corners
+from ....geometry import Camera, convex_outline, rotation_z, view_rotation, wrap
+from ....meshes.pixels import dilate, distance_to, hull_corners, main_parts
 from ....scene import View
 from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance
 

@@ -14,8 +14,7 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from ....errors import SceneError
-from ....geometry import main_parts
-from ....meshes.pixels import dilate, distance_to, hull_corners, mask_iou
+from ....meshes.pixels import dilate, distance_to, hull_corners, main_parts, mask_iou
 from ..eye.sight import EyeReading
 
 WORKING_SIZE = 640

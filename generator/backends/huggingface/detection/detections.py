@@ -10,8 +10,8 @@ from typing import Protocol
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from ....geometry import fill_holes, main_parts, mask_box
-from ....meshes.pixels import hull_of, mask_iou
+from ....geometry import mask_box
+from ....meshes.pixels import fill_holes, hull_of, main_parts, mask_iou
 from .tiles import Tile
 
 
