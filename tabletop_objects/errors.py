@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Collection, Iterable
 
-_SIMILAR = 60.0  # of 100; as similar is a misspelt name to the right one
+_SIMILAR = 60.0  # out of 100; minimum similarity of a misspelt name
 
 
 class TabletopError(Exception):
@@ -30,7 +30,7 @@ def choices(wrong: str, available: Iterable[str]) -> str:
 
 
 def suggestion(wrong: str, names: Collection[str]) -> str:
-    """Return " Did you mean 'mug'?" with the name most like a wrong one, "" if none is."""
+    """Return " Did you mean 'mug'?" with the most similar name, or "" if none is similar."""
     from rapidfuzz import fuzz, process
 
     near = process.extractOne(wrong, names, scorer=fuzz.ratio, score_cutoff=_SIMILAR)

@@ -584,9 +584,9 @@ def mesh_holes(color: RGB, hole: RGB, rows: int = 12, columns: int = 12) -> Tile
 def wrap(
     look: Look, title: str, color: RGB, ground: RGB, *, fronts: int = 1, share: float = 0.3
 ) -> Tile:
-    """Return a print that wraps around a packet; ``share`` is the fraction the title panel covers.
+    """Return a print that wraps around a packet; ``share`` is the relative width of its front.
 
-    The first front is in the middle (u = 0.5), a second one opposite.
+    The first front, with the title, is in the middle (u = 0.5), the second one opposite.
     """
     image = canvas(320, 160, ground)
     lines(image, look.rng, (0.06, 0.28, 0.13, 0.5), 7, tint_color(color, 0.7))

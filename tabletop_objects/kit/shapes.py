@@ -179,7 +179,7 @@ def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.
 def settle(
     pieces: Pieces, flat: float = 0.06, *, hulls: Sequence[Sequence[int]] | None = None
 ) -> Shape:
-    """Return pieces placed on the table with their lowest fraction ``flat`` flattened.
+    """Return pieces placed on the table, with the fraction ``flat`` of their height flattened.
 
     ``hulls`` lists the pieces in each collision part; by default one part contains all.
     """

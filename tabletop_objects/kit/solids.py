@@ -201,8 +201,8 @@ def loft(
     flattened ring that closes the two ends and determines sharp edges; None means that the ends
     shrink to a point and the rings are smooth. ``profile`` is the curve along which the rings run
     (default: through their first points). ``v`` is the vertical texture coordinate of each ring;
-    for a loop, it ends with another value for the first ring. u runs once around. ``loop`` joins
-    the last ring to the first.
+    a loop needs one more value, for the first ring, at the end. u runs once around. ``loop``
+    joins the last ring to the first.
     """
     rings = np.asarray(rings, float)
     if loop:

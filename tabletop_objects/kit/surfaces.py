@@ -252,7 +252,7 @@ def knitting(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
 
 
 def scratches(rng: np.random.Generator, color: RGB, strokes: RGB, count: int = 60) -> Tile:
-    """Return a ground with short slanted strokes, for bread crust, fur, grass and bristles."""
+    """Return a surface with short slanted strokes, for bread crust, fur, grass and bristles."""
     side = 128
     image = np.broadcast_to(np.array(color, float), (side, side, 3)).copy()
     image += noise(rng, side, side, (6, 6), 3)[..., None] * 8

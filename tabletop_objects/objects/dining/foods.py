@@ -561,7 +561,7 @@ def burrito(look: Look) -> Shape:
           "paratha bread"), themes=("dining",), roles=("edible", "flat", "round", "support"),
           colors=("cream",), state="lying flat")  # fmt: skip
 def flatbread(look: Look) -> Shape:
-    """A round flat bread with browned spots."""
+    """A round flatbread with brown spots."""
     r, h = look.between(0.085, 0.11), look.between(0.006, 0.01)
     phase = look.between(0, 6)
     body = cylinder(r, h, 40, bevel=0.4 * h).bend(

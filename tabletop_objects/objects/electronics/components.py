@@ -240,7 +240,7 @@ def jumper_wire(look: Look) -> Shape:
           aliases=("ultrasonic sensor", "distance sensor", "sensor module", "motion sensor"),
           themes=("electronics",), colors=("blue",))  # fmt: skip
 def sensor(look: Look) -> Shape:
-    """A distance sensor: two metal cylinders on a small blue board, standing on its edge."""
+    """A distance sensor: two metal cylinders on a small circuit board, standing on its edge."""
     k = look.between(0.95, 1.25)
     color = look.color("blue", "blue", "green", "red", "black")
     x, h = 0.045 * k, 0.02 * k

@@ -584,7 +584,7 @@ def _game_box(titles: tuple[str, ...], puzzle: bool) -> Callable[[Look], Shape]:
           aliases=("dart board",), themes=("games",), roles=("flat", "round", "big"))  # fmt: skip
 @in_sizes(0.15)
 def dartboard(look: Look) -> Shape:
-    """A dartboard lying flat with its coloured fields up."""
+    """A dartboard lying flat with its coloured sectors up."""
     r, h = look.between(0.15, 0.19), 0.025
     image = prints.canvas(224, 224, (30, 30, 32))
     red, green = look.color("red", "crimson"), look.own_color("green", "teal")

@@ -57,7 +57,7 @@ Make = Callable[[Look], Shape]
 
 
 def panel(look: Look, word: str, color: RGB, wide: int = 120, tall: int = 120) -> surfaces.Tile:
-    """Return the print of a lid or front: a title on a band and a round picture on a ground."""
+    """Return the print of a lid or front: a title on a band and a round picture."""
     image = prints.canvas(wide, tall, color)
     prints.disc(image, 0.5, 0.7, 0.24, tint_color(color, 1.55))
     prints.disc(image, 0.5, 0.7, 0.15, tint_color(color, 0.7))

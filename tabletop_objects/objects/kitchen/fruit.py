@@ -93,7 +93,7 @@ def banana(look: Look) -> Shape:
 
 
 def _slice(body: Solid, ring: int) -> np.ndarray:
-    """Return points along a banana at the angle given by ``ring``, out of 13."""
+    """Return the points of cross-section ``ring`` (0 to 12) of a banana, selected by angle."""
     p = body.vertices
     center = p[:, :2].mean(0) + np.array([0, 0.1])
     away = np.arctan2(*(p[:, :2] - center).T[::-1])

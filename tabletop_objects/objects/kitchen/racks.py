@@ -381,7 +381,7 @@ def spoon_rest(look: Look) -> Shape:
 @category("taco_holder", size=(0.192, 0.0958, 0.0493), mass=0.15, material="metal",
           aliases=("taco stand", "taco rack"), themes=("kitchen",), colors=("silver",))  # fmt: skip
 def taco_holder(look: Look) -> Shape:
-    """A taco holder: a wavy sheet of steel or coloured metal with slots for three tacos."""
+    """A taco holder: a wavy sheet, steel or coloured, with slots for three tacos."""
     k, color = (look.between(0.88, 1.08), look.color("silver", "silver", "red", "yellow", "green",
                                                      "wooden"))  # fmt: skip
     x = np.linspace(-0.1, 0.1, 29)

@@ -45,7 +45,7 @@ def mainspring(look: Look) -> Pieces:
           themes=("lab",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def watch_winder(look: Look) -> Pieces:
-    """A watch winder: a box with a round metal plate in front, with a watch on a cushion."""
+    """A watch winder: a box with a round metal plate that holds a watch on a cushion."""
     shell = plastic(look, "black", "brown", "white", "maroon")
     body = at_block(0.15, 0.14, 0.13, 0.012)
     cup = disc(0.05, 0.012).turn(0, np.pi / 2).move(0, -0.066, 0.068)

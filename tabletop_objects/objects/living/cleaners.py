@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, plain, readable_on, tint_color
           aliases=("baby potty", "child's potty", "chamber pot"), themes=("living",),
           roles=("container", "big"), colors=("blue", "pink"))  # fmt: skip
 def potty(look: Look) -> Shape:
-    """A child's open potty with a raised back."""
+    """A child's potty with a raised back, open at the top."""
     color = look.color("blue", "pink", "green", "white", "yellow")
     k = look.between(0.75, 0.95)
     profile = [(0.1, 0), (0.098, 0.01), (0.09, 0.09), (0.12, 0.125), (0.125, 0.13)]

@@ -336,7 +336,7 @@ def _sheet(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> Solid:
           "slide transparency"), themes=("living", "office", "craft"), roles=("flat",),
           colors=("white",), state="lying flat", common=True)  # fmt: skip
 def photo_print(look: Look) -> Shape:
-    """One or a few loose, slightly curled photographs, glossy with a margin or instant."""
+    """Loose, slightly curled photographs: glossy prints with a margin, or instant photographs."""
     instant = look.chance(0.4)
     x, y = (0.088, 0.107) if instant else look.pick([(0.15, 0.1), (0.1, 0.15), (0.13, 0.13)])
     frame = look.color("white", "white", "white", "cream", "black")

@@ -708,7 +708,7 @@ def leash(look: Look) -> Shape:
           aliases=("toy mouse", "cat toy mouse", "pet toy", "cloth mouse", "pet mouse"),
           themes=("living", "toys"), colors=("gray",))  # fmt: skip
 def cat_toy(look: Look) -> Shape:
-    """A cloth toy mouse for cats with a cord tail."""
+    """A cat toy: a cloth mouse with a cord as its tail."""
     color = look.color("gray", "white", "pink", "blue", "brown", "red")
     k = look.between(0.9, 1.3)
     body = ball(0.07, 0.036, 0.034, (0, 0, 0.0155), 18)

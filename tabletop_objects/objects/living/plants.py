@@ -511,7 +511,7 @@ def bonsai(look: Look) -> Shape:
           aliases=("plant terrarium", "glass terrarium", "glass dome"), themes=("living",),
           roles=("tall", "round"), colors=("wooden",))  # fmt: skip
 def terrarium(look: Look) -> Shape:
-    """A terrarium: plants, moss and stones under a clear dome on a wooden base."""
+    """A terrarium: plants, moss and stones on a wooden base, under a dome drawn as its frame."""
     color = look.color("wooden", "brown", "black", "white", "tan")
     r, h = look.between(0.06, 0.075), look.between(0.13, 0.17)
     foot = cylinder(r, 0.018, 30, bevel=0.003)

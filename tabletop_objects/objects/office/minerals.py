@@ -17,7 +17,7 @@ Skin = Callable[[Look, RGB], surfaces.Tile]
 
 
 def lump(look: Look, x: float, y: float, z: float, corners: int) -> Solid:
-    """A broken stone with flat faces, resting on one; fewer ``corners`` make it sharper."""
+    """A broken stone resting on one of its flat faces; fewer ``corners`` make it sharper."""
     n = np.arange(corners) + 0.5
     up = 1 - 2 * n / corners
     around = np.pi * (1 + 5**0.5) * n

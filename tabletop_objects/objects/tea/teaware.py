@@ -136,7 +136,7 @@ def cookie(look: Look) -> Shape:
           themes=("tea", "dining"), roles=("round", "support", "big"), colors=("white", "pink"),
           common=True)  # fmt: skip
 def cake_stand(look: Look) -> Shape:
-    """A cake stand on a foot."""
+    """A footed cake stand."""
     r, h = look.between(0.1, 0.15), look.between(0.08, 0.13)
     color = look.color("white", "pink", "mint", "sky", "cream", "wooden", "teal")
     glaze = look.surface(color, "ceramic")

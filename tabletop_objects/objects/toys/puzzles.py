@@ -151,7 +151,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", 
           aliases=("ring stacker", "stacking toy", "stacking ring tower", "stacking ring toy"),
           themes=("toys",), roles=("round",), common=True)  # fmt: skip
 def stacking_rings(look: Look) -> Shape:
-    """A cone of coloured rings on a peg for babies."""
+    """A baby's stacking toy: a cone of coloured rings on a peg."""
     pieces: list[tuple[Solid, surfaces.Tile]] = [
         (cylinder(0.045, 0.012, 28, bevel=0.003), surfaces.wood(look.rng, (214, 176, 124)))
     ]
