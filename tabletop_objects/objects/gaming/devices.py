@@ -168,7 +168,7 @@ HEADSET_DARK: RGB = (38, 39, 43)
           aliases=("gaming headset", "headset with microphone", "call center headset",
           "pc headset"), themes=("gaming", "office"), colors=("black", "white"))  # fmt: skip
 def headset(look: Look) -> Shape:
-    """A headset with a microphone arm, lying upright on its ear cups."""
+    """A headset with a microphone arm, standing on its ear cups."""
     k = look.between(0.94, 1.08)
     color = look.color("black", "white", "charcoal", "red", "pink", "navy", "green")
     skin = surfaces.speckles(look.rng, color, 4, 32)
