@@ -6,9 +6,9 @@
     objects.search("screw driver")              # categories by name, best match first
     objects.categories(theme="kitchen")         # categories of a theme
 
-``CATEGORIES`` maps keys to categories. ``index.json`` holds their facts, so a lookup imports no
-drawing function; ``build`` imports the one module that draws the object. The names below are
-imported when they are first used.
+``CATEGORIES`` maps keys to categories. ``index.json`` holds their properties, so a lookup does not
+import drawing functions; ``build`` imports only the module that draws the object. The names below
+are imported on first use.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
-    """Import a public name when it is first used."""
+    """Import a public name on first use."""
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     from . import catalogue

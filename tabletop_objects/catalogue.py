@@ -1,4 +1,4 @@
-"""Look up, build and locate the categories of ``objects``, through their index."""
+"""Look up, build and locate the categories in ``objects`` through their index."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from .kit.solids import signed_volume
 from .kit.surfaces import Look, size_factor
 from .values import Extent, Holder, Mesh, Model, Physics, parts_to_unit_box, to_unit_box
 
-_VARIATION = 0.5, 2.0  # a variant's mass relative to the nominal one
-_WALL_DENSITY = 2000.0  # kg/m^3; only its product with the wall's thickness counts
+_VARIATION = 0.5, 2.0  # mass of a variant relative to the nominal mass
+_WALL_DENSITY = 2000.0  # kg/m^3; matters only multiplied by the wall thickness
 
 INDEX = Path(__file__).with_name("index.json")
 OBJECTS = f"{__package__}.objects"
@@ -30,7 +30,7 @@ OBJECTS = f"{__package__}.objects"
 
 @cache
 def load_index() -> Mapping[str, Category]:
-    """Return every category by key, in the order of their ranks; drawing functions load later."""
+    """Return all categories by key, ordered by rank; their drawing functions are loaded lazily."""
     return MappingProxyType(
         {key: _read_row(key, dict(row)) for key, row in json.loads(INDEX.read_bytes()).items()}
     )
@@ -45,7 +45,7 @@ def _read_row(key: str, row: dict[str, object]) -> Category:
 
 
 class _Deferred:
-    """A drawing function that imports its module when it is first called."""
+    """A drawing function that imports its module on the first call."""
 
     def __init__(self, module: str, key: str) -> None:
         self.module, self.key = module, key
@@ -54,15 +54,15 @@ class _Deferred:
         return self.load().shape(look)
 
     def load(self) -> Category:
-        """Return the category as its module declares it."""
+        """Return the category declared in the module."""
         return read_module(self.module)[self.key]
 
 
 def read_module(module: str) -> Mapping[str, Category]:
-    """Return the categories that a module declares: decorated functions, then ``CATEGORIES``."""
+    """Return the categories a module declares: decorated functions first, then ``CATEGORIES``."""
     content = vars(import_module(module))
     drawn = [c for c in content.values() if isinstance(c, Category)]
-    own = [c for c in drawn if c.shape.__module__ == module]  # the others are imported
+    own = [c for c in drawn if c.shape.__module__ == module]  # skip imported categories
     return {c.key: c for c in (*own, *content.get("CATEGORIES", ()))}
 
 
@@ -88,7 +88,7 @@ def get_category(word: str) -> Category:
 
 
 def categories(theme: str | None = None, role: str | None = None) -> tuple[Category, ...]:
-    """Return the categories of a theme ("kitchen") and with a role ("container"), by rank."""
+    """Return the categories with the given theme ("kitchen") and role ("container"), by rank."""
     return tuple(
         c
         for c in load_index().values()
@@ -97,10 +97,10 @@ def categories(theme: str | None = None, role: str | None = None) -> tuple[Categ
 
 
 def search(text: str, limit: int = 10) -> tuple[Category, ...]:
-    """Return the categories whose names match a text best, the best one first.
+    """Return the categories whose names match ``text``, best match first.
 
-    A whole name comes before a name that contains the text's words, and that before one that is
-    spelled similarly.
+    Exact matches come first, then names that contain all words of the text, then names with a
+    similar spelling.
     """
     from rapidfuzz import fuzz, process
 
@@ -117,7 +117,7 @@ def search(text: str, limit: int = 10) -> tuple[Category, ...]:
 
 @cache
 def _names() -> Mapping[str, str]:
-    """Return every known name and the key it means; keys win over aliases, lower ranks over all."""
+    """Return the key for each name; keys win over aliases, and lower ranks over higher ones."""
     known = load_index().values()
     names = {alias: c.key for c in reversed(tuple(known)) for alias in c.aliases}
     names |= {name: c.key for c in known for name in (c.key.replace("_", " "), c.noun)}
@@ -135,10 +135,10 @@ def build(
 
     Args:
         key: a category's key, noun or alias.
-        seed: chooses proportions, colours and prints; the same seed gives the same bytes.
+        seed: selects proportions, colours and prints; the same seed gives the same bytes.
         attributes: "color", "material" and "size" words that override the seed's choices, and
-            "style": "cartoon" or "low-poly" instead of the plain look.
-        size: the extent in metres, if fixed.
+            "style": "cartoon" or "low-poly" instead of the plain style.
+        size: the extent in metres; by default it depends on the seed.
 
     Raises:
         InputError: no category has that name, or the style is unknown.
@@ -150,19 +150,19 @@ def build(
 def look_of(
     category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
 ) -> Look:
-    """Return the choices that a seed makes for a category; attributes override them."""
+    """Return the seeded choices for a variant of a category; ``attributes`` override them."""
     digest = hashlib.sha256(category.key.encode()).digest()
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, int.from_bytes(digest[:4], "big")])
     return Look(rng, attributes)
 
 
 def load_category(category: Category) -> Category:
-    """Return a category of the index as its module declares it, with its drawing function."""
+    """Return the category with its drawing function loaded."""
     return category.shape.load() if isinstance(category.shape, _Deferred) else category
 
 
 def find_declaration(key: str) -> Category | None:
-    """Return the category with this key as a module declares it now, in the index or not, or None.
+    """Return the category that a module declares with this key, indexed or not, or None.
 
     Only the module that declares it is imported.
     """
@@ -174,7 +174,7 @@ def find_declaration(key: str) -> Category | None:
 
 
 def find_source(category: Category) -> tuple[Path, int]:
-    """Return the file that declares a category, and the line (from 1)."""
+    """Return the file that declares a category, and the line number (from 1)."""
     if isinstance(draw := category.shape, _Deferred):
         path = Path(__file__).parent.joinpath(*draw.module.split(".")[1:]).with_suffix(".py")
         line = _find_line(path, category.key)
@@ -194,17 +194,17 @@ def _search_sources(key: str) -> tuple[Path, int] | None:
 
 
 def _find_line(path: Path, key: str) -> int:
-    """Return the line on which a file declares a category, or 0."""
+    """Return the number of the line that declares a category in a file, or 0."""
     text = path.read_text(encoding="utf-8")
     declared = re.search(rf'[cC]ategory\(\s*"{re.escape(key)}",', text)
     return 0 if declared is None else text.count("\n", 0, declared.start()) + 1
 
 
 def model_of(category: Category, look: Look, size: Extent | None = None) -> Model:
-    """Draw one variant in its canonical frame, with the density that gives its mass.
+    """Draw one variant in its canonical frame and set its density so that its mass is right.
 
-    ``size`` replaces the variant's extent and its attribute "size". Hollow objects are shells:
-    when scaled, their mass grows with the surface area, at constant wall thickness.
+    ``size`` overrides the variant's extent and the attribute "size". Hollow objects are shells:
+    when scaled, their mass grows with the surface area at constant wall thickness.
     """
     made = category.shape(look)
     if style := look.attributes.get("style", ""):
@@ -228,7 +228,7 @@ def model_of(category: Category, look: Look, size: Extent | None = None) -> Mode
 
 
 def _physics(category: Category, mesh: Mesh, extent: Float[np.ndarray, "3"]) -> Physics:
-    """Return the material of a variant whose ``mesh`` is in metres and fills ``extent``."""
+    """Return the physics of a variant; ``mesh`` is in metres and has the given extent."""
     share = float(np.prod(extent) / np.prod(category.size)) ** category.growth
     mass = category.mass * float(np.clip(share, *_VARIATION))
     if category.hollow:

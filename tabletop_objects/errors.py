@@ -1,17 +1,17 @@
-"""Errors of bad input, below the base class of all errors of the project."""
+"""Errors for invalid input, and the base class of all errors in the project."""
 
 from __future__ import annotations
 
 import unicodedata
 from collections.abc import Collection, Iterable
 
-_SIMILAR = 60.0  # of 100; as similar is a misspelt name to the right one
+_SIMILAR = 60.0  # out of 100; minimum similarity of a misspelt name
 
 
 class TabletopError(Exception):
-    """Base of every error the project raises on purpose; catch this to catch them all.
+    """Base class of all errors the project raises deliberately.
 
-    Its text is safe to print on a terminal: control characters in quoted text are escaped.
+    The text is safe to print on a terminal: control characters in quoted text are escaped.
     """
 
     def __str__(self) -> str:
@@ -23,14 +23,14 @@ class InputError(TabletopError, ValueError):
 
 
 def choices(wrong: str, available: Iterable[str]) -> str:
-    """Return the tail of a message about an unknown name: the near match and what exists."""
+    """Return the end of an error message about an unknown name: a suggestion and all names."""
     names = sorted(available)
     shown = ", ".join(names) if names else "nothing"
     return f"{suggestion(wrong, names)} Available: {shown}."
 
 
 def suggestion(wrong: str, names: Collection[str]) -> str:
-    """Return " Did you mean 'mug'?" with the name most like a wrong one, "" if none is."""
+    """Return " Did you mean 'mug'?" with the most similar name, or "" if none is similar."""
     from rapidfuzz import fuzz, process
 
     near = process.extractOne(wrong, names, scorer=fuzz.ratio, score_cutoff=_SIMILAR)
@@ -38,17 +38,17 @@ def suggestion(wrong: str, names: Collection[str]) -> str:
 
 
 def require_known(value: object, known: Collection[str], unknown: str) -> None:
-    """Check that a value is one of the names ``known``; ``unknown`` begins the message.
+    """Check that a value is one of the names ``known``; ``unknown`` begins the error message.
 
     Raises:
-        InputError: it is none of them: "Unknown task 'Lif'. Did you mean 'Lift'? Available: ...".
+        InputError: unknown value: "Unknown task 'Lif'. Did you mean 'Lift'? Available: ...".
     """
     if not isinstance(value, str) or value not in known:
         raise InputError(f"{unknown} {value!r}." + choices(str(value), known))
 
 
 def escape(text: str) -> str:
-    """Return a text that may be foreign as a terminal can show it, without controls."""
+    """Return a text with its control characters escaped, so that a terminal can print it safely."""
     return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
 
 

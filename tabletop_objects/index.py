@@ -1,7 +1,8 @@
 """Write ``index.json``: ``python -m tabletop_objects.index``.
 
-The index holds the facts of every category. A category keeps its rank, on which random draws and
-the choice between equal aliases depend; new ones are appended in the order of their keys.
+The index holds the properties of every category. A category keeps its rank, which determines
+random draws and the category an ambiguous alias refers to; new categories are appended in
+alphabetical order of their keys.
 """
 
 from __future__ import annotations
@@ -18,16 +19,16 @@ FACTS = tuple(f for f in dataclasses.fields(Category) if f.name not in ("key", "
 
 
 def write_index(path: Path = INDEX) -> int:
-    """Write the index of all modules under ``objects``; return the number of categories."""
+    """Write the index of all modules in ``objects`` and return the number of categories."""
     path.write_text(index_text(), encoding="utf-8")
     return len(declarations())
 
 
 def declarations() -> dict[str, tuple[str, Category]]:
-    """Return every declared category by key, with its module relative to ``objects``.
+    """Return all declared categories by key, with their modules relative to ``objects``.
 
     Raises:
-        ValueError: two modules declare the same key, or a folder is not the first theme.
+        ValueError: two modules declare the same key, or a category's first theme is not its folder.
     """
     root = Path(__file__).with_name("objects")
     found: dict[str, tuple[str, Category]] = {}
@@ -45,7 +46,7 @@ def declarations() -> dict[str, tuple[str, Category]]:
 
 
 def index_text() -> str:
-    """Return the content of the index as the modules declare it now."""
+    """Return the content of the index for the current modules."""
     found = declarations()
     ranked = list(json.loads(INDEX.read_bytes())) if INDEX.exists() else []
     keys = [k for k in ranked if k in found] + sorted(found.keys() - set(ranked))
@@ -54,7 +55,7 @@ def index_text() -> str:
 
 
 def row_of(module: str, category: Category) -> dict[str, object]:
-    """Return the facts of a category that differ from their defaults."""
+    """Return the properties of a category that differ from their defaults."""
     facts = {f.name: getattr(category, f.name) for f in FACTS}
     facts = {f.name: facts[f.name] for f in FACTS if facts[f.name] != f.default}
     if category.noun == category.key.replace("_", " "):

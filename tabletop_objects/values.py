@@ -1,8 +1,8 @@
-"""Values: a mesh, its convex parts, physics and size. Metres, kilograms, radians; z points up.
+"""Values: a mesh, its convex parts, physics and size, in metres, kilograms and radians, z up.
 
 *Canonical frame* of a model: its mesh fills the unit box ``[-0.5, 0.5]^3``; ``Model.size`` is its
 extent in metres. *Texture coordinates* have u to the right and v upwards, so row 0 of a texture is
-v = 1.
+at v = 1.
 """
 
 from __future__ import annotations
@@ -43,8 +43,8 @@ def frozen_array(
 ) -> np.ndarray:
     """Return a read-only copy of ``value`` with ``dtype``, checked for shape and finiteness.
 
-    What is such an array already, and a view of no other, needs no copy. ``None`` in ``shape``
-    accepts any length along that axis; ``maximum`` bounds the numbers' size.
+    A read-only array of this type that is not a view is returned without a copy. ``None`` in
+    ``shape`` accepts any length along that axis; ``maximum`` bounds the absolute values.
 
     Raises:
         InputError: wrong number of axes or length, a NaN or infinity, or a number out of bounds.
@@ -77,7 +77,7 @@ def _fits(have: tuple[int, ...], wanted: tuple[int | None, ...]) -> bool:
 
 
 def freeze(instance: object, maximum: float | None = None, /, **kinds: ArrayKind) -> None:
-    """Make fields of a frozen dataclass read-only arrays of such kinds; see ``frozen_array``."""
+    """Convert fields of a frozen dataclass to read-only arrays; see ``frozen_array``."""
     for name, (dtype, shape) in kinds.items():
         what = f"{type(instance).__name__}.{name}"
         array = frozen_array(getattr(instance, name), dtype, shape, what, maximum=maximum)
@@ -89,9 +89,9 @@ PartKind = Literal["hull", "box", "cylinder", "ellipsoid"]
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A textured triangle mesh. ``uv`` is per vertex (vertices repeat along seams).
+    """A textured triangle mesh. ``uv`` is per vertex (vertices are duplicated along seams).
 
-    Faces turn counter-clockwise seen from outside. ``opacity`` below 1 draws it as glass.
+    Faces are counter-clockwise seen from outside. ``opacity`` below 1 renders it as glass.
     """
 
     vertices: Float[np.ndarray, "n 3"]
@@ -114,17 +114,17 @@ class Mesh:
 
     @cached_property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """Lowest and highest corner."""
+        """The lowest and the highest corner of the bounding box."""
         return np.stack([self.vertices.min(0), self.vertices.max(0)]).astype(np.float64)
 
     @property
     def extent(self) -> Float[np.ndarray, "3"]:
-        """Size along each axis."""
+        """The size along each axis."""
         return self.bounds[1] - self.bounds[0]
 
     @property
     def area(self) -> float:
-        """Surface area."""
+        """The surface area."""
         a, b, c = self.vertices.astype(float)[self.faces].transpose(1, 0, 2)
         return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
 
@@ -133,9 +133,9 @@ class Mesh:
 class ConvexPart:
     """One convex piece of a collision shape: the convex hull of ``vertices``.
 
-    ``kind`` "box", "cylinder" or "ellipsoid" says that the piece is that primitive, filling the
+    If ``kind`` is "box", "cylinder" or "ellipsoid", the piece is that primitive and fills the
     axis-aligned bounds of ``vertices`` (a cylinder runs along ``axis``: 0, 1 or 2). Collision then
-    uses the primitive wherever the object's scale keeps it one.
+    uses the primitive if the object's scale preserves it.
     """
 
     vertices: Float[np.ndarray, "n 3"]
@@ -149,22 +149,23 @@ class ConvexPart:
 
     @cached_property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """Lowest and highest corner, read-only."""
+        """The lowest and the highest corner of the bounding box, read-only."""
         corners = np.stack([self.vertices.min(0), self.vertices.max(0)])
         corners.setflags(write=False)
         return corners
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what a copy keeps: no bounds, which follow."""
+        """Return the state without the cached bounds."""
         return {"vertices": self.vertices, "kind": self.kind, "axis": self.axis}
 
 
 @dataclass(frozen=True, eq=False)
 class Slot:
-    """A place that a holder has for one thing.
+    """A slot of a holder for one object.
 
-    ``at`` is where the middle of the thing's underside goes, in the holder's canonical frame;
-    ``yaw`` is the thing's turn to the holder's, radians; ``name`` is the thing, if that is decided.
+    ``at`` is the position of the centre of the object's underside in the holder's canonical frame,
+    ``yaw`` the object's rotation relative to the holder in radians, and ``name`` the object's name,
+    if it is known.
     """
 
     at: Float[np.ndarray, "3"]
@@ -177,10 +178,10 @@ class Slot:
 
 @dataclass(frozen=True)
 class Physics:
-    """What an object is made of. ``density`` in kg/m^3, ``friction`` the sliding coefficient.
+    """The physical properties of an object: ``density`` in kg/m^3 and sliding ``friction``.
 
-    ``shell`` None: mass is density times the mesh's volume. Otherwise the object is hollow with
-    walls ``shell`` metres thick: mass is density times surface area times ``shell``.
+    Without a ``shell``, the mass is density times the mesh's volume. Otherwise the object is hollow
+    with walls ``shell`` metres thick: the mass is density times surface area times ``shell``.
     """
 
     density: float = 600.0
@@ -199,11 +200,11 @@ class Model:
     """A canonical 3D model m_i (Sec. 3.2): +z up, unit box.
 
     ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
-    pieces in the canonical frame; without any, assembly decomposes the mesh. Things can be put into
-    a ``container``. ``orientation``, a rotation matrix whose columns are the model's axes in the
-    world, is how the modeler saw the thing in the picture, if it says: a hint that no bundle keeps.
-    Neither keeps it the ``slots``, which are the places for things in a holder. ``stand_in`` marks
-    a plain thing that only stands for what it is called.
+    pieces in the canonical frame; without parts, assembly decomposes the mesh. A ``container`` can
+    hold objects. ``orientation`` is the modeler's optional estimate of the object's rotation in the
+    picture, as a matrix whose columns are the model's axes in the world. ``slots`` are the slots of
+    a holder. Bundles store neither ``orientation`` nor ``slots``. ``stand_in`` marks a plain
+    placeholder for the named object.
     """
 
     name: str
@@ -237,8 +238,8 @@ class Model:
 def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
     """Normalise ``mesh`` to the canonical unit box.
 
-    Returns the mesh, and the ``center`` and ``extent`` it had: ``v_unit = (v - center) / extent``.
-    A flat mesh gets an extent of at least 1e-4 along its flat axis before dividing.
+    Returns the mesh and its original ``center`` and ``extent``: ``v_unit = (v - center) / extent``.
+    A flat mesh gets an extent of at least 1e-4 along its flat axis before the division.
     """
     low, high = mesh.bounds
     center, extent = (low + high) / 2, np.maximum(high - low, 1e-4)
@@ -249,7 +250,7 @@ def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, "3"], Float[np.ndar
 def parts_to_unit_box(
     parts: tuple[ConvexPart, ...], center: Float[np.ndarray, "3"], extent: Float[np.ndarray, "3"]
 ) -> tuple[ConvexPart, ...]:
-    """Carry convex parts into the canonical frame of ``to_unit_box``."""
+    """Transform convex parts into the canonical frame of ``to_unit_box``."""
     return tuple(ConvexPart((p.vertices - center) / extent, p.kind, p.axis) for p in parts)
 
 
@@ -261,35 +262,35 @@ Stance = Literal["edge", "end", "side"]
 
 @dataclass(frozen=True)
 class Holder:
-    """Places for things that stand side by side along a holder's x axis.
+    """Slots for objects that stand side by side along a holder's x axis.
 
     Attributes:
-        stance: how things stand in their places.
-        room: the largest thing it may be made for: across the row, along y, and up, metres.
+        stance: how objects stand in their slots.
+        room: the largest object that fits: across the row, along y, and up, in metres.
     """
 
     stance: Stance
     room: Extent
 
     def stand(self, extent: Extent) -> Extent:
-        """Return the extent of a thing as it stands in its place: across, along and up, metres."""
+        """Return the extent of an object standing in its slot: across, along and up, in metres."""
         narrow, middle, longest = sorted(extent)
         if self.stance == "edge":
             return narrow, longest, middle
         return (narrow, middle, longest) if self.stance == "end" else (middle, longest, narrow)
 
     def takes(self, extent: Extent) -> bool:
-        """Tell whether it may have a place for a thing of this extent (metres)."""
+        """Return whether an object of this extent (in metres) fits into a slot."""
         return all(a <= b for a, b in zip(self.stand(extent), self.room, strict=True))
 
 
 def write_room(extent: Extent) -> str:
-    """Return a room as the attribute "room" of what is built around it."""
+    """Return an extent as the value of a holder's attribute "room"."""
     return " ".join(f"{side:.4f}" for side in extent)
 
 
 def read_room(text: str | None, usual: Extent) -> Extent:
-    """Return the room that an attribute asks for, ``usual`` where there is none."""
+    """Return the extent in an attribute "room", or ``usual`` if there is none."""
     if text is None:
         return usual
     across, along, up = (float(word) for word in text.split())

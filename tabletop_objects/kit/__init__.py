@@ -1,1 +1,1 @@
-"""One vocabulary for drawing objects: outlines, solids, parts, surfaces, prints and shapes."""
+"""The toolkit for drawing objects: outlines, solids, parts, surfaces, prints and shapes."""

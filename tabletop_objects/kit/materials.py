@@ -1,4 +1,4 @@
-"""Surfaces by material: metal, wood, plastic, cloth, glazes; and what fills a vessel."""
+"""Surfaces by material (metal, wood, plastic, cloth, glaze) and the contents of vessels."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ FOODS: Mapping[str, RGB] = MappingProxyType(
 
 
 def drink_color(look: Look) -> RGB | None:
-    """Return the colour of the drink that a vessel is said to hold; None without one."""
+    """Return the colour of the drink in a vessel, or None if its state names no drink."""
     state = look.attributes.get("state", "")
     words = state.split()[1:] if state.startswith("with ") else []
     found = next((DRINKS[word] for word in words if word in DRINKS), None)
@@ -47,9 +47,9 @@ def drink_color(look: Look) -> RGB | None:
 
 
 def contents(look: Look, radius: float, height: float) -> list[tuple[Solid, Tile]] | None:
-    """Return what a round vessel holds: a piece of ``radius`` at ``height``, metres.
+    """Return the contents of a round vessel of the given radius, filled to ``height``, in metres.
 
-    An empty list where it is said to be empty, None where nothing is said.
+    Returns an empty list if the vessel's state is "empty", and None if its state names no contents.
     """
     state = look.attributes.get("state", "")
     if state == "empty":
@@ -69,10 +69,11 @@ WORDS = ("COFFEE", "HELLO", "TEA", "HOME", "MONDAY", "CLUB", "RUN", "LOVE", "#1"
 
 
 def glaze_tile(look: Look, color: RGB, *, words: bool = False) -> Tile:
-    """Return the outside of a piece of crockery; u goes round (0.5 to the viewer), v up.
+    """Return the tile for the outside of crockery; u runs around (0.5 faces the viewer), v upwards.
 
-    Plain, banded, dipped, speckled, reactive, striped, dotted, checked, leafy, floral or, with
-    ``words``, printed with a word or a badge. A material asked for stays as it is.
+    The glaze is plain, banded, dipped, speckled, reactive, striped, dotted, checked, leafy or
+    floral, or with ``words`` also printed with a word or a badge. A requested material is left
+    plain.
     """
     other = look.own_color(
         "white", "navy", "terracotta", "teal", "cream", "mustard", "black", "coral"
@@ -179,7 +180,7 @@ def _print(look: Look, color: RGB, other: RGB, *, badge: bool) -> Tile:
 
 
 def leather(rng: np.random.Generator, color: tuple[float, float, float]) -> Tile:
-    """Return grained leather."""
+    """Return a tile of grained leather."""
     return speckles(rng, color, 9, 64)
 
 
@@ -195,42 +196,42 @@ PAINTS = ("red", "blue", "green", "yellow", "orange", "purple", "teal", "pink")
 
 
 def metal(look: Look, *palette: str) -> Tile:
-    """Return the metal of a thing in its colour."""
+    """Return a metal tile in the object's colour."""
     return look.surface(look.color(*(palette or STEEL)), "metal")
 
 
 def wood(look: Look, *palette: str) -> Tile:
-    """Return the wood of a thing in its colour."""
+    """Return a wood tile in the object's colour."""
     return look.surface(look.color(*(palette or WOODEN)), "wood")
 
 
 def plastic(look: Look, *palette: str) -> Tile:
-    """Return the plastic or paint of a thing in its colour."""
+    """Return a plastic or paint tile in the object's colour."""
     return look.surface(look.color(*(palette or PAINTS)))
 
 
 def cloth(look: Look, *palette: str) -> Tile:
-    """Return the cloth of a thing in its colour."""
+    """Return a cloth tile in the object's colour."""
     return look.surface(look.color(*palette), "fabric")
 
 
 def dye(look: Look, *palette: str) -> Tile:
-    """Return the paint of a detail, whatever colour was asked for."""
+    """Return a paint tile for a detail, independent of the requested colour."""
     return surfaces.speckles(look.rng, look.own_color(*palette), 4, 32)
 
 
 def steel(look: Look, color: RGB = STEEL_TONE) -> Tile:
-    """Return brushed metal."""
+    """Return a tile of brushed steel."""
     return surfaces.brushed_metal(look.rng, color)
 
 
 def shine(look: Look, *palette: str) -> Tile:
-    """Return the metal of a detail, whatever was asked for."""
+    """Return a metal tile for a detail, independent of the requested attributes."""
     return surfaces.brushed_metal(look.rng, look.own_color(*(palette or ("silver",))))
 
 
 def skin(look: Look, base: RGB, blush: RGB, amount: float = 1.0) -> surfaces.Tile:
-    """Return a fruit's skin: ``base`` with soft patches of ``blush``."""
+    """Return a fruit skin: ``base`` with soft patches of ``blush``."""
     mix = np.clip(surfaces.noise(look.rng, 96, 96, (3, 3), 3) * 0.5 * amount + 0.35, 0, 1)[
         ..., None
     ]
@@ -239,5 +240,5 @@ def skin(look: Look, base: RGB, blush: RGB, amount: float = 1.0) -> surfaces.Til
 
 
 def tool_steel(look: Look) -> surfaces.Tile:
-    """Return bare tool steel."""
+    """Return a tile of bare tool steel."""
     return surfaces.brushed_metal(look.rng, (170, 174, 180))

@@ -1,4 +1,4 @@
-"""Flat outlines and curves: what solids are extruded and swept from. Metres; counter-clockwise."""
+"""Flat outlines and curves for extruded and swept solids, in metres, counter-clockwise."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from jaxtyping import Float
 
 
 def rectangle(x: float, y: float, radius: float = 0.0, steps: int = 4) -> Float[np.ndarray, "k 2"]:
-    """Return a centred rectangle, counter-clockwise, its corners rounded with ``radius``."""
+    """Return a centred rectangle, counter-clockwise, with corners of the given radius."""
     if radius <= 0:
         return np.array([[-x, -y], [x, -y], [x, y], [-x, y]]) / 2
     radius = min(radius, 0.499 * x, 0.499 * y)
@@ -19,7 +19,7 @@ def rectangle(x: float, y: float, radius: float = 0.0, steps: int = 4) -> Float[
 def rounded_polygon(
     corners: Float[np.ndarray, "k 2"], radius: float, steps: int = 4
 ) -> Float[np.ndarray, "n 2"]:
-    """Return a convex counter-clockwise polygon with its corners rounded by arcs of ``radius``."""
+    """Return a convex counter-clockwise polygon with corners rounded to ``radius``."""
     points = []
     for before, here, after in zip(
         np.roll(corners, 1, 0), corners, np.roll(corners, -1, 0), strict=True
@@ -44,13 +44,13 @@ def ellipse(x: float, y: float, segments: int = 32, start: float = 0.0) -> Float
 def arc(
     center: tuple[float, float], radius: float, start: float, stop: float, steps: int = 8
 ) -> Float[np.ndarray, "k 2"]:
-    """Return points of a circular arc from angle ``start`` to ``stop``."""
+    """Return the points of a circular arc from angle ``start`` to ``stop``."""
     angles = np.linspace(start, stop, steps + 1)
     return np.array(center) + radius * np.column_stack([np.cos(angles), np.sin(angles)])
 
 
 def smooth(points: Any, steps: int = 5) -> Float[np.ndarray, "k d"]:
-    """Return a Catmull-Rom curve through ``points`` (2D or 3D), ``steps`` pieces per span."""
+    """Return a Catmull-Rom curve through ``points`` (2D or 3D) with ``steps`` segments per span."""
     p = np.asarray(points, float)
     p = np.concatenate([[2 * p[0] - p[1]], p, [2 * p[-1] - p[-2]]])
     t = np.linspace(0, 1, steps, endpoint=False)[:, None]
@@ -68,12 +68,12 @@ def smooth(points: Any, steps: int = 5) -> Float[np.ndarray, "k d"]:
 
 
 def inset(outline: Any, distance: float) -> Float[np.ndarray, "m 2"]:
-    """Return a convex outline shrunk towards the middle of its box by ``distance`` at each side."""
+    """Return a convex outline shrunk so that the sides of its box move in by ``distance``."""
     low, high = outline.min(0), outline.max(0)
     middle, half = (low + high) / 2, (high - low) / 2
     return middle + (outline - middle) * np.maximum(1 - distance / half, 0.02)
 
 
 def lift(outline: Any, z: float) -> Float[np.ndarray, "m 3"]:
-    """Return an outline as a ring at height ``z``."""
+    """Return an outline as a 3D ring at height ``z``."""
     return np.column_stack([outline, np.full(len(outline), z)])

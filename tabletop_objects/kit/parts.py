@@ -17,7 +17,7 @@ MAX_VERTICES = 32
 
 
 def box_part(x: float, y: float, z: float, at: Sequence[float] = (0, 0, 0)) -> ConvexPart:
-    """Return an axis-aligned box standing on ``at`` (the middle of its bottom)."""
+    """Return an axis-aligned box; ``at`` is the centre of its bottom face."""
     signs = np.array([[i, j, k] for k in (0, 1) for i in (-0.5, 0.5) for j in (-0.5, 0.5)])
     return ConvexPart(signs * [x, y, z] + np.asarray(at, float), "box")
 
@@ -25,14 +25,14 @@ def box_part(x: float, y: float, z: float, at: Sequence[float] = (0, 0, 0)) -> C
 def cylinder_part(
     radius: float, length: float, at: Sequence[float] = (0, 0, 0), axis: Literal[0, 1, 2] = 2
 ) -> ConvexPart:
-    """Return a cylinder; ``at`` is the middle of its bottom disc (its lower end along ``axis``)."""
+    """Return a cylinder; ``at`` is the centre of its bottom disc (its lower end along ``axis``)."""
     circle = ellipse(2 * radius, 2 * radius, 16)
     points = np.concatenate([np.column_stack([circle, np.full(16, end)]) for end in (0, length)])
     return ConvexPart(np.roll(points, axis + 1, axis=1) + np.asarray(at, float), "cylinder", axis)
 
 
 def hull_part(points: Any) -> ConvexPart:
-    """Return the convex hull of ``points``, thinned to extreme points where there are many."""
+    """Return the convex hull of ``points``, reduced to extreme points if there are too many."""
     points = np.unique(np.asarray(points, float).round(6), axis=0)
     if len(points) > MAX_VERTICES:
         points = _extremes(points)
@@ -40,7 +40,7 @@ def hull_part(points: Any) -> ConvexPart:
 
 
 def whole_hull(points: Any) -> ConvexPart:
-    """Return the convex hull of ``points`` with all of its corners, so that no point is outside."""
+    """Return the convex hull of ``points`` with all its vertices, so that no point is outside."""
     from scipy.spatial import ConvexHull
 
     points = np.asarray(points, float)
@@ -48,15 +48,16 @@ def whole_hull(points: Any) -> ConvexPart:
 
 
 def hull_of(*solids: Solid) -> ConvexPart:
-    """Return the convex hull of solids, its bottom flat if theirs is."""
+    """Return the convex hull of solids; a flat bottom stays flat."""
     return hull_part(np.concatenate([s.vertices for s in solids]))
 
 
 def flat_foot(points: Any, share: float = 0.12) -> ConvexPart:
-    """Return the hull of ``points`` with the lowest ``share`` of its height set down on z = 0.
+    """Return the hull of ``points`` with its lowest fraction ``share`` flattened onto z = 0.
 
-    What is drawn with a flat spot below gets the same flat foot this way, and does not roll. A
-    wider foot than is drawn would hold the thing up in the air when it lies against another.
+    An object that is drawn with a flat spot gets a matching flat collision shape and does not
+    roll. A larger flat spot than the drawn one would leave a visible gap when the object leans
+    against another one.
     """
     p = np.array(points, float)
     p[p[:, 2] < share * p[:, 2].max(), 2] = 0.0
@@ -64,7 +65,7 @@ def flat_foot(points: Any, share: float = 0.12) -> ConvexPart:
 
 
 def _extremes(points: np.ndarray) -> np.ndarray:
-    """Pick at most 32 points that span the hull best, the lowest ones first."""
+    """Select at most 32 points that span the hull well, starting with the lowest."""
     middle = (points.min(0) + points.max(0)) / 2
     span = np.maximum(np.ptp(points, axis=0), 1e-9)
     unit = (points - middle) / span
@@ -75,10 +76,10 @@ def _extremes(points: np.ndarray) -> np.ndarray:
 
 
 def resting_ball(x: float, y: float, z: float, flat: float = 0.45) -> ConvexPart:
-    """Return a faceted ellipsoid with diameters x, y, z on z = 0 that rests on a flat facet.
+    """Return a faceted ellipsoid with diameters x, y, z that rests on z = 0 on a flat facet.
 
-    ``flat`` is the facet's radius relative to the widest one. All vertices lie on or inside the
-    ellipsoid, except the facet, which is lowered to z = 0.
+    ``flat`` is the facet's radius relative to the largest radius. All vertices lie on or inside
+    the ellipsoid, except those of the facet, which is lowered to z = 0.
     """
     levels = [(-1.0, flat), (-0.55, 0.835), (0.25, 0.968), (0.93, 0.36)]
     points = [lift(ellipse(x * r, y * r, 8, np.pi / 8 * (k % 2)), z / 2 * (1 + h)) for k,
@@ -93,11 +94,11 @@ def ring_parts(
     *,
     stretch: tuple[float, float] = (1.0, 1.0),
 ) -> tuple[ConvexPart, ...]:
-    """Return the wall of a hollow round thing as wedges.
+    """Return the wall of a hollow round object as convex wedges.
 
-    ``outer`` and ``inner`` are (radius, z) points of the wall's two sides (at most 6 together).
-    Each wedge is a convex hull, bent once outside; so an inner side that bends outwards gets filled
-    to its chord. ``stretch`` scales x and y.
+    ``outer`` and ``inner`` are (radius, z) points of the outside and the inside of the wall, at
+    most 6 together. Each wedge is a convex hull with one extra corner on the outside, so an inside
+    that bulges outwards is filled up to its chord. ``stretch`` scales x and y.
     """
     angles = 2 * np.pi * np.arange(2 * wedges + 1) / (2 * wedges)
     parts = []
@@ -113,9 +114,9 @@ def ring_parts(
 def bowl_parts(
     outer: Float[np.ndarray, "n 2"], inner: Float[np.ndarray, "n 2"], wedges: int = 14
 ) -> tuple[ConvexPart, ...]:
-    """Return the wall of a round bowl as two rings of wedges, so that its hollow stays hollow.
+    """Return the wall of a round bowl as two rings of wedges that leave the inside free.
 
-    ``outer`` and ``inner`` are (radius, z) points from the bottom up, as many on each side.
+    ``outer`` and ``inner`` are (radius, z) points from the bottom up, equally many on each side.
     """
     sides = [[(float(r), float(z)) for r, z in side] for side in (outer, inner)]
     last, middle = len(sides[0]) - 1, (len(sides[0]) - 1) // 2
@@ -127,7 +128,7 @@ def bowl_parts(
 
 
 def frame_parts(x: float, y: float, z: float, wall: float, bottom: float) -> tuple[ConvexPart, ...]:
-    """Return an open box standing on z = 0: a bottom and four walls."""
+    """Return the parts of an open box on z = 0: a bottom and four walls."""
     return (
         box_part(x, y, bottom),
         box_part(wall, y, z - bottom, (-(x - wall) / 2, 0, bottom)),
@@ -138,7 +139,7 @@ def frame_parts(x: float, y: float, z: float, wall: float, bottom: float) -> tup
 
 
 def above(p: np.ndarray) -> np.ndarray:
-    """Return points, those under the table lifted onto it."""
+    """Return the points with negative z raised to z = 0."""
     return np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)])
 
 
@@ -149,11 +150,11 @@ def open_vessel(
 
     Args:
         side: (radius, z) points of the outside in metres, from z = 0 up to the rim.
-        wall: thickness of the wall, metres.
-        bottom: thickness of the bottom, metres.
-        segments: sides of the vessel seen from above.
+        wall: thickness of the wall, in metres.
+        bottom: thickness of the bottom, in metres.
+        segments: number of sides, seen from above.
 
-    v is below 0.5 on the outside, 0.5 at the rim and above it on the inside.
+    Texture coordinate v is below 0.5 on the outside, 0.5 at the rim and above 0.5 on the inside.
     """
     outer = np.array(side, float)
     inner = np.column_stack(
@@ -175,13 +176,13 @@ def open_vessel(
 
 
 def hull_above(*solids: Solid) -> ConvexPart:
-    """Return the hull of solids, those points under the table lifted onto it."""
+    """Return the hull of solids with points below z = 0 raised to z = 0."""
     points = np.concatenate([s.vertices for s in solids])
     return hull_part(np.column_stack([points[:, :2], np.maximum(points[:, 2], 0)]))
 
 
 def stretch_parts(parts: Iterable[ConvexPart], x: float, y: float) -> tuple[ConvexPart, ...]:
-    """Return collision parts stretched along x and y, as their solid is."""
+    """Return collision parts scaled along x and y, to match a scaled solid."""
     return tuple(ConvexPart(p.vertices * np.array([x, y, 1.0])) for p in parts)
 
 

@@ -1,4 +1,4 @@
-"""Solids that many objects share: rods, balls, plates, pads, blades, vessels, pots."""
+"""Solids shared by many objects: rods, balls, plates, pads, blades, vessels and pots."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ from .surfaces import RGB, Look
 
 
 def side_view(outline: Any, width: float, bevel: float = 0.0) -> Solid:
-    """Return a side view (x, z; counter-clockwise) as thick as ``width`` along y."""
+    """Return a side view (x, z; counter-clockwise) extruded to ``width`` along y."""
     return prism(outline, -width / 2, width / 2, bevel).turn(0, np.pi / 2)
 
 
 def facing(solid: Solid) -> Solid:
-    """Return a solid with its top (+z) turned to the front (-y)."""
+    """Return a solid rotated so that its top (+z) faces the front (-y)."""
     return solid.turn(0, np.pi / 2)
 
 
 def lay_down(solid: Solid, x: float = 0.0, z: float = 0.0) -> Solid:
-    """Return a solid that stands on z = 0 laid down along +x from ``x`` at height ``z``."""
+    """Return an upright solid laid down along +x, with its base at ``x`` and its axis at ``z``."""
     return solid.turn(1, np.pi / 2).move(x=x, z=z)
 
 
 def lobe(solid: Solid, count: int, depth: float) -> Solid:
-    """Return a solid about z with ``count`` lobes: its radius swells and sinks by ``depth``."""
+    """Return a solid with ``count`` lobes around z; ``depth`` is the change of its radius."""
 
     def warp(p: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
         around = np.arctan2(p[:, 1], p[:, 0])
@@ -45,7 +45,7 @@ def lobe(solid: Solid, count: int, depth: float) -> Solid:
 
 
 def blade(path: Any, width: float, *, thick: float = 0.35, sides: int = 6) -> Solid:
-    """Return a leaf or sprout through the points ``path``, widest a third of the way, pointed."""
+    """Return a pointed leaf or sprout along ``path``, widest at a third of its length."""
     points = smooth(path, 3)
     t = np.linspace(0, 1, len(points))
     radii = width / 2 * np.maximum((1 - t) ** 0.8 * (0.55 + 1.6 * t), 0.04)
@@ -53,7 +53,7 @@ def blade(path: Any, width: float, *, thick: float = 0.35, sides: int = 6) -> So
 
 
 def packet(outline: np.ndarray, levels: list[tuple[float, float, float]]) -> Solid:
-    """Return a packet: ``outline`` scaled in x and y at each (z, x factor, y factor)."""
+    """Return a packet: ``outline`` scaled in x and y at each level (z, x factor, y factor)."""
     rings = [lift(outline * [fx, fy], z) for z, fx, fy in levels]
     heights = np.array([z for z, _, _ in levels])
     curve = np.column_stack([[fy * 0.05 for _, _, fy in levels], heights])
@@ -62,7 +62,7 @@ def packet(outline: np.ndarray, levels: list[tuple[float, float, float]]) -> Sol
 
 
 def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
-    """Return a cushion over a grid: raised by ``lift`` above and below, closed at its rim."""
+    """Return a cushion over a grid, bulging by ``lift`` above and below, closed at its rim."""
     n = len(x)
     index = np.arange(n * n).reshape(n, n)
     a, b, c, d = index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]
@@ -78,9 +78,9 @@ def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
 
 
 def spread(points: Float[np.ndarray, "n m 3"], thick: float) -> Solid:
-    """Return a sheet ``thick`` over a grid of points, its picture upright seen from above.
+    """Return a sheet over a grid of points, ``thick`` high, with its picture upright from above.
 
-    ``points`` are the underside: rows run from front to back, columns from left to right.
+    ``points`` form the underside: rows run from front to back, columns from left to right.
     """
     n, m = points.shape[:2]
     index = np.arange(n * m).reshape(n, m)
@@ -97,12 +97,12 @@ def spread(points: Float[np.ndarray, "n m 3"], thick: float) -> Solid:
 
 
 def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) -> Solid:
-    """Return an ellipsoid with diameters x, y, z about ``at``."""
+    """Return an ellipsoid with diameters x, y, z centred at ``at``."""
     return ellipsoid(x, y, z, fine, max(fine // 2, 5)).move(*at)
 
 
 def rod(points: Any, radius: Any, sides: int = 8, steps: int = 4) -> Solid:
-    """Return a round rod along a smooth curve through ``points``; one radius, or one per point."""
+    """Return a round rod along a smooth curve; ``radius`` is one number, or several in order."""
     path = smooth(points, steps)
     if np.ndim(radius):
         radius = np.interp(
@@ -117,12 +117,12 @@ def straight(a: Point, b: Point, radius: Any, sides: int = 8) -> Solid:
 
 
 def standing_plate(outline: Any, thick: float, y: float = 0.0, bevel: float = 0.0) -> Solid:
-    """Return an outline (x, z; counter-clockwise) as an upright plate facing the front."""
+    """Return an outline (x, z; counter-clockwise) as an upright plate that faces the front."""
     return facing(prism(outline, -thick / 2, thick / 2, bevel)).move(y=y)
 
 
 def pad(x: float, y: float, h: float, radius: float, *, soft: float = 0.3, steps: int = 5) -> Solid:
-    """Return a soft-edged slab on z = 0: folded cloth, cushions, pouches, soap."""
+    """Return a slab with soft edges on z = 0, for folded cloth, cushions, pouches and soap."""
     outline = rectangle(x, y, radius, steps)
     edge = soft * h
     levels = [(edge, 0.0), (0.3 * edge, 0.15 * h), (0, 0.5 * h), (0.3 * edge, 0.85 * h), (edge, h)]
@@ -132,7 +132,7 @@ def pad(x: float, y: float, h: float, radius: float, *, soft: float = 0.3, steps
 
 
 def limb(path: Any, radii: Sequence[float], sides: int = 10, squash: float = 1.0) -> Solid:
-    """Return a rod through the points ``path`` with a radius at each of them."""
+    """Return a smooth rod along ``path`` with one radius per point."""
     wide = smooth(np.array(radii, float)[:, None], 4)[:, 0]
     return tube(smooth(path, 4), np.maximum(wide, 0.0003), sides, squash=squash)
 
@@ -147,9 +147,9 @@ def bent_rod(
     sides: int = 14,
     squash: float = 1.0,
 ) -> Solid:
-    """Return a rod along x with rounded ends, bent to +y, thinner to the left with ``taper``.
+    """Return a rod along x with rounded ends, bent towards +y; ``taper`` thins its left end.
 
-    ``blunt`` is 2 for an ellipsoid and more for blunter ends.
+    ``blunt`` is 2 for an ellipsoid; larger values give blunter ends.
     """
     u = np.sin(np.linspace(-np.pi / 2, np.pi / 2, 15))
     radii = r * np.maximum(1 - np.abs(u) ** blunt, 0.0025) ** 0.5 * (1 + taper * u)
@@ -167,7 +167,7 @@ def scatter(
     dome: float = 0.0,
     stretch: tuple[float, float, float] = (1.0, 1.0, 1.0),
 ) -> Solid:
-    """Return ``count`` small ellipsoids strewn over a disc at ``height``, heaped by ``dome``."""
+    """Return ``count`` small ellipsoids on a disc at ``height``, heaped up by ``dome``."""
     made = []
     for k in range(count):
         away, turn = radius * np.sqrt((k + 0.5) / count), 2.4 * k
@@ -194,7 +194,7 @@ def crockery(r: float, h: float, *, deep: bool = True) -> Solid:
 
 
 def spindle(*profile: tuple[float, float], sides: int = 16, z: float | None = None) -> Solid:
-    """Return a body turned about the x axis: (x, radius) points from left to right, lying."""
+    """Return a solid of revolution about the x axis from (x, radius) points, left to right."""
     points = [(r, x) for x, r in profile]
     points = [(0.0, points[0][1]), *points, (0.0, points[-1][1])]
     body = lathe(points, sides, v=None).turn(1, np.pi / 2)
@@ -202,23 +202,23 @@ def spindle(*profile: tuple[float, float], sides: int = 16, z: float | None = No
 
 
 def standing(*profile: tuple[float, float], sides: int = 24, at: Point = (0, 0, 0)) -> Solid:
-    """Return a body turned about the z axis: (radius, z) points from the bottom up."""
+    """Return a solid of revolution about the z axis from (radius, z) points, bottom to top."""
     points = [(0.0, profile[0][1]), *profile, (0.0, profile[-1][1])]
     return lathe(points, sides).move(*at)
 
 
 def lies(solid: Solid, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
-    """Return a solid along z laid down along +x, its foot at ``x``."""
+    """Return a solid along z laid down along +x, with its bottom at ``x``."""
     return solid.turn(1, np.pi / 2).move(x, y, z)
 
 
 def at_box(x: float, y: float, z: float, at: Sequence[float] = (0, 0, 0)) -> Solid:
-    """Return a box whose bottom's middle is ``at``."""
+    """Return a box; ``at`` is the centre of its bottom face."""
     return box(x, y, z).move(*at)
 
 
 def at_block(x: float, y: float, z: float, r: float, at: Sequence[float] = (0, 0, 0)) -> Solid:
-    """Return a box with rounded upright edges and soft rims whose bottom's middle is ``at``."""
+    """Return a box with rounded vertical edges and soft rims; ``at`` is its bottom centre."""
     return block(x, y, z, r, min(0.3 * r, 0.2 * z)).move(*at)
 
 
@@ -230,7 +230,7 @@ def disc(
     top: float | None = None,
     sides: int = 24,
 ) -> Solid:
-    """Return an upright cylinder, or cone to the radius ``top``; ``at`` is its bottom's middle."""
+    """Return an upright cylinder, or a cone with upper radius ``top``; ``at`` is its bottom."""
     bevel = 0.0 if top is not None else min(0.1 * h, 0.1 * r)
     return cylinder(r, h, sides, top=top, bevel=bevel).move(*at)
 
@@ -245,7 +245,7 @@ def drum(
     sides: int = 24,
     bevel: float = 0.0,
 ) -> Solid:
-    """Return a cylinder, or a cone to the radius ``top``, from ``at`` on along an axis."""
+    """Return a cylinder, or a cone with end radius ``top``, that starts at ``at`` along an axis."""
     made = cylinder(radius, long, sides, top=top, bevel=bevel)
     if axis == 0:
         made = made.turn(1, np.pi / 2)
@@ -255,7 +255,7 @@ def drum(
 
 
 def hull_solid(points: Any) -> Solid:
-    """Return the convex hull of ``points`` with flat faces."""
+    """Return the convex hull of ``points`` as a solid with flat faces."""
     from scipy.spatial import ConvexHull
 
     p = np.unique(np.asarray(points, float).round(7), axis=0)
@@ -269,7 +269,7 @@ def hull_solid(points: Any) -> Solid:
 
 
 def on_a_face(solid: Solid) -> Solid:
-    """Return a convex body laid on its largest face, near one looking downwards already."""
+    """Return a convex solid resting on its largest face, with a preference for downward faces."""
     v, f = solid.vertices, solid.faces
     cross = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
     size = np.linalg.norm(cross, axis=1)
@@ -285,7 +285,7 @@ def on_a_face(solid: Solid) -> Solid:
 def plate(
     outline: Any, h: float, z: float = 0.0, *, at: Point = (0, 0, 0), bevel: float = 0.0
 ) -> Solid:
-    """Return a flat plate of an outline (x, y), whichever way it turns; its underside at ``at``."""
+    """Return a flat plate of an outline (x, y) in either direction; ``at`` is on its underside."""
     points = np.asarray(outline, float)
     x, y = points.T
     area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
@@ -293,13 +293,13 @@ def plate(
 
 
 def press_flat(solid: Solid, depth: float) -> Solid:
-    """Return a solid centred at the origin, pressed flat ``depth`` below it and put on z = 0."""
+    """Return a solid centred at the origin, flattened ``depth`` below it and raised onto z = 0."""
     flat = solid.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], -depth)]))
     return flat.move(z=depth)
 
 
 def planter(look: Look, r: float, h: float) -> Pieces:
-    """Return a pot of clay, glaze or basketwork, tapered, straight or bellied, and its soil."""
+    """Return a plant pot of clay, glaze or basketwork (tapered, straight or bellied) with soil."""
     color = look.color(*("terracotta", "terracotta", "white", "gray", "teal", "cream", "black",
                          "mustard"), *("pink", "sky", "brown"))  # fmt: skip
     kind = look.pick(["rimmed", "straight", "belly", "faceted"])
@@ -326,7 +326,7 @@ PRINTS = ("red", "navy", "teal", "green", "mustard", "crimson", "orange", "purpl
 def label_skin(
     look: Look, base: RGB, word: str, low: float, high: float, ground: RGB = (244, 242, 234)
 ) -> surfaces.Tile:
-    """A bottle's skin: plain, a label between the heights v ``low`` and ``high``, plain."""
+    """Return a plain bottle surface with a label between the heights v = ``low`` and ``high``."""
     print_ = prints.label(look.rng, word, look.own_color(*PRINTS), ground)
     skin = surfaces.speckles(look.rng, base, 3, 32)
     return surfaces.stack((skin, low), (print_, high - low), (skin, 1 - high), side=192)
@@ -342,10 +342,10 @@ def vessel(
     waist: bool = False,
     sides: int = 32,
 ) -> Solid:
-    """Return a bottle's body up to its mouth at ``h``, with ``waist`` gripped in the middle.
+    """Return a bottle's body up to its mouth at height ``h``; ``waist`` adds a grip in the middle.
 
-    It is straight up to z ``shoulder`` and has its ``neck`` radius from z ``rise`` on. v runs
-    with z along the outside, so that labels sit where they are meant to.
+    The body is straight up to z = ``shoulder`` and has the radius ``neck`` above z = ``rise``.
+    Texture coordinate v is proportional to z along the outside, so labels sit at known heights.
     """
     t = np.linspace(0, 1, 6)[1:-1]
     bow = [(neck + (r - neck) * (0.5 + 0.5 * np.cos(np.pi * k)), shoulder + (rise - shoulder) * k)
@@ -360,7 +360,7 @@ def vessel(
 def vessel_parts(
     body: Solid, r: float, shoulder: float, neck: float, h: float, rise: float
 ) -> list[ConvexPart]:
-    """Return a vessel's body, shoulder and neck."""
+    """Return the collision parts of a vessel: body, shoulder and neck."""
     upper = body.vertices[(body.vertices[:, 2] >= shoulder) & (body.vertices[:, 2] <= rise + 1e-6)]
     return [
         cylinder_part(0.99 * r, shoulder),

@@ -1,6 +1,6 @@
-"""Printed and displayed tiles: labels, covers, pages, pictures, screens, keys.
+"""Printed and displayed tiles: labels, covers, pages, pictures, screens and keys.
 
-Coordinates are fractions of the tile: x to the right, y downwards.
+Coordinates are fractions of the tile, with x to the right and y downwards.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ Canvas = UInt8[np.ndarray, "_ _ 3"]
 
 
 def canvas(width: int, height: int, color: RGB) -> Canvas:
-    """Return a blank picture to draw on."""
+    """Return a blank picture of one colour."""
     return np.broadcast_to(np.array(color).round().astype(np.uint8), (height, width, 3)).copy()
 
 
 def fill(image: Canvas, x: float, y: float, width: float, height: float, color: RGB) -> None:
-    """Fill a rectangle given in fractions of the picture, (x, y) its upper left corner."""
+    """Fill a rectangle given in fractions of the picture; (x, y) is its upper left corner."""
     h, w = image.shape[:2]
     rows = slice(max(round(y * h), 0), max(round((y + height) * h), round(y * h) + 1))
     columns = slice(max(round(x * w), 0), max(round((x + width) * w), round(x * w) + 1))
@@ -30,7 +30,7 @@ def fill(image: Canvas, x: float, y: float, width: float, height: float, color: 
 
 
 def disc(image: Canvas, x: float, y: float, radius: float, color: RGB, inner: float = 0.0) -> None:
-    """Fill a disc, or a ring from ``inner``, in fractions of the picture's height."""
+    """Fill a disc, or a ring with inner radius ``inner``, in fractions of the picture's height."""
     h, w = image.shape[:2]
     rows, columns = np.mgrid[0:h, 0:w] + 0.5
     away = np.hypot(columns - x * w, rows - y * h) / h
@@ -40,7 +40,7 @@ def disc(image: Canvas, x: float, y: float, radius: float, color: RGB, inner: fl
 def write(
     image: Canvas, text: str, x: float, y: float, height: float, color: RGB, bold: bool = False
 ) -> None:
-    """Write ``text`` centred at (x, y), ``height`` tall, shrunk to fit the picture's width."""
+    """Write ``text`` centred at (x, y) with the given height, shrunk to fit the picture's width."""
     import cv2
 
     h, w = image.shape[:2]
@@ -64,7 +64,7 @@ def lines(
     color: RGB,
     weight: float = 0.4,
 ) -> None:
-    """Draw ``count`` lines of small print as bars within box (x, y, width, height)."""
+    """Draw ``count`` lines of small print as bars in the box (x, y, width, height)."""
     x, y, width, height = box
     for k in range(count):
         long = width * (rng.uniform(0.75, 1.0) if k % 5 < 4 else rng.uniform(0.3, 0.6))
@@ -72,7 +72,7 @@ def lines(
 
 
 def barcode(image: Canvas, rng: np.random.Generator, x: float, y: float, width: float) -> None:
-    """Draw a barcode, a third as tall as it is wide."""
+    """Draw a barcode whose height is a third of its width."""
     tall = width / 3 * image.shape[1] / image.shape[0]
     fill(image, x, y, width, tall, (250, 250, 250))
     at = x + 0.06 * width
@@ -92,7 +92,7 @@ def polygon(image: Canvas, points: Sequence[tuple[float, float]], color: RGB) ->
 
 
 def stroke(image: Canvas, points: Sequence[tuple[float, float]], width: float, color: RGB) -> None:
-    """Draw a line through points, ``width`` a fraction of the picture's height."""
+    """Draw a polyline; ``width`` is a fraction of the picture's height."""
     import cv2
 
     h, w = image.shape[:2]
@@ -113,7 +113,7 @@ PALETTES: tuple[tuple[RGB, ...], ...] = (
 
 
 def landscape(rng: np.random.Generator, width: int = 192, height: int = 128) -> Tile:
-    """A picture: sky, sun or moon, hills."""
+    """Return a landscape with a sky, a sun or moon, and hills."""
     skies = [((120, 180, 230), (240, 240, 230)), ((240, 150, 90), (250, 220, 150)),
              ((40, 50, 100), (150, 120, 170)), ((150, 210, 210), (250, 245, 225)),
              ((226, 160, 190), (250, 224, 214)), ((70, 110, 160), (200, 216, 226))]  # fmt: skip
@@ -135,7 +135,7 @@ def landscape(rng: np.random.Generator, width: int = 192, height: int = 128) -> 
 
 
 def artwork(rng: np.random.Generator, width: int = 128, height: int = 128) -> Tile:
-    """Any picture: a landscape, a portrait, flowers, a skyline, blocks, arcs, waves."""
+    """Return a random picture: a landscape, portrait, flowers, skyline, blocks, arcs or waves."""
     kind = rng.integers(7)
     if kind == 0:
         return landscape(rng, width, height)
@@ -216,7 +216,7 @@ CODE: tuple[RGB, ...] = ((206, 144, 110), (110, 180, 230), (200, 200, 206), (130
 
 
 def desktop(rng: np.random.Generator, width: int = 256, height: int = 160) -> Tile:
-    """A computer screen: windows, code, charts, a table, a call, a picture, or switched off."""
+    """Return a computer screen: windows, code, charts, a table, a call, a picture, or blank."""
     kind = int(rng.integers(8))
     if kind == 0:
         return _off(width, height)
@@ -228,7 +228,7 @@ def desktop(rng: np.random.Generator, width: int = 256, height: int = 160) -> Ti
 
 
 def _off(width: int, height: int) -> Tile:
-    """A dark panel with the gleam of a window."""
+    """Return a dark panel that reflects a window."""
     y, x = np.mgrid[0:height, 0:width] / height
     gleam = np.clip(1 - np.abs(x - 0.7 * y - 0.9) * 4, 0, 1)[..., None] * 26
     return (np.array([20.0, 21, 24]) + gleam).astype(np.uint8)
@@ -303,7 +303,7 @@ def _call(image: Canvas, rng: np.random.Generator) -> None:
 
 
 def apps(rng: np.random.Generator, width: int = 96, height: int = 192) -> Tile:
-    """A phone or tablet screen: icons, a lock screen, a chat, music, a map, a feed, or dark."""
+    """Return a phone or tablet screen: icons, lock screen, chat, music, map or feed, or dark."""
     kind = int(rng.integers(7))
     if kind == 0:
         return _off(width, height)
@@ -380,7 +380,7 @@ FRONT = (0.3, 0.7)
 def label(
     rng: np.random.Generator, title: str, color: RGB, ground: RGB, *, width: int = 256
 ) -> Tile:
-    """A wrap-round product label: the title faces the viewer, small print and barcode behind."""
+    """Return a wrap-round product label with its title in front, small print and barcode behind."""
     image = canvas(width, 128, ground)
     kind = int(rng.integers(6))
     front = image[:, int(FRONT[0] * width) : int(FRONT[1] * width)]
@@ -446,7 +446,7 @@ def _bands(image: Canvas, front: Canvas, rng: np.random.Generator, title: str, c
 
 
 def cover(rng: np.random.Generator, title: str, color: RGB, accent: RGB) -> Tile:
-    """The front of a book or box: a title, a picture or simple shapes, an author line."""
+    """Return the front of a book or box with a title, a picture or simple shapes, and an author."""
     image = canvas(128, 176, color)
     kind = int(rng.integers(7))
     height, ink = 0.2, readable_on(color)
@@ -481,14 +481,14 @@ def cover(rng: np.random.Generator, title: str, color: RGB, accent: RGB) -> Tile
 
 
 def pages(rng: np.random.Generator, color: RGB = (240, 234, 218)) -> Tile:
-    """The edge of a stack of sheets: fine lines along u."""
+    """Return the edge of a stack of sheets: fine lines along u."""
     shade = np.where(np.arange(32) % 2, -14.0, 4.0) + rng.uniform(-6, 6, 32)
     image = np.array(color) + np.repeat(shade[:, None, None], 32, 1)
     return np.clip(image, 0, 255).astype(np.uint8)
 
 
 def sheet(rng: np.random.Generator, *, picture: bool = False) -> Tile:
-    """A printed page: heading, paragraphs, maybe a picture."""
+    """Return a printed page with a heading, paragraphs and sometimes a picture."""
     image = canvas(128, 176, (246, 244, 238))
     lines(image, rng, (0.12, 0.08, 0.6, 0.05), 1, (50, 50, 60), 0.8)
     lines(image, rng, (0.12, 0.18, 0.76, 0.72), 22, (120, 120, 125))
@@ -507,7 +507,7 @@ def keys(
     width: int = 256,
     height: int = 96,
 ) -> Tile:
-    """A field of keys seen from above; each row lists the keys' relative widths."""
+    """Return a block of keys seen from above; each row lists the relative widths of its keys."""
     image = canvas(width, height, ground)
     for j, row in enumerate(rows):
         edges = np.cumsum([0.0, *row]) / sum(row)
@@ -532,7 +532,7 @@ QWERTY: tuple[tuple[float, ...], ...] = ((1,) * 15, (1,) * 13 + (2,), (1.5,) + (
 
 
 def clock_face(rng: np.random.Generator, ground: RGB, ink: RGB) -> Tile:
-    """An analogue clock face with ticks, figures and hands."""
+    """Return an analogue clock face with ticks, numerals and hands."""
     import cv2
 
     image = canvas(128, 128, ground)
@@ -550,7 +550,7 @@ def clock_face(rng: np.random.Generator, ground: RGB, ink: RGB) -> Tile:
 
 
 def pips(count: int, ground: RGB, ink: RGB) -> Tile:
-    """One face of a die."""
+    """Return one face of a die."""
     image = canvas(64, 64, ground)
     places = {1: [(0, 0)], 2: [(-1, -1), (1, 1)], 3: [(-1, -1), (0, 0), (1, 1)],
               4: [(-1, -1), (1, -1), (-1, 1), (1, 1)], 5: [(-1, -1), (1, -1), (-1, 1), (1, 1),
@@ -563,7 +563,7 @@ def pips(count: int, ground: RGB, ink: RGB) -> Tile:
 
 
 def rule(length_cm: int, ground: RGB, ink: RGB) -> Tile:
-    """The scale of a ruler, along u."""
+    """Return the scale of a ruler along u."""
     image = canvas(256, 32, ground)
     for mm in range(length_cm * 10 + 1):
         tall = 0.55 if mm % 10 == 0 else 0.4 if mm % 5 == 0 else 0.0 if length_cm > 20 else 0.25
@@ -573,7 +573,7 @@ def rule(length_cm: int, ground: RGB, ink: RGB) -> Tile:
 
 
 def mesh_holes(color: RGB, hole: RGB, rows: int = 12, columns: int = 12) -> Tile:
-    """A perforated grille."""
+    """Return a perforated grille."""
     y, x = np.mgrid[0:128, 0:128] / 128
     dots: Float[np.ndarray, "h w"] = np.hypot((x * columns) % 1 - 0.5, (y * rows) % 1 - 0.5)
     image = canvas(128, 128, color)
@@ -584,9 +584,9 @@ def mesh_holes(color: RGB, hole: RGB, rows: int = 12, columns: int = 12) -> Tile
 def wrap(
     look: Look, title: str, color: RGB, ground: RGB, *, fronts: int = 1, share: float = 0.3
 ) -> Tile:
-    """A print to go round a packet; the title's panel takes ``share`` of the way round.
+    """Return a print that wraps around a packet; ``share`` is the relative width of its front.
 
-    One front lies in the middle (u = 0.5), a second one opposite.
+    The first front, with the title, is in the middle (u = 0.5), the second one opposite.
     """
     image = canvas(320, 160, ground)
     lines(image, look.rng, (0.06, 0.28, 0.13, 0.5), 7, tint_color(color, 0.7))
@@ -606,13 +606,13 @@ def wrap(
 
 
 def turned_to(tile: Tile, u: float) -> Tile:
-    """Return a wrap-round print with its front moved from u = 0.5 to ``u``."""
+    """Return a wrap-round print moved so that its front is at ``u`` instead of u = 0.5."""
     return np.roll(tile, round((u - 0.5) * tile.shape[1]), axis=1)
 
 
 def word_plate(text: str, ground: RGB, ink: RGB, size: float = 0.3, wide: int = 128, tall: int = 64
           ) -> Tile:  # fmt: skip
-    """Return a plate with one word on it."""
+    """Return a plate printed with one word."""
     image = canvas(wide, tall, ground)
     write(image, text, 0.5, 0.5, size, ink, bold=True)
     return image

@@ -1,4 +1,4 @@
-"""Shapes, categories, and the decorators that turn a drawing function into one.
+"""Shapes, categories, and the decorators that make a category from a drawing function.
 
 A drawing function takes a ``Look`` and returns a ``Shape`` in metres that stands on z = 0.
 """
@@ -45,7 +45,7 @@ MARGIN = 2
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A solid and the texture tile its [0, 1]^2 shows."""
+    """A solid and the texture tile that its texture coordinates refer to."""
 
     solid: Solid
     tile: Tile
@@ -53,9 +53,9 @@ class Piece:
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """An object as its category's function makes it, in metres, standing on z = 0.
+    """An object as drawn by its category's function, in metres, standing on z = 0.
 
-    ``slots`` are the places that a holder has, in metres.
+    ``slots`` are the slots of a holder, in metres.
     """
 
     pieces: tuple[Piece, ...]
@@ -64,7 +64,7 @@ class Shape:
     slots: tuple[Slot, ...] = ()
 
     def scale(self, factor: float) -> Shape:
-        """Return the shape enlarged by ``factor``."""
+        """Return the shape scaled by ``factor``."""
         return replace(
             self,
             pieces=tuple(Piece(p.solid.scale(factor, factor, factor), p.tile) for p in self.pieces),
@@ -79,9 +79,9 @@ def shape(
     opacity: float = 1.0,
     slots: Sequence[Slot] = (),
 ) -> Shape:
-    """Return a shape from (solid, tile) pairs, convex parts and places for things.
+    """Return a shape from (solid, tile) pairs, convex parts and slots for other objects.
 
-    What dips below z = 0 is pressed flat there.
+    Points of the solids below z = 0 are flattened onto it.
     """
     flat = tuple(Piece(_press(s), t) for s, t in pieces)
     return Shape(flat, tuple(parts), opacity, tuple(slots))
@@ -112,7 +112,7 @@ def mesh_of(made: Shape) -> Mesh:
     vertices, faces, uv, count = [], [], [], 0
     for piece, k in zip(made.pieces, which, strict=True):
         span = np.array([tiles[k].shape[1], tiles[k].shape[0]], float)
-        at = piece.solid.uv * (span - 1) + 0.5  # from centre to centre of the rim's pixels
+        at = piece.solid.uv * (span - 1) + 0.5  # map to the centres of the outermost pixels
         low = np.array([corners[k, 0], size[1] - corners[k, 1] - span[1]])
         vertices.append(piece.solid.vertices)
         faces.append(piece.solid.faces + count)
@@ -124,10 +124,11 @@ def mesh_of(made: Shape) -> Mesh:
 
 
 def pack(tiles: Sequence[Tile]) -> tuple[UInt8[np.ndarray, "h w 3"], Int[np.ndarray, "n 2"]]:
-    """Pack tiles on shelves into one picture whose sides are multiples of 8.
+    """Pack tiles into rows of one picture whose sides are multiples of 8.
 
-    Returns the picture and each tile's upper left pixel (column, row); around each tile its rim
-    is repeated ``MARGIN`` pixels wide. What stays free shows the tiles' mean colour.
+    Returns the picture and the upper left pixel (column, row) of each tile. The border pixels of
+    each tile are repeated in a margin of ``MARGIN`` pixels. Free space has the mean colour of the
+    tiles.
     """
     sizes = np.array([[t.shape[1], t.shape[0]] for t in tiles]) + 2 * MARGIN
     width = int(max(sizes[:, 0].max(), np.sqrt(np.prod(sizes, axis=1).sum())))
@@ -157,10 +158,10 @@ Pieces = list[tuple[Solid, Tile]]
 def put_down(
     pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0, foot: float = 0.0
 ) -> Shape:
-    """Return a shape of pieces whose convex parts are the hulls of ``bodies`` (else all pieces).
+    """Return a shape of pieces; its parts are the hulls of ``bodies`` (by default of all pieces).
 
-    What lies under z = 0 is pressed flat there, so that round things get a foot. ``foot`` sets the
-    lowest share of each part that is near the ground down on it: what is round and lies stays.
+    Points below z = 0 are flattened onto it, which gives round objects a flat base. ``foot`` is
+    the lowest fraction of each part that is also flattened, so that round objects do not roll.
     """
     solids = bodies or tuple(solid for solid, _ in pieces)
     low = max(min(float(solid.bounds[0, 2]) for solid, _ in pieces), 0.0)
@@ -169,7 +170,7 @@ def put_down(
 
 
 def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.ndarray:
-    """Return points, the lowest ``share`` of the height above ``low`` moved down to it."""
+    """Lower the points in the lowest fraction ``share`` of the height above ``low`` to ``low``."""
     made = points.copy()
     made[made[:, 2] < low + share * (made[:, 2].max() - low), 2] = low
     return made
@@ -178,9 +179,9 @@ def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.
 def settle(
     pieces: Pieces, flat: float = 0.06, *, hulls: Sequence[Sequence[int]] | None = None
 ) -> Shape:
-    """Return pieces put down on the table, the lowest share ``flat`` of them pressed flat.
+    """Return pieces placed on the table, with the fraction ``flat`` of their height flattened.
 
-    ``hulls`` names the pieces that each collision part holds; one part of all by default.
+    ``hulls`` lists the pieces in each collision part; by default one part contains all.
     """
     low = min(float(s.bounds[0, 2]) for s, _ in pieces)
     high = max(float(s.bounds[1, 2]) for s, _ in pieces)
@@ -196,7 +197,7 @@ def serve(
     glaze: Tile,
     food: Iterable[tuple[Solid, Tile]],
 ) -> Shape:
-    """Return food on a dish; the dish is one collision part, the food another."""
+    """Return food on a dish; the dish and the food are one collision part each."""
     food = list(food)
     return shape([(dish, glaze), *food], [hull_above(dish), hull_above(*(s for s, _ in food))])
 
@@ -220,14 +221,14 @@ def vessel_shape(
     opacity: float = 1.0,
     fine: int = 28,
 ) -> Shape:
-    """Return an open vessel with further pieces, and with parts of their own for ``bodies``."""
+    """Return an open vessel with extra pieces and with one more collision part for each body."""
     made, parts = open_vessel(profile, wall, bottom, fine)
     more: tuple[ConvexPart, ...] = tuple(hull_part(above(b.vertices)) for b in bodies)
     return shape([(made, tile), *extra], (*parts, *more), opacity).scale(factor)
 
 
 def keep_still(draw: ShapeFunction) -> ShapeFunction:
-    """Put each variant on a thin flat part under most of its length, so that it cannot roll."""
+    """Add a thin flat collision part below most of each variant, so that it cannot roll."""
 
     @wraps(draw)
     def make(look: Look) -> Shape:
@@ -242,7 +243,7 @@ def keep_still(draw: ShapeFunction) -> ShapeFunction:
 
 
 def settle_shape(thing: Shape) -> Shape:
-    """Return a shape turned onto the side nearest to its underside on which it does not tip."""
+    """Return a shape rotated onto the stable side closest to its current underside."""
     from scipy.spatial import ConvexHull
 
     points = np.concatenate([part.vertices for part in thing.parts])
@@ -272,7 +273,7 @@ def _center(thing: Shape) -> np.ndarray:
 
 
 def _turn_down(normal: np.ndarray) -> np.ndarray:
-    """Return the smallest rotation that turns a unit vector to point straight down."""
+    """Return the smallest rotation that makes a unit vector point straight down."""
     axis = np.cross(normal, [0, 0, -1])
     sine, cosine = float(np.linalg.norm(axis)), float(-normal[2])
     if sine < 1e-9:
@@ -283,7 +284,7 @@ def _turn_down(normal: np.ndarray) -> np.ndarray:
 
 
 def _margin(ground: np.ndarray, center: np.ndarray) -> float:
-    """Return how far inside the hull of ``ground`` (n, 2) a point is; below 0 outside."""
+    """Return the distance of a point inside the hull of ``ground`` (n, 2); negative outside."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -296,13 +297,13 @@ def _margin(ground: np.ndarray, center: np.ndarray) -> float:
 def from_pieces(
     *, foot: float = 0.0, bodies: Bodies = None, spread: float = 0.1, opacity: float = 1.0
 ) -> Callable[[Drawing], ShapeFunction]:
-    """Turn a function that returns pieces into one that returns a shape.
+    """Make a shape function from a function that returns pieces.
 
     Args:
-        foot: the lowest share of each convex part that is pressed flat.
-        bodies: how many of the first pieces collide, or which ones; None stands for all.
-        spread: by how much variants are larger and smaller.
-        opacity: of the whole object.
+        foot: the lowest fraction of each convex part that is flattened.
+        bodies: the number of leading pieces that collide, or their indices; None means all.
+        spread: the range by which variants differ in size.
+        opacity: the opacity of the whole object.
     """
 
     def decorate(draw: Drawing) -> ShapeFunction:
@@ -321,7 +322,7 @@ def from_pieces(
 
 
 def in_sizes(spread: float) -> Callable[[ShapeFunction], ShapeFunction]:
-    """Make variants larger and smaller by up to ``spread``."""
+    """Scale each variant by a random factor between 1 - ``spread`` and 1 + ``spread``."""
 
     def decorate(draw: ShapeFunction) -> ShapeFunction:
         @wraps(draw)
@@ -335,7 +336,7 @@ def in_sizes(spread: float) -> Callable[[ShapeFunction], ShapeFunction]:
 
 
 def vary(sizes: float = 0.15, shades: float = 0.12) -> Callable[[ShapeFunction], ShapeFunction]:
-    """Make variants also differ in size and shade, by up to these shares."""
+    """Also vary the size and shade of variants by up to these fractions."""
 
     def decorate(draw: ShapeFunction) -> ShapeFunction:
         @wraps(draw)
@@ -353,7 +354,7 @@ def vary(sizes: float = 0.15, shades: float = 0.12) -> Callable[[ShapeFunction],
 
 
 def at_rest(draw: ShapeFunction) -> ShapeFunction:
-    """Turn each variant onto the stable side nearest to its underside."""
+    """Rotate each variant onto the stable side closest to its underside."""
 
     @wraps(draw)
     def make(look: Look) -> Shape:
@@ -367,27 +368,27 @@ def at_rest(draw: ShapeFunction) -> ShapeFunction:
 
 @dataclass(frozen=True, eq=False)
 class Category:
-    """One kind of object: how it is drawn, and the facts about it.
+    """A kind of object: its drawing function and its properties.
 
     Attributes:
-        key: unique name, also part of the seeds ("soup_can").
+        key: unique name, which also seeds the variants ("soup_can").
         shape: draws one variant in metres.
-        size: nominal extent (length x, depth y, height z) in metres in its everyday state.
+        size: nominal extent (length x, depth y, height z) in metres in the usual pose.
         mass: kilograms at the nominal size.
         material: one of ``FRICTION``.
-        hollow: walls of constant thickness: mass grows with the surface area, not the volume.
-        assembled: made of parts; all variants weigh about the same.
-        friction: sliding friction coefficient; None takes the material's.
+        hollow: walls have constant thickness: mass grows with the surface area, not the volume.
+        assembled: made of parts; all variants have about the same mass.
+        friction: sliding friction coefficient; by default that of the material.
         aliases: other names, singular.
-        themes: scenes it belongs to; the first one is the folder of its module.
-        roles: "container" (holds things), "support" (carries things), "flat", "tall", "round" (no
+        themes: themes of scenes with this object; the first one is the folder of its module.
+        roles: "container" (holds objects), "support" (carries objects), "flat", "tall", "round" (no
             front), "big" (too wide for a small gripper), "edible", "screen".
         colors: usual colours.
-        state: how it stands or lies.
-        noun: name in a sentence; the key in words if left out.
-        opened: key of the open or empty variant that takes contents in its place.
-        holder: the row of places of a rack.
-        common: random tables draw from common objects only.
+        state: how the object stands or lies.
+        noun: name in a sentence; by default the key with spaces.
+        opened: key of the open or empty variant to use when something is put inside.
+        holder: the row of slots of a rack.
+        common: random tables use only common objects.
     """
 
     key: str
@@ -422,30 +423,30 @@ class Category:
 
     @property
     def sliding_friction(self) -> float:
-        """Sliding friction coefficient, by default the material's."""
+        """The sliding friction coefficient, by default that of the material."""
         return FRICTION[self.material] if self.friction is None else self.friction
 
     @property
     def growth(self) -> float:
-        """Exponent of a variant's box volume in its mass."""
+        """The exponent of a variant's relative box volume in its mass."""
         if self.assembled or self.material == "device":
             return 0.0
         return 2 / 3 if self.hollow else 1.0
 
     @property
     def container(self) -> bool:
-        """Whether things can be put into it."""
+        """Whether objects can be put into it."""
         return "container" in self.roles
 
     @property
     def ball(self) -> bool:
-        """Whether it is round and about as wide as high, so that it rolls."""
+        """Whether it is round and about as wide as it is high, so that it rolls."""
         full = "round" in self.roles and not self.container
         return full and max(self.size) < 1.3 * min(self.size)
 
     @property
     def density(self) -> float:
-        """Effective density of a likeness that fills two fifths of its box, kg/m^3."""
+        """The effective density of a generated mesh that fills two fifths of its box, in kg/m^3."""
         return float(np.clip(self.mass / (0.4 * np.prod(self.size)), 20.0, 8000.0))
 
 

@@ -1,9 +1,9 @@
-"""Watertight solids: boxes, prisms, solids of revolution, tubes, all special cases of a loft.
+"""Watertight solids: boxes, prisms, solids of revolution and tubes, all built as lofts.
 
-Every solid is closed once vertices at the same position are merged, and its faces turn
-counter-clockwise seen from outside. Vertices repeat along texture seams and sharp edges. Lengths
-are metres, angles radians. Texture coordinates lie in [0, 1]^2, u to the right and v upwards for
-a viewer who looks at the face from outside.
+Every solid is closed once vertices at the same position are merged, and its faces are
+counter-clockwise seen from outside. Vertices are duplicated along texture seams and sharp edges.
+Lengths are in metres, angles in radians. Texture coordinates lie in [0, 1]^2, with u to the right
+and v upwards for a viewer who looks at the face from outside.
 """
 
 from __future__ import annotations
@@ -44,30 +44,30 @@ class Solid:
 
     @property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """Lowest and highest corner."""
+        """The lowest and the highest corner of the bounding box."""
         return np.stack([self.vertices.min(0), self.vertices.max(0)])
 
     @property
     def volume(self) -> float:
-        """Enclosed volume, cubic metres."""
+        """The enclosed volume in cubic metres."""
         return signed_volume(self.vertices, self.faces)
 
     @property
     def area(self) -> float:
-        """Surface area, square metres."""
+        """The surface area in square metres."""
         a, b, c = self.vertices[self.faces].transpose(1, 0, 2)
         return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2
 
     def move(self, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
-        """Return the solid shifted."""
+        """Return the solid translated."""
         return Solid(self.vertices + np.array([x, y, z]), self.faces, self.uv)
 
     def scale(self, x: float, y: float, z: float) -> Solid:
-        """Return the solid stretched along the axes by positive factors."""
+        """Return the solid scaled along the axes by positive factors."""
         return Solid(self.vertices * np.array([x, y, z]), self.faces, self.uv)
 
     def turn(self, axis: int, angle: float) -> Solid:
-        """Return the solid turned about the x (0), y (1) or z (2) axis through the origin."""
+        """Return the solid rotated about the x (0), y (1) or z (2) axis through the origin."""
         c, s = float(np.cos(angle)), float(np.sin(angle))
         i, j = (axis + 1) % 3, (axis + 2) % 3
         vertices = self.vertices.copy()
@@ -76,23 +76,26 @@ class Solid:
         return Solid(vertices, self.faces, self.uv)
 
     def bend(self, warp: Callable[[Float[np.ndarray, "n 3"]], Float[np.ndarray, "n 3"]]) -> Solid:
-        """Return the solid with its vertices moved by ``warp``, which must keep it embedded."""
+        """Return the solid with its vertices moved by ``warp``.
+
+        The result must not intersect itself.
+        """
         return Solid(warp(self.vertices.copy()), self.faces, self.uv)
 
     def paint(self, low: tuple[float, float], high: tuple[float, float]) -> Solid:
-        """Return the solid using only the rectangle ``low`` to ``high`` of its texture."""
+        """Return the solid with its texture restricted to a rectangle from ``low`` to ``high``."""
         corner, span = np.array(low), np.array(high) - np.array(low)
         return Solid(self.vertices, self.faces, corner + self.uv * span)
 
 
 def signed_volume(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> float:
-    """Return the volume a closed mesh encloses; positive when its faces look outwards."""
+    """Return the volume that a closed mesh encloses; positive if its faces point outwards."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
 def join(solids: Sequence[Solid]) -> Solid:
-    """Return several solids as one (they keep their own closed surfaces)."""
+    """Return several solids as one; their surfaces stay separate."""
 
     def add(a: Solid, b: Solid) -> Solid:
         return Solid(np.concatenate([a.vertices, b.vertices]), np.concatenate([a.faces, b.faces
@@ -103,7 +106,7 @@ def join(solids: Sequence[Solid]) -> Solid:
 
 
 def refine(solid: Solid) -> Solid:
-    """Return the solid with every triangle split in four, so that it bends smoothly."""
+    """Return the solid with every triangle split into four, so that it bends smoothly."""
     v, f, uv = solid.vertices, solid.faces, solid.uv
     pairs = np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]])
     ends = np.sort(pairs, axis=1)
@@ -119,7 +122,7 @@ def refine(solid: Solid) -> Solid:
 
 
 def _lanes(points: Float[np.ndarray, "k d"], closed: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Return point indices with sharp corners doubled, and which neighbours span a surface."""
+    """Return point indices with sharp corners duplicated, and which neighbours span a surface."""
     ring = np.concatenate([points, points[:1]]) if closed else points
     steps = np.diff(ring, axis=0)
     lengths = np.linalg.norm(steps, axis=1, keepdims=True)
@@ -136,7 +139,7 @@ def _lanes(points: Float[np.ndarray, "k d"], closed: bool) -> tuple[np.ndarray, 
 
 
 def _along(points: Float[np.ndarray, "k d"]) -> Float[np.ndarray, "k"]:
-    """Return the arc length of each point of a polyline as a fraction of the whole."""
+    """Return the arc length up to each point of a polyline as a fraction of the total."""
     lengths = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     return lengths / lengths[-1] if lengths[-1] > 0 else np.linspace(0, 1, len(points))
 
@@ -145,7 +148,7 @@ _OUTLINE = "The outline crosses itself or turns clockwise; give a simple counter
 
 
 def _triangles(outline: Float[np.ndarray, "k 2"]) -> Int[np.ndarray, "m 3"]:
-    """Triangulate a simple counter-clockwise polygon by clipping ears."""
+    """Triangulate a simple counter-clockwise polygon by ear clipping."""
 
     def cross(o: np.ndarray, a: np.ndarray, b: np.ndarray) -> Any:
         return (a[..., 0] - o[..., 0]) * (b[..., 1] - o[..., 1]) - (a[..., 1] - o[..., 1]) * (
@@ -194,12 +197,12 @@ def loft(
 ) -> Solid:
     """Return the solid through a stack of rings.
 
-    Each ring is closed and turns counter-clockwise seen from the last ring's side. ``outline`` is
-    the ring flattened, used to close the two ends and to find sharp edges; None means that the
-    ends have shrunk to a point (nothing to close) and that rings are smooth. ``profile`` is the
-    curve along which the rings run (default: through their first points). ``v`` gives each
-    ring's texture height, for a loop the first ring's again at its end; u goes once round.
-    ``loop`` joins the last ring to the first.
+    Each ring is closed and counter-clockwise seen from the last ring's side. ``outline`` is the
+    flattened ring that closes the two ends and determines sharp edges; None means that the ends
+    shrink to a point and the rings are smooth. ``profile`` is the curve along which the rings run
+    (default: through their first points). ``v`` is the vertical texture coordinate of each ring;
+    a loop needs one more value, for the first ring, at the end. u runs once around. ``loop``
+    joins the last ring to the first.
     """
     rings = np.asarray(rings, float)
     if loop:
@@ -233,16 +236,16 @@ def loft(
 
 
 def outward(solid: Solid) -> Solid:
-    """Return the solid with its faces looking outwards."""
+    """Return the solid with its faces pointing outwards."""
     faces = solid.faces if solid.volume > 0 else solid.faces[:, ::-1]
     return Solid(solid.vertices, faces, solid.uv)
 
 
 def prism(outline: Any, low: float, high: float, bevel: float = 0.0) -> Solid:
-    """Return ``outline`` (counter-clockwise) raised from z ``low`` to ``high``.
+    """Return ``outline`` (counter-clockwise) extruded from z ``low`` to ``high``.
 
-    ``bevel`` chamfers the upper and lower rim; the outline must then be convex. The texture is
-    laid flat on top and bottom and wrapped round the side.
+    ``bevel`` chamfers the upper and lower edges; the outline must then be convex. The texture lies
+    flat on the top and bottom and wraps around the side.
     """
     outline = np.asarray(outline, float)
     if bevel <= 0:
@@ -254,14 +257,14 @@ def prism(outline: Any, low: float, high: float, bevel: float = 0.0) -> Solid:
 
 
 def box(x: float, y: float, z: float) -> Solid:
-    """Return a box standing on z = 0, centred in x and y; each face shows the whole texture."""
+    """Return a box on z = 0, centred in x and y; each face shows the whole texture."""
     unit = _unit_box()
     return Solid(unit.vertices * [x, y, z] + [0, 0, z / 2], unit.faces, unit.uv)
 
 
 @cache
 def _unit_box() -> Solid:
-    """Return the box of side 1 about the origin."""
+    """Return a unit cube centred at the origin."""
     corner = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) / 2
     frames = [  # outward normal, direction of u, direction of v
         ([0, -1, 0], [1, 0, 0], [0, 0, 1]),
@@ -279,12 +282,12 @@ def _unit_box() -> Solid:
 
 
 def block(x: float, y: float, z: float, radius: float, bevel: float = 0.0, steps: int = 4) -> Solid:
-    """Return a box standing on z = 0 with rounded upright edges and chamfered rims."""
+    """Return a box on z = 0 with rounded vertical edges and chamfered rims."""
     return prism(rectangle(x, y, radius, steps), 0, z, bevel)
 
 
 def open_box(x: float, y: float, z: float, wall: float, bottom: float) -> list[Solid]:
-    """Return an open box standing on z = 0: a bottom and four walls."""
+    """Return an open box on z = 0: a bottom and four walls."""
     side = box(wall, y, z - bottom).move(z=bottom)
     front = box(x - 2 * wall, wall, z - bottom).move(z=bottom)
     return [box(x, y, bottom), side.move(x=-(x - wall) / 2), side.move(x=(x - wall) / 2),
@@ -294,12 +297,12 @@ def open_box(x: float, y: float, z: float, wall: float, bottom: float) -> list[S
 def lathe(
     profile: Any, segments: int = 32, *, v: Sequence[float] | None = None, loop: bool = False
 ) -> Solid:
-    """Return the solid that ``profile`` (k points of radius, z) sweeps about the z axis.
+    """Return the solid of revolution of ``profile`` (k points of radius, z) about the z axis.
 
     The profile starts and ends on the axis (radius 0), or with ``loop`` is a closed curve away
-    from it. Walking along it, the material is on the left (counter-clockwise): from the middle of
-    the bottom outwards, up the outside, and back down the inside of anything hollow. u goes round
-    (0.5 faces the viewer at -y), v along the profile or as given for each point.
+    from it. It is counter-clockwise, with the material on its left: from the centre of the bottom
+    outwards, up the outside, and back down the inside of hollow objects. u runs around (0.5 faces
+    the viewer at -y), v along the profile or as given for each point.
     """
     profile = np.asarray(profile, float)
     angles = np.pi / 2 + 2 * np.pi * np.arange(segments) / segments
@@ -314,7 +317,7 @@ def lathe(
 def cylinder(
     radius: float, height: float, segments: int = 24, *, top: float | None = None, bevel: float = 0
 ) -> Solid:
-    """Return a cylinder standing on z = 0, or a cone whose upper radius is ``top``."""
+    """Return a cylinder on z = 0, or a cone whose upper radius is ``top``."""
     upper = radius if top is None else top
     unit = ellipse(2, 2, segments, np.pi / 2)
     radii, heights = [radius, upper], [0.0, height]
@@ -334,7 +337,7 @@ def ellipsoid(x: float, y: float, z: float, segments: int = 24, rings: int = 14)
 
 
 def torus(radius: float, tube: float, segments: int = 28, sides: int = 10) -> Solid:
-    """Return a ring about z, centred at the origin; ``tube`` is its tube's radius."""
+    """Return a torus about z, centred at the origin; ``tube`` is the radius of its tube."""
     return lathe(ellipse(2 * tube, 2 * tube, sides) + np.array([radius, 0.0]), segments, loop=True)
 
 
@@ -343,8 +346,8 @@ def tube(
 ) -> Solid:
     """Return a round rod along ``path`` (k points), closed at its ends.
 
-    ``radius`` is a number or one per point; ``squash`` flattens the section: its height relative
-    to its width, where the width lies as level as the path allows.
+    ``radius`` is a number or one per point. ``squash`` is the ratio of height to width of the
+    section, whose width stays as level as the path allows.
     """
     section = ellipse(2, 2 * squash, sides)
     return sweep(path, section, radius, loop=loop)
@@ -353,7 +356,7 @@ def tube(
 def sweep(
     path: Any, section: Float[np.ndarray, "m 2"], scale: Any = 1.0, *, loop: bool = False
 ) -> Solid:
-    """Return ``section`` (width, height; counter-clockwise) carried along ``path`` and scaled."""
+    """Return ``section`` (width, height; counter-clockwise) swept and scaled along ``path``."""
     path = np.asarray(path, float)
     ways = np.roll(path, -1, 0) - np.roll(path, 1, 0) if loop else np.gradient(path, axis=0)
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)

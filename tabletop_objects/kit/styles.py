@@ -1,6 +1,6 @@
-"""Drawing styles and requested colours, applied to a finished shape of any category.
+"""Drawing styles and requested colours, applied to the finished shape of any category.
 
-A style rewrites a shape in metres: its solids, its tiles and, where solids grow, its convex parts.
+A style changes a shape in metres: its solids, its tiles and, if solids grow, its convex parts.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ _LIGHT = np.array([-0.45, -0.55, 0.7])
 
 
 def apply_style(made: Shape, style: str) -> Shape:
-    """Return a shape in a style: one of ``STYLES``, in any case, "_" or "-"; "" leaves it.
+    """Return a shape in one of the ``STYLES``, in any case, with "_" or "-"; "" changes nothing.
 
     Raises:
-        InputError: there is no such style.
+        InputError: the style is unknown.
     """
     word = style.lower().replace("_", "-").strip()
     if word in ("", "plain"):
@@ -57,7 +57,7 @@ def apply_style(made: Shape, style: str) -> Shape:
 
 
 def flatten(tile: Tile, colors: int, saturation: float = 1.0, lightness: float = 1.0) -> Tile:
-    """Return a tile in at most ``colors`` flat colours without fine detail, made more vivid."""
+    """Return a tile with at most ``colors`` flat, more vivid colours and no fine detail."""
     from PIL import Image, ImageFilter
 
     picture = Image.fromarray(np.ascontiguousarray(tile))
@@ -71,14 +71,14 @@ def flatten(tile: Tile, colors: int, saturation: float = 1.0, lightness: float =
 
 
 def cartoon(made: Shape) -> Shape:
-    """Return a shape with rounded edges, thicker limbs and few saturated colours."""
+    """Return a shape with rounded edges, thicker solids and a few saturated colours."""
     reach = max(np.ptp(np.concatenate([p.solid.vertices for p in made.pieces]), axis=0))
     budget = MAX_FACES
     counts = [len(p.solid.faces) for p in made.pieces]
     pieces = []
     for k, piece in enumerate(made.pieces):
         soft = piece.solid
-        if _closed(_weld(soft)[1][soft.faces]):  # a side of a cube alone cannot be rounded
+        if _closed(_weld(soft)[1][soft.faces]):  # open surfaces cannot be rounded
             share = budget - sum(counts[k + 1 :])
             fine = _refined_within(soft, 2 * ROUNDER * reach, share)
             soft = _press_flat(_thicken(_round(fine, ROUNDER * reach), THICKER * reach))
@@ -91,7 +91,7 @@ def cartoon(made: Shape) -> Shape:
 
 
 def _refined_within(solid: Solid, edge: float, maximum: int) -> Solid:
-    """Split triangles with edges longer than ``edge``, up to ``maximum`` faces."""
+    """Return a solid with triangles split until edges are at most ``edge`` or faces ``maximum``."""
     for _ in range(3):
         p = solid.vertices[solid.faces]
         longest = np.linalg.norm(p - np.roll(p, 1, 1), axis=-1).max()
@@ -102,13 +102,13 @@ def _refined_within(solid: Solid, edge: float, maximum: int) -> Solid:
 
 
 def _weld(solid: Solid) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "n"]]:
-    """Return the distinct positions of a solid's vertices and which of them each vertex has."""
+    """Return the distinct vertex positions of a solid, and the index of each vertex among them."""
     points, index = np.unique(solid.vertices.round(7) + 0.0, axis=0, return_inverse=True)
     return points, index.reshape(-1)
 
 
 def _round(solid: Solid, radius: float) -> Solid:
-    """Return a solid relaxed towards its neighbours' mean, its box kept, at most by ``radius``."""
+    """Return a smoothed solid in the same bounding box; vertices move by at most ``radius``."""
     points, index = _weld(solid)
     faces = index[solid.faces]
     a, b, c = (points[faces[:, k]] for k in range(3))
@@ -131,7 +131,7 @@ def _round(solid: Solid, radius: float) -> Solid:
 def _fit(
     points: Float[np.ndarray, "k 3"], like: Float[np.ndarray, "n 3"]
 ) -> Float[np.ndarray, "k 3"]:
-    """Stretch points to the bounds of others."""
+    """Scale points to the bounding box of others."""
     low, span = points.min(0), np.ptp(points, axis=0)
     ratio = np.ptp(like, axis=0) / np.where(span > 1e-9, span, 1)
     return like.min(0) + (points - low) * ratio
@@ -151,7 +151,7 @@ def _thicken(solid: Solid, thickness: float) -> Solid:
 
 
 def _press_flat(solid: Solid) -> Solid:
-    """Press flat what went below z = 0."""
+    """Flatten points below z = 0 onto it."""
     return solid.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
 
 
@@ -161,7 +161,7 @@ def _grow(
     low: Float[np.ndarray, "3"],
     high: Float[np.ndarray, "3"],
 ) -> ConvexPart:
-    """Return a part larger by ``by`` on each side, kept within a box."""
+    """Return a part enlarged by ``by`` on each side, clipped to a box."""
     first, last = part.bounds
     middle, span = (first + last) / 2, np.maximum(last - first, 1e-6)
     grown = middle + (part.vertices - middle) * (1 + 2 * by / span)
@@ -169,12 +169,12 @@ def _grow(
 
 
 def low_poly(made: Shape) -> Shape:
-    """Return a shape of coarse facets, each in one flat colour."""
+    """Return a shape of coarse facets with one flat colour each."""
     return Shape(tuple(_facet(piece) for piece in made.pieces), made.parts, made.opacity)
 
 
 def _facet(piece: Piece) -> Piece:
-    """Return a piece decimated and painted facet by facet, or merely flattened if it is simple."""
+    """Return a piece decimated with one colour per facet; a simple piece keeps its solid."""
     solid = piece.solid
     tile = flatten(piece.tile, 3, 1.25, 1.04)
     span = np.sort(np.ptp(solid.vertices, axis=0))
@@ -199,7 +199,7 @@ def _facet(piece: Piece) -> Piece:
 
 
 def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
-    """Return a coarser closed solid in the same box, and for each face the nearest old one."""
+    """Return a coarser closed solid in the same box, and the nearest original face of each face."""
     import fast_simplification
     from scipy.spatial import KDTree
 
@@ -221,7 +221,7 @@ def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
 def _away(
     points: Float[np.ndarray, "k 3"], v: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> float:
-    """Return how far the farthest of ``points`` lies from a surface, roughly."""
+    """Return the approximate distance from a surface to the farthest of ``points``."""
     from scipy.spatial import KDTree
 
     steps = np.linspace(0, 1, 9)
@@ -233,7 +233,7 @@ def _away(
 def _places(
     points: Float[np.ndarray, "k 3"], faces: Int[np.ndarray, "m 3"], reach: float
 ) -> Float[np.ndarray, "m 6"]:
-    """Return where faces are and which way they look, weighed against each other."""
+    """Return the centres of faces and their weighted normals, for nearest-neighbour queries."""
     a, b, c = (points[faces[:, k]] for k in range(3))
     ways = np.cross(b - a, c - a)
     ways /= np.maximum(np.linalg.norm(ways, axis=1, keepdims=True), 1e-20)
@@ -241,7 +241,7 @@ def _places(
 
 
 def _closed(faces: Int[np.ndarray, "m 3"]) -> bool:
-    """Whether each edge is met as often forwards as backwards."""
+    """Return whether each edge occurs equally often in both directions."""
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
     count = int(edges.max()) + 1
     there, back = edges @ np.array([count, 1]), edges @ np.array([1, count])
@@ -273,9 +273,9 @@ _CONTRAST = 0.6
 
 
 def show_color(made: Shape, word: str) -> Shape:
-    """Return a shape that shows a colour: where too little of it does, the largest tile is painted.
+    """Return a shape that visibly has a colour: the largest tile is painted if too little shows it.
 
-    A word that is no colour changes nothing.
+    The shape is unchanged if ``word`` does not name a colour.
     """
     asked = rgb(word)
     if asked is None:
@@ -295,7 +295,7 @@ def show_color(made: Shape, word: str) -> Shape:
 
 
 def _share(tile: Tile, color: RGB) -> float:
-    """Return the share of a tile that is about of a colour, lighter and darker ones included."""
+    """Return the fraction of a tile in about the given colour, in lighter or darker tones too."""
     pixels, asked = tile.reshape(-1, 3).astype(float), np.array(color)
     tones, tone = pixels - pixels.mean(1, keepdims=True), asked - asked.mean()
     strength, wanted = np.linalg.norm(tones, axis=1), float(np.linalg.norm(tone))

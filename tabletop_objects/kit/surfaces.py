@@ -1,7 +1,8 @@
-"""Colours, texture tiles and ``Look``, the seeded choices of one variant.
+"""Colours, texture tiles, and ``Look``, the seeded choices of one variant.
 
-Tiles are small ``uint8`` RGB images, row 0 at the top (v = 1), sides a power of two between 8 and
-256 pixels. Every function is pure: the same arguments and generator state give the same bytes.
+Tiles are small ``uint8`` RGB images with row 0 at the top (v = 1); their sides are powers of two
+between 8 and 256 pixels. Every function is pure: the same arguments and generator state give the
+same bytes.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ COLORS: Mapping[str, RGB] = MappingProxyType({"white": (240, 238, 233), "cream":
 
 
 def rgb(word: str) -> RGB | None:
-    """Return the colour a word or phrase ("dark blue") names, or None when it names none."""
+    """Return the colour that a word or phrase ("dark blue") names, or None."""
     words = word.lower().replace("-", " ").split()
     named = [COLORS[w] for w in words if w in COLORS]
     if not named:
@@ -58,14 +59,14 @@ def rgb(word: str) -> RGB | None:
 
 
 def tint_color(color: RGB, factor: float) -> RGB:
-    """Return ``color`` darkened (factor below 1) or lightened towards white (above 1, up to 2)."""
+    """Return ``color`` darkened (factor below 1) or lightened towards white (from 1 to 2)."""
     c = np.array(color, float)
     c = c * factor if factor <= 1 else c + (252 - c) * (factor - 1)
     return float(c[0]), float(c[1]), float(c[2])
 
 
 def readable_on(color: RGB) -> RGB:
-    """Return black or white, whichever can be read on ``color``."""
+    """Return black or white, whichever is readable on ``color``."""
     return (250, 250, 247) if sum(color) < 380 else (35, 35, 40)
 
 
@@ -77,7 +78,7 @@ def _tile(image: Float[np.ndarray, "h w 3"]) -> Tile:
 
 
 def _resize(image: np.ndarray, height: int, width: int) -> np.ndarray:
-    """Resample smoothly along both axes."""
+    """Resample an image smoothly along both axes."""
     rows = np.linspace(0, image.shape[0] - 1, height)
     columns = np.linspace(0, image.shape[1] - 1, width)
     r, c = (
@@ -104,12 +105,12 @@ def noise(
 
 
 def plain(color: RGB) -> Tile:
-    """One flat colour."""
+    """Return a tile of one flat colour."""
     return _tile(np.broadcast_to(np.array(color), (8, 8, 3)).astype(float))
 
 
 def speckles(rng: np.random.Generator, color: RGB, amount: float = 6.0, side: int = 64) -> Tile:
-    """A surface with soft unevenness: plastic, painted metal, ceramic, skin of fruit."""
+    """Return a slightly uneven surface: plastic, painted metal, ceramic or the skin of fruit."""
     shade = noise(rng, side, side, (5, 5), 2) * amount
     return _tile(np.array(color) + shade[..., None])
 
@@ -117,7 +118,7 @@ def speckles(rng: np.random.Generator, color: RGB, amount: float = 6.0, side: in
 def spots(
     rng: np.random.Generator, color: RGB, spots: RGB, share: float = 0.02, side: int = 128
 ) -> Tile:
-    """A glaze or crust with fine spots of another colour over a ``share`` of it."""
+    """Return a glaze or crust with fine spots of another colour over the fraction ``share``."""
     image = np.array(color) + noise(rng, side, side, (4, 4), 2)[..., None] * 5
     mask = noise(rng, side, side, (side // 3, side // 3), 1)
     mask = mask > np.quantile(mask, 1 - share)
@@ -127,7 +128,7 @@ def spots(
 def wood(
     rng: np.random.Generator, color: RGB, *, grain: float = 1.0, side: int = 128, planks: int = 0
 ) -> Tile:
-    """Wood with its grain along u; ``planks`` draws that many boards."""
+    """Return wood with its grain along u, divided into ``planks`` boards."""
     rows = np.linspace(0, 1, side)[:, None]
     wave = noise(rng, side, side, (5, 2), 2)
     rings = np.sin(2 * np.pi * (9 * rows + 1.1 * wave + 3 * rng.random()))
@@ -143,7 +144,7 @@ def wood(
 
 
 def marble(rng: np.random.Generator, color: RGB, vein: RGB, side: int = 128) -> Tile:
-    """Polished stone with thin veins."""
+    """Return polished stone with thin veins."""
     y, x = np.mgrid[0 : 1 : side * 1j, 0 : 1 : side * 1j]
     angle = rng.uniform(0.4, 1.1)
     warp = noise(rng, side, side, (4, 4), 4)
@@ -154,7 +155,7 @@ def marble(rng: np.random.Generator, color: RGB, vein: RGB, side: int = 128) -> 
 
 
 def brushed_metal(rng: np.random.Generator, color: RGB, side: int = 64) -> Tile:
-    """Brushed metal, the strokes along u, with one soft glint."""
+    """Return brushed metal with strokes along u and one soft highlight."""
     strokes = noise(rng, side, side, (side // 2, 2), 1) * 9
     glint = 18 * np.cos(np.linspace(-2.5, 2.5, side))[None, :]
     return _tile(np.array(color) + (strokes + glint)[..., None])
@@ -163,7 +164,7 @@ def brushed_metal(rng: np.random.Generator, color: RGB, side: int = 64) -> Tile:
 def fabric(
     rng: np.random.Generator, color: RGB, other: RGB | None = None, threads: int = 32
 ) -> Tile:
-    """Woven cloth; ``other`` gives every second stripe of a check its colour."""
+    """Return woven cloth; ``other`` is the second colour of a checked pattern."""
     side = 128
     y, x = np.mgrid[0:side, 0:side]
     weave = 9 * np.sin(2 * np.pi * x * threads / side) * np.sin(2 * np.pi * y * threads / side)
@@ -175,7 +176,7 @@ def fabric(
 
 
 def basketwork(rng: np.random.Generator, color: RGB, strands: int = 12) -> Tile:
-    """Basketwork: flat strands going over and under each other."""
+    """Return basketwork: flat strands woven over and under each other."""
     side = 96
     y, x = np.mgrid[0:side, 0:side] * strands / side
     over = (np.floor(x) + np.floor(y)) % 2 > 0
@@ -185,7 +186,7 @@ def basketwork(rng: np.random.Generator, color: RGB, strands: int = 12) -> Tile:
 
 
 def cardboard(rng: np.random.Generator, color: RGB = (188, 148, 100)) -> Tile:
-    """Corrugated board with parcel tape across the middle."""
+    """Return corrugated cardboard with parcel tape across the middle."""
     side = 128
     flutes = 4 * np.sin(np.arange(side) * 2 * np.pi / 8)[None]
     image = np.array(color) + (flutes + noise(rng, side, side, (6, 6), 3) * 7)[..., None]
@@ -197,7 +198,7 @@ def cardboard(rng: np.random.Generator, color: RGB = (188, 148, 100)) -> Tile:
 def stripes(
     colors: Sequence[RGB], counts: int = 1, *, upright: bool = False, side: int = 64
 ) -> Tile:
-    """Bands of ``colors`` from the bottom up (or left to right), repeated ``counts`` times."""
+    """Return stripes of ``colors``, upwards or from left to right, repeated ``counts`` times."""
     index = (np.arange(side) * len(colors) * counts // side) % len(colors)
     line = np.array(colors, float)[index]
     image = np.broadcast_to(line[None] if upright else line[::-1, None], (side, side, 3))
@@ -205,7 +206,7 @@ def stripes(
 
 
 def stack(*bands: tuple[Tile, float], side: int = 128) -> Tile:
-    """Put tiles above each other, from the bottom up, each with its share of the height."""
+    """Stack tiles from the bottom up, each with its fraction of the height."""
     total = sum(share for _, share in bands)
     edges = np.round(np.cumsum([0.0] + [share for _, share in bands]) / total * side).astype(int)
     width = max(tile.shape[1] for tile, _ in bands)
@@ -217,14 +218,14 @@ def stack(*bands: tuple[Tile, float], side: int = 128) -> Tile:
 
 
 def fit(tile: Tile, height: int, width: int) -> Tile:
-    """Resample a tile by nearest pixels."""
+    """Resample a tile with nearest-neighbour interpolation."""
     rows = (np.arange(height) + 0.5) * tile.shape[0] / height
     columns = (np.arange(width) + 0.5) * tile.shape[1] / width
     return tile[rows.astype(int)][:, columns.astype(int)]
 
 
 def gradient(bottom: RGB, top: RGB, rng: np.random.Generator, amount: float = 5.0) -> Tile:
-    """Blend two colours from the bottom up, slightly uneven: ripe fruit, glazes, sunsets."""
+    """Blend two colours from the bottom up, slightly unevenly: ripe fruit, glazes and sunsets."""
     side = 64
     t = np.linspace(1, 0, side)[:, None] + 0.12 * noise(rng, side, side, (4, 4), 2)
     t = np.clip(t, 0, 1)[..., None]
@@ -233,7 +234,7 @@ def gradient(bottom: RGB, top: RGB, rng: np.random.Generator, amount: float = 5.
 
 
 def grid(line: RGB, ground: RGB, rows: int, columns: int, side: int = 128, width: int = 1) -> Tile:
-    """A ruled sheet: ``rows`` by ``columns`` cells; 0 leaves that direction unruled."""
+    """Return a ruled sheet of ``rows`` by ``columns`` cells; 0 means no lines in that direction."""
     image = np.broadcast_to(np.array(ground, float), (side, side, 3)).copy()
     for k in range(1, rows):
         image[k * side // rows : k * side // rows + width] = line
@@ -243,7 +244,7 @@ def grid(line: RGB, ground: RGB, rows: int, columns: int, side: int = 128, width
 
 
 def knitting(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
-    """Strands of yarn wound in slanted rows."""
+    """Return strands of yarn wound in slanted rows."""
     side = 128
     y, x = np.mgrid[0:side, 0:side] / side
     phase = 2 * np.pi * (rows * y + 2 * np.sin(2 * np.pi * x) + rng.random())
@@ -251,7 +252,7 @@ def knitting(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
 
 
 def scratches(rng: np.random.Generator, color: RGB, strokes: RGB, count: int = 60) -> Tile:
-    """Short slanted strokes on a ground: bread crust, fur, grass, bristles."""
+    """Return a surface with short slanted strokes, for bread crust, fur, grass and bristles."""
     side = 128
     image = np.broadcast_to(np.array(color, float), (side, side, 3)).copy()
     image += noise(rng, side, side, (6, 6), 3)[..., None] * 8
@@ -267,7 +268,7 @@ def scratches(rng: np.random.Generator, color: RGB, strokes: RGB, count: int = 6
 
 
 def leaf(rng: np.random.Generator, color: RGB) -> Tile:
-    """A leaf: dark green with a pale middle rib along v and side veins."""
+    """Return a dark green leaf with a pale midrib along v and side veins."""
     side = 64
     y, x = np.mgrid[0:side, 0:side] / side
     rib = np.exp(-(((x - 0.5) / 0.03) ** 2))
@@ -286,7 +287,7 @@ SIZE_FACTORS: Mapping[str, float] = {"tiny": 0.65, "mini": 0.7, "small": 0.8, "l
 
 
 def size_factor(attributes: Mapping[str, str]) -> float:
-    """Return the factor of the attribute "size" on an extent; 1 without a known size word."""
+    """Return the scale factor of the attribute "size"; 1 if it has no known size word."""
     words = attributes.get("size", "").lower().split()
     return next((SIZE_FACTORS[word] for word in words if word in SIZE_FACTORS), 1.0)
 
@@ -311,20 +312,20 @@ METALS: Mapping[str, RGB] = {"steel": (176, 180, 186), "stainless": (186, 190, 1
 
 @dataclass(frozen=True, eq=False)
 class Look:
-    """The random generator of one variant and the attributes asked for.
+    """The random generator and the requested attributes of one variant.
 
-    Draw numbers first and in a fixed order, so that a seed always gives the same variant.
+    Draw random numbers first and in a fixed order, so that a seed always gives the same variant.
     """
 
     rng: np.random.Generator
     attributes: Mapping[str, str]
 
     def between(self, low: float, high: float) -> float:
-        """Return a uniform number."""
+        """Return a uniform random number between ``low`` and ``high``."""
         return float(self.rng.uniform(low, high))
 
     def pick(self, options: Sequence[T]) -> T:
-        """Return one of ``options``, all equally likely."""
+        """Return one of ``options`` with equal probability."""
         return options[int(self.rng.integers(len(options)))]
 
     def chance(self, probability: float) -> bool:
@@ -333,11 +334,11 @@ class Look:
 
     @property
     def material(self) -> str:
-        """The material word asked for, lower case, or an empty string."""
+        """The requested material in lower case, or an empty string."""
         return self.attributes.get("material", "").lower()
 
     def color(self, *palette: str, spread: float = 8.0) -> RGB:
-        """Return the colour asked for, else one named in ``palette``, slightly varied."""
+        """Return the requested colour, or a random one from ``palette``, slightly varied."""
         choice = self.pick(palette)
         drift = self.rng.uniform(-spread, spread, 3)
         asked = rgb(self.attributes.get("color", ""))
@@ -348,13 +349,13 @@ class Look:
         return float(r), float(g), float(b)
 
     def own_color(self, *palette: str, spread: float = 6.0) -> RGB:
-        """Return a colour of ``palette``, whatever colour was asked for (details, screws)."""
+        """Return a colour from ``palette`` for a detail, independent of the requested colour."""
         return Look(self.rng, {}).color(*palette, spread=spread)
 
     def surface(self, color: RGB, default: str = "plastic") -> Tile:
-        """Return a tile of the material asked for (else ``default``) in ``color``.
+        """Return a tile of the requested material (by default ``default``) in ``color``.
 
-        A wood or metal word brings its own colour unless one was asked for as well.
+        A requested wood or metal has its usual colour unless a colour is also requested.
         """
         asked = self.material
         word = asked or default
@@ -376,14 +377,14 @@ class Look:
 
 
 def streaks(rng: np.random.Generator, color: RGB, other: RGB, count: int = 18) -> Tile:
-    """Return a skin with soft upright streaks of ``other``."""
+    """Return a skin with soft vertical streaks of ``other``."""
     wave = noise(rng, 96, 96, (2, count), 2)
     mix = np.clip(0.5 + wave, 0, 1)[..., None] * 0.8
     return np.clip(np.array(color) * (1 - mix) + np.array(other) * mix, 0, 255).astype(np.uint8)
 
 
 def speck(image: Tile, rng: np.random.Generator, color: RGB, count: int, side: int = 3) -> Tile:
-    """Return a tile with ``count`` specks of ``color`` scattered over it: seeds, crumbs, chips."""
+    """Return a tile with ``count`` scattered specks of ``color``: seeds, crumbs or chips."""
     made = image.copy()
     h, w = made.shape[:2]
     for _ in range(count):

@@ -1,4 +1,4 @@
-"""Clocks (bedroom)."""
+"""Objects of the ``bedroom`` theme: clocks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("radio alarm clock", "digital clock", "digital alarm clock", "radio clock",
           "led clock"), themes=("bedroom",), colors=("black",))  # fmt: skip
 def clock_radio(look: Look) -> Shape:
-    """A radio alarm clock with large lit figures."""
+    """A radio alarm clock with large illuminated digits."""
     k = look.between(0.9, 1.1)
     x, y, h = 0.17 * k, 0.09 * k, 0.06 * k
     color = look.color("black", "charcoal", "white", "wooden", "gray", "cream")

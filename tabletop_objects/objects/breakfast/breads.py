@@ -1,4 +1,4 @@
-"""Breads (breakfast)."""
+"""Objects of the ``breakfast`` theme: breads."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DARK: RGB = (150, 94, 46)
 
 
 def crust(look: Look, dark: RGB = DARK, amount: float = 0.7) -> surfaces.Tile:
-    """Return baked crust, or the colour asked for."""
+    """Return a baked crust, or a crust in the requested colour."""
     return skin(look, tint_color(look.color("amber", "copper", "tan"), 0.95), dark, amount)
 
 
@@ -26,7 +26,7 @@ def crust(look: Look, dark: RGB = DARK, amount: float = 0.7) -> surfaces.Tile:
           themes=("breakfast", "dining"), roles=("edible",), colors=("beige",),
           state="lying flat")  # fmt: skip
 def ciabatta(look: Look) -> Shape:
-    """A flat, floury slipper of bread."""
+    """A flat, floury ciabatta loaf."""
     x, y = look.between(0.21, 0.26), look.between(0.09, 0.11)
     body = pad(x, y, look.between(0.045, 0.055), 0.04, soft=0.7)
     flour = skin(look, look.color("beige", "tan"), (240, 228, 204), 1.4)
@@ -38,7 +38,7 @@ def ciabatta(look: Look) -> Shape:
           themes=("breakfast", "dining"), roles=("edible", "flat"), colors=("amber",),
           state="lying flat")  # fmt: skip
 def focaccia(look: Look) -> Shape:
-    """A square of flat bread with dimples, rosemary and tomatoes."""
+    """A square of focaccia with dimples, rosemary and tomatoes."""
     x = look.between(0.17, 0.21)
     slab = pad(x, 0.8 * x, 0.032, 0.02, soft=0.5)
     dots, herbs, red = [], [], []
@@ -62,7 +62,7 @@ def focaccia(look: Look) -> Shape:
           themes=("breakfast", "dining"), roles=("edible", "big"), colors=("amber",),
           state="lying flat")  # fmt: skip
 def bloomer(look: Look) -> Shape:
-    """A plump loaf with slanted cuts across its crust."""
+    """A plump bloomer loaf with slanted cuts across its crust."""
     long, r = look.between(0.22, 0.27), look.between(0.052, 0.06)
     bread = bent_rod(long, r, blunt=3.5, squash=0.8)
     cuts = [ellipsoid(0.09, 0.012, 0.012, 12, 6).turn(2, 0.9).move(x=u * long, z=0.78 * r)
@@ -76,7 +76,7 @@ def bloomer(look: Look) -> Shape:
           "zopf"), themes=("breakfast", "dining"), roles=("edible", "big"), colors=("copper",),
           state="lying flat")  # fmt: skip
 def challah(look: Look) -> Shape:
-    """A braided loaf with seeds."""
+    """A braided challah loaf with seeds."""
     long, r = look.between(0.24, 0.29), look.between(0.02, 0.023)
     t = np.linspace(0, 1, 50)
     thick = r * np.sqrt(np.maximum(1 - np.abs(2 * t - 1) ** 4, 0.08))
@@ -97,7 +97,7 @@ def challah(look: Look) -> Shape:
           aliases=("grissini", "grissino", "bread stick"), themes=("breakfast", "dining"),
           roles=("edible",), colors=("amber",), state="lying flat")  # fmt: skip
 def breadstick(look: Look) -> Shape:
-    """A thin crisp stick of bread."""
+    """A thin, crisp breadstick."""
     long, r = look.between(0.19, 0.23), look.between(0.006, 0.0075)
     t = np.linspace(-0.5, 0.5, 30)
     path = np.column_stack([long * t, 0.0015 * np.sin(22 * t), 0 * t])
@@ -109,7 +109,7 @@ def breadstick(look: Look) -> Shape:
           aliases=("english muffin", "pikelet", "buttered crumpet"), themes=("breakfast",),
           roles=("edible", "flat", "round"), colors=("amber",), state="lying flat")  # fmt: skip
 def crumpet(look: Look) -> Shape:
-    """A thick round, its top full of holes."""
+    """A thick, round crumpet with a top full of holes."""
     r, h = look.between(0.043, 0.05), look.between(0.02, 0.024)
     body = cylinder(r, h, 30, bevel=0.004)
     top = surfaces.spots(look.rng, look.color("tan", "amber"), (150, 92, 46), 0.25)
@@ -146,7 +146,7 @@ def _crust(look: Look) -> surfaces.Tile:
           "piece of bread", "toasted bread", "toast slice"), themes=("breakfast", "kitchen"),
           roles=("edible", "flat", "support"), colors=("tan",), state="lying flat")  # fmt: skip
 def toast(look: Look) -> Shape:
-    """A slice of toasted bread lying flat, its crust darker than its crumb."""
+    """A slice of toast lying flat, with a crust darker than its crumb."""
     side = [(-0.9, -1), (0.9, -1), (0.94, 0.3), (1.06, 0.55), (0.95, 0.92), (0.5, 1.04),
             (0, 0.97)]  # fmt: skip
     half = np.array(side + [(-x, y) for x, y in side[2:6][::-1]], float)
@@ -164,7 +164,7 @@ def toast(look: Look) -> Shape:
           aliases=("bun", "dinner roll", "burger bun", "bread bun"), themes=("breakfast", "dining"),
           roles=("edible", "round"), colors=("amber",))  # fmt: skip
 def bread_roll(look: Look) -> Shape:
-    """A round roll with a cut across its top."""
+    """A round bread roll with a cut across its top."""
     r, h = look.between(0.04, 0.05), look.between(0.045, 0.058)
     dome = lathe([(0, 0), (0.8 * r, 0), (r, 0.28 * h), (0.9 * r, 0.62 * h), (0.5 * r, 0.94 * h),
                   (0, h)], 26)  # fmt: skip
@@ -183,7 +183,7 @@ def bread_roll(look: Look) -> Shape:
           aliases=("sesame bagel", "poppy seed bagel", "simit"), themes=("breakfast",),
           roles=("edible", "round", "flat"), colors=("amber",), state="lying flat")  # fmt: skip
 def bagel(look: Look) -> Shape:
-    """A ring of bread with seeds on it."""
+    """A ring-shaped bagel with seeds on top."""
     r, t = look.between(0.031, 0.036), look.between(0.018, 0.021)
     ring = torus(r, t, 30, 12).scale(1, 1, 0.85)
     color = look.pick([(246, 232, 190), (50, 46, 48)])

@@ -1,4 +1,4 @@
-"""Foods (breakfast)."""
+"""Objects of the ``breakfast`` theme: dishes and other food."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def scrambled_eggs(look: Look) -> Shape:
           "white pudding"), themes=("breakfast",), roles=("edible", "round", "flat"),
           colors=("black",), state="lying flat")  # fmt: skip
 def black_pudding(look: Look) -> Shape:
-    """A round slice of black pudding with pale fat in it."""
+    """A round slice of black pudding with pieces of pale fat."""
     r, h = look.between(0.027, 0.033), look.between(0.012, 0.016)
     color = look.color("black", "charcoal", "maroon")
     tile = speck(surfaces.speckles(look.rng, tint_color(color, 0.9), 6), look.rng, (206, 190, 176),
@@ -72,7 +72,7 @@ def black_pudding(look: Look) -> Shape:
           "bowl of muesli", "bowl of granola", "muesli", "granola", "cornflakes"),
           themes=("breakfast",), roles=("edible", "round"), colors=("white", "sky"))  # fmt: skip
 def bowl_of_cereal(look: Look) -> Shape:
-    """A bowl of cereal in milk with a spoon in it."""
+    """A bowl of cereal in milk with a spoon."""
     r, h, dish, tile = filled_bowl(look, "white", "sky", "pink", "yellow", "navy")
     milk = pool(r, 0.4 * h, 0.8 * h)
     kind = look.pick(["rings", "flakes", "balls"])
@@ -121,7 +121,7 @@ def oatmeal(look: Look) -> Shape:
           themes=("breakfast", "dining"), roles=("edible",), colors=("brown",),
           state="lying flat")  # fmt: skip
 def sausage(look: Look) -> Shape:
-    """A bent grilled sausage lying, its tied ends showing."""
+    """A curved grilled sausage lying flat, with its tied ends visible."""
     long, r = look.between(0.115, 0.145), look.between(0.0125, 0.0155)
     bend = look.between(0.006, 0.022)
     body = bent_rod(long, r, bend=bend, blunt=8)
@@ -159,7 +159,7 @@ def bacon(look: Look) -> Shape:
           aliases=("sunny side up egg", "egg sunny side up"), themes=("breakfast",),
           roles=("edible", "flat", "round"), colors=("yellow",), state="lying flat")  # fmt: skip
 def fried_egg(look: Look) -> Shape:
-    """A fried egg lying flat, its yolk up."""
+    """A fried egg lying flat, yolk up."""
     r = look.between(0.045, 0.055)
     ring = ellipse(2, 2, 36)
     turn = np.arctan2(ring[:, 1], ring[:, 0])
@@ -237,7 +237,7 @@ def pancakes(look: Look) -> Shape:
           "bottle of syrup", "maple syrup jug"), themes=("breakfast", "kitchen"), roles=("tall",),
           colors=("brown", "amber"))  # fmt: skip
 def maple_syrup(look: Look) -> Shape:
-    """A flat flask of maple syrup with a ring handle at its neck and a leaf on its label."""
+    """A flat bottle of maple syrup with a ring handle at its neck and a leaf on its label."""
     r, h = look.between(0.038, 0.046), look.between(0.16, 0.2)
     color = look.color("brown", "maroon", "amber", "bronze", "copper")
     syrup = tint_color(color, 0.75)
@@ -267,7 +267,7 @@ def maple_syrup(look: Look) -> Shape:
 
 
 def _panel(look: Look, title: str, color: RGB, ground: RGB, size: tuple[int, int]) -> surfaces.Tile:
-    """Return a front of a box: a title on a curved band over its ground."""
+    """Return the front of a box with a title on a curved band."""
     image = prints.canvas(*size, ground)
     prints.disc(image, 0.5, 1.1, 0.75, tint_color(color, 1.35))
     prints.fill(image, 0, 0.2, 1, 0.4, color)
@@ -280,7 +280,7 @@ def _panel(look: Look, title: str, color: RGB, ground: RGB, size: tuple[int, int
           aliases=("cream cheese box", "box of cream cheese", "soft cheese", "cheese spread",
           "cream cheese tub"), themes=("breakfast", "kitchen"), colors=("blue",))  # fmt: skip
 def cream_cheese(look: Look) -> Shape:
-    """Cream cheese in a silvery brick-shaped box, or in a tub with a printed lid."""
+    """Cream cheese in a silvery box shaped like a brick, or in a tub with a printed lid."""
     color = look.color("blue", "navy", "sky", "green", "teal", "red")
     ground = look.pick([(246, 246, 244), (206, 210, 216), (228, 236, 244)])
     word = look.pick(["CREAM", "CHEESE", "CREAM CHEESE", "SPREAD"])
@@ -306,7 +306,7 @@ def cream_cheese(look: Look) -> Shape:
           "yogurt pot", "skyr", "yoghurt cup", "yogurt container"), themes=("breakfast", "kitchen"),
           roles=("round",), colors=("pink", "sky"))  # fmt: skip
 def yogurt(look: Look) -> Shape:
-    """A cup of yoghurt with a foil lid, fruit on its side; sometimes open."""
+    """A cup of yoghurt with a foil lid and fruit printed on its side, sometimes open."""
     r, h = look.between(0.034, 0.042), look.between(0.075, 0.1)
     color = look.color("pink", "sky", "violet", "green", "orange", "crimson", "yellow", "blue")
     image = prints.label(look.rng, look.pick(["YOGURT", "YOGHURT", "SKYR", "GREEK"]), color,
@@ -329,7 +329,7 @@ def yogurt(look: Look) -> Shape:
           aliases=("pot of honey", "honeypot"), themes=("breakfast",), roles=("round",),
           colors=("gold",))  # fmt: skip
 def honey_pot(look: Look) -> Shape:
-    """A bellied honey pot, HONEY on it, its dipper sticking out."""
+    """A bulbous honey pot with the word HONEY on its front and a honey dipper sticking out."""
     r, h = look.between(0.045, 0.055), look.between(0.085, 0.105)
     color = look.color("gold", "yellow", "cream", "terracotta", "white")
     image = prints.canvas(256, 128, color)

@@ -1,4 +1,4 @@
-"""Tableware (breakfast)."""
+"""Objects of the ``breakfast`` theme: tableware."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ CHINA = ("white", "white", "cream", "sky", "navy", "sage", "terracotta", "black"
           aliases=("butter box", "butter keeper"), themes=("breakfast", "dining"),
           colors=("white", "sky"))  # fmt: skip
 def butter_dish(look: Look) -> Shape:
-    """A butter dish: a flat tray under a lid with a knob."""
+    """A butter dish: a flat tray covered by a lid with a knob."""
     x, y, h = look.between(0.15, 0.175), look.between(0.09, 0.105), look.between(0.055, 0.065)
     color = look.color(*CHINA)
     plain = look.surface(color, "ceramic")
@@ -43,7 +43,7 @@ def butter_dish(look: Look) -> Shape:
           aliases=("eggcup", "egg holder", "egg stand"), themes=("breakfast",),
           roles=("container", "round"), colors=("white", "yellow"))  # fmt: skip
 def egg_cup(look: Look) -> Shape:
-    """An egg cup on its foot."""
+    """An egg cup on a foot."""
     r, h = look.between(0.031, 0.034), look.between(0.054, 0.064)
     tile, plain = china(look, "white", "yellow", "sky", "red", "mint", "wooden", "pink")
     side = [(0.42 * r, 0.45 * h), (0.8 * r, 0.58 * h), (0.97 * r, 0.8 * h), (r, h)]
@@ -60,7 +60,7 @@ def egg_cup(look: Look) -> Shape:
           aliases=("toast holder",), themes=("breakfast",), colors=("silver",),
           opened="empty_toast_rack")  # fmt: skip
 def toast_rack(look: Look) -> Shape:
-    """A rack of hoops on a base for toast, a few slices in it."""
+    """A toast rack with hoops on a base and a few slices of toast in it."""
     x, y, h = look.between(0.15, 0.18), look.between(0.08, 0.095), look.between(0.09, 0.105)
     color = look.color("silver", "silver", "black", "copper", "white", "wooden")
     skin = look.surface(color, "metal")
@@ -89,14 +89,14 @@ def toast_rack(look: Look) -> Shape:
     return shape(pieces, parts)
 
 
-_PLAY = 0.003  # metres of room in a place beside the thing
+_PLAY = 0.003  # clearance in a slot beside the object, metres
 
 
 @category("empty_toast_rack", size=(0.108, 0.097, 0.101), mass=0.3, material="metal",
           aliases=("empty toast holder",), themes=("breakfast",), colors=("silver",),
           holder=Holder("edge", (0.04, 0.16, 0.16)))  # fmt: skip
 def empty_toast_rack(look: Look) -> Shape:
-    """A rack of hoops on a base, empty."""
+    """An empty toast rack with hoops on a base."""
     count, (a, b, c) = read_request(look, 4, (0.0144, 0.116, 0.116))
     color = look.color("silver", "silver", "black", "copper", "white", "wooden")
     skin = look.surface(color, "metal")

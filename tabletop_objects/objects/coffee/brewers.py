@@ -1,4 +1,4 @@
-"""Brewers (coffee)."""
+"""Objects of the ``coffee`` theme: brewers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ DARK: RGB = (38, 39, 43)
           "italian coffee maker"), themes=("coffee", "kitchen"), roles=("tall",),
           colors=("silver", "red"))  # fmt: skip
 def moka_pot(look: Look) -> Shape:
-    """An eight-sided stove-top espresso pot, waisted, its black handle to the right."""
+    """An eight-sided stove-top espresso pot with a waist and a black handle on the right."""
     k, h = look.between(0.85, 1.08), look.between(0.165, 0.21)
     color = look.color("silver", "silver", "silver", "red", "black", "copper", "teal", "white")
     lower, sides = look.surface(color, "metal"), look.pick([8, 8, 8, 28])
@@ -55,7 +55,7 @@ def moka_pot(look: Look) -> Shape:
           "capsule machine"), themes=("coffee", "kitchen"), roles=("tall", "big"),
           colors=("silver", "red"))  # fmt: skip
 def espresso_machine(look: Look) -> Shape:
-    """An espresso machine: group and filter holder over a drip tray, steam wand, cups on top."""
+    """An espresso machine with a filter holder, a drip tray, a steam wand and cups on top."""
     x, y, h = look.between(0.22, 0.3), look.between(0.25, 0.3), look.between(0.28, 0.33)
     color = look.color("silver", "silver", "red", "black", "cream", "mint", "white")
     skin, dark = look.surface(color, "metal"), surfaces.plain(DARK)
@@ -95,7 +95,7 @@ def espresso_machine(look: Look) -> Shape:
           aliases=("coffee mill", "grinder", "hand grinder", "burr grinder"),
           themes=("coffee", "kitchen"), roles=("tall",), colors=("wooden", "black"))  # fmt: skip
 def coffee_grinder(look: Look) -> Shape:
-    """A coffee grinder: a wooden mill with a crank and a drawer, or an electric one."""
+    """A wooden coffee mill with a crank and a drawer, or an electric coffee grinder."""
     if look.chance(0.55):
         s, h = look.between(0.105, 0.13), look.between(0.1, 0.13)
         color = look.color("wooden", "brown", "tan", "maroon", "black", "teal")
@@ -145,7 +145,7 @@ COFFEE: RGB = (58, 34, 22)
           aliases=("paper filter", "filter paper", "paper coffee filter", "basket filter"),
           themes=("coffee",), roles=("container", "round"), colors=("white",))  # fmt: skip
 def coffee_filter(look: Look) -> Shape:
-    """A cone of filter paper opened and standing on its rim edge, or a fluted cup."""
+    """An open, fluted paper coffee filter."""
     r, h = look.between(0.05, 0.058), look.between(0.038, 0.048)
     color = look.color("white", "white", "tan")
     body, parts = open_vessel([(0.52 * r, 0), (r, h)], 0.0014, 0.0014, 60)
@@ -160,7 +160,7 @@ def coffee_filter(look: Look) -> Shape:
           "coffee cone"), themes=("coffee",), roles=("container", "round"),
           colors=("white",))  # fmt: skip
 def coffee_dripper(look: Look) -> Shape:
-    """A pour-over dripper: a ribbed cone on a flat foot with a handle, open above."""
+    """A pour-over coffee dripper: a ribbed cone with a handle on a flat foot, open at the top."""
     k = look.between(0.94, 1.08)
     color = look.color("white", "red", "black", "teal", "clear", "brown")
     r, h = 0.058 * k, 0.075 * k
@@ -185,7 +185,7 @@ def coffee_dripper(look: Look) -> Shape:
           colors=("wooden",))  # fmt: skip
 @vary()
 def chemex(look: Look) -> Shape:
-    """A Chemex: an hourglass of glass with a wooden collar, coffee in its lower half."""
+    """A Chemex: an hourglass-shaped glass carafe with a wooden collar, half full of coffee."""
     k = look.between(0.92, 1.08)
     color = look.color("wooden", "wooden", "brown", "black")
     r, h = 0.062 * k, 0.215 * k
@@ -214,7 +214,7 @@ def chemex(look: Look) -> Shape:
           aliases=("aero press", "plunger brewer"), themes=("coffee",), roles=("tall",),
           colors=("charcoal",))  # fmt: skip
 def aeropress(look: Look) -> Shape:
-    """A plunger in a ribbed cylinder with a flange and filter cap."""
+    """An AeroPress: a plunger in a ribbed cylinder with a flange and a filter cap."""
     k = look.between(0.94, 1.06)
     color = look.color("charcoal", "charcoal", "black", "gray", "clear")
     cap = cylinder(0.032, 0.014, 28, bevel=0.002)
@@ -237,7 +237,7 @@ def aeropress(look: Look) -> Shape:
           assembled=True, aliases=("tamper", "espresso tamper"), themes=("coffee",),
           colors=("wooden",))  # fmt: skip
 def coffee_tamper(look: Look) -> Shape:
-    """A coffee tamper: a heavy steel base with a turned handle."""
+    """A coffee tamper with a heavy steel base and a turned handle."""
     k = look.between(0.94, 1.06)
     color = look.color("wooden", "black", "red", "brown", "silver")
     base = lathe(
@@ -255,7 +255,7 @@ def coffee_tamper(look: Look) -> Shape:
           colors=("black",))  # fmt: skip
 @vary()
 def siphon_brewer(look: Look) -> Shape:
-    """A siphon brewer: two glass bulbs on a stand over a burner."""
+    """A siphon coffee maker with two glass bulbs on a stand over a burner."""
     k = look.between(0.94, 1.06)
     color = look.color("black", "brown", "wooden")
     foot = block(0.13, 0.1, 0.012, 0.02, 0.002)
@@ -303,7 +303,7 @@ def siphon_brewer(look: Look) -> Shape:
           aliases=("turkish coffee pot", "ibrik", "briki", "turkish pot"), themes=("coffee",),
           roles=("container",), colors=("copper",))  # fmt: skip
 def cezve(look: Look) -> Shape:
-    """A small pot for Turkish coffee with a long rising handle, open above."""
+    """A small pot for Turkish coffee with a long, rising handle, open at the top."""
     k = look.between(0.92, 1.1)
     color = look.color("copper", "copper", "brass", "silver")
     r, h = 0.038 * k, 0.072 * k
@@ -326,7 +326,7 @@ def cezve(look: Look) -> Shape:
           aliases=("arabic coffee pot", "arabian coffee pot", "brass coffee pot"),
           themes=("coffee",), roles=("tall",), colors=("gold",))  # fmt: skip
 def dallah(look: Look) -> Shape:
-    """An Arabic coffee pot: a waisted body, a tall pointed lid, a beak of a spout."""
+    """An Arabic coffee pot with a waisted body, a tall pointed lid and a beak-shaped spout."""
     k = look.between(0.92, 1.08)
     color = look.color("gold", "brass", "silver", "copper")
     body = lathe(np.maximum(smooth([(0, 0), (0.05, 0), (0.056, 0.01), (0.058, 0.05), (0.036, 0.1),
@@ -349,7 +349,7 @@ def dallah(look: Look) -> Shape:
           "tin coffee pot"), themes=("coffee",), roles=("tall",),
           colors=("silver", "navy"))  # fmt: skip
 def coffee_pot(look: Look) -> Shape:
-    """A tall enamel or steel coffee pot: a spout, a handle, a lid with a knob."""
+    """A tall enamel or steel coffee pot with a spout, a handle and a lid with a knob."""
     k = look.between(0.92, 1.08)
     color = look.color("silver", "navy", "white", "red", "teal", "copper")
     body = lathe(
@@ -377,7 +377,7 @@ def _steel(look: Look) -> surfaces.Tile:
           aliases=("coffee capsule", "coffee pad", "espresso capsule", "nespresso capsule"),
           themes=("coffee",), roles=("round",), colors=("gold",))  # fmt: skip
 def coffee_pod(look: Look) -> Shape:
-    """A capsule of coffee, foil side down."""
+    """A coffee capsule with its foil side down."""
     r, h = look.between(0.016, 0.019), look.between(0.025, 0.03)
     color = look.color("gold", "purple", "red", "blue", "green", "brown", "black", "silver")
     body = lathe([(0, 0), (1.12 * r, 0), (1.14 * r, 0.06 * h), (0.98 * r, 0.08 * h),
@@ -390,7 +390,7 @@ def coffee_pod(look: Look) -> Shape:
           aliases=("portafilter handle", "espresso handle", "filter holder"), themes=("coffee",),
           colors=("black",), state="lying flat")  # fmt: skip
 def portafilter(look: Look) -> Shape:
-    """A portafilter with ground coffee in its basket, its handle to the right."""
+    """A portafilter with ground coffee in its basket and its handle on the right."""
     r = look.between(0.032, 0.036)
     color = look.color("black", "wooden", "black", "brown", "white")
     steel = _steel(look)
@@ -416,7 +416,7 @@ def portafilter(look: Look) -> Shape:
           aliases=("frother", "electric frother", "milk foamer", "handheld frother", "milk warmer"),
           themes=("coffee",), colors=("black",), state="lying flat")  # fmt: skip
 def milk_frother(look: Look) -> Shape:
-    """A battery milk frother lying, its whisk to the left."""
+    """A battery-powered milk frother lying flat, with its whisk on the left."""
     long = look.between(0.21, 0.24)
     color = look.color("black", "silver", "white", "red", "copper", "mint")
     grip = limb([(0.02 * long, 0, 0), (0.06 * long, 0, 0), (0.2 * long, 0, 0), (0.46 * long, 0, 0),
@@ -431,7 +431,7 @@ def milk_frother(look: Look) -> Shape:
 
 
 def _spout(start: tuple[float, float], end: tuple[float, float], low: float, top: float) -> Solid:
-    """Return a curved spout in the x-z plane, ``low`` and ``top`` its radii, on the -x side."""
+    """Return a curved spout in the x-z plane on the -x side, with end radii ``low`` and ``top``."""
     (x0, z0), (x1, z1) = start, end
     path = smooth([(x0, 0, z0), (0.5 * (x0 + x1), 0, z0 + 0.25 * (z1 - z0)), (x1, 0, z1)], 4)
     return tube(path, np.linspace(low, top, len(path)), 10)
@@ -441,7 +441,7 @@ def _spout(start: tuple[float, float], end: tuple[float, float], low: float, top
           aliases=("tea pot", "pot of tea"), themes=("coffee", "dining", "kitchen"),
           colors=("white", "teal", "cream"), common=True)  # fmt: skip
 def teapot(look: Look) -> Shape:
-    """A teapot, round, tall or flat: spout to the left, handle to the right or over the top."""
+    """A round, tall or flat teapot with its spout on the left and a handle on the right or top."""
     r, h = look.between(0.062, 0.078), look.between(0.1, 0.125)
     color = look.color(*("white", "white", "teal", "cream", "navy", "terracotta", "black", "pink",
                          "sage"), *("mustard", "sky", "brown", "red"))  # fmt: skip
@@ -491,7 +491,7 @@ def teapot(look: Look) -> Shape:
           aliases=("coffee press", "cafetiere"), themes=("coffee", "kitchen"), roles=("tall",),
           colors=("silver", "black"), common=True)  # fmt: skip
 def french_press(look: Look) -> Shape:
-    """A coffee press: glass beaker with coffee, metal frame, plunger, handle to the right."""
+    """A French press: a glass beaker of coffee in a metal frame, with a plunger and a handle."""
     r, h = look.between(0.045, 0.052), look.between(0.15, 0.175)
     level = look.between(0.45, 0.75)
     coffee, clear = surfaces.plain((62, 38, 26)), surfaces.plain((206, 218, 220))

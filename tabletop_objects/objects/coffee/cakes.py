@@ -1,4 +1,4 @@
-"""Cakes (coffee)."""
+"""Objects of the ``coffee`` theme: cakes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .cookies import biscuit_slab
           state="lying flat")  # fmt: skip
 @vary()
 def madeleine(look: Look) -> Shape:
-    """A shell-shaped little sponge, its ribs up."""
+    """A small shell-shaped madeleine with its ribs up."""
     k = look.between(0.9, 1.1)
     shell = lobe(lathe([(0, 0), (0.026, 0), (0.024, 0.006), (0.014, 0.015), (0, 0.018)], 64), 22,
                  0.06)  # fmt: skip
@@ -36,7 +36,7 @@ def madeleine(look: Look) -> Shape:
           themes=("coffee", "tea"), roles=("edible", "round"), colors=("brown",))  # fmt: skip
 @vary()
 def teacake(look: Look) -> Shape:
-    """A chocolate-covered dome of marshmallow on a biscuit."""
+    """A teacake: a dome of marshmallow on a biscuit, covered with chocolate."""
     r = look.between(0.027, 0.032)
     dome = lathe([(0, 0), (r, 0), (r, 0.2 * r), (0.92 * r, 0.6 * r), (0.6 * r, 1.05 * r),
                   (0, 1.2 * r)], 26)  # fmt: skip
@@ -50,7 +50,7 @@ def teacake(look: Look) -> Shape:
           themes=("coffee", "tea"), roles=("edible", "round", "flat"),
           colors=("amber",))  # fmt: skip
 def eccles_cake(look: Look) -> Shape:
-    """A round flat currant cake with three cuts and sugar."""
+    """A round, flat currant cake with three cuts and sugar on top."""
     r, h = look.between(0.038, 0.044), look.between(0.022, 0.027)
     body = lathe([(0, 0), (0.85 * r, 0), (r, 0.4 * h), (0.85 * r, 0.85 * h), (0.4 * r, h), (0, h)],
                  26)  # fmt: skip
@@ -68,7 +68,7 @@ CREAM: RGB = (250, 244, 230)
           roles=("edible", "round"))  # fmt: skip
 @vary()
 def rum_baba(look: Look) -> Shape:
-    """A soaked ring or cork of sponge with cream on it."""
+    """A ring-shaped or cork-shaped soaked sponge cake with cream on top."""
     r, h = look.between(0.03, 0.036), look.between(0.036, 0.042)
     ring = lobe(lathe([(0, 0), (r, 0), (0.96 * r, 0.7 * h), (0.7 * r, h), (0, 0.9 * h)], 40), 10,
                 0.1)  # fmt: skip
@@ -85,7 +85,7 @@ PLATE = surfaces.plain((240, 240, 238))
 
 
 def _spiral(roll: RGB, fill: RGB) -> surfaces.Tile:
-    """Return the cut end of a roll: a spiral of sponge and cream."""
+    """Return the cut end of a roll: a spiral of sponge cake and cream."""
     y, x = np.mgrid[-1:1:96j, -1:1:96j]
     turn = (np.hypot(x, y) * 3.2 - np.arctan2(y, x) / (2 * np.pi)) % 1
     image = np.where((turn < 0.3)[..., None], np.array(fill), np.array(roll))
@@ -97,7 +97,7 @@ def _spiral(roll: RGB, fill: RGB) -> surfaces.Tile:
           themes=("coffee", "tea"), roles=("edible",), colors=("cream",),
           state="lying flat")  # fmt: skip
 def swiss_roll(look: Look) -> Shape:
-    """A rolled sponge, the spiral of jam and cream on its cut ends."""
+    """A Swiss roll with a spiral of jam and cream on its cut ends."""
     long, r = look.between(0.15, 0.19), look.between(0.036, 0.042)
     dark = look.chance(0.4)
     tone: RGB = (96, 58, 38) if dark else (232, 190, 116)
@@ -114,7 +114,7 @@ def swiss_roll(look: Look) -> Shape:
           aliases=("chocolate log", "buche de noel", "yule log cake", "christmas log"),
           themes=("coffee", "tea"), roles=("edible", "big"), state="lying flat")  # fmt: skip
 def yule_log(look: Look) -> Shape:
-    """A chocolate log with bark, a stub of a branch, holly and snow of sugar."""
+    """A chocolate yule log with bark, the stub of a branch, holly and icing sugar."""
     long, r = look.between(0.2, 0.24), look.between(0.038, 0.045)
     log = cylinder(r, long, 30).turn(1, np.pi / 2).move(x=-long / 2)
     stub = cylinder(0.6 * r, 0.05, 20).turn(1, 1.2).turn(2, 0.7).move(0.02, 0.2 * r, 0.3 * r)
@@ -137,7 +137,7 @@ def yule_log(look: Look) -> Shape:
           aliases=("battenberg cake", "battenburg", "chequered cake"), themes=("coffee", "tea"),
           roles=("edible",), colors=("yellow",))  # fmt: skip
 def battenberg(look: Look) -> Shape:
-    """A pink and yellow chequered cake in marzipan."""
+    """A pink and yellow chequered cake covered with marzipan."""
     long, x = look.between(0.12, 0.16), look.between(0.055, 0.065)
     image = prints.canvas(96, 96, (238, 206, 130))
     for i in range(2):
@@ -180,7 +180,7 @@ def bundt_cake(look: Look) -> Shape:
           colors=("red",))  # fmt: skip
 @vary()
 def victoria_sponge(look: Look) -> Shape:
-    """Two sponges with jam and cream between, sugar on top."""
+    """Two layers of sponge cake filled with jam and cream, dusted with sugar."""
     r, h = look.between(0.085, 0.1), look.between(0.03, 0.036)
     low, top = cylinder(r, h, 36, bevel=0.006), cylinder(r, h, 36, bevel=0.006).move(z=h + 0.014)
     jam = cylinder(0.98 * r, 0.006, 36).move(z=h - 0.001)
@@ -203,7 +203,7 @@ def victoria_sponge(look: Look) -> Shape:
           "strawberry cheesecake"), themes=("coffee", "tea"), roles=("edible",),
           colors=("red",))  # fmt: skip
 def cheesecake(look: Look) -> Shape:
-    """A slice of cheesecake: a dark crumb base, pale filling, fruit on top."""
+    """A slice of cheesecake with a dark crumb base, a pale filling and fruit on top."""
     r, h = look.between(0.11, 0.125), look.between(0.045, 0.055)
     edge = arc((0, 0), r, -0.28, 0.28, 8)
     wedge = np.concatenate([[(0.0, 0.0)], edge]) - [0.6 * r, 0]
@@ -226,7 +226,7 @@ def cheesecake(look: Look) -> Shape:
           themes=("coffee", "tea"), roles=("edible", "round"))  # fmt: skip
 @vary()
 def christmas_pudding(look: Look) -> Shape:
-    """A round dark fruit pudding with white sauce and holly, on a plate."""
+    """A round, dark Christmas pudding with white sauce and holly on a plate."""
     r = look.between(0.055, 0.065)
     plate = cylinder(1.45 * r, 0.007, 32, bevel=0.002)
     dome = lathe([(0, 0), (0.8 * r, 0), (r, 0.5 * r), (0.9 * r, 1.05 * r), (0.5 * r, 1.5 * r),
@@ -255,7 +255,7 @@ def christmas_pudding(look: Look) -> Shape:
           aliases=("cake lollipop",), themes=("coffee", "tea"), roles=("edible",), colors=("pink",),
           state="lying flat")  # fmt: skip
 def cake_pop(look: Look) -> Shape:
-    """A ball of cake glazed and sprinkled, on a stick, lying."""
+    """A glazed ball of cake with sprinkles on a stick, lying flat."""
     r = look.between(0.018, 0.021)
     color = look.color("pink", "brown", "white", "mint", "sky", "yellow")
     head = ball(2 * r, 2 * r, 2 * r, (0, 0, r), 20)
@@ -277,7 +277,7 @@ def cake_pop(look: Look) -> Shape:
           aliases=("christmas stollen", "stollen cake", "christstollen"), themes=("coffee",),
           roles=("edible", "big"), colors=("white",), state="lying flat")  # fmt: skip
 def stollen(look: Look) -> Shape:
-    """A folded fruit loaf under a coat of icing sugar, one slice cut off."""
+    """A folded fruit loaf covered with icing sugar, with one slice cut off."""
     long, r = look.between(0.19, 0.24), look.between(0.045, 0.052)
     body = bent_rod(long, r, blunt=5, squash=0.72)
     fold = bent_rod(0.92 * long, 0.62 * r, blunt=5, squash=0.7).move(y=-0.3 * r, z=0.42 * r)
@@ -291,7 +291,7 @@ def stollen(look: Look) -> Shape:
           aliases=("blueberry muffin", "chocolate muffin"), themes=("coffee",),
           roles=("edible", "round"), colors=("white", "brown"))  # fmt: skip
 def muffin(look: Look) -> Shape:
-    """A muffin in a pleated paper case, blueberries or chocolate in its dome."""
+    """A muffin with blueberries or chocolate in a pleated paper case."""
     r, h = look.between(0.032, 0.037), look.between(0.062, 0.074)
     case = lobe(lathe([(0, 0), (0.72 * r, 0), (r, 0.5 * h), (0, 0.5 * h)], 60), 30, 0.07)
     dome = lathe([(0, 0.46 * h), (1.06 * r, 0.47 * h), (1.24 * r, 0.6 * h), (1.1 * r, 0.8 * h),
@@ -308,7 +308,7 @@ def muffin(look: Look) -> Shape:
           aliases=("chocolate brownie", "brownie square"), themes=("coffee",),
           roles=("edible",))  # fmt: skip
 def brownie(look: Look) -> Shape:
-    """A square of brownie with a crackled top, walnuts in it."""
+    """A square brownie with a crackled top and walnuts."""
     x, h = look.between(0.055, 0.068), look.between(0.028, 0.034)
     dark = surfaces.spots(look.rng, (66, 38, 26), (40, 22, 16), 0.2)
     top = speck(surfaces.spots(look.rng, (104, 64, 42), (60, 34, 24), 0.25), look.rng,
@@ -319,7 +319,7 @@ def brownie(look: Look) -> Shape:
 
 
 def _wedge(r: float, angle: float, low: float, high: float) -> Solid:
-    """Return a slice of a round thing, its tip to the front."""
+    """Return a slice of a round object with its tip to the front."""
     a = np.linspace(np.pi / 2 - angle / 2, np.pi / 2 + angle / 2, 9)
     outline = np.concatenate([[(0, 0)], np.column_stack([r * np.cos(a), r * np.sin(a)])])
     return prism(outline - [0, 0.55 * r], low, high)
@@ -329,7 +329,7 @@ def _wedge(r: float, angle: float, low: float, high: float) -> Solid:
           aliases=("slice of cake", "piece of cake", "cake piece", "slice of chocolate cake"),
           themes=("coffee",), roles=("edible",), colors=("brown", "pink"))  # fmt: skip
 def cake_slice(look: Look) -> Shape:
-    """A slice of layer cake, its tip to the front, cream and a berry on top."""
+    """A slice of layer cake with its tip to the front and cream and a berry on top."""
     r, angle, h = look.between(0.095, 0.115), look.between(0.7, 0.9), look.between(0.06, 0.075)
     tone = look.color("brown", "cream", "pink", "yellow", "white")
     sponge = surfaces.spots(look.rng, look.pick([(226, 184, 118), (110, 68, 44), (170, 44, 46)]),

@@ -1,4 +1,4 @@
-"""Cookies (coffee)."""
+"""Objects of the ``coffee`` theme: cookies."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def biscuit_slab(
     palette: tuple[str, ...],
     form: tuple[float, float, float],
 ):
-    """Return a bar or finger: a baked slab with specks and holes."""
+    """Return a bar or finger of baked dough with specks and holes."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.1)
@@ -40,7 +40,7 @@ def biscuit_slab(
           themes=("coffee", "tea"), roles=("edible",), colors=("cream",),
           state="lying flat")  # fmt: skip
 def shortbread(look: Look) -> Shape:
-    """A finger of shortbread with rows of pricks, or a round petticoat tail."""
+    """A finger of shortbread with rows of holes, or a round petticoat tail."""
     k = look.between(0.92, 1.1)
     x, y, h = 0.08 * k, 0.026 * k, 0.015 * k
     body = block(x, y, h, 0.003, 0.0015)
@@ -56,7 +56,7 @@ def shortbread(look: Look) -> Shape:
           roles=("edible",), state="lying flat")  # fmt: skip
 @vary()
 def biscotti(look: Look) -> Shape:
-    """A long crisp slice with almonds."""
+    """A long, crisp biscuit with almonds."""
     k = look.between(0.9, 1.1)
     half = [(-0.055, 0), (-0.05, 0.012), (-0.02, 0.02), (0.02, 0.02), (0.05, 0.012), (0.055, 0)]
     outline = np.array([(x, y - 0.008) for x, y in half[::-1]]) * k
@@ -70,7 +70,7 @@ def biscotti(look: Look) -> Shape:
           aliases=("syrup waffle", "dutch waffle"), themes=("coffee", "tea"),
           roles=("edible", "flat", "round"), state="lying flat")  # fmt: skip
 def stroopwafel(look: Look) -> Shape:
-    """Two thin waffles with syrup between."""
+    """A stroopwafel: two thin waffles with syrup between them."""
     r, h = look.between(0.038, 0.046), look.between(0.009, 0.011)
     plates: list[Solid] = [cylinder(r, 0.38 * h, 34), cylinder(r, 0.38 * h, 34).move(z=0.6 * h)]
     syrup = cylinder(0.97 * r, 0.3 * h, 34).move(z=0.35 * h)
@@ -84,7 +84,7 @@ def stroopwafel(look: Look) -> Shape:
           "gingerbread man ornament"), themes=("coffee", "tea"), roles=("edible", "flat"),
           colors=("brown",), state="lying flat")  # fmt: skip
 def gingerbread_man(look: Look) -> Shape:
-    """A gingerbread man lying on his back, eyes, smile and buttons of icing."""
+    """A gingerbread man lying on his back, with eyes, a smile and buttons of icing."""
     k, t = look.between(0.9, 1.1), look.between(0.009, 0.012)
     head = prism(ellipse(0.052, 0.052, 24), 0, t, 0.002).move(y=0.046)
     trunk = prism(rectangle(0.044, 0.07, 0.016), 0, t, 0.002).move(y=-0.005)
@@ -114,7 +114,7 @@ def gingerbread_man(look: Look) -> Shape:
           aliases=("macaroon", "french macaron"), themes=("coffee", "tea"),
           roles=("edible", "round"), colors=("pink", "mint"))  # fmt: skip
 def macaron(look: Look) -> Shape:
-    """Two smooth almond shells with ruffled feet around a cream."""
+    """A macaron: two smooth almond shells with ruffled edges and a cream filling."""
     r, h = look.between(0.021, 0.025), look.between(0.024, 0.028)
     color = look.color("pink", "mint", "yellow", "lavender", "brown", "coral", "sky", "green")
     shell = [(0, 0), (0.7 * r, 0.01 * h), (0.95 * r, 0.13 * h), (r, 0.24 * h), (r, 0.38 * h),

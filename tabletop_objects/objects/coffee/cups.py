@@ -1,4 +1,4 @@
-"""Cups (coffee)."""
+"""Objects of the ``coffee`` theme: cups."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ..office.cups import drink, handle, handle_part
           "ice cream float", "coke float"), themes=("coffee",), roles=("tall", "round"),
           colors=("pink",))  # fmt: skip
 def milkshake(look: Look) -> Shape:
-    """A tall glass of milkshake: cream, a cherry and a straw."""
+    """A tall glass of milkshake with cream, a cherry and a straw."""
     r, h = look.between(0.038, 0.044), look.between(0.15, 0.175)
     color = look.color("pink", "brown", "cream", "mint", "orange", "purple", "green")
     clear = surfaces.plain((222, 230, 234))
@@ -42,7 +42,7 @@ def milkshake(look: Look) -> Shape:
           "cocktail stirrer", "swizzle stick", "popsicle stick", "craft stick", "ice pop stick"),
           themes=("coffee",), roles=("flat",), colors=("wooden",), state="lying flat")  # fmt: skip
 def stirrer(look: Look) -> Shape:
-    """A flat wooden stick with round ends."""
+    """A flat wooden stirring stick with round ends."""
     k = look.between(0.95, 1.2)
     color = look.color("wooden", "wooden", "white", "black")
     body = block(0.14 * k, 0.0085 * k, 0.0019, 0.004 * k)
@@ -53,7 +53,7 @@ def stirrer(look: Look) -> Shape:
           aliases=("coffee sleeve", "cardboard sleeve", "coffee cup sleeve", "cup cosy"),
           themes=("coffee",), colors=("tan",))  # fmt: skip
 def cup_sleeve(look: Look) -> Shape:
-    """A corrugated cardboard sleeve of a cup, standing."""
+    """A corrugated cardboard cup sleeve, standing upright."""
     k = look.between(0.94, 1.08)
     color = look.color("tan", "tan", "brown", "white")
     r, h, t = 0.035 * k, 0.062 * k, 0.0022
@@ -70,7 +70,7 @@ def cup_sleeve(look: Look) -> Shape:
           aliases=("sugar pot", "sugar", "sugar jar"), themes=("coffee", "dining"),
           roles=("round",), colors=("white", "cream"), common=True)  # fmt: skip
 def sugar_bowl(look: Look) -> Shape:
-    """A round lidded bowl with two small ears."""
+    """A round sugar bowl with a lid and two small handles."""
     r, h = look.between(0.044, 0.05), look.between(0.06, 0.07)
     glaze = look.surface(look.color("white", "cream", "sky", "pink", "navy"), "ceramic")
     t = np.linspace(0, np.pi / 2, 7)
@@ -96,7 +96,7 @@ def sugar_bowl(look: Look) -> Shape:
           "cup holder tray", "coffee carrier"), themes=("coffee",), roles=("flat",),
           colors=("gray",))  # fmt: skip
 def cup_carrier(look: Look) -> Shape:
-    """A moulded pulp tray with four round places for cups."""
+    """A moulded pulp tray with four round cup holders."""
     k = look.between(0.95, 1.06)
     color = look.color("gray", "beige", "tan")
     x, h = 0.21 * k, 0.045 * k
@@ -136,7 +136,7 @@ EARS = ("ear", "square", "ring")
           aliases=("tea cup", "espresso cup"), themes=("coffee", "dining"),
           roles=("container", "round"), colors=("white", "cream", "pink"), common=True)  # fmt: skip
 def teacup(look: Look) -> Shape:
-    """A wide, thin cup with an ear, on its foot: bowl-shaped, tulip or straight."""
+    """A wide, thin cup with a handle and a foot: bowl-shaped, tulip-shaped or straight."""
     r, h, wall = look.between(0.04, 0.05), look.between(0.052, 0.07), 0.0035
     foot = look.between(0.46, 0.6) * r
     color = look.color(

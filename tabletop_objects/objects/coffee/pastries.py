@@ -1,4 +1,4 @@
-"""Pastries (coffee)."""
+"""Objects of the ``coffee`` theme: pastries."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ CREAM: RGB = (250, 244, 230)
           aliases=("fruit scone", "cheese scone", "rock cake", "soda scone"),
           themes=("coffee", "tea"), roles=("edible", "round"))  # fmt: skip
 def scone(look: Look) -> Shape:
-    """A tall scone, split round its middle, fruit in it or cream and jam on it."""
+    """A tall scone, split around its middle, with fruit in it or with cream and jam on it."""
     r, h = look.between(0.032, 0.037), look.between(0.042, 0.05)
     low = lathe([(0, 0), (0.94 * r, 0), (0.97 * r, 0.45 * h), (0, 0.45 * h)], 26)
     top = lathe([(0, 0.47 * h), (r, 0.48 * h), (0.98 * r, 0.86 * h), (0.8 * r, h), (0, h)], 26)
@@ -42,7 +42,7 @@ def scone(look: Look) -> Shape:
           roles=("edible", "round"), colors=("copper",))  # fmt: skip
 @vary()
 def brioche(look: Look) -> Shape:
-    """A fluted bun with a small ball on top."""
+    """A fluted brioche bun with a small ball on top."""
     r, h = look.between(0.036, 0.042), look.between(0.06, 0.068)
     base = lobe(lathe([(0, 0), (0.66 * r, 0), (r, 0.48 * h), (0.9 * r, 0.62 * h), (0.4 * r,
                 0.74 * h), (0, 0.74 * h)], 48), 12, 0.14)  # fmt: skip
@@ -55,7 +55,7 @@ def brioche(look: Look) -> Shape:
           aliases=("danish", "fruit danish", "custard danish", "apple danish"),
           themes=("coffee", "tea"), roles=("edible", "flat"), colors=("amber",))  # fmt: skip
 def danish_pastry(look: Look) -> Shape:
-    """A square of puff pastry, its corners folded in over custard or fruit, iced."""
+    """A square iced puff pastry with its corners folded over custard or fruit."""
     x = look.between(0.085, 0.1)
     base = block(x, x, 0.016, 0.008, 0.003)
     frame = [box(0.72 * x, 0.13 * x, 0.012).turn(2, 0.785 + n * 1.571).move(
@@ -76,7 +76,7 @@ def danish_pastry(look: Look) -> Shape:
           roles=("edible", "round"))  # fmt: skip
 @vary()
 def hot_cross_bun(look: Look) -> Shape:
-    """A glazed spiced bun with a pale cross."""
+    """A glazed, spiced bun with a pale cross on top."""
     r, h = look.between(0.042, 0.05), look.between(0.042, 0.05)
     side = [(0, 0), (0.86 * r, 0), (r, 0.3 * h), (0.9 * r, 0.66 * h), (0.5 * r, 0.94 * h), (0, h)]
     bun = lathe(side, 26)
@@ -95,7 +95,7 @@ def hot_cross_bun(look: Look) -> Shape:
           themes=("coffee", "tea"), roles=("edible",), colors=("amber",),
           state="lying flat")  # fmt: skip
 def turnover(look: Look) -> Shape:
-    """A golden triangle of puff pastry with crimped edges."""
+    """A golden triangular turnover of puff pastry with crimped edges."""
     k = look.between(0.9, 1.1)
     tri = np.array([(-0.06, -0.032), (0.06, -0.032), (0, 0.055)]) * k
     ring = smooth(np.concatenate([tri, tri[:1]]), 6)[:-1] * 0.3 + edge(tri, 6) * 0.7
@@ -108,14 +108,14 @@ def turnover(look: Look) -> Shape:
 
 
 def edge(corners: np.ndarray, steps: int) -> np.ndarray:
-    """Return points along the sides of a polygon of ``corners``, ``steps`` to a side."""
+    """Return points along the sides of the polygon ``corners``, with ``steps`` per side."""
     after = np.roll(corners, -1, 0)
     return np.concatenate([a + (b - a) * np.linspace(0, 1, steps, endpoint=False)[:, None]
                            for a, b in zip(corners, after, strict=True)])  # fmt: skip
 
 
 def stack(ring: np.ndarray, levels: list[tuple[float, float]]):
-    """Return the solid through ``ring`` scaled and raised by each (factor, z) of ``levels``."""
+    """Return the solid through copies of ``ring``, one for each (scale, z) of ``levels``."""
     return loft(np.stack([np.column_stack([ring * f, np.full(len(ring), z)]) for f, z in levels]),
                 ring)  # fmt: skip
 
@@ -124,7 +124,7 @@ def stack(ring: np.ndarray, levels: list[tuple[float, float]]):
           aliases=("apple strudel", "filo log"), themes=("coffee", "tea"), roles=("edible",),
           colors=("amber",), state="lying flat")  # fmt: skip
 def strudel(look: Look) -> Shape:
-    """A rolled pastry log, sugared and slashed."""
+    """A rolled strudel with sugar and slashes on top."""
     long, r = look.between(0.2, 0.25), look.between(0.036, 0.042)
     body = bent_rod(long, r, blunt=9, squash=0.7)
     cuts = [ellipsoid(0.05, 0.006, 0.006, 10, 5).turn(2, 1.1).move(x=u * long, z=0.66 * r)
@@ -137,7 +137,7 @@ def strudel(look: Look) -> Shape:
           aliases=("cannolo", "brandy snap", "cream horn", "cannolis"), themes=("coffee", "tea"),
           roles=("edible",), state="lying flat")  # fmt: skip
 def cannoli(look: Look) -> Shape:
-    """A crisp tube filled with cream at both ends."""
+    """A cannoli: a crisp pastry tube filled with cream at both ends."""
     long, r = look.between(0.1, 0.12), look.between(0.016, 0.019)
     shell = cylinder(r, long, 24).turn(1, np.pi / 2).move(x=-long / 2)
     lip = torus(r, 0.0016, 22, 6).turn(1, np.pi / 2)
@@ -154,7 +154,7 @@ def cannoli(look: Look) -> Shape:
           aliases=("cream puff", "choux bun"), themes=("coffee", "tea"), roles=("edible", "round"),
           colors=("brown",))  # fmt: skip
 def profiterole(look: Look) -> Shape:
-    """A choux puff with chocolate poured over it."""
+    """A choux pastry puff with chocolate poured over it."""
     r = look.between(0.021, 0.025)
     bun = lathe([(0, 0), (0.8 * r, 0), (r, 0.5 * r), (0.85 * r, 1.1 * r), (0.4 * r, 1.5 * r),
                  (0, 1.55 * r)], 22)  # fmt: skip
@@ -171,7 +171,7 @@ def profiterole(look: Look) -> Shape:
           roles=("edible", "flat"), state="lying flat")  # fmt: skip
 @vary()
 def palmier(look: Look) -> Shape:
-    """A heart-shaped scroll of sugared puff pastry lying flat."""
+    """A heart-shaped scroll of sugared puff pastry, lying flat."""
     k = look.between(0.9, 1.15)
     t = np.linspace(0, 2.6 * np.pi, 40)
     away = 0.024 - 0.0024 * t
@@ -186,7 +186,7 @@ def palmier(look: Look) -> Shape:
           aliases=("bear claw pastry",), themes=("coffee", "tea"), roles=("edible",),
           state="lying flat")  # fmt: skip
 def bear_claw(look: Look) -> Shape:
-    """A curved almond pastry with toes cut along its edge."""
+    """A curved almond pastry with claws cut along its edge."""
     k = look.between(0.9, 1.1)
     body = bent_rod(0.12, 0.025, bend=0.05, blunt=5, squash=0.75)
     toes = [ball(0.026, 0.036, 0.03, (0.03 * n, -0.028 + 0.006 * n * n, 0.002), 12)
@@ -200,7 +200,7 @@ def bear_claw(look: Look) -> Shape:
           aliases=("piece of baklava", "baklawa"), themes=("coffee", "tea"),
           roles=("edible",))  # fmt: skip
 def baklava(look: Look) -> Shape:
-    """Baklava: a diamond of thin layers, syrupy, green nuts on top."""
+    """A diamond of baklava with thin, syrupy layers and green nuts on top."""
     x, h = look.between(0.042, 0.05), look.between(0.026, 0.032)
     body = box(x, x, h).turn(2, np.pi / 4).scale(1.35, 0.85, 1)
     layers = surfaces.stripes([(216, 156, 78), (168, 104, 44), (232, 182, 104)], 5)
@@ -215,7 +215,7 @@ def baklava(look: Look) -> Shape:
           roles=("edible",))  # fmt: skip
 @vary()
 def kouign_amann(look: Look) -> Shape:
-    """A glazed pastry square caramelised at its folded corners."""
+    """A kouign-amann: a glazed square pastry with caramelised, folded corners."""
     x = look.between(0.07, 0.085)
     body = pad(x, x, 0.04, 0.014, soft=0.6)
     flaps = [ball(0.036, 0.036, 0.018, (0.2 * x * i, 0.2 * x * j, 0.036), 12)
@@ -252,7 +252,7 @@ def _tint(look: Look) -> surfaces.Tile:
           aliases=("cinnamon bun", "sticky bun", "chelsea bun"), themes=("coffee",),
           roles=("edible", "round"))  # fmt: skip
 def cinnamon_roll(look: Look) -> Shape:
-    """A rolled bun seen from above as a spiral, with icing."""
+    """A cinnamon roll with icing on its spiral."""
     r, h = look.between(0.042, 0.05), look.between(0.034, 0.042)
     t = np.linspace(0.4, 5.6 * np.pi, 64)
     away = 0.9 * r * t / t[-1]
@@ -290,7 +290,7 @@ def eclair(look: Look) -> Shape:
           aliases=("slice of pie", "piece of pie", "slice of apple pie", "slice of quiche"),
           themes=("coffee",), roles=("edible",), colors=("amber",))  # fmt: skip
 def pie_slice(look: Look) -> Shape:
-    """A slice of pie: filling between crusts, the rim at the back."""
+    """A slice of pie with a filling between two crusts and its rim at the back."""
     r, angle, h = look.between(0.105, 0.125), look.between(0.7, 0.9), look.between(0.032, 0.04)
     crust = skin(look, (214, 164, 98), (166, 110, 58), 0.6)
     tone = look.color("orange", "crimson", "indigo", "amber", "brown")
@@ -310,7 +310,7 @@ def pie_slice(look: Look) -> Shape:
           themes=("coffee", "dining"), roles=("edible",), colors=("amber",), state="lying flat",
           common=True)  # fmt: skip
 def croissant(look: Look) -> Shape:
-    """A croissant, crescent-shaped with ridges."""
+    """A crescent-shaped croissant with ridges."""
     color = look.color("copper", "amber", "tan")
     a = np.linspace(np.deg2rad(195), np.deg2rad(345), 15)
     radii = 0.03 * np.clip(np.sin(np.linspace(0.12, np.pi - 0.12, 15)), 0.16, 1)
@@ -326,7 +326,7 @@ def croissant(look: Look) -> Shape:
           themes=("coffee",), roles=("edible", "round", "flat"), colors=("pink", "brown"),
           state="lying flat", common=True)  # fmt: skip
 def donut(look: Look) -> Shape:
-    """A glazed ring donut with sprinkles."""
+    """A glazed, ring-shaped donut with sprinkles."""
     dough = look.own_color("tan", "amber", "copper")
     icing = look.color("pink", "brown", "white", "lavender", "mint")
     base = torus(0.029, 0.0165, 28, 12).scale(1, 1, 0.95)

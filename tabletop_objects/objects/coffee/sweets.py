@@ -1,4 +1,4 @@
-"""Sweets (coffee)."""
+"""Objects of the ``coffee`` theme: sweets."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def meringue(look: Look) -> Shape:
           aliases=("cube of sugar", "lump of sugar", "sugar lump"), themes=("coffee", "tea"),
           roles=("edible",), colors=("white",))  # fmt: skip
 def sugar_cube(look: Look) -> Shape:
-    """A cube of sugar, white or brown."""
+    """A white or brown sugar cube."""
     x = look.between(0.014, 0.017)
     color = look.color("white", "white", "tan", "brown")
     grain = surfaces.spots(look.rng, color, tint_color(color, 0.9), 0.3)
@@ -49,7 +49,7 @@ BRIGHT = ("red", "orange", "yellow", "green", "pink", "purple", "sky", "crimson"
           "hard candy"), themes=("coffee", "living"), roles=("edible",),
           colors=("red", "yellow", "green"), state="lying flat")  # fmt: skip
 def candy(look: Look) -> Shape:
-    """A sweet in a twisted wrapper, its two ends fanned out."""
+    """A sweet in a twisted wrapper with fanned ends."""
     r, long = look.between(0.0095, 0.012), look.between(0.022, 0.027)
     color = look.color(*BRIGHT)
     stripes = surfaces.stripes([color, color, (250, 246, 240)], look.pick([3, 5]), upright=True)
@@ -67,7 +67,7 @@ def candy(look: Look) -> Shape:
           aliases=("marshmallow ghost",), themes=("coffee",), roles=("edible", "round"),
           colors=("white", "pink"))  # fmt: skip
 def marshmallow(look: Look) -> Shape:
-    """A soft white or pink cylinder standing."""
+    """A soft white or pink cylinder of marshmallow, standing upright."""
     r, h = look.between(0.012, 0.016), look.between(0.022, 0.03)
     color = look.color("white", "white", "pink", "cream", "sky")
     body = lathe([(0, 0), (0.75 * r, 0), (0.96 * r, 0.1 * h), (r, 0.3 * h), (r, 0.7 * h),
@@ -101,7 +101,7 @@ def truffle(look: Look) -> Shape:
           roles=("flat", "edible"), colors=("purple", "red"), state="lying flat",
           common=True)  # fmt: skip
 def chocolate_bar(look: Look) -> Shape:
-    """A bar of chocolate, half out of its wrapper."""
+    """A bar of chocolate, half unwrapped."""
     x, y = look.between(0.14, 0.17), look.between(0.068, 0.08)
     brown = look.pick([(78, 46, 30), (112, 68, 42), (56, 34, 26), (238, 222, 186)])
     color = look.color("purple", "red", "blue", "gold", "green", "orange")

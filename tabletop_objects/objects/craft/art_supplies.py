@@ -1,4 +1,4 @@
-"""Art supplies (craft)."""
+"""Objects of the ``craft`` theme: art supplies."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from ..toys.vehicles import _paper, sheet
           aliases=("table easel", "wooden easel", "mini easel", "display easel", "tabletop easel",
           "artist's easel"), themes=("craft",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def easel(look: Look) -> Shape:
-    """A small table easel standing, empty, with a ledge."""
+    """A small, empty table easel with a ledge."""
     color = look.color("wooden", "tan", "brown", "white", "black")
     k = look.between(0.8, 1.05)
     legs = [rod([(s * 0.09, -0.05, 0.005), (s * 0.02, 0.02, 0.27)], 0.007, 6) for s in (-1, 1)]
@@ -51,7 +51,7 @@ def easel(look: Look) -> Shape:
           aliases=("bottle of paint", "paint", "paint pot"), themes=("craft",),
           roles=("tall", "round"), colors=("red", "blue", "yellow"), common=True)  # fmt: skip
 def paint_bottle(look: Look) -> Shape:
-    """A bottle of paint with a pump, a nozzle or a wide cap; the label shows its colour."""
+    """A bottle of paint with a pump, a nozzle or a wide cap and a label in the paint's colour."""
     r, h = look.between(0.033, 0.04), look.between(0.128, 0.152)
     color = look.color(
         *("red", "blue", "yellow", "green", "purple", "orange", "teal", "pink", "white", "brown")
@@ -86,7 +86,7 @@ def paint_bottle(look: Look) -> Shape:
           "cardboard roll", "paper tube", "empty roll", "film poster tube", "poster tube"),
           themes=("craft",), roles=("tall",), colors=("tan",))  # fmt: skip
 def cardboard_tube(look: Look) -> Shape:
-    """An empty cardboard tube standing, its spiral seam showing."""
+    """An empty cardboard tube with a visible spiral seam, standing upright."""
     color = look.color("tan", "brown", "beige", "wooden")
     long = look.pick([0.1, 0.1, 0.23]) * look.between(0.92, 1.08)
     r = look.between(0.02, 0.024)
@@ -99,7 +99,7 @@ def cardboard_tube(look: Look) -> Shape:
 
 
 def stick(radius: float, long: float, palette: tuple[str, ...], square: bool) -> Callable:
-    """A stick of chalk, pastel or charcoal lying."""
+    """A stick of chalk, pastel or charcoal, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.85, 1.1)
@@ -121,7 +121,7 @@ RAINBOW = ("red", "orange", "yellow", "green", "teal", "blue", "purple", "pink",
 
 
 def _crayon(length: float, r: float) -> Solid:
-    """Return a wax crayon standing on its flat end, pointed above."""
+    """Return a pointed wax crayon standing on its flat end."""
     return lathe([(0, 0), (r, 0), (r, 0.84 * length), (0.72 * r, 0.86 * length), (0.3 * r, length),
                   (0, length)], 14, v=[0, 0.0, 0.84, 0.86, 1, 1])  # fmt: skip
 
@@ -151,7 +151,7 @@ def crayon(look: Look) -> Shape:
           aliases=("box of crayons", "pack of crayons", "crayon pack", "wax crayons"),
           themes=("craft", "toys"), colors=("yellow",))  # fmt: skip
 def crayon_box(look: Look) -> Shape:
-    """An open box of crayons, their tips in two rows."""
+    """An open box of crayons with their tips in two rows."""
     rows, columns = 2, look.pick([4, 6, 8])
     r, long = 0.0045, 0.088
     x, y, h = columns * 2.15 * r + 0.004, rows * 2.15 * r + 0.004, 0.068
@@ -185,7 +185,7 @@ def crayon_box(look: Look) -> Shape:
           "pencil tin", "set of pencils", "color pencil set"), themes=("craft", "office"),
           roles=("flat",), colors=("red", "blue"), state="lying flat")  # fmt: skip
 def pencil_set(look: Look) -> Shape:
-    """Coloured pencils: a flat open tin with a row of them."""
+    """A flat open tin with a row of coloured pencils."""
     count = look.pick([8, 10, 12])
     r, long = 0.0038, 0.168
     x, y, h = long + 0.014, count * 2.15 * r + 0.012, 0.014
@@ -241,7 +241,7 @@ def origami_crane(look: Look) -> Shape:
           aliases=("googly eyes", "google eye", "wiggle eye", "craft eye", "toy eye"),
           themes=("craft",), roles=("flat",), colors=("white",))  # fmt: skip
 def googly_eye(look: Look) -> Shape:
-    """A stick-on eye: a white disc and a loose black pupil."""
+    """A stick-on googly eye: a white disc with a loose black pupil."""
     color = look.color("white", "white", "yellow", "sky", "pink", "lime")
     r = look.between(0.008, 0.016)
     a, d = look.between(0, 6.28), 0.36 * r
@@ -260,7 +260,7 @@ def googly_eye(look: Look) -> Shape:
           aliases=("chenille stem", "fuzzy stick"), themes=("craft",), roles=("flat",),
           colors=("red", "blue"))  # fmt: skip
 def pipe_cleaner(look: Look) -> Shape:
-    """A fuzzy chenille stem lying, bent in a wave."""
+    """A fuzzy pipe cleaner bent in a wave, lying flat."""
     color = look.color("red", "blue", "green", "yellow", "pink", "purple", "orange", "brown")
     k, wave = look.between(0.8, 1.2), look.between(0.006, 0.02)
     x = np.linspace(-0.09, 0.09, 70)
@@ -276,7 +276,7 @@ def pipe_cleaner(look: Look) -> Shape:
           aliases=("ice lolly stick", "lollipop stick", "wooden craft stick"), themes=("craft",),
           roles=("flat",), colors=("tan",))  # fmt: skip
 def lolly_stick(look: Look) -> Shape:
-    """A flat wooden stick with round ends."""
+    """A flat wooden lolly stick with round ends."""
     color = look.color("tan", "wooden", "red", "blue", "green", "yellow", "beige")
     long, w = look.between(0.1, 0.15), look.between(0.009, 0.017)
     made = plate(rectangle(long, w, 0.499 * w, 8), 0.0022, bevel=0.0004)
@@ -339,7 +339,7 @@ def paint_tube(look: Look) -> Shape:
           themes=("craft",), roles=("flat",), colors=("white",), state="lying flat",
           common=True)  # fmt: skip
 def canvas(look: Look) -> Shape:
-    """A blank canvas on its stretcher, lying."""
+    """A blank canvas on a stretcher frame, lying flat."""
     x, y, h = look.between(0.27, 0.33), look.between(0.21, 0.26), look.between(0.016, 0.02)
     cloth = surfaces.speckles(look.rng, look.color("white", "cream"), 5, 64)
     return shape([(block(x, y, h, 0.004, 0.002), cloth)], [box_part(x, y, h)])
@@ -351,7 +351,7 @@ def canvas(look: Look) -> Shape:
           themes=("craft", "workbench"), roles=("flat",), colors=("wooden", "red"),
           state="lying flat", common=True)  # fmt: skip
 def paint_brush(look: Look) -> Shape:
-    """A flat paint brush lying."""
+    """A flat paint brush, lying on its side."""
     w = look.between(0.022, 0.045)
     wood = look.surface(look.color("wooden", "red", "black", "yellow"), "plastic")
     tip = look.own_color("tan", "brown", "black")

@@ -1,4 +1,4 @@
-"""Sewing supplies (craft)."""
+"""Objects of the ``craft`` theme: sewing supplies."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from ..living.textiles import _cloth
           "scout badge", "cloth badge"), themes=("craft",), roles=("flat",),
           colors=("navy", "red"))  # fmt: skip
 def patch(look: Look) -> Shape:
-    """An embroidered patch with a picture and a stitched rim."""
+    """An embroidered patch with a picture and a stitched border."""
     color = look.color("navy", "red", "green", "mustard", "black", "teal")
     r = look.between(0.026, 0.042)
     back = drum(r, 0.002, sides=30)
@@ -51,7 +51,7 @@ def patch(look: Look) -> Shape:
           "lace trim", "pompom trim", "elastic roll", "roll of elastic"), themes=("craft",),
           colors=("red", "pink"), state="lying flat")  # fmt: skip
 def ribbon(look: Look) -> Shape:
-    """A reel of ribbon lying, its end hanging loose."""
+    """A reel of ribbon on its side, with its end hanging loose."""
     r, wide = look.between(0.026, 0.034), look.between(0.014, 0.024)
     color = look.color("red", "pink", "gold", "blue", "green", "purple", "white", "silver")
     sheen = surfaces.brushed_metal(look.rng, color)
@@ -73,7 +73,7 @@ def ribbon(look: Look) -> Shape:
           aliases=("curtain tassel", "macrame knot", "tassel charm", "silk tassel"),
           themes=("craft",), colors=("gold",))  # fmt: skip
 def tassel(look: Look) -> Shape:
-    """A tassel lying: a loop, a bound head and a skirt of threads."""
+    """A tassel with a loop, a bound head and a skirt of threads, lying flat."""
     color = look.color("gold", "crimson", "navy", "cream", "green", "purple", "black")
     k = look.between(0.8, 1.25)
     loop = rod([(0.02, 0.002, 0.002), (0.045, 0.009, 0.002), (0.055, 0, 0.002),
@@ -99,7 +99,7 @@ TONES = ("red", "teal", "navy", "mustard", "sage", "pink", "gray", "cream", "whi
           "leather strip", "laptop sleeve", "challah cover"), themes=("craft",), roles=("flat",),
           colors=("red", "teal"), state="lying flat")  # fmt: skip
 def fabric_square(look: Look) -> Shape:
-    """A square of printed cloth lying flat, one corner turned over."""
+    """A square of printed cloth lying flat with one corner turned over."""
     side = look.between(0.15, 0.22)
     color = look.color(*TONES)
     tile = _cloth(look, color)
@@ -128,7 +128,7 @@ def felt_sheet(look: Look) -> Shape:
           "mini mannequin", "tailors dummy", "mannequin head", "artist mannequin",
           "wooden mannequin"), themes=("craft",), roles=("tall",), colors=("beige",))  # fmt: skip
 def mannequin(look: Look) -> Shape:
-    """A dressmaker's bust without head or arms on a stand."""
+    """A dressmaker's mannequin without head or arms, on a stand."""
     color = look.color("beige", "cream", "white", "black", "pink", "gray")
     levels = [(0.036, 0.03, 0.09), (0.046, 0.036, 0.105), (0.033, 0.027, 0.14),
               (0.042, 0.034, 0.17), (0.046, 0.032, 0.19), (0.02, 0.018, 0.21),
@@ -177,7 +177,7 @@ def button(look: Look) -> Shape:
           aliases=("metal thimble", "sewing thimble"), themes=("craft",), roles=("round",),
           colors=("silver",))  # fmt: skip
 def thimble(look: Look) -> Shape:
-    """A thimble standing on its rim, dimpled."""
+    """A dimpled thimble standing on its rim."""
     color = look.color("silver", "gold", "brass", "copper", "white", "bronze")
     dots = prints.mesh_holes(color, tint_color(color, 0.7), 10, 26)
     body = lathe([(0, 0), (0.0092, 0), (0.0092, 0.0015), (0.0086, 0.0025), (0.0072, 0.018),
@@ -192,7 +192,7 @@ def thimble(look: Look) -> Shape:
           "potter's needle", "needle threader"), themes=("craft",), colors=("red",),
           state="lying")  # fmt: skip
 def needle(look: Look) -> Shape:
-    """A sewing needle lying, a short thread through its eye."""
+    """A sewing needle with a short thread through its eye, lying flat."""
     color = look.color(*HUES)
     long = look.between(0.045, 0.07)
     shaft = straight((-long / 2, 0, 0.0006), (0.42 * long, 0, 0.0006), [0.0002, 0.0006], 6)
@@ -208,7 +208,7 @@ def needle(look: Look) -> Shape:
           aliases=("sewing pin", "straight pin", "dressmaker pin", "ball pin", "inoculating loop"),
           themes=("craft",), colors=("red", "white"), state="lying")  # fmt: skip
 def pin(look: Look) -> Shape:
-    """A dressmaker's pin with a coloured ball."""
+    """A dressmaker's pin with a coloured ball as its head."""
     color = look.color(*HUES)
     long = look.between(0.032, 0.05)
     shaft = straight((-long / 2, 0, 0.0007), (long / 2, 0, 0.0019), [0.0002, 0.0005], 6)
@@ -221,7 +221,7 @@ def pin(look: Look) -> Shape:
           aliases=("safetypin", "diaper pin", "stitch holder", "french knitter"), themes=("craft",),
           colors=("silver",), state="lying flat")  # fmt: skip
 def safety_pin(look: Look) -> Shape:
-    """A closed safety pin lying: a bent wire, a coil, a cap."""
+    """A closed safety pin with a bent wire, a coil and a cap, lying flat."""
     color = look.color("silver", "gold", "brass", "black", "copper")
     path = smooth([(0.024, 0.004, 0.0008), (-0.014, 0.005, 0.0008), (-0.02, 0.004, 0.0008),
                    (-0.0225, 0.0, 0.001), (-0.02, -0.004, 0.0008), (-0.014, -0.005, 0.0008),
@@ -239,7 +239,7 @@ def safety_pin(look: Look) -> Shape:
           "circular needle", "double-pointed needle", "point protector"), themes=("craft",),
           colors=("wooden", "silver"), state="lying")  # fmt: skip
 def knitting_needle(look: Look) -> Shape:
-    """A knitting needle lying, with its knob."""
+    """A knitting needle with a knob at its end, lying flat."""
     color = look.color("wooden", "silver", "red", "blue", "green", "purple", "tan")
     long, r = look.between(0.2, 0.26), look.between(0.0026, 0.0036)
     shaft = straight((-long / 2 + 0.012, 0, r), (long / 2, 0, r), r, 10)
@@ -255,7 +255,7 @@ def knitting_needle(look: Look) -> Shape:
           aliases=("crochet needle", "crocheting hook"), themes=("craft",),
           colors=("silver", "pink"), state="lying")  # fmt: skip
 def crochet_hook(look: Look) -> Shape:
-    """A crochet hook lying, its hook to the left, a flat grip in the middle."""
+    """A crochet hook lying flat, with its hook on the left and a flat grip in the middle."""
     color = look.color("silver", "gold", "pink", "blue", "purple", "wooden", "teal")
     long = look.between(0.13, 0.16)
     h = long / 2
@@ -273,7 +273,7 @@ def crochet_hook(look: Look) -> Shape:
           aliases=("pincushion", "needle cushion", "pin holder", "needle case"), themes=("craft",),
           roles=("round",), colors=("red",))  # fmt: skip
 def pin_cushion(look: Look) -> Shape:
-    """A tomato-shaped pin cushion stuck with pins."""
+    """A tomato-shaped pin cushion with pins stuck in it."""
     color = look.color("red", "red", "green", "blue", "pink", "purple", "mustard")
     d = look.between(0.06, 0.085)
     body = lobe(ellipsoid(d, d, 0.62 * d, 32, 12), 8, 0.08).move(z=0.28 * d)
@@ -320,7 +320,7 @@ def bobbin(look: Look) -> Shape:
           aliases=("embroidery", "hoop", "cross stitch", "embroidery frame"), themes=("craft",),
           roles=("flat",), colors=("white",), state="lying flat")  # fmt: skip
 def embroidery_hoop(look: Look) -> Shape:
-    """An embroidery hoop lying: cloth stretched in a wooden ring, flowers stitched on it."""
+    """An embroidery hoop lying flat: cloth with stitched flowers, stretched in a wooden ring."""
     color = look.color("white", "cream", "sky", "beige", "mint", "pink")
     r = look.between(0.07, 0.09)
     ring = lathe(
@@ -347,7 +347,7 @@ def embroidery_hoop(look: Look) -> Shape:
           aliases=("zip", "zip fastener"), themes=("craft",), roles=("flat",),
           colors=("black", "red"), state="lying flat")  # fmt: skip
 def zipper(look: Look) -> Shape:
-    """A zip lying: two tapes, a row of teeth, the slider near its end."""
+    """A zip lying flat, with two tapes, a row of teeth and a slider near its end."""
     color = look.color(*HUES)
     long = look.between(0.16, 0.2)
     tapes = [box(long, 0.0125, 0.0012).move(0, s * 0.0072) for s in (-1, 1)]
@@ -366,7 +366,7 @@ def zipper(look: Look) -> Shape:
           aliases=("wooden bead", "glass bead", "plastic bead", "craft bead", "pearl bead"),
           themes=("craft",), colors=("red", "blue"), state="lying")  # fmt: skip
 def bead(look: Look) -> Shape:
-    """A single bead lying with its hole level: round, faceted or long."""
+    """A single round, faceted or long bead with its hole horizontal."""
     color = look.color(*HUES, "gold", "orange")
     d = look.between(0.01, 0.018)
     kind = look.pick(["round", "faceted", "long"])
@@ -405,7 +405,7 @@ def pompom(look: Look) -> Shape:
           "wool roving", "skein of thread"), themes=("craft",), colors=("red", "blue"),
           state="lying")  # fmt: skip
 def yarn_skein(look: Look) -> Shape:
-    """A skein of yarn lying, a paper band round its middle."""
+    """A skein of yarn with a paper band around its middle, lying flat."""
     color = look.color(*HUES, "mustard", "sage", "gray")
     long, d = look.between(0.14, 0.18), look.between(0.06, 0.075)
     strands: list[Solid] = []
@@ -428,7 +428,7 @@ def yarn_skein(look: Look) -> Shape:
           aliases=("toy sewing machine", "sewing-machine"), themes=("craft",),
           roles=("big", "tall"), colors=("white", "black"))  # fmt: skip
 def sewing_machine(look: Look) -> Shape:
-    """A sewing machine: a bed, an arm over it, a needle, a hand wheel to the right, a spool."""
+    """A sewing machine with a bed, an arm, a needle, a spool and a hand wheel on the right."""
     k = look.between(0.88, 1.0)
     color = look.color("white", "white", "black", "mint", "pink", "red", "cream", "sky")
     skin = surfaces.speckles(look.rng, color, 3, 32)
@@ -483,7 +483,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", 
           "garden twine"), themes=("craft",), roles=("round",), colors=("red", "teal", "pink"),
           common=True)  # fmt: skip
 def yarn_ball(look: Look) -> Shape:
-    """A ball of yarn with loose windings."""
+    """A ball of yarn with a few loose strands."""
     d = look.between(0.07, 0.09)
     color = look.color("red", "teal", "mustard", "pink", "violet", "cream", "blue")
     wool = surfaces.knitting(look.rng, color)
@@ -509,7 +509,7 @@ def yarn_ball(look: Look) -> Shape:
           colors=("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", "black"),
           common=True)  # fmt: skip
 def thread_spool(look: Look) -> Shape:
-    """A wooden spool of thread, standing."""
+    """A wooden spool of thread, standing upright."""
     r, h = look.between(0.014, 0.018), look.between(0.045, 0.055)
     thread = surfaces.stripes([c := look.color(*BRIGHT, "pink", "teal"), tint_color(c, 0.8)], 14)
     wood = surfaces.wood(look.rng, (214, 176, 124))
@@ -523,7 +523,7 @@ def thread_spool(look: Look) -> Shape:
           aliases=("tin of buttons", "beads", "button box", "tin", "sewing tin"), themes=("craft",),
           roles=("round",), colors=("silver", "gold"), common=True)  # fmt: skip
 def button_tin(look: Look) -> Shape:
-    """A round tin of buttons or beads, open."""
+    """An open round tin of buttons or beads."""
     r, h = look.between(0.036, 0.044), look.between(0.028, 0.036)
     metal = surfaces.brushed_metal(look.rng, look.color("silver", "gold", "teal", "copper"))
     body = cylinder(r, h, 28, bevel=0.002)

@@ -1,4 +1,4 @@
-"""Tools (craft)."""
+"""Objects of the ``craft`` theme: tools."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import RGB, Look, Tile, readable_on, tint_color
           roles=("flat", "support", "big"), colors=("green", "blue"), state="lying flat",
           common=True)  # fmt: skip
 def cutting_mat(look: Look) -> Shape:
-    """A self-healing mat with a ruled grid, figures along its edges and slanted guides."""
+    """A self-healing cutting mat with a ruled grid, numbers along its edges and slanted guides."""
     x, y = look.pick([(0.3, 0.22), (0.45, 0.3), (0.45, 0.3), (0.36, 0.26)])
     x, y = x * look.between(0.97, 1.03), y * look.between(0.97, 1.03)
     color = look.color("green", "green", "green", "teal", "blue", "charcoal", "pink", "purple")
@@ -31,13 +31,13 @@ def cutting_mat(look: Look) -> Shape:
 
 
 def _between(a: RGB, b: RGB) -> RGB:
-    """Return the colour a little nearer to ``a`` than to ``b``."""
+    """Return a mix of two colours that is closer to ``a`` than to ``b``."""
     red, green, blue = (0.55 * x + 0.45 * y for x, y in zip(a, b, strict=True))
     return red, green, blue
 
 
 def _rule(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
-    """Return a grid of centimetres, every fifth line strong, in a border with figures."""
+    """Return a centimetre grid with every fifth line thicker, in a border with numbers."""
     wide, tall = 400, round(400 * y / x)
     image = prints.canvas(wide, tall, color)
     left, top = 0.05, 0.05 * x / y
@@ -78,7 +78,7 @@ def _rule(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
           themes=("craft", "office"), roles=("flat",), colors=("red", "black"),
           state="lying flat, closed", common=True)  # fmt: skip
 def scissors(look: Look) -> Shape:
-    """Scissors lying flat and closed, two finger loops to the right."""
+    """Closed scissors lying flat, with two finger loops on the right."""
     long = look.between(0.17, 0.2)
     color = look.color("red", "black", "orange", "blue", "teal", "pink", "lime", "violet", "gray")
     fat, wide = look.between(0.2, 0.3), look.between(0.014, 0.019)
@@ -106,7 +106,7 @@ def scissors(look: Look) -> Shape:
           aliases=("glue", "glue tube", "wood glue bottle"), themes=("craft", "office"),
           roles=("round",), colors=("yellow", "red"), common=True)  # fmt: skip
 def glue_stick(look: Look) -> Shape:
-    """A glue stick standing on its foot, with its cap on."""
+    """A glue stick with its cap on, standing upright."""
     r, h = look.between(0.0125, 0.0145), look.between(0.085, 0.1)
     color = look.color("yellow", "red", "blue", "green", "violet")
     print_ = prints.label(look.rng, "GLUE", color, (246, 246, 242))

@@ -1,4 +1,4 @@
-"""Barware (dining)."""
+"""Objects of the ``dining`` theme: barware."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ...kit.surfaces import RGB, Look, readable_on, tint_color
           "lemonade pitcher", "ewer", "cream jug"), themes=("dining", "kitchen"),
           roles=("container", "tall"), colors=("white", "sky"))  # fmt: skip
 def pitcher(look: Look) -> Shape:
-    """An open jug with a lip to the left and a handle to the right."""
+    """An open jug with a spout on the left and a handle on the right."""
     r, h = look.between(0.052, 0.066), look.between(0.17, 0.23)
     color = look.color("white", "sky", "cream", "terracotta", "teal", "mustard", "clear", "navy")
     kind = look.pick(["belly", "straight", "flared"])
@@ -53,7 +53,7 @@ def pitcher(look: Look) -> Shape:
           "glass carafe"), themes=("dining",), roles=("tall", "round"),
           colors=("clear",))  # fmt: skip
 def carafe(look: Look) -> Shape:
-    """A glass carafe or a cut decanter with its stopper, often with wine, water or whisky in it."""
+    """A glass carafe, or a cut-glass decanter with a stopper, often with wine, water or whisky."""
     h = look.between(0.22, 0.28)
     full = look.pick([(120, 22, 36), (214, 150, 60), (206, 222, 228), (236, 170, 40)])
     color = look.color("clear", "clear", "sky", "mint", "amber", "green")
@@ -94,7 +94,7 @@ def carafe(look: Look) -> Shape:
           "champagne cooler"), themes=("dining",), roles=("round", "big"),
           colors=("silver", "copper"), opened="open_ice_bucket")  # fmt: skip
 def ice_bucket(look: Look) -> Shape:
-    """A bucket of ice cubes with two ring handles; some cool a bottle."""
+    """A bucket of ice cubes with two ring handles, sometimes with a bottle in it."""
     r, h = look.between(0.085, 0.105), look.between(0.16, 0.2)
     color = look.color("silver", "silver", "copper", "gold", "black", "clear", "white")
     skin = look.surface(color, "metal")
@@ -120,7 +120,7 @@ def ice_bucket(look: Look) -> Shape:
 
 
 def metal(look: Look) -> surfaces.Tile:
-    """Return metal in the colour asked for, else silver, gold, copper or black."""
+    """Return metal in the requested colour, or else in silver, gold, copper or black."""
     return look.surface(look.color("silver", "silver", "gold", "copper", "black"), "metal")
 
 
@@ -128,7 +128,7 @@ def metal(look: Look) -> surfaces.Tile:
           aliases=("bar jigger", "spirit measure", "shot measure", "measuring jigger"),
           themes=("dining",), roles=("round", "tall"), colors=("silver",))  # fmt: skip
 def jigger(look: Look) -> Shape:
-    """A double jigger: two cones joined at their tips, open above."""
+    """A double jigger: two cones joined at their tips, open at the top."""
     r, h = look.between(0.02, 0.024), look.between(0.075, 0.095)
     skin = metal(look)
     side = [(0.86 * r, 0), (0.88 * r, 0.004), (0.3 * r, 0.42 * h), (0.3 * r, 0.46 * h), (r, h)]
@@ -145,7 +145,7 @@ def jigger(look: Look) -> Shape:
           aliases=("cocktail muddler",), themes=("dining",), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def muddler(look: Look) -> Shape:
-    """A muddler lying: a stick with a thick ribbed end to the left."""
+    """A cocktail muddler lying flat: a stick with a thick, ribbed end on the left."""
     long, r = look.between(0.19, 0.23), look.between(0.014, 0.017)
     wood = look.surface(look.color("wooden", "brown", "black", "silver"), "wood")
     body = limb([(-0.5 * long, 0, 0), (-0.45 * long, 0, 0), (-0.3 * long, 0, 0), (0, 0, 0),
@@ -161,7 +161,7 @@ def muddler(look: Look) -> Shape:
           aliases=("sugar tongs", "bar tongs", "ice cube tongs", "sugar tong"), themes=("dining",),
           colors=("silver",), state="lying flat")  # fmt: skip
 def ice_tongs(look: Look) -> Shape:
-    """Small tongs bent from one strip, toothed at their ends, lying on their side."""
+    """Small ice tongs bent from one strip, with toothed ends, lying on their side."""
     long = look.between(0.14, 0.17)
     skin = metal(look)
     path = smooth([(-0.5 * long, -0.012, 0), (-0.2 * long, -0.02, 0), (0.3 * long, -0.018, 0),
@@ -178,7 +178,7 @@ def ice_tongs(look: Look) -> Shape:
           aliases=("pocket flask", "whiskey flask", "powder horn"), themes=("dining",),
           colors=("silver", "brown"))  # fmt: skip
 def hip_flask(look: Look) -> Shape:
-    """A curved flat flask of steel or leather, standing."""
+    """A curved, flat hip flask of steel or leather, standing upright."""
     x, h = look.between(0.088, 0.1), look.between(0.11, 0.13)
     color = look.color("silver", "brown", "black", "silver", "maroon", "navy")
     skin = look.surface(color, "metal")
@@ -202,7 +202,7 @@ def hip_flask(look: Look) -> Shape:
           "rubber bung", "cork stopper", "glass stopper", "bung"), themes=("dining",),
           roles=("round",), colors=("tan",))  # fmt: skip
 def cork(look: Look) -> Shape:
-    """A wine cork standing, or a champagne cork with its head."""
+    """A wine cork standing upright, or a champagne cork with a wider head."""
     r, h = look.between(0.0105, 0.0125), look.between(0.04, 0.05)
     color = look.color("tan", "beige", "wooden")
     tile = surfaces.spots(look.rng, color, tint_color(color, 0.7), 0.12)
@@ -219,7 +219,7 @@ def cork(look: Look) -> Shape:
           aliases=("crown cap", "beer cap", "bottle top", "beer bottle cap"), themes=("dining",),
           roles=("round", "flat"), colors=("red", "gold"), state="lying flat")  # fmt: skip
 def bottle_cap(look: Look) -> Shape:
-    """A crown cap lying, its crimped edge down."""
+    """A crown cap lying with its crimped edge down."""
     r, h = look.between(0.0145, 0.0165), look.between(0.0058, 0.007)
     color = look.color("red", "gold", "blue", "green", "silver", "black", "white")
     t = 42
@@ -255,7 +255,7 @@ def _can(look: Look, r: float, h: float, word: str, palette: tuple[str, ...]) ->
           themes=("dining",), roles=("flat", "support"), colors=("red",),
           state="lying flat")  # fmt: skip
 def beer_mat(look: Look) -> Shape:
-    """A printed mat of pulpboard, round or square."""
+    """A printed beer mat of pulpboard, round or square."""
     x, h = look.between(0.09, 0.105), look.between(0.003, 0.004)
     color = look.color("red", "green", "navy", "gold", "white", "maroon")
     face = prints.canvas(128, 128, (244, 240, 228))
@@ -272,7 +272,7 @@ def beer_mat(look: Look) -> Shape:
           aliases=("seltzer bottle", "soda syphon", "cream whipper", "whipped cream dispenser"),
           themes=("dining",), roles=("tall",), colors=("teal",))  # fmt: skip
 def soda_siphon(look: Look) -> Shape:
-    """A soda siphon: a ribbed bottle with a chrome head, lever and spout."""
+    """A soda siphon: a ribbed bottle with a chrome head, a lever and a spout."""
     k = look.between(0.94, 1.06)
     color = look.color("teal", "sky", "red", "silver", "clear")
     body = lathe([(0, 0), (0.044, 0), (0.047, 0.01), (0.047, 0.15), (0.03, 0.195), (0.018, 0.21),
@@ -302,7 +302,7 @@ GLASS: RGB = (212, 224, 226)
           "lemonade dispenser", "water dispenser"), themes=("dining",), roles=("tall", "big"),
           colors=("orange",))  # fmt: skip
 def drink_dispenser(look: Look) -> Shape:
-    """A drinks dispenser: a glass jar of juice on a stand, a lid, a tap in front."""
+    """A drinks dispenser: a lidded glass jar of juice on a stand, with a tap in front."""
     k = look.between(0.92, 1.06)
     color = look.color("orange", "pink", "yellow", "red", "clear")
     stand = [torus(0.07, 0.004, 30, 6).move(z=0.06), torus(0.08, 0.004, 30, 6).move(z=0.004)]
@@ -332,7 +332,7 @@ def drink_dispenser(look: Look) -> Shape:
           "paper straw bundle"), themes=("dining",), colors=("red",),
           state="lying flat")  # fmt: skip
 def straw(look: Look) -> Shape:
-    """A striped drinking straw lying, bent or straight."""
+    """A striped drinking straw, bent or straight, lying flat."""
     long, r = look.between(0.19, 0.22), look.between(0.0028, 0.0036)
     color = look.color("red", "blue", "green", "pink", "black", "yellow", "teal")
     path = [(-0.5 * long, 0, 0), (0.2 * long, 0, 0), (0.5 * long, 0, 0)]
@@ -351,7 +351,7 @@ def straw(look: Look) -> Shape:
           aliases=("ice", "cube of ice", "block of ice", "lump of ice"), themes=("dining",),
           colors=("clear",))  # fmt: skip
 def ice_cube(look: Look) -> Shape:
-    """A clear cube of ice, its middle milky."""
+    """A clear ice cube with a milky centre."""
     x = look.between(0.021, 0.0255)
     color = look.color("clear", "sky", "clear", "white")
     tile = surfaces.gradient(tint_color(color, 1.05), tint_color(color, 1.5), look.rng, 10)
@@ -362,7 +362,7 @@ def ice_cube(look: Look) -> Shape:
 
 
 def _spout(kind: str) -> Callable[[Look], Shape]:
-    """Return the shape function of a spout for a bottle, lying: a pourer or an aerator."""
+    """Return the shape function of a pourer or an aerator for a bottle, lying flat."""
 
     def make(look: Look) -> Shape:
         k, color = (look.between(0.9, 1.12), look.color("silver", "silver", "gold", "black")
@@ -391,7 +391,7 @@ def _spout(kind: str) -> Callable[[Look], Shape]:
           aliases=("optic", "bar optic", "spirit optic"), themes=("dining",), roles=("tall",),
           colors=("silver",))  # fmt: skip
 def optic_measure(look: Look) -> Shape:
-    """A spirit measure: a clear chamber under a stopper, standing on its mouth."""
+    """A spirit measure: a clear chamber below a stopper, standing on its mouth."""
     k, color = look.between(0.9, 1.1), look.color("silver", "black", "white", "red")
     base = lathe(
         [(0, 0), (0.024, 0), (0.026, 0.01), (0.012, 0.016), (0.012, 0.026), (0, 0.026)], 22
@@ -421,7 +421,7 @@ def optic_measure(look: Look) -> Shape:
           aliases=("keg tap handle", "beer tap handle", "beer tap", "beer pump handle",
           "pump clip"), themes=("dining",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def tap_handle(look: Look) -> Shape:
-    """A beer tap handle standing on a foot: a tall painted paddle with a badge."""
+    """A beer tap handle on a foot: a tall painted paddle with a badge."""
     k, color = (look.between(0.9, 1.08), look.color("wooden", "red", "green", "navy", "black",
                                                     "gold"))  # fmt: skip
     foot = lathe([(0, 0), (0.032, 0), (0.032, 0.01), (0.012, 0.016), (0.01, 0.04), (0.014, 0.046),
@@ -448,7 +448,7 @@ def tap_handle(look: Look) -> Shape:
           themes=("dining",), colors=("silver",), state="lying")  # fmt: skip
 @keep_still
 def bombilla(look: Look) -> Shape:
-    """A bombilla: a metal straw with a bulb filter at one end, lying."""
+    """A bombilla: a metal straw with a bulb-shaped filter at one end, lying flat."""
     k, color = look.between(0.88, 1.1), look.color("silver", "silver", "gold", "black")
     straw = tube(smooth([(-0.08, 0, 0.008), (0.03, 0, 0.006), (0.075, 0, 0.007), (0.095, 0, 0.011)],
                         4), [0.0032] * 13, 10)  # fmt: skip

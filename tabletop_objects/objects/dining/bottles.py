@@ -1,4 +1,4 @@
-"""Bottles (dining)."""
+"""Objects of the ``dining`` theme: bottles."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .barware import _can
           aliases=("bottle of beer", "lager bottle", "beer"), themes=("dining", "kitchen"),
           roles=("tall", "round"), colors=("brown", "green"))  # fmt: skip
 def beer_bottle(look: Look) -> Shape:
-    """A bottle of beer: brown, green or clear glass, a paper label, a crown cap."""
+    """A bottle of beer in brown, green or clear glass with a paper label and a crown cap."""
     r, h = look.between(0.029, 0.032), look.between(0.215, 0.25)
     color = look.color("brown", "brown", "green", "amber", "olive")
     long = look.chance(0.6)
@@ -45,7 +45,7 @@ def beer_bottle(look: Look) -> Shape:
           aliases=("can of beer", "beer tin", "lager can", "tin of beer"), themes=("dining",),
           roles=("round", "tall"), colors=("green", "gold"))  # fmt: skip
 def beer_can(look: Look) -> Shape:
-    """A can of beer."""
+    """A beer can."""
     return _can(look, 0.033, look.between(0.12, 0.165), look.pick(["BEER", "LAGER", "PILS", "IPA"]),
                 ("green", "gold", "red", "navy", "white", "black"))  # fmt: skip
 
@@ -72,7 +72,7 @@ def whiskey_bottle(look: Look) -> Shape:
           aliases=("tokkuri", "sake flask", "sake decanter", "sake"), themes=("dining",),
           roles=("tall", "round"), colors=("white", "navy"))  # fmt: skip
 def sake_bottle(look: Look) -> Shape:
-    """A small china flask for sake with a narrow neck."""
+    """A small porcelain sake bottle with a narrow neck."""
     r, h = look.between(0.033, 0.039), look.between(0.13, 0.155)
     color = look.color("white", "navy", "black", "sage", "sky", "terracotta", "cream")
     side = smooth([(0.72 * r, 0), (0.95 * r, 0.16 * h), (r, 0.42 * h), (0.72 * r, 0.66 * h),
@@ -84,7 +84,7 @@ def sake_bottle(look: Look) -> Shape:
 
 
 def cap_ribs(color: RGB) -> surfaces.Tile:
-    """A screw cap's side."""
+    """Return the ribbed side of a screw cap."""
     return surfaces.stripes([color, tint_color(color, 0.75)], 16, upright=True, side=64)
 
 
@@ -140,7 +140,7 @@ def bottle(look: Look) -> Shape:
           aliases=("wine", "bottle of wine", "champagne", "champagne bottle"), themes=("dining",),
           roles=("tall", "round"), colors=("green", "maroon"), common=True)  # fmt: skip
 def wine_bottle(look: Look) -> Shape:
-    """A tall bottle of wine or oil with a paper label and a foil or a cork."""
+    """A tall bottle of wine or oil with a paper label and a foil cap or a cork."""
     kind = look.pick(["bordeaux", "burgundy", "champagne", "oil"])
     r, h = look.between(0.035, 0.04), look.between(0.285, 0.32)
     neck, shoulder, rise = {"bordeaux": (0.0135, 0.6, 0.73), "burgundy": (0.0135, 0.44, 0.76),
@@ -164,7 +164,7 @@ def wine_bottle(look: Look) -> Shape:
 
 
 def sauce_bottle(look: Look) -> Shape:
-    """A bottle of ketchup, mustard or hot sauce: squeezed, standing on its cap, or of glass."""
+    """A bottle of ketchup, mustard or hot sauce: a squeeze bottle standing on its cap, or glass."""
     r, h = look.between(0.028, 0.034), look.between(0.14, 0.17)
     color = look.color("red", "yellow", "red", "brown", "green", "cream", "orange", "black")
     kind = look.pick(["squeeze", "squeeze", "glass", "turned"])
@@ -196,7 +196,7 @@ def sauce_bottle(look: Look) -> Shape:
 
 
 def _in(look: Look, color: str) -> Look:
-    """Return a look in ``color`` unless another one was asked for."""
+    """Return a look in ``color`` unless another colour is requested."""
     return Look(look.rng, {"color": color, **look.attributes})
 
 
@@ -205,7 +205,7 @@ def _in(look: Look, color: str) -> Look:
           "barbecue sauce", "bbq sauce bottle"), themes=("dining", "kitchen"),
           roles=("tall", "round"), colors=("red",))  # fmt: skip
 def ketchup(look: Look) -> Shape:
-    """A red bottle of ketchup: squeezed, standing on its cap, or of glass."""
+    """A red bottle of ketchup: a squeeze bottle standing on its cap, or glass."""
     return sauce_bottle(_in(look, look.pick(["red", "red", "crimson"])))
 
 
@@ -213,7 +213,7 @@ def ketchup(look: Look) -> Shape:
           aliases=("bottle of mustard", "yellow mustard", "mustard", "mustard container"),
           themes=("dining", "kitchen"), roles=("tall", "round"), colors=("yellow",))  # fmt: skip
 def mustard_bottle(look: Look) -> Shape:
-    """A yellow bottle of mustard: squeezed, standing on its cap, or of glass."""
+    """A yellow bottle of mustard: a squeeze bottle standing on its cap, or glass."""
     return sauce_bottle(_in(look, look.pick(["yellow", "yellow", "gold", "mustard"])))
 
 
@@ -223,7 +223,7 @@ def mustard_bottle(look: Look) -> Shape:
           themes=("dining", "kitchen"), roles=("tall", "round"),
           colors=("cream", "olive"))  # fmt: skip
 def salad_dressing(look: Look) -> Shape:
-    """A bottle of salad dressing: a slim waist, herbs or two layers, a wide cap."""
+    """A slim-waisted bottle of salad dressing with herbs or two layers and a wide cap."""
     r, h = look.between(0.03, 0.036), look.between(0.19, 0.225)
     color = look.color("cream", "white", "olive", "orange", "amber", "mustard", "pink", "green")
     layered = look.chance(0.4)
@@ -249,7 +249,7 @@ def salad_dressing(look: Look) -> Shape:
           "worcestershire sauce"), themes=("dining", "kitchen"), roles=("tall",),
           colors=("red", "black"))  # fmt: skip
 def soy_sauce(look: Look) -> Shape:
-    """A small glass dispenser of soy sauce with a spouted cap, or a labelled bottle."""
+    """A small glass soy sauce dispenser with a spouted cap, or a bottle with a label."""
     color = look.color("red", "red", "green", "yellow", "black", "gold")
     dark = surfaces.plain((52, 26, 20))
     clear = surfaces.plain((196, 186, 178))
@@ -279,7 +279,7 @@ def soy_sauce(look: Look) -> Shape:
           aliases=("beer growler", "beer jug bottle", "cider jug", "moonshine jug", "demijohn"),
           themes=("dining",), roles=("tall", "round"), colors=("brown",))  # fmt: skip
 def growler(look: Look) -> Shape:
-    """A growler: a brown glass jug with a small ring handle at its neck and a label."""
+    """A growler: a brown glass jug with a label and a small ring handle at its neck."""
     k, color = look.between(0.9, 1.06), look.color("brown", "brown", "amber", "green", "black")
     r, h = 0.058 * k, 0.26 * k
     body = lathe([(0, 0), (0.96 * r, 0), (r, 0.02), (r, 0.58 * h), (0.7 * r, 0.76 * h),

@@ -1,4 +1,4 @@
-"""Bowls (dining)."""
+"""Objects of the ``dining`` theme: bowls."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("bowl of punch", "punchbowl", "glass punch bowl"), themes=("dining",),
           roles=("big",), colors=("pink",))  # fmt: skip
 def punch_bowl(look: Look) -> Shape:
-    """A wide glass punch bowl of pink punch with fruit, a ladle hooked in it."""
+    """A wide glass bowl of pink punch with fruit and a ladle hooked over its rim."""
     k = look.between(0.92, 1.06)
     color = look.color("pink", "red", "orange", "clear")
     foot = lathe([(0, 0), (0.06, 0), (0.05, 0.012), (0.03, 0.022), (0, 0.022)], 28)
@@ -39,7 +39,7 @@ CHINA = ("white", "white", "cream", "sky", "navy", "sage", "terracotta", "black"
 
 
 def china(look: Look, *palette: str) -> tuple[surfaces.Tile, surfaces.Tile]:
-    """Return the tile of a vessel glazed outside and plain inside, and its plain glaze."""
+    """Return a tile for a vessel glazed outside and plain inside, and its plain glaze."""
     color = look.color(*(palette or CHINA))
     plain = look.surface(color, "ceramic")
     return surfaces.stack((glaze_tile(look, color), 50), (plain, 50), side=160), plain
@@ -49,7 +49,7 @@ def china(look: Look, *palette: str) -> tuple[surfaces.Tile, surfaces.Tile]:
           aliases=("sauce boat", "gravy jug", "sauceboat"), themes=("dining",),
           roles=("container",), colors=("white",))  # fmt: skip
 def gravy_boat(look: Look) -> Shape:
-    """A sauce boat: an oval jug with a long lip to the left and an ear."""
+    """An oval gravy boat with a long lip on the left and a handle."""
     r, h = look.between(0.04, 0.047), look.between(0.07, 0.082)
     tile, plain = china(look)
     side = [(0.62 * r, 0.012), (0.86 * r, 0.3 * h), (r, 0.65 * h), (0.98 * r, h)]
@@ -75,7 +75,7 @@ def gravy_boat(look: Look) -> Shape:
           aliases=("soup tureen", "soup terrine", "covered dish"), themes=("dining",),
           roles=("big", "round"), colors=("white",))  # fmt: skip
 def tureen(look: Look) -> Shape:
-    """A soup tureen with two ears and a domed lid, a ladle's handle sticking out."""
+    """A soup tureen with two handles and a domed lid, with a ladle handle sticking out."""
     r, h = look.between(0.095, 0.115), look.between(0.11, 0.13)
     tile, plain = china(look)
     body = lathe([(0, 0), (0.6 * r, 0), (0.58 * r, 0.1 * h), (0.82 * r, 0.3 * h), (r, 0.62 * h),
@@ -96,7 +96,7 @@ def tureen(look: Look) -> Shape:
           aliases=("fruit bowl", "bird bath"), themes=("dining",),
           roles=("container", "round", "big"), colors=("wooden", "white"))  # fmt: skip
 def serving_bowl(look: Look) -> Shape:
-    """A large deep bowl for salad or fruit, of wood, glass or china."""
+    """A large, deep serving bowl of wood, glass or porcelain for salad or fruit."""
     r, h = look.between(0.115, 0.14), look.between(0.085, 0.105)
     color = look.color("wooden", "white", "teal", "cream", "navy", "terracotta")
     plain = look.surface(color, look.pick(["wood", "ceramic"]))
@@ -111,7 +111,7 @@ def serving_bowl(look: Look) -> Shape:
           "dip bowl", "sauce dish"), themes=("dining", "kitchen"), roles=("container", "round"),
           colors=("white",))  # fmt: skip
 def ramekin(look: Look) -> Shape:
-    """A small fluted dish with straight sides: empty, or with a custard or souffle."""
+    """A small fluted dish with straight sides, empty or with a custard or souffle."""
     r, h = look.between(0.042, 0.05), look.between(0.042, 0.055)
     color = look.color("white", "white", "cream", "red", "teal", "navy", "mustard", "black")
     body, parts = open_vessel([(0.92 * r, 0), (0.94 * r, 0.1 * h), (0.97 * r, 0.9 * h), (r, h)],

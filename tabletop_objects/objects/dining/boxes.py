@@ -1,4 +1,4 @@
-"""Boxes (dining)."""
+"""Objects of the ``dining`` theme: boxes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..kitchen.bags import panel
           aliases=("bento", "japanese lunch box", "airline meal"), themes=("dining",),
           roles=("edible",), colors=("black", "red"))  # fmt: skip
 def bento_box(look: Look) -> Shape:
-    """An open lacquered box with compartments: rice, fish, egg and greens."""
+    """An open lacquered box with compartments for rice, fish, egg and greens."""
     x, y, h = look.between(0.21, 0.25), look.between(0.15, 0.17), look.between(0.045, 0.055)
     color = look.color("black", "black", "red", "maroon", "wooden", "navy")
     skin = look.surface(color, "plastic")
@@ -50,7 +50,7 @@ def bento_box(look: Look) -> Shape:
           aliases=("pizza carton", "box of pizza", "boxed pizza"), themes=("dining",),
           roles=("flat", "support", "big"), colors=("red",), state="lying flat")  # fmt: skip
 def pizza_box(look: Look) -> Shape:
-    """A flat square cardboard box with PIZZA on its lid."""
+    """A flat, square cardboard box with the word PIZZA on its lid."""
     x, h = look.between(0.3, 0.34), look.between(0.038, 0.046)
     color = look.color("red", "green", "orange", "navy", "red")
     card = surfaces.speckles(look.rng, look.pick([(244, 240, 230), (206, 170, 122)]), 5)
@@ -73,7 +73,7 @@ def pizza_box(look: Look) -> Shape:
           "doggy bag", "chinese takeout box"), themes=("dining",),
           colors=("white", "red"))  # fmt: skip
 def takeaway_box(look: Look) -> Shape:
-    """A folded paper pail for takeaway food with a wire handle, or a clamshell box."""
+    """A folded paper container for takeaway food with a wire handle, or a clamshell box."""
     color = look.color("white", "red", "white", "tan", "black")
     if look.chance(0.6):
         x, h = look.between(0.085, 0.1), look.between(0.09, 0.105)
@@ -113,7 +113,7 @@ def takeaway_box(look: Look) -> Shape:
           aliases=("hamper", "food hamper", "christmas hamper"), themes=("dining",), roles=("big",),
           colors=("tan",))  # fmt: skip
 def gift_hamper(look: Look) -> Shape:
-    """A wicker hamper filled with bottles, jars and fruit, a ribbon on its front."""
+    """A wicker hamper filled with bottles, jars and fruit, with a ribbon on its front."""
     k = look.between(0.94, 1.06)
     color = look.color("tan", "brown", "bronze")
     x, y, h = 0.3 * k, 0.2 * k, 0.11 * k

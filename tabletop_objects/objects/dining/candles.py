@@ -1,4 +1,4 @@
-"""Candles (dining)."""
+"""Objects of the ``dining`` theme: candles."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ...values import ConvexPart, Holder, Slot, read_room
           themes=("dining", "living"), roles=("tall",), colors=("brass", "silver"),
           opened="empty_candlestick")  # fmt: skip
 def candlestick(look: Look) -> Shape:
-    """A candlestick with its candle: turned, slim or a saucer with a ring; or a candelabrum."""
+    """A candlestick with a candle: turned, slim or a saucer with a ring, or a candelabrum."""
     color = look.color("brass", "silver", "gold", "black", "copper", "white", "wooden")
     skin = look.surface(color, look.pick(["metal", "ceramic"]))
     wax = surfaces.speckles(
@@ -93,7 +93,7 @@ def candle(look: Look) -> Shape:
     wax = look.color(
         *("cream", "white", "red", "sage", "lavender", "coral", "navy", "mustard", "pink", "black")
     )
-    pale = 1.35 if sum(wax) > 240 else 1.06  # black wax stays black
+    pale = 1.35 if sum(wax) > 240 else 1.06  # black wax is not tinted
     tile = surfaces.gradient(wax, tint_color(wax, pale), look.rng, 3)
     if look.chance(0.35):
         tile = glaze_tile(look, wax)
@@ -121,12 +121,12 @@ def candle(look: Look) -> Shape:
 
 _ROOM = (0.022, 0.022, 0.22)
 """The candle that a socket is made for where none is given, metres."""
-_PLAY = 0.0007  # metres of room on each side of a candle
+_PLAY = 0.0007  # clearance on each side of a candle, metres
 _DEPTH = 0.036  # metres
 
 
 def _socket(half: float, at: tuple[float, float, float]) -> tuple[Solid, list[ConvexPart]]:
-    """Return a cup for a candle of half width ``half`` on a place, and its walls."""
+    """Return a candle socket of half width ``half`` for a slot, with its walls."""
     hole, sides = half + _PLAY, 8
     outer = hole + 0.004
     turn = np.pi / sides
@@ -151,7 +151,7 @@ def _socket(half: float, at: tuple[float, float, float]) -> tuple[Solid, list[Co
           assembled=True, aliases=("empty candle holder",), themes=("dining", "living"),
           roles=("tall",), holder=Holder("end", (0.05, 0.05, 0.3)))  # fmt: skip
 def empty_candlestick(look: Look) -> Shape:
-    """A turned candlestick, empty; for several candles it has arms."""
+    """An empty turned candlestick, with arms if it holds several candles."""
     if int(look.attributes.get("places", 1)) > 1:
         return empty_candelabra(look)
     a, b, _ = read_room(look.attributes.get("room"), _ROOM)
@@ -170,7 +170,7 @@ def empty_candlestick(look: Look) -> Shape:
 
 
 def empty_candelabra(look: Look) -> Shape:
-    """A candelabra without candles: arms in one plane, a socket on each."""
+    """An empty candelabra with arms in one plane and a socket on each."""
     a, b, _ = read_room(look.attributes.get("room"), _ROOM)
     count = max(1, min(9, int(look.attributes.get("places", 3))))
     half, arms = max(a, b) / 2, max(count, 3)
@@ -200,7 +200,7 @@ def empty_candelabra(look: Look) -> Shape:
           aliases=("dinner stick candle",), themes=("dining", "living"),
           roles=("tall", "round"))  # fmt: skip
 def long_candle(look: Look) -> Shape:
-    """A long straight candle, to be put into a candlestick."""
+    """A long straight candle for a candlestick."""
     r, h = 0.0105, look.between(0.15, 0.2)
     wax = surfaces.speckles(
         look.rng, look.color("white", "ivory", "cream", "red", "navy", "sage"), 4, 32

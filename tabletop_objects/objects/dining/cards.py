@@ -1,4 +1,4 @@
-"""Cards (dining)."""
+"""Objects of the ``dining`` theme: cards."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..living.signs import sheet_of
 
 
 def menu_page(look: Look, color: RGB, wide: int, tall: int) -> surfaces.Tile:
-    """Return a menu's page: a title, a rule, nine lines of dishes with their prices."""
+    """Return a menu page with a title, a line and nine dishes with their prices."""
     image = prints.canvas(wide, tall, color)
     ink = readable_on(color)
     prints.write(image, look.pick(["MENU", "MENU", "BISTRO", "CAFE"]), 0.5, 0.12, 0.1, ink,
@@ -31,7 +31,7 @@ def menu_page(look: Look, color: RGB, wide: int, tall: int) -> surfaces.Tile:
           "dessert menu"), themes=("dining",), roles=("flat",), colors=("cream", "maroon"),
           state="lying flat")  # fmt: skip
 def menu(look: Look) -> Shape:
-    """A restaurant's menu: a folded card standing ajar, or a sheet lying."""
+    """A restaurant menu: a half-open folded card standing upright, or a flat sheet."""
     k = look.between(0.92, 1.06)
     color = look.color("cream", "white", "maroon", "navy", "black", "green")
     image = menu_page(look, color, 140, 200)
@@ -47,7 +47,7 @@ def menu(look: Look) -> Shape:
           "place setting card", "reserved sign", "name place card"), themes=("dining",),
           colors=("white",))  # fmt: skip
 def place_card(look: Look) -> Shape:
-    """A small tent of card with a name on it."""
+    """A small tent-shaped place card with a name on it."""
     k = look.between(0.92, 1.1)
     color = look.color("white", "cream", "ivory", "pink", "mint", "sky")
     image = prints.canvas(150, 84, color)

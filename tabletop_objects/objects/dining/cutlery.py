@@ -1,4 +1,4 @@
-"""Cutlery (dining)."""
+"""Objects of the ``dining`` theme: cutlery."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ...values import ConvexPart
           aliases=("pair of chopsticks", "chopstick", "chop sticks"), themes=("dining",),
           roles=("flat",), colors=("wooden", "black"), state="lying flat")  # fmt: skip
 def chopsticks(look: Look) -> Shape:
-    """A pair of chopsticks lying side by side, thin ends to the left."""
+    """A pair of chopsticks lying side by side with their thin ends on the left."""
     long, gap = look.between(0.21, 0.25), look.between(0.012, 0.02)
     color = look.color("wooden", "brown", "black", "red", "tan", "maroon", "white")
     wood = look.surface(color, "wood")
@@ -44,10 +44,10 @@ Outline = list[tuple[float, float]]
 
 def _knife(look: Look, long: float, wide: float, share: float, outline: Outline, *,
            metal: float = 0.2, teeth: int = 0, thick: float = 0.016) -> Shape:  # fmt: skip
-    """Return a knife, its blade to the left.
+    """Return a knife with its blade on the left.
 
-    ``outline`` runs from the blade's tip along its edge and back along its spine, as shares of the
-    blade's length (from the tip) and of ``wide`` (below the middle negative).
+    ``outline`` runs from the blade's tip along its edge and back along its spine, in fractions of
+    the blade's length (from the tip) and of ``wide`` (negative below the centre line).
     """
     steel = look.surface(look.own_color("silver", "silver", "gray"), "metal")
     all_metal = look.chance(metal)
@@ -78,7 +78,7 @@ def _knife(look: Look, long: float, wide: float, share: float, outline: Outline,
           themes=("dining",), roles=("flat",), colors=("black", "wooden"),
           state="lying flat")  # fmt: skip
 def steak_knife(look: Look) -> Shape:
-    """A slim pointed table knife with a handle of wood or plastic."""
+    """A slim, pointed steak knife with a handle of wood or plastic."""
     outline = [(0, 0.45), (0.15, -0.1), (0.35, -0.45), (1, -0.5), (1, 0.4), (0.4, 0.5)]
     return _knife(look, look.between(0.21, 0.235), 0.02, 0.52, outline, metal=0.1, thick=0.013)
 
@@ -88,7 +88,7 @@ def steak_knife(look: Look) -> Shape:
           themes=("dining", "breakfast"), roles=("flat",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def butter_knife(look: Look) -> Shape:
-    """A short blunt knife with a round broad blade."""
+    """A short, blunt butter knife with a broad, rounded blade."""
     outline = [(0, 0.1), (0.03, -0.3), (0.14, -0.5), (0.6, -0.45), (1, -0.2), (1, 0.2), (0.7, 0.3),
                (0.3, 0.5), (0.06, 0.42)]  # fmt: skip
     return _knife(look, look.between(0.15, 0.18), 0.024, 0.48, outline, metal=0.8, thick=0.008)
@@ -99,7 +99,7 @@ def butter_knife(look: Look) -> Shape:
           "cake spatula"), themes=("dining",), roles=("flat",), colors=("silver", "gold"),
           state="lying flat")  # fmt: skip
 def cake_server(look: Look) -> Shape:
-    """A triangular server, its blade to the left, its handle raised."""
+    """A triangular cake server with its blade on the left and its handle raised."""
     long, wide = look.between(0.23, 0.27), look.between(0.055, 0.068)
     color = look.color("silver", "gold", "silver", "copper")
     steel = look.surface(color, "metal")
@@ -122,7 +122,7 @@ def cake_server(look: Look) -> Shape:
           aliases=("cheese cutter",), themes=("dining",), roles=("flat",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def cheese_knife(look: Look) -> Shape:
-    """A forked cheese knife with holes in its blade."""
+    """A cheese knife with a forked tip and holes in its blade."""
     outline = [(0, 0.5), (0.1, 0.2), (0.02, 0.0), (0.16, -0.3), (0.4, -0.5), (1, -0.4), (1, 0.35),
                (0.4, 0.3), (0.12, 0.52)]  # fmt: skip
     long = look.between(0.2, 0.235)
@@ -138,7 +138,7 @@ def cheese_knife(look: Look) -> Shape:
           aliases=("disposable fork", "plastic cutlery"), themes=("dining",), roles=("flat",),
           colors=("white",), state="lying flat")  # fmt: skip
 def plastic_fork(look: Look) -> Shape:
-    """A throwaway fork of white or coloured plastic, or of wood, lying."""
+    """A disposable fork of white or coloured plastic, or of wood, lying flat."""
     long = look.between(0.155, 0.18)
     color = look.color("white", "white", "black", "clear", "red", "green", "tan")
     skin = look.surface(color, "plastic")
@@ -153,7 +153,7 @@ def plastic_fork(look: Look) -> Shape:
 
 
 def hollow(x: float, reach: float, wide: float, deep: float, wall: float) -> Solid:
-    """Return a spoon's oval hollow lying at ``x``, its rim at the height ``deep``."""
+    """Return the oval bowl of a spoon at ``x``, with its rim at height ``deep``."""
     ring = ellipse(2, 2, 24) * [reach, wide]
     levels = [(0.25, 0), (0.7, 0.25 * deep), (0.94, 0.7 * deep), (1.0, deep),
               (0.9, deep), (0.82, 0.7 * deep + 0.3 * wall), (0.55, 0.25 * deep + wall),
@@ -164,7 +164,7 @@ def hollow(x: float, reach: float, wide: float, deep: float, wall: float) -> Sol
 
 def _spoon(look: Look, long: float, reach: float, wide: float, deep: float,
            tile: surfaces.Tile, *, thick: float = 0.004, slots: bool = False) -> Shape:  # fmt: skip
-    """Return a spoon lying on its bowl and the end of its handle, bowl to the left."""
+    """Return a spoon with its bowl on the left, resting on the bowl and the end of its handle."""
     middle = -0.5 * long + reach
     head = hollow(middle, reach, wide, deep, 0.3 * deep)
     grip = sweep(
@@ -197,7 +197,7 @@ def serving_spoon(look: Look) -> Shape:
           themes=("dining", "coffee"), roles=("flat",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def teaspoon(look: Look) -> Shape:
-    """A small spoon: a table spoon at two thirds of its size."""
+    """A small spoon: a tablespoon at two thirds of its size."""
     return spoon(look).scale(0.7)
 
 
@@ -205,7 +205,7 @@ def teaspoon(look: Look) -> Shape:
           aliases=("ramen spoon", "chinese spoon", "asian soup spoon"), themes=("dining",),
           roles=("flat",), colors=("silver", "white"), state="lying flat")  # fmt: skip
 def soup_spoon(look: Look) -> Shape:
-    """A spoon with a round bowl, or a flat-bottomed one of china."""
+    """A spoon with a round bowl, or a flat-bottomed porcelain spoon."""
     if look.chance(0.6):
         tile = look.surface(look.color("silver", "silver", "gold"), "metal")
         return _spoon(look, look.between(0.165, 0.185), 0.024, 0.0225, 0.009, tile, thick=0.0026)
@@ -217,7 +217,7 @@ def soup_spoon(look: Look) -> Shape:
           aliases=("salad server", "salad tongs", "salad fork and spoon"), themes=("dining",),
           colors=("wooden",), state="lying flat")  # fmt: skip
 def salad_servers(look: Look) -> Shape:
-    """A salad spoon and fork lying side by side."""
+    """A salad spoon and a salad fork lying side by side."""
     long = look.between(0.25, 0.29)
     tile = look.surface(look.color("wooden", "brown", "black", "silver", "white"), look.pick(
         ["wood", "plastic"]))  # fmt: skip
@@ -235,7 +235,7 @@ def salad_servers(look: Look) -> Shape:
 
 
 def _bend(solid: Solid, length: float, dip: float) -> Solid:
-    """Return flat cutlery with its neck raised, lying on its two ends."""
+    """Return flat cutlery with a raised neck, resting on its two ends."""
     return solid.bend(lambda p: np.column_stack([p[:, :2], p[:, 2] + dip
                                                  * np.clip(np.cos(np.pi * p[:, 0] / length), 0,
                                                            1)]))  # fmt: skip
@@ -248,14 +248,14 @@ def _slice(solid: Solid, edges: list[float]) -> list[ConvexPart]:
 
 
 def _mirror(half: list[tuple[float, float]]) -> np.ndarray:
-    """Return a closed outline from its lower half, listed from left to right."""
+    """Return a closed symmetric outline from its lower half, given from left to right."""
     lower = np.array(half, float)
     upper = lower[::-1] * [1, -1]
     return np.concatenate([lower, upper[np.abs(upper[:, 1]) > 1e-9]])
 
 
 def _metal(look: Look) -> Tile:
-    """Return a flat of bright, brushed, golden, coppery or black metal, a little scratched."""
+    """Return a slightly scratched tile of bright, brushed, golden, coppery or black metal."""
     color = look.color(*["silver"] * 5, "gray", "gray", "gold", "black", "copper", spread=6)
     tile = look.surface(color, "metal")
     if look.material:
@@ -267,7 +267,7 @@ def _metal(look: Look) -> Tile:
 
 
 def _grip_paint(look: Look) -> tuple[str, Tile]:
-    """Return how a handle is made, "metal" or "sleeve", and the sleeve's tile."""
+    """Return the kind of a handle, "metal" or "sleeve", and the tile of the sleeve."""
     color = look.own_color("black", "white", "brown", "red", "teal", "sky", "cream")
     sleeve = look.pick([surfaces.wood(look.rng, (150, 98, 60)), surfaces.plain(color),
                         surfaces.speckles(look.rng, color, 5, 32)])  # fmt: skip
@@ -275,7 +275,7 @@ def _grip_paint(look: Look) -> tuple[str, Tile]:
 
 
 def _sleeve(long: float, start: float, wide: float) -> Solid:
-    """Return the flattened sleeve of a handle from x ``start`` to the right end."""
+    """Return the flattened sleeve of a handle from x = ``start`` to the right end."""
     x = 0.5 * long - start
     return block(x, 2 * wide, 0.0052, wide, 0.0012).move(x=start + x / 2)
 
@@ -284,7 +284,7 @@ def _sleeve(long: float, start: float, wide: float) -> Solid:
           aliases=("salad fork",), themes=("dining", "kitchen"), roles=("flat",),
           colors=("silver", "gold"), state="lying flat", common=True)  # fmt: skip
 def fork(look: Look) -> Shape:
-    """A fork lying flat, three or four tines to the left."""
+    """A fork lying flat with its three or four tines on the left."""
     long, wide = look.between(0.175, 0.21), look.between(0.85, 1.15)
     steel, kind, sleeve = _metal(look), *_grip_paint(look)
     end = look.between(0.005, 0.0105)
@@ -308,7 +308,7 @@ def fork(look: Look) -> Shape:
 
 
 def spoon(look: Look) -> Shape:
-    """A spoon lying flat, its hollow bowl to the left: round, oval or pointed."""
+    """A spoon lying flat with its bowl on the left: round, oval or pointed."""
     long = look.between(0.155, 0.2)
     steel, kind, sleeve = _metal(look), *_grip_paint(look)
     reach, wide = look.between(0.026, 0.034), look.between(0.0175, 0.023)
@@ -351,7 +351,7 @@ def spoon(look: Look) -> Shape:
           aliases=("table knife", "letter opener"), themes=("dining", "kitchen"), roles=("flat",),
           colors=("silver", "black"), state="lying flat", common=True)  # fmt: skip
 def knife(look: Look) -> Shape:
-    """A table knife lying flat, or a kitchen knife: chef's, santoku, paring, serrated, steak."""
+    """A table knife lying flat, or a kitchen knife: chef's, santoku, paring, serrated or steak."""
     kind = look.pick(["table", "table", "chef", "santoku", "bread", "steak"])
     long, wide, cut = {"table": (look.between(0.2, 0.23), 0.019, look.between(0.0, 0.03)),
                        "chef": (look.between(0.28, 0.31), 0.04, 0.045),

@@ -1,4 +1,4 @@
-"""Desserts (dining)."""
+"""Objects of the ``dining`` theme: desserts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import RGB, Look, speck, tint_color
           state="lying flat")  # fmt: skip
 @vary()
 def jalebi(look: Look) -> Shape:
-    """Jalebi: a loose syrupy spiral, bright orange."""
+    """A loose, syrupy, bright orange spiral of jalebi."""
     r = look.between(0.032, 0.04)
     t = np.linspace(0.5, 6.2 * np.pi, 70)
     away = 0.9 * r * t / t[-1]
@@ -60,7 +60,7 @@ def panettone(look: Look) -> Shape:
           "bowl of jelly"), themes=("dining",), roles=("edible", "round"),
           colors=("red", "green"))  # fmt: skip
 def jelly(look: Look) -> Shape:
-    """A fluted dome of jelly turned out on a small plate."""
+    """A fluted dome of jelly on a small plate."""
     r, h = look.between(0.042, 0.055), look.between(0.045, 0.06)
     color = look.color("red", "green", "orange", "purple", "yellow", "pink")
     dome = lathe([(0, 0), (r, 0), (0.92 * r, 0.5 * h), (0.78 * r, 0.86 * h), (0.6 * r, h),
@@ -99,7 +99,7 @@ def cake(look: Look) -> Shape:
           themes=("dining", "food"), roles=("edible", "tall"),
           colors=("pink", "white"))  # fmt: skip
 def ice_cream(look: Look) -> Shape:
-    """Scoops of ice cream in a glass dish, with a wafer, sauce or a cherry."""
+    """Scoops of ice cream in a glass dish with a wafer, sauce or a cherry."""
     tones: dict[str, RGB] = {"vanilla": (246, 234, 196), "strawberry": (240, 168, 180),
                              "chocolate": (112, 72, 50), "mint": (176, 220, 190),
                              "mango": (246, 196, 90), "berry": (170, 120, 180)}  # fmt: skip

@@ -1,4 +1,4 @@
-"""Foods (dining)."""
+"""Objects of the ``dining`` theme: dishes and other food."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _unit(p: np.ndarray) -> np.ndarray:
           themes=("dining",), roles=("edible", "flat"), state="lying flat")  # fmt: skip
 @vary()
 def borek(look: Look) -> Shape:
-    """A spiral of filled filo pastry."""
+    """A borek: a spiral of filled filo pastry."""
     r = look.between(0.055, 0.07)
     t = np.linspace(0.8, 5.4 * np.pi, 60)
     away = 0.86 * r * t / t[-1]
@@ -54,7 +54,7 @@ def borek(look: Look) -> Shape:
           aliases=("popover", "yorkshire pud"), themes=("dining",), roles=("edible", "round"),
           colors=("amber",))  # fmt: skip
 def yorkshire_pudding(look: Look) -> Shape:
-    """A risen, hollow, crisp batter cup."""
+    """A risen, crisp, hollow Yorkshire pudding."""
     r, h = look.between(0.04, 0.05), look.between(0.042, 0.052)
     cup = lathe([(0, 0), (0.62 * r, 0), (0.72 * r, 0.3 * h), (0.95 * r, 0.62 * h), (r, 0.86 * h),
                  (0.85 * r, h), (0.66 * r, 0.92 * h), (0.5 * r, 0.6 * h), (0, 0.46 * h)],
@@ -69,7 +69,7 @@ def yorkshire_pudding(look: Look) -> Shape:
           aliases=("papadum", "papad", "poppadum", "papadam", "popadom"), themes=("dining",),
           roles=("edible", "flat", "round"), colors=("amber",), state="lying flat")  # fmt: skip
 def poppadom(look: Look) -> Shape:
-    """A thin, blistered, wavy disc."""
+    """A thin, blistered, wavy poppadom."""
     r = look.between(0.075, 0.09)
     disc = lathe([(0, 0), (0.5 * r, 0), (r, 0.002), (r, 0.0036), (0.5 * r, 0.0026), (0, 0.0026)],
                  36)  # fmt: skip
@@ -102,7 +102,7 @@ def poppadom(look: Look) -> Shape:
           "rice cracker", "rice cake", "crispbread"), themes=("dining",), roles=("edible", "flat"),
           colors=("tan",), state="lying flat")  # fmt: skip
 def cracker(look: Look) -> Shape:
-    """A thin cracker with docking holes, round or square."""
+    """A thin, round or square cracker with holes."""
     r, h = look.between(0.027, 0.034), look.between(0.0048, 0.006)
     round_ = look.chance(0.5)
     body = cylinder(r, h, 30, bevel=0.001) if round_ else prism(
@@ -119,7 +119,7 @@ def cracker(look: Look) -> Shape:
           aliases=("mapo tofu", "bowl of tofu", "tofu stew", "tofu soup", "fried tofu dish"),
           themes=("dining",), roles=("edible", "round"), colors=("white",))  # fmt: skip
 def tofu_dish(look: Look) -> Shape:
-    """A bowl of tofu cubes in a red or brown sauce with spring onion."""
+    """A bowl of tofu cubes in a red or brown sauce with spring onions."""
     r, h = look.between(0.075, 0.085), look.between(0.055, 0.065)
     color = look.color("white", "navy", "teal", "black", "cream")
     dish = crockery(r, h)
@@ -142,7 +142,7 @@ def tofu_dish(look: Look) -> Shape:
           aliases=("wasabi paste", "lump of wasabi", "ball of wasabi"), themes=("dining",),
           roles=("edible",))  # fmt: skip
 def wasabi(look: Look) -> Shape:
-    """Wasabi: a small pressed cone of green paste."""
+    """A small pressed cone of green wasabi paste."""
     r = look.between(0.013, 0.017)
     color = look.color("lime", "olive", "green")
     tone = tint_color((170.0, 196.0, 100.0), 1.0) if "color" not in look.attributes else color
@@ -159,7 +159,7 @@ def wasabi(look: Look) -> Shape:
           aliases=("cheese and pineapple hedgehog", "cheese hedgehog", "cheese and pineapple"),
           themes=("dining",), roles=("edible", "round"), colors=("silver",))  # fmt: skip
 def pineapple_hedgehog(look: Look) -> Shape:
-    """Half a melon in foil stuck with sticks of cheese and pineapple."""
+    """Half a melon wrapped in foil, with cocktail sticks of cheese and pineapple."""
     r = look.between(0.062, 0.072)
     dome = lathe([(0, 0), (r, 0), (0.96 * r, 0.3 * r), (0.7 * r, 0.72 * r), (0.3 * r, 0.93 * r),
                   (0, 0.96 * r)], 28)  # fmt: skip
@@ -184,7 +184,7 @@ def pineapple_hedgehog(look: Look) -> Shape:
           "potato mash", "potato puree"), themes=("dining",), roles=("edible", "round"),
           colors=("white",))  # fmt: skip
 def mashed_potatoes(look: Look) -> Shape:
-    """A bowl of mashed potato in peaks, butter melting on it."""
+    """A bowl of mashed potato with butter melting on its peaks."""
     r, h, dish, tile = filled_bowl(look)
     peaks = [ellipsoid(1.0 * r, 0.9 * r, 0.5 * h, 16, 8).move(0.42 * r * np.cos(1.26 * n), 0.42 * r
                                                               * np.sin(1.26 * n), 0.9 * h)
@@ -250,7 +250,7 @@ def bowl_of_crisps(look: Look) -> Shape:
           "bowl of guacamole"), themes=("dining",), roles=("edible", "round"),
           colors=("white",))  # fmt: skip
 def dip(look: Look) -> Shape:
-    """A small bowl of dip, swirled, a few crisps stuck in it."""
+    """A small bowl of swirled dip with a few crisps stuck in it."""
     r, h, dish, tile = filled_bowl(look)
     tone = look.pick([(146, 176, 84), (232, 206, 150), (196, 56, 38), (244, 238, 222)])
     body = lathe([(0, 0.4 * h), (0.6 * r, 0.4 * h), (0.88 * r, 0.8 * h), (0, 0.86 * h)], 30)
@@ -273,7 +273,7 @@ GREEN: RGB = (96, 158, 62)
 
 
 def filled_bowl(look: Look, *palette: str) -> tuple[float, float, Solid, surfaces.Tile]:
-    """Return a bowl's radius, height, solid and tile."""
+    """Return the radius, height, solid and tile of a bowl."""
     r, h = look.between(0.072, 0.085), look.between(0.055, 0.066)
     color = look.color(*(palette or ("white", "white", "navy", "cream", "teal", "red", "black")))
     inside = look.surface(tint_color(color, 1.3), "ceramic")
@@ -288,7 +288,7 @@ def _plate(look: Look) -> tuple[float, float, Solid, surfaces.Tile]:
 
 
 def _strands(look: Look, radius: float, z: float, dome: float, thick: float, count: int) -> Solid:
-    """Return tangled noodles over a disc at height ``z``."""
+    """Return tangled noodles on a disc at height ``z``."""
     made = []
     for k in range(count):
         t = np.linspace(0, look.between(4.5, 6.2), 20)
@@ -304,7 +304,7 @@ def _strands(look: Look, radius: float, z: float, dome: float, thick: float, cou
 
 
 def pool(r: float, low: float, z: float) -> Solid:
-    """Return what fills a bowl up to the height ``z``."""
+    """Return the filling of a bowl up to height ``z``."""
     return lathe([(0, low), (0.6 * r, low), (0.88 * r, z), (0, z)], 30)
 
 
@@ -313,7 +313,7 @@ def pool(r: float, low: float, z: float) -> Solid:
           "pad thai", "plate of noodles", "udon", "noodle dish", "bowl of udon"),
           themes=("dining",), roles=("edible", "round"), colors=("white", "navy"))  # fmt: skip
 def noodles(look: Look) -> Shape:
-    """A bowl of fried noodles with greens, chopsticks laid across."""
+    """A bowl of fried noodles with vegetables and chopsticks across it."""
     r, h, dish, tile = filled_bowl(look)
     tone = look.pick([(232, 190, 100), (214, 160, 84), (240, 214, 140)])
     bed = lathe([(0, 0.5 * h), (0.84 * r, 0.8 * h), (0.5 * r, 1.02 * h), (0, 1.1 * h)], 26)
@@ -338,7 +338,7 @@ def noodles(look: Look) -> Shape:
           "laksa"), themes=("dining",), roles=("edible", "round"),
           colors=("black", "red"))  # fmt: skip
 def ramen(look: Look) -> Shape:
-    """A bowl of noodle soup: half an egg, seaweed, spring onion and meat on top."""
+    """A bowl of noodle soup topped with half an egg, seaweed, spring onions and meat."""
     r, h, dish, tile = filled_bowl(look, "black", "red", "navy", "white", "charcoal")
     broth = pool(r, 0.4 * h, 0.8 * h)
     nest = _strands(look, 0.66 * r, 0.785 * h, 0.05 * h, 0.0024, 8)
@@ -364,7 +364,7 @@ def ramen(look: Look) -> Shape:
           "fresh salad", "plate of salad", "coleslaw"), themes=("dining",),
           roles=("edible", "round"), colors=("white",))  # fmt: skip
 def salad(look: Look) -> Shape:
-    """A bowl heaped with leaves, tomatoes, cucumber and onion."""
+    """A bowl heaped with leaves, tomatoes, cucumber and onions."""
     r, h, dish, tile = filled_bowl(look, "white", "wooden", "cream", "clear", "teal")
     r1 = 0.8 * r
     leaves, dark = [], []
@@ -436,7 +436,7 @@ def _curry(look: Look, tone: RGB, rice: bool) -> Pieces:
           "daal", "balti"), themes=("dining",), roles=("edible", "round"),
           colors=("white",))  # fmt: skip
 def curry(look: Look) -> Shape:
-    """A bowl of curry with rice at one side."""
+    """A bowl of curry with rice on one side."""
     r, h, dish, tile = filled_bowl(look)
     tone = look.pick([(206, 130, 34), (176, 72, 30), (120, 140, 60), (220, 150, 50)])
     food = [(s.scale(r, r, h), t) for s, t in _curry(look, tone, True)]
@@ -447,7 +447,7 @@ def curry(look: Look) -> Shape:
           aliases=("bowl of stew", "beef stew", "goulash", "bowl of chili", "chili con carne",
           "hotpot", "stew bowl"), themes=("dining",), roles=("edible", "round"))  # fmt: skip
 def stew(look: Look) -> Shape:
-    """A bowl of stew: meat, carrots and potatoes in a brown gravy."""
+    """A bowl of stew with meat, carrots and potatoes in a brown gravy."""
     r, h, dish, tile = filled_bowl(look, "terracotta", "cream", "navy", "charcoal")
     food = [(s.scale(r, r, h), t) for s, t in _curry(look, (134, 70, 34), False)]
     carrots = scatter(look, 0.6 * r, 6, (0.016, 0.02), 0.84 * h, stretch=(1, 1, 0.6))
@@ -459,7 +459,7 @@ def stew(look: Look) -> Shape:
           aliases=("fried onion ring", "fried calamari"), themes=("dining",),
           roles=("edible", "round", "flat"), colors=("amber",), state="lying flat")  # fmt: skip
 def onion_ring(look: Look) -> Shape:
-    """A breaded ring lying flat."""
+    """A breaded onion ring lying flat."""
     r, t = look.between(0.026, 0.034), look.between(0.0075, 0.0095)
     ring = torus(r, t, 30, 10)
     crumb = surfaces.spots(look.rng, look.color("amber", "tan", "golden"), (166, 96, 36), 0.3)
@@ -471,7 +471,7 @@ def onion_ring(look: Look) -> Shape:
           "bao bun", "ravioli", "momo"), themes=("dining",), roles=("edible",),
           colors=("cream",))  # fmt: skip
 def dumpling(look: Look) -> Shape:
-    """A folded dumpling, its pleated seam up, or a round steamed one."""
+    """A folded dumpling with its pleated seam up, or a round steamed one."""
     color = look.color("cream", "ivory", "beige", "tan")
     tile = skin(look, color, tint_color(color, 0.88), 0.7)
     if look.chance(0.6):
@@ -496,7 +496,7 @@ def dumpling(look: Look) -> Shape:
           aliases=("egg roll", "lumpia", "summer roll"), themes=("dining",), roles=("edible",),
           colors=("amber",), state="lying flat")  # fmt: skip
 def spring_roll(look: Look) -> Shape:
-    """A fried roll lying, its wrapper's edge showing."""
+    """A fried spring roll with the edge of its wrapper visible, lying flat."""
     long, r = look.between(0.085, 0.11), look.between(0.012, 0.015)
     body = bent_rod(long, r, blunt=10)
     edge = tube([(s * 0.47 * long, 0.5 * r * s, 0.86 * r) for s in (-1, 0, 1)], 0.0016, 6)
@@ -509,7 +509,7 @@ def spring_roll(look: Look) -> Shape:
           aliases=("beef taco", "taco shell", "gordita", "fajita"), themes=("dining",),
           roles=("edible",), colors=("golden",))  # fmt: skip
 def taco(look: Look) -> Shape:
-    """A folded taco standing on its fold, meat, lettuce and tomato in it."""
+    """A folded taco with meat, lettuce and tomato, standing on its fold."""
     r, t = look.between(0.06, 0.07), 0.003
     half = np.concatenate([arc((0, 0), r, 0, np.pi, 18)])
     gap = look.between(0.012, 0.015)
@@ -540,7 +540,7 @@ def taco(look: Look) -> Shape:
           "gyros", "chimichanga"), themes=("dining",), roles=("edible",),
           state="lying flat")  # fmt: skip
 def burrito(look: Look) -> Shape:
-    """A rolled wrap cut open at its left end, foil or paper round the right one."""
+    """A burrito cut open at its left end, with foil or paper around the right end."""
     long, r = look.between(0.14, 0.17), look.between(0.026, 0.031)
     body = bent_rod(long, r, blunt=9, squash=0.88)
     face = cylinder(0.86 * r, 0.004, 24).turn(1, np.pi / 2).scale(1, 1, 0.88).move(-0.502 * long)
@@ -561,7 +561,7 @@ def burrito(look: Look) -> Shape:
           "paratha bread"), themes=("dining",), roles=("edible", "flat", "round", "support"),
           colors=("cream",), state="lying flat")  # fmt: skip
 def flatbread(look: Look) -> Shape:
-    """A round flat bread with browned spots."""
+    """A round flatbread with brown spots."""
     r, h = look.between(0.085, 0.11), look.between(0.006, 0.01)
     phase = look.between(0, 6)
     body = cylinder(r, h, 40, bevel=0.4 * h).bend(
@@ -585,7 +585,7 @@ def flatbread(look: Look) -> Shape:
           aliases=("slice of pizza", "piece of pizza"), themes=("dining",),
           roles=("edible", "flat"), colors=("red",), state="lying flat")  # fmt: skip
 def pizza_slice(look: Look) -> Shape:
-    """A slice of pizza, its crust at the back."""
+    """A slice of pizza with its crust at the back."""
     r, angle = look.between(0.15, 0.18), look.between(0.68, 0.82)
     base = _wedge(r, angle, 0, 0.008)
     cheese = _wedge(0.9 * r, 0.93 * angle, 0.0076, 0.0105).move(y=-0.045 * r)
@@ -606,7 +606,7 @@ def pizza_slice(look: Look) -> Shape:
           aliases=("lasagne", "moussaka", "piece of lasagna"), themes=("dining",),
           roles=("edible",))  # fmt: skip
 def lasagna(look: Look) -> Shape:
-    """A square of lasagne: layers of pasta, sauce and browned cheese."""
+    """A square of lasagne with layers of pasta, sauce and browned cheese."""
     x, y, h = look.between(0.085, 0.105), look.between(0.07, 0.085), look.between(0.036, 0.045)
     pasta, meat = surfaces.plain((240, 210, 140)), surfaces.spots(
         look.rng, (172, 60, 34), (110, 40, 24), 0.25)  # fmt: skip
@@ -622,7 +622,7 @@ def lasagna(look: Look) -> Shape:
           aliases=("toastie", "toasted sandwich"), themes=("dining", "office"),
           roles=("edible", "flat"), colors=("beige",), state="lying flat", common=True)  # fmt: skip
 def sandwich(look: Look) -> Shape:
-    """A triangular sandwich lying flat."""
+    """A triangular sandwich, lying flat."""
     crumb = surfaces.speckles(look.rng, look.color("beige", "cream", "tan"), 6)
     corner = np.array([(-0.065, -0.045), (0.065, -0.045), (0.0, 0.06)])
     layers = [(0.0, 0.013, 1.0, crumb)]
@@ -642,7 +642,7 @@ CRUST: RGB = (206, 152, 86)
           aliases=("pepperoni pizza", "whole pizza"), themes=("dining", "food"),
           roles=("round", "flat", "big", "edible"), state="lying flat", common=True)  # fmt: skip
 def pizza(look: Look) -> Shape:
-    """A round pizza on a board or bare, cut into slices."""
+    """A round sliced pizza, with or without a board."""
     r = look.between(0.12, 0.155)
     sauce = surfaces.noise(look.rng, 192, 192, (7, 7), 3)[..., None]
     cheese = np.where(sauce > -0.25, (240, 200, 104), (202, 82, 46)) + sauce * 12
@@ -680,7 +680,7 @@ def _bun(look: Look) -> surfaces.Tile:
 
 
 def _drooping(p: np.ndarray, r: float) -> np.ndarray:
-    """Return points, those beyond radius ``r`` hanging down."""
+    """Return points, with those beyond radius ``r`` bent down."""
     beyond = np.maximum(np.hypot(p[:, 0], p[:, 1]) - r, 0)
     return np.column_stack([p[:, :2], p[:, 2] - 0.7 * beyond])
 
@@ -689,7 +689,7 @@ def _drooping(p: np.ndarray, r: float) -> np.ndarray:
           aliases=("hamburger", "cheeseburger", "beef burger"), themes=("dining", "food"),
           roles=("round", "edible"), common=True)  # fmt: skip
 def burger(look: Look) -> Shape:
-    """A hamburger: buns, lettuce, tomato, cheese and a patty."""
+    """A hamburger with a bun, lettuce, tomato, cheese and a patty."""
     r = look.between(0.042, 0.055)
     bread = _bun(look)
     layers: list[tuple[Solid, surfaces.Tile]] = [(cylinder(r, 0.016, 28, bevel=0.005), bread)]
@@ -782,7 +782,7 @@ def fries(look: Look) -> Shape:
           aliases=("bowl of soup", "broth"), themes=("dining", "food"), roles=("round", "edible"),
           colors=("white",))  # fmt: skip
 def soup(look: Look) -> Shape:
-    """A bowl of soup: tomato, pumpkin, noodle or vegetable, with herbs or cream."""
+    """A bowl of tomato, pumpkin, noodle or vegetable soup, with herbs or cream."""
     r, h = look.between(0.072, 0.088), look.between(0.05, 0.062)
     color = look.color("white", "white", "cream", "teal", "terracotta", "navy", "black", "sage")
     t = np.linspace(0, np.pi / 2, 7)

@@ -1,4 +1,4 @@
-"""Glasses (dining)."""
+"""Objects of the ``dining`` theme: glasses."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Pieces = list[tuple[Solid, surfaces.Tile]]
 def _stem_profile(
     side: list[tuple[float, float]], foot: float, wet: tuple[RGB, float], clear: surfaces.Tile
 ) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a on_stem glass whose cup has the outside ``side``, filled to a share of it."""
+    """Return a stemmed glass whose cup has the profile ``side``, filled to a fraction of it."""
     (low, cup), (rim, h) = side[0], side[-1]
     outer = np.array(side)
     inner = np.column_stack([np.maximum(outer[:, 0] - 0.0022, 0.001), outer[:, 1] + 0.003])[::-1]
@@ -49,7 +49,7 @@ def _stem_profile(
           "coupe glass", "coupe"), themes=("dining",), roles=("round", "tall"),
           colors=("clear",))  # fmt: skip
 def cocktail_glass(look: Look) -> Shape:
-    """A martini glass or a coupe with a drink and a garnish: an olive, a cherry, a lime wheel."""
+    """A martini glass or a coupe with a drink and an olive, a cherry or a slice of lime."""
     r, h = look.between(0.046, 0.056), look.between(0.15, 0.18)
     color = look.color("clear", "clear", "sky", "pink", "mint", "amber")
     drink = look.pick([(220, 226, 200), (230, 110, 130), (240, 160, 60), (90, 180, 200),
@@ -83,7 +83,7 @@ def cocktail_glass(look: Look) -> Shape:
           "sparkling wine glass", "mimosa", "bellini"), themes=("dining",), roles=("round", "tall"),
           colors=("clear",))  # fmt: skip
 def champagne_flute(look: Look) -> Shape:
-    """A tall, slim on_stem glass, often with sparkling wine."""
+    """A tall, slim champagne flute, often with sparkling wine."""
     r, h = look.between(0.024, 0.029), look.between(0.2, 0.24)
     color = look.color("clear", "clear", "sky", "pink", "amber", "mint")
     cup = look.between(0.36, 0.42) * h
@@ -176,7 +176,7 @@ def _open_glass(look: Look, side: list[tuple[float, float]], wall: float, bottom
           aliases=("pint", "beer glass", "pint of beer", "highball glass", "long drink glass"),
           themes=("dining",), roles=("container", "round", "tall"), colors=("clear",))  # fmt: skip
 def pint_glass(look: Look) -> Shape:
-    """A tall glass widening to its rim, with or without beer."""
+    """A tall glass that widens towards its rim, with or without beer."""
     r, h = look.between(0.041, 0.046), look.between(0.145, 0.165)
     side = [(0.7 * r, 0), (0.78 * r, 0.3 * h), (0.9 * r, 0.7 * h), (r, h)]
     return _open_glass(look, side, 0.003, 0.01)
@@ -187,7 +187,7 @@ def pint_glass(look: Look) -> Shape:
           "old fashioned glass", "whiskey tumbler", "glass of whiskey", "glass of whisky"),
           themes=("dining",), roles=("container", "round"), colors=("clear",))  # fmt: skip
 def whiskey_glass(look: Look) -> Shape:
-    """A low heavy tumbler with a thick bottom, round or faceted."""
+    """A low, heavy tumbler with a thick bottom, round or faceted."""
     r, h = look.between(0.039, 0.045), look.between(0.08, 0.095)
     side = [(0.88 * r, 0), (0.93 * r, 0.3 * h), (0.97 * r, 0.7 * h), (r, h)]
     return _open_glass(look, side, 0.004, 0.016, look.pick([10, 12, 32]))
@@ -197,7 +197,7 @@ def whiskey_glass(look: Look) -> Shape:
           aliases=("disposable plastic cup", "solo cup", "party cup"), themes=("dining",),
           roles=("container", "round", "tall"), colors=("red",))  # fmt: skip
 def plastic_cup(look: Look) -> Shape:
-    """A throwaway cup with a rolled rim and grooves."""
+    """A disposable cup with a rolled rim and grooves."""
     r, h = look.between(0.04, 0.047), look.between(0.095, 0.12)
     color = look.color("red", "red", "white", "blue", "clear", "yellow", "green", "orange")
     skin = look.surface(color, "plastic")
@@ -216,7 +216,7 @@ def plastic_cup(look: Look) -> Shape:
           "arabic coffee cup"), themes=("dining", "tea"), roles=("container", "round"),
           colors=("white", "navy"))  # fmt: skip
 def sake_cup(look: Look) -> Shape:
-    """A tiny cup without an ear, for sake or green tea."""
+    """A tiny cup without a handle, for sake or green tea."""
     r, h = look.between(0.024, 0.03), look.between(0.034, 0.046)
     color = look.color("white", "navy", "black", "sage", "sky", "terracotta", "cream")
     plain = look.surface(color, "ceramic")
@@ -230,7 +230,7 @@ def sake_cup(look: Look) -> Shape:
           aliases=("drinking glass", "water glass", "glass of water"), themes=("dining", "kitchen"),
           roles=("container", "round", "tall"), colors=("clear",), common=True)  # fmt: skip
 def glass(look: Look) -> Shape:
-    """A drinking glass: tapered, straight, waisted or faceted, sometimes with a drink in it."""
+    """A tapered, straight, waisted or faceted drinking glass, sometimes with a drink in it."""
     r, h, wall = look.between(0.034, 0.042), look.between(0.095, 0.15), 0.0028
     kind = look.pick(["taper", "taper", "straight", "tulip", "faceted"])
     low = r * {"taper": look.between(0.7, 0.9), "tulip": 0.75}.get(kind, 0.98)
@@ -243,7 +243,7 @@ def glass(look: Look) -> Shape:
                  v=[0, *np.linspace(0.01, 0.95, 6), *np.linspace(0.96, 0.99, 6), 1])  # fmt: skip
     clear, hue = tint_color(color, 1.2), look.pick([(214, 120, 30), (150, 40, 40), (230, 200, 90)])
     tile = surfaces.plain(clear)
-    if look.chance(0.4):  # the drink shows through the wall and from above
+    if look.chance(0.4):  # the drink is visible through the wall and from above
         level = look.between(0.45, 0.85)
         wet = surfaces.plain(look.pick([hue, hue, (204, 220, 226)]))
         tile = surfaces.stack((wet, 0.94 * level), (tile, 1.02 - 0.94 * level), (wet, 0.04))
@@ -264,7 +264,7 @@ def glass(look: Look) -> Shape:
           aliases=("goblet", "wineglass"), themes=("dining",), roles=("round", "tall"),
           colors=("clear",), common=True)  # fmt: skip
 def wine_glass(look: Look) -> Shape:
-    """A on_stem glass: tulip, balloon, flute or coupe; some hold wine."""
+    """A stemmed wine glass: tulip, balloon, flute or coupe, sometimes with wine."""
     r, h, wall = look.between(0.034, 0.044), look.between(0.175, 0.22), 0.0022
     kind = look.pick(["tulip", "tulip", "balloon", "flute", "cone"])
     r = {"flute": 0.84 * r, "balloon": 1.05 * r}.get(kind, r)
@@ -303,7 +303,7 @@ def wine_glass(look: Look) -> Shape:
           aliases=("snifter", "cognac glass", "brandy glass", "balloon glass", "glass of brandy",
           "glass of cognac"), themes=("dining",), roles=("round",), colors=("clear",))  # fmt: skip
 def brandy_snifter(look: Look) -> Shape:
-    """A brandy snifter: a wide belly on a short stem, brandy in it or empty."""
+    """A brandy snifter with a wide bowl on a short stem, empty or with brandy."""
     k, color = look.between(0.9, 1.08), look.color("clear", "clear", "amber", "sky")
     side = [(0.034 * k, 0), (0.034 * k, 0.004), (0.005 * k, 0.012 * k), (0.0055 * k, 0.03 * k),
             (0.026 * k, 0.04 * k), (0.044 * k, 0.07 * k), (0.042 * k, 0.095 * k),

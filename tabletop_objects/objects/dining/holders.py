@@ -1,4 +1,4 @@
-"""Holders (dining)."""
+"""Objects of the ``dining`` theme: holders."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("serviette ring", "napkin band"), themes=("dining",),
           colors=("silver", "gold"))  # fmt: skip
 def napkin_ring(look: Look) -> Shape:
-    """A broad ring standing on its edge face, or with a rolled napkin through it."""
+    """A broad napkin ring standing on its edge, or with a rolled napkin through it."""
     r, w = look.between(0.02, 0.024), look.between(0.026, 0.034)
     color = look.color("silver", "gold", "wooden", "copper", "white")
     skin = look.surface(color, look.pick(["metal", "wood"]))
@@ -40,7 +40,7 @@ def napkin_ring(look: Look) -> Shape:
           aliases=("chopsticks rest", "chopstick holder", "hashioki", "knife rest"),
           themes=("dining",), colors=("white",))  # fmt: skip
 def chopstick_rest(look: Look) -> Shape:
-    """A small curved china rest for chopsticks."""
+    """A small curved porcelain rest for chopsticks."""
     x, y, h = look.between(0.045, 0.058), look.between(0.015, 0.019), look.between(0.012, 0.016)
     color = look.color("white", "navy", "sage", "black", "sky", "red", "terracotta")
     u = np.linspace(-1, 1, 17)
@@ -112,7 +112,7 @@ def straw_holder(look: Look) -> Shape:
           "toothpick dispenser"), themes=("dining",), roles=("round",),
           colors=("white", "wooden"))  # fmt: skip
 def toothpicks(look: Look) -> Shape:
-    """A round holder of toothpicks standing upright."""
+    """A round holder with toothpicks standing upright in it."""
     r, h = look.between(0.018, 0.022), look.between(0.04, 0.05)
     color = look.color("white", "red", "wooden", "teal", "silver", "navy", "yellow")
     cup = lathe(

@@ -1,4 +1,4 @@
-"""Meats (dining)."""
+"""Objects of the ``dining`` theme: meats."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _roast(look: Look) -> surfaces.Tile:
           "cooked chicken"), themes=("dining",), roles=("edible", "big"),
           colors=("amber",))  # fmt: skip
 def roast_chicken(look: Look) -> Shape:
-    """A whole roast bird on an oval platter, legs to the right, lettuce round it."""
+    """A whole roast chicken on an oval platter with its legs on the right and lettuce around it."""
     k = look.between(0.9, 1.1)
     body = ellipsoid(0.19, 0.15, 0.12, 26, 16).move(z=0.075)
     breast = [ellipsoid(0.14, 0.085, 0.09, 18, 10).move(-0.02, s * 0.028, 0.1) for s in (-1, 1)]
@@ -53,7 +53,7 @@ def roast_chicken(look: Look) -> Shape:
           aliases=("ham joint", "gammon", "baked ham", "leg of ham", "roast ham"),
           themes=("dining",), roles=("edible", "big"), state="lying flat")  # fmt: skip
 def ham(look: Look) -> Shape:
-    """A ham lying: the pink cut face to the left, a scored rind, the bone."""
+    """A ham with its pink cut face on the left, a scored rind and a bone."""
     long, r = look.between(0.16, 0.19), look.between(0.055, 0.065)
     joint = lathe([(0, 0), (0.93 * r, 0), (r, 0.1 * long), (0.97 * r, 0.42 * long),
                    (0.6 * r, 0.78 * long), (0.28 * r, 0.97 * long), (0, long)], 28)  # fmt: skip
@@ -75,7 +75,7 @@ def ham(look: Look) -> Shape:
           "chicken wing"), themes=("dining",), roles=("edible",), colors=("amber",),
           state="lying flat")  # fmt: skip
 def chicken_leg(look: Look) -> Shape:
-    """A roast drumstick lying, its bone to the right."""
+    """A roast drumstick lying flat with its bone on the right."""
     k = look.between(0.9, 1.12)
     meat = limb([(-0.058, 0, 0), (-0.05, 0, 0), (-0.03, 0, 0), (0, 0, 0), (0.03, 0, -0.004),
                  (0.045, 0, -0.007)], [0.006, 0.02, 0.029, 0.024, 0.012, 0.009], 16)  # fmt: skip
@@ -108,7 +108,7 @@ def meatball(look: Look) -> Shape:
           "spare ribs", "rack of ribs", "barbecue ribs", "bbq ribs", "slab of ribs", "pork rib"),
           themes=("dining",), roles=("edible",), state="lying flat")  # fmt: skip
 def ribs(look: Look) -> Shape:
-    """A slab of ribs lying flat, bone ends along one side."""
+    """A slab of ribs lying flat with bone ends along one side."""
     n, pitch = 6, look.between(0.02, 0.024)
     ribs, bones = [], []
     for k in range(n):
@@ -125,7 +125,7 @@ def ribs(look: Look) -> Shape:
           aliases=("nugget", "chicken bite"), themes=("dining",), roles=("edible",),
           colors=("amber",), state="lying flat")  # fmt: skip
 def chicken_nugget(look: Look) -> Shape:
-    """A breaded nugget lying flat."""
+    """A breaded nugget, lying flat."""
     ring = smooth(np.array([(0.9, 0), (0.75, 0.62), (0, 0.72), (-0.8, 0.6), (-1, -0.1),
                             (-0.55, -0.66), (0.3, -0.62), (0.9, 0)]), 4)[:-1]  # fmt: skip
     k = look.between(0.022, 0.027)
@@ -140,7 +140,7 @@ def chicken_nugget(look: Look) -> Shape:
           themes=("dining",), roles=("edible",), state="lying flat")  # fmt: skip
 @vary()
 def kebab(look: Look) -> Shape:
-    """A skewer of grilled meat, pepper and onion lying."""
+    """A kebab: a skewer of grilled meat, pepper and onion, lying flat."""
     long = look.between(0.21, 0.25)
     stick = tube([(-0.5 * long, 0, 0), (0.5 * long, 0, 0)], [0.0007, 0.0017], 6)
     tones: list[RGB] = [(126, 72, 40), (200, 46, 38), (126, 72, 40), (236, 226, 196),
@@ -165,7 +165,7 @@ def kebab(look: Look) -> Shape:
           themes=("dining", "food"), roles=("flat", "edible"), colors=("brown",),
           state="lying flat")  # fmt: skip
 def steak(look: Look) -> Shape:
-    """A steak lying flat: grilled, with dark stripes, or raw, with a rim of fat."""
+    """A steak lying flat: grilled with dark stripes, or raw with a rim of fat."""
     k = look.between(0.9, 1.1)
     raw = look.chance(0.4)
     color = look.color("red", "crimson") if raw else look.color("brown", "maroon", "bronze")

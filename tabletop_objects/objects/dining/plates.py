@@ -1,4 +1,4 @@
-"""Plates (dining)."""
+"""Objects of the ``dining`` theme: plates."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...kit.surfaces import RGB, Look, Tile, tint_color
           aliases=("disposable plate", "plastic plate", "party plate"), themes=("dining",),
           roles=("support", "flat", "round"), colors=("white",), state="lying flat")  # fmt: skip
 def paper_plate(look: Look) -> Shape:
-    """A throwaway plate with a crimped rim."""
+    """A disposable plate with a crimped rim."""
     r, h = look.between(0.1, 0.12), look.between(0.014, 0.019)
     color = look.color("white", "white", "red", "sky", "yellow", "pink", "tan")
     body = lathe([(0, 0), (0.66 * r, 0), (0.78 * r, 0.7 * h), (r, h), (0.99 * r, h),
@@ -62,7 +62,7 @@ def serving_platter(look: Look) -> Shape:
           "cheese dome"), themes=("dining",), roles=("big", "round", "tall"),
           colors=("silver",))  # fmt: skip
 def cloche(look: Look) -> Shape:
-    """A dome of steel or glass with a knob over a plate."""
+    """A dome of steel or glass with a knob, over a plate."""
     r, h = look.between(0.115, 0.14), look.between(0.1, 0.13)
     plate = lathe([(0, 0), (0.8 * r, 0), (1.12 * r, 0.012), (1.12 * r, 0.015), (0.8 * r, 0.006),
                    (0, 0.006)], 36)  # fmt: skip
@@ -83,7 +83,7 @@ def cloche(look: Look) -> Shape:
           aliases=("turntable tray", "rotating tray"), themes=("dining",),
           roles=("support", "flat", "round", "big"), colors=("wooden",))  # fmt: skip
 def lazy_susan(look: Look) -> Shape:
-    """A round turning tray on a low foot."""
+    """A round turntable for dishes on a low foot."""
     r, h = look.between(0.17, 0.2), look.between(0.03, 0.04)
     color = look.color("wooden", "tan", "white", "black", "brown")
     skin = look.surface(color, "wood")
@@ -98,7 +98,7 @@ def lazy_susan(look: Look) -> Shape:
 
 
 def plate(look: Look) -> Shape:
-    """A dinner plate: a low or wide rim, or a coupe; painted rings, rims and glazes."""
+    """A dinner plate with a low or wide rim, or a coupe plate, with painted rings and glazes."""
     r, h, t = look.between(0.11, 0.14), look.between(0.017, 0.028), 0.0045
     color = look.color(*("white", "white", "cream", "blue", "sage", "terracotta", "gray", "black",
                          "teal"), *("pink", "mustard", "navy"))  # fmt: skip
@@ -114,7 +114,7 @@ def plate(look: Look) -> Shape:
 
 
 def _plate_glaze(look: Look, color: RGB) -> Tile:
-    """Return a plate's glaze: its underside below v 0.3, its rim, and its well above 0.66."""
+    """Return a plate's glaze: the underside up to v = 0.3, the rim, and the well above v = 0.66."""
     glaze = look.surface(color, "ceramic")
     rim = look.own_color("navy", "gold", "teal", "white", "terracotta", "crimson", "black")
     kind = int(look.rng.integers(7))
@@ -143,7 +143,7 @@ def _plate_glaze(look: Look, color: RGB) -> Tile:
           roles=("container", "support", "big", "flat"), colors=("wooden", "white", "black"),
           common=True)  # fmt: skip
 def tray(look: Look) -> Shape:
-    """A serving tray with a low rim and two grips."""
+    """A serving tray with a low rim and two handles."""
     x, y, h = look.between(0.36, 0.42), look.between(0.25, 0.29), 0.035
     wall = 0.009
     color = look.color("wooden", "white", "black", "teal", "brown")

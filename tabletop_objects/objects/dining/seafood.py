@@ -1,4 +1,4 @@
-"""Seafood (dining)."""
+"""Objects of the ``dining`` theme: seafood."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("prawn", "king prawn"), themes=("dining",), roles=("edible",), colors=("coral",),
           state="lying flat")  # fmt: skip
 def shrimp(look: Look) -> Shape:
-    """A cooked prawn curled on its side, its tail fan and legs out."""
+    """A cooked prawn curled on its side, with its tail fan and legs spread."""
     k = look.between(0.9, 1.2)
     a = np.linspace(-0.5, 3.5, 9)
     r = 0.021
@@ -42,7 +42,7 @@ def shrimp(look: Look) -> Shape:
 
 
 def claw(s: int, at: tuple[float, float], size: float, turn: float) -> Solid:
-    """Return an open pincer at the end of an arm, ``s`` its side."""
+    """Return an open claw at the end of an arm; ``s`` is its side."""
     palm = ellipsoid(1.0, 0.62, 0.42, 12, 6)
     finger = limb([(0.3, 0.16, 0), (0.7, 0.24, 0), (1.05, 0.06, 0)], [0.16, 0.13, 0.03], 6)
     thumb = limb([(0.3, -0.16, 0), (0.62, -0.26, 0), (0.95, -0.1, 0)], [0.12, 0.1, 0.03], 6)
@@ -54,7 +54,7 @@ def claw(s: int, at: tuple[float, float], size: float, turn: float) -> Solid:
           aliases=("boiled lobster",), themes=("dining",), roles=("edible", "big"), colors=("red",),
           state="lying flat")  # fmt: skip
 def lobster(look: Look) -> Shape:
-    """A red lobster flat on its belly, claws to the left."""
+    """A red lobster lying on its belly, with its claws on the left."""
     k = look.between(0.85, 1.1)
     color = look.color("red", "red", "crimson", "coral", "blue")
     head = ellipsoid(0.1, 0.05, 0.045, 18, 10).move(-0.02, 0, 0.02)
@@ -87,7 +87,7 @@ def lobster(look: Look) -> Shape:
           aliases=("boiled crab", "king crab"), themes=("dining",), roles=("edible", "big"),
           colors=("red",), state="lying flat")  # fmt: skip
 def crab(look: Look) -> Shape:
-    """A crab flat on the table, claws to the front."""
+    """A crab lying flat, with its claws in front."""
     k = look.between(0.85, 1.12)
     color = look.color("red", "orange", "coral", "crimson", "blue")
     shell = ellipsoid(0.12, 0.085, 0.046, 24, 12).move(z=0.024)
@@ -116,7 +116,7 @@ def crab(look: Look) -> Shape:
           state="lying flat")  # fmt: skip
 @vary()
 def oyster(look: Look) -> Shape:
-    """Half an oyster shell with the oyster in it, lying."""
+    """Half an oyster shell with the oyster in it, lying flat."""
     k = look.between(0.9, 1.15)
     ring = (smooth(np.array([(0.5, 0), (0.4, 0.26), (0, 0.34), (-0.38, 0.24), (-0.52, 0),
                              (-0.36, -0.2), (0, -0.3), (0.4, -0.24), (0.5, 0)]), 3)[:-1]
@@ -137,7 +137,7 @@ def oyster(look: Look) -> Shape:
           aliases=("cockle", "shellfish"), themes=("dining",), roles=("edible",),
           state="lying flat")  # fmt: skip
 def clam(look: Look) -> Shape:
-    """A ribbed cockle, half open."""
+    """A ribbed, half-open cockle."""
     k = look.between(0.85, 1.15)
     color = look.color("beige", "cream", "tan", "terracotta", "charcoal")
     half = lobe(lathe([(0, 0), (0.022, 0), (0.02, 0.006), (0.012, 0.012), (0, 0.014)], 60), 26,

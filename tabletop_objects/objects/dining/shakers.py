@@ -1,4 +1,4 @@
-"""Shakers (dining)."""
+"""Objects of the ``dining`` theme: shakers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .barware import metal
           aliases=("drink shaker", "martini shaker", "bar shaker"), themes=("dining",),
           roles=("tall", "round"), colors=("silver",))  # fmt: skip
 def cocktail_shaker(look: Look) -> Shape:
-    """A three-piece cocktail shaker of steel."""
+    """A three-piece steel cocktail shaker."""
     r, h = look.between(0.04, 0.046), look.between(0.2, 0.24)
     skin = metal(look)
     body = lathe([(0, 0), (0.72 * r, 0), (0.76 * r, 0.02 * h), (r, 0.62 * h), (0, 0.62 * h)], 36)
@@ -38,7 +38,7 @@ def _shaker(look: Look, letter: str, fill_color: RGB) -> Shape:
     ink = (40, 40, 44) if sum(color) > 380 else (240, 240, 236)
     middle = skin[:, 48:80]
     prints.write(middle, letter, 0.5, 0.5, 0.5, ink, bold=True)
-    if style == 0:  # glass: the filling shows
+    if style == 0:  # glass shows the filling
         clear = surfaces.plain((214, 226, 230))
         skin = surfaces.stack((surfaces.plain(fill_color), 6), (clear, 4))
     cap = lathe(
@@ -91,7 +91,7 @@ def pepper_shaker(look: Look) -> Shape:
           "spice grinder", "salt and pepper mill", "nutmeg grinder"), themes=("dining", "kitchen"),
           roles=("tall", "round"), colors=("wooden",))  # fmt: skip
 def pepper_mill(look: Look) -> Shape:
-    """A turned pepper mill of wood, or a straight one of steel and glass."""
+    """A turned wooden pepper mill, or a straight one of steel and glass."""
     r, h = look.between(0.024, 0.029), look.between(0.17, 0.22)
     color = look.color("wooden", "brown", "black", "red", "white", "tan")
     skin = look.surface(color, "wood")

@@ -1,4 +1,4 @@
-"""Sushi (dining)."""
+"""Objects of the ``dining`` theme: sushi."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def nigiri(look: Look) -> Shape:
           aliases=("salmon sashimi", "tuna sashimi"), themes=("dining",), roles=("edible", "flat"),
           colors=("coral",), state="lying flat")  # fmt: skip
 def sashimi(look: Look) -> Shape:
-    """A few overlapping slices of raw fish lying on a leaf."""
+    """A few overlapping slices of raw fish on a leaf."""
     color = look.color("coral", "coral", "crimson", "pink", "white")
     rows = np.linspace(0, 1, 96)
     line = np.abs(np.sin(np.pi * (6 * rows[:, None] + 1.5 * rows[None]))) < 0.2
@@ -61,7 +61,7 @@ def sashimi(look: Look) -> Shape:
           aliases=("maki", "maki roll", "maki sushi", "california roll", "sushi maki", "futomaki"),
           themes=("dining",), roles=("edible", "round"))  # fmt: skip
 def sushi_roll(look: Look) -> Shape:
-    """One cut piece of a sushi roll standing: seaweed, rice, a filling."""
+    """One piece of a sushi roll standing upright: a filling in rice and seaweed."""
     r, h = look.between(0.018, 0.022), look.between(0.02, 0.026)
     nori = cylinder(r, h, 26)
     rice = cylinder(0.93 * r, h + 0.0012, 26)
@@ -78,7 +78,7 @@ def sushi_roll(look: Look) -> Shape:
           aliases=("rice ball", "rice triangle"), themes=("dining",),
           roles=("edible",))  # fmt: skip
 def onigiri(look: Look) -> Shape:
-    """A triangular rice ball standing, a strip of seaweed round its foot."""
+    """A triangular rice ball standing upright, with a strip of seaweed around its base."""
     k, t = look.between(0.036, 0.042), look.between(0.03, 0.036)
     corners = np.array([(-1, 0), (1, 0), (0, 1.75)]) * k
     outline = rounded_polygon(corners, 0.32 * k, 5)
@@ -126,7 +126,7 @@ def sushi_plate(look: Look) -> Shape:
           aliases=("maki rolls", "row of sushi"), themes=("dining", "food"), roles=("edible",),
           colors=("orange",))  # fmt: skip
 def sushi_rolls(look: Look) -> Shape:
-    """Three to five sushi rolls standing in a row: rice in seaweed round a filling."""
+    """Three to five sushi rolls standing in a row, each with a filling in rice and seaweed."""
     r, h = look.between(0.017, 0.022), look.between(0.022, 0.028)
     color = look.color("orange", "coral", "green", "crimson", "yellow", "lime")
     rice = surfaces.spots(look.rng, (248, 246, 238), (226, 222, 208), 0.3)

@@ -1,4 +1,4 @@
-"""Textiles (dining)."""
+"""Objects of the ``dining`` theme: textiles."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ WEAVES = ("woven", "braided", "bamboo", "checked", "bordered", "leafy", "striped
           themes=("dining", "breakfast"), roles=("flat", "support", "big"),
           colors=("beige", "navy"), state="lying flat", common=True)  # fmt: skip
 def placemat(look: Look) -> Shape:
-    """A placemat: woven, braided, of bamboo, checked, bordered or printed; mostly rectangular."""
+    """A woven, braided, bamboo, checked, bordered or printed placemat, usually rectangular."""
     kind = look.pick(WEAVES)
     x, y = look.between(0.4, 0.46), look.between(0.29, 0.335)
     high = look.between(0.002, 0.004)
@@ -137,7 +137,7 @@ def napkin_swan(look: Look) -> Shape:
           roles=("flat", "support", "big"), colors=("beige", "red"),
           state="lying flat")  # fmt: skip
 def table_runner(look: Look) -> Shape:
-    """A long narrow cloth with bands at its ends."""
+    """A long, narrow table runner with bands at its ends."""
     x, y = look.between(0.5, 0.62), look.between(0.15, 0.19)
     color = look.color("white", "beige", "red", "sage", "navy", "gray", "mustard")
     image = surfaces.fit(surfaces.fabric(look.rng, color, threads=40), 64, 192).copy()
@@ -167,7 +167,7 @@ def tablecloth(look: Look) -> Shape:
           themes=("dining", "living"), roles=("flat", "support", "big"),
           colors=("white", "gray", "red"), state="lying flat")  # fmt: skip
 def cloth(look: Look) -> Shape:
-    """A plain cloth, folded once and spread out flat."""
+    """A plain cloth, folded once and lying flat."""
     x, y, z = look.between(0.4, 0.5), look.between(0.3, 0.36), look.between(0.005, 0.006)
     color = look.color("white", "gray", "beige", "navy", "red", "sage", "cream", "black")
     sheet = block(x, y, z, 0.008, 0.001)

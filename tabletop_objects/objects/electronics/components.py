@@ -1,4 +1,4 @@
-"""Components (electronics)."""
+"""Objects of the ``electronics`` theme: components."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
           aliases=("servo motor", "micro servo"), themes=("electronics",),
           colors=("blue",))  # fmt: skip
 def servo(look: Look) -> Shape:
-    """A small servo motor standing: lugs, horn on its shaft."""
+    """A small servo motor with mounting lugs and a horn on its shaft, standing upright."""
     k = look.between(0.95, 1.4)
     color = look.color("blue", "black", "charcoal", "blue")
     x, y, h = 0.023 * k, 0.0125 * k, 0.022 * k
@@ -49,7 +49,7 @@ def servo(look: Look) -> Shape:
           "hand generator", "electric motor kit", "stirling engine"), themes=("electronics",),
           colors=("silver",))  # fmt: skip
 def electric_motor(look: Look) -> Shape:
-    """A small electric motor lying: a metal can with flats, shaft, two terminals."""
+    """A small electric motor on its side: a flattened metal can with a shaft and two terminals."""
     k = look.between(0.9, 1.5)
     color = look.color("silver", "silver", "black", "gray", "red", "gold")
     r, long = 0.0125 * k, 0.032 * k
@@ -99,7 +99,7 @@ def propeller(look: Look) -> Shape:
           "solder reel", "desoldering braid", "spool of wire", "wire spool", "reel of wire"),
           themes=("electronics",), roles=("round",), colors=("blue",))  # fmt: skip
 def solder_spool(look: Look) -> Shape:
-    """A spool of solder wire standing on its flange."""
+    """A spool of solder wire, standing on its flange."""
     k = look.between(0.9, 1.15)
     color = look.color("blue", "red", "black", "green", "yellow", "white")
     r, h, core = 0.03 * k, 0.045 * k, 0.009 * k
@@ -130,7 +130,7 @@ BRIGHT = ("red", "green", "blue", "yellow", "white", "orange")
           aliases=("carbon resistor", "electrical resistor"), themes=("electronics",),
           colors=("beige",))  # fmt: skip
 def resistor(look: Look) -> Shape:
-    """A resistor lying: a beige body with colour rings, two wires."""
+    """A resistor lying flat: a beige body with colour bands and two wires."""
     k = look.between(1.2, 1.8)
     color = look.color("beige", "sky", "tan", "beige", "mint")
     rings = [look.own_color("brown", "red", "orange", "yellow", "green", "violet", "black")
@@ -151,7 +151,7 @@ def resistor(look: Look) -> Shape:
           aliases=("led light", "light emitting diode", "led diode", "diode"),
           themes=("electronics",), colors=("red", "green"))  # fmt: skip
 def led(look: Look) -> Shape:
-    """A coloured light-emitting diode lying, its two legs to the right."""
+    """A coloured light-emitting diode lying flat with its two legs on the right."""
     k = look.between(1.3, 1.9)
     color = look.color(*BRIGHT)
     a = np.linspace(0, np.pi / 2, 6)
@@ -171,7 +171,7 @@ def led(look: Look) -> Shape:
           aliases=("electrolytic capacitor",), themes=("electronics",), roles=("round",),
           colors=("black",))  # fmt: skip
 def capacitor(look: Look) -> Shape:
-    """An electrolytic capacitor standing."""
+    """An electrolytic capacitor, standing upright."""
     k = look.between(0.9, 1.4)
     color = look.color("black", "navy", "blue", "charcoal", "purple")
     r, h = 0.006 * k, 0.0165 * k
@@ -189,7 +189,7 @@ def capacitor(look: Look) -> Shape:
 
 
 def _chip(x: float, y: float, pins: int) -> Callable[[Look], Shape]:
-    """A black chip with a row of bent legs on either side."""
+    """A black chip with a row of bent legs on each side."""
 
     def make(look: Look) -> Shape:
         k = look.between(1.0, 1.5)
@@ -220,7 +220,7 @@ def _chip(x: float, y: float, pins: int) -> Callable[[Look], Shape]:
           "hookup wire", "coil of wire"), themes=("electronics",), roles=("flat",),
           colors=("red", "black"))  # fmt: skip
 def jumper_wire(look: Look) -> Shape:
-    """One bent jumper wire with a plug at either end."""
+    """One bent jumper wire with a plug at each end."""
     k = look.between(0.9, 1.2)
     color = look.color("red", "black", "yellow", "green", "blue", "orange", "white", "purple")
     bow = look.between(0.015, 0.03)
@@ -240,7 +240,7 @@ def jumper_wire(look: Look) -> Shape:
           aliases=("ultrasonic sensor", "distance sensor", "sensor module", "motion sensor"),
           themes=("electronics",), colors=("blue",))  # fmt: skip
 def sensor(look: Look) -> Shape:
-    """A distance sensor: two metal eyes on a little blue board, standing on its edge."""
+    """A distance sensor: two metal cylinders on a small circuit board, standing on its edge."""
     k = look.between(0.95, 1.25)
     color = look.color("blue", "blue", "green", "red", "black")
     x, h = 0.045 * k, 0.02 * k
@@ -262,7 +262,7 @@ def sensor(look: Look) -> Shape:
 
 
 def pins_at(places: list[tuple[float, float]], deep: float = 0.006, thick: float = 0.0012) -> Solid:
-    """Return pins that reach down from ``deep`` to the table."""
+    """Return pins that extend from the height ``deep`` down to the table."""
     return join([at_box(thick, thick, deep, (x, y, 0)) for x, y in places])
 
 
@@ -293,7 +293,7 @@ def relay(look: Look) -> Shape:
           aliases=("mains transformer", "electric transformer"), themes=("electronics",),
           colors=("yellow",))  # fmt: skip
 def transformer(look: Look) -> Shape:
-    """A small transformer: laminated iron round a taped coil, with mounting ears."""
+    """A small transformer: a laminated iron core around a taped coil, with mounting lugs."""
     color = look.color("yellow", "amber", "red", "blue")
     k = look.between(0.85, 1.25)
     core = [at_box(0.056, 0.022, 0.01, (0, 0, z)) for z in (0.0, 0.038)]
@@ -313,7 +313,7 @@ def transformer(look: Look) -> Shape:
           aliases=("copper coil", "choke coil", "toroidal coil", "wire coil"),
           themes=("electronics",), colors=("copper",))  # fmt: skip
 def inductor(look: Look) -> Shape:
-    """A ring core wound with copper wire, lying, its two ends out."""
+    """An inductor lying flat: a ring-shaped core wound with copper wire, with two free ends."""
     color = look.color("copper", "bronze", "green", "red")
     k = look.between(0.8, 1.4)
     core = torus(0.013, 0.0052, 28, 8).scale(1, 1, 1.15).move(z=0.006)
@@ -336,7 +336,7 @@ def inductor(look: Look) -> Shape:
           aliases=("mosfet", "power transistor", "voltage regulator"), themes=("electronics",),
           colors=("black",))  # fmt: skip
 def transistor(look: Look) -> Shape:
-    """A transistor lying: a half-round head, three legs."""
+    """A transistor lying flat: a half-round body with three legs."""
     color = look.color("black", "charcoal")
     big = look.chance(0.5)
     k = look.between(0.9, 1.6)
@@ -360,7 +360,7 @@ def transistor(look: Look) -> Shape:
           aliases=("glass fuse", "fuse holder"), themes=("electronics",),
           colors=("clear",))  # fmt: skip
 def fuse(look: Look) -> Shape:
-    """A glass fuse lying: two metal caps and a fine wire between."""
+    """A glass fuse lying flat: a fine wire between two metal caps."""
     color = look.color("clear", "white", "sky", "amber")
     k = look.between(0.9, 1.6)
     glass = drum(0.0026, 0.014, (-0.007, 0, 0.003), 0, sides=16)
@@ -375,7 +375,7 @@ def fuse(look: Look) -> Shape:
           aliases=("radio valve", "electron tube", "valve tube", "radio tube"),
           themes=("electronics",), roles=("tall",), colors=("black",))  # fmt: skip
 def vacuum_tube(look: Look) -> Shape:
-    """A radio valve standing: a glass bulb with metal plates on a base with pins."""
+    """A vacuum tube standing upright: a glass bulb with metal plates on a base with pins."""
     color = look.color("black", "brown", "cream", "silver")
     k = look.between(0.9, 1.25)
     base = drum(0.0145, 0.016, (0, 0, 0.008), sides=24, bevel=0.001)
@@ -400,7 +400,7 @@ def vacuum_tube(look: Look) -> Shape:
           aliases=("button cell", "button battery", "coin battery", "watch battery"),
           themes=("electronics",), roles=("flat",), colors=("silver",))  # fmt: skip
 def coin_cell(look: Look) -> Shape:
-    """A button cell lying, its plus side up."""
+    """A coin cell lying with its positive side up."""
     color = look.color("silver", "gray", "gold")
     r = look.between(0.0055, 0.0115)
     h = look.between(0.2, 0.42) * r
@@ -419,7 +419,7 @@ def coin_cell(look: Look) -> Shape:
           aliases=("alligator clip", "croc clip", "crocodile lead", "test clip",
           "oscilloscope probe"), themes=("electronics",), colors=("red", "black"))  # fmt: skip
 def crocodile_clip(look: Look) -> Shape:
-    """A crocodile clip lying, its sleeve coloured, its jaws toothed, a lead behind."""
+    """A crocodile clip lying flat, with toothed jaws, a coloured sleeve and a lead."""
     color = look.color("red", "black", "green", "yellow", "blue", "white")
     k = look.between(0.9, 1.5)
     teeth = [(0.016 - 0.002 * n, 0.0002 + 0.0009 * (n % 2)) for n in range(7)]
@@ -439,7 +439,7 @@ def crocodile_clip(look: Look) -> Shape:
           aliases=("banana connector", "4 mm plug"), themes=("electronics",),
           colors=("red", "black"))  # fmt: skip
 def banana_plug(look: Look) -> Shape:
-    """A banana plug lying: a coloured grip and a sprung tip."""
+    """A banana plug lying flat: a coloured grip and a sprung tip."""
     color = look.color("red", "black", "yellow", "green", "blue")
     k = look.between(0.9, 1.4)
     grip = drum(0.0048, 0.026, (-0.026, 0, 0.0055), 0, sides=16, bevel=0.001)
@@ -456,7 +456,7 @@ def banana_plug(look: Look) -> Shape:
           aliases=("battery tray", "battery case", "battery slot", "cell holder"),
           themes=("electronics",), colors=("black",))  # fmt: skip
 def battery_holder(look: Look) -> Shape:
-    """A plastic tray for round cells, with springs and two wires."""
+    """A plastic holder for round cells, with springs and two wires."""
     color = look.color("black", "charcoal", "white")
     k = look.between(0.9, 1.1)
     base = at_box(0.062, 0.034, 0.002)
@@ -477,7 +477,7 @@ def battery_holder(look: Look) -> Shape:
           aliases=("solar cell", "mini solar panel", "photovoltaic panel"), themes=("electronics",),
           roles=("flat",), colors=("navy",))  # fmt: skip
 def solar_panel(look: Look) -> Shape:
-    """A small solar panel lying, with two wires."""
+    """A small solar panel with two wires, lying flat."""
     color = look.color("navy", "black", "blue")
     x, y = look.between(0.09, 0.15), look.between(0.07, 0.1)
     base, face = (block(x, y, 0.004, 0.003, 0.0008), at_box(0.95 * x, 0.94 * y, 0.0008,

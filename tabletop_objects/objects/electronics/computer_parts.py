@@ -1,4 +1,4 @@
-"""Computer parts (electronics)."""
+"""Objects of the ``electronics`` theme: computer parts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import RGB, Look, tint_color
           aliases=("heat sink", "cooler block", "cpu cooler"), themes=("electronics",),
           colors=("silver",))  # fmt: skip
 def heatsink(look: Look) -> Shape:
-    """A block of metal fins."""
+    """A heat sink: a block of metal fins."""
     k = look.between(0.85, 1.2)
     metal = look.surface(look.color("silver", "black", "silver", "blue", "copper", "gold"), "metal")
     side, h = 0.05 * k, 0.028 * k
@@ -31,7 +31,7 @@ def heatsink(look: Look) -> Shape:
           aliases=("computer fan", "pc fan", "cooling fan", "cpu fan"), themes=("electronics",),
           roles=("flat",), colors=("black",))  # fmt: skip
 def case_fan(look: Look) -> Shape:
-    """A square computer fan lying: frame, hub and seven blades."""
+    """A square computer fan lying flat, with a frame, a hub and seven blades."""
     k = look.between(0.85, 1.15)
     color = look.color("black", "black", "white", "charcoal", "brown")
     side, h = 0.08 * k, 0.025 * k
@@ -62,7 +62,7 @@ def case_fan(look: Look) -> Shape:
           aliases=("gpu", "video card", "graphic card"), themes=("electronics",),
           roles=("flat", "big"), colors=("black",))  # fmt: skip
 def graphics_card(look: Look) -> Shape:
-    """A graphics card lying, its fans up, bracket to the left."""
+    """A graphics card lying with its fans up and its bracket on the left."""
     k = look.between(0.88, 1.04)
     x, y, h = 0.25 * k, 0.11 * k, 0.04 * k
     color = look.color("black", "charcoal", "white", "gray", "red")
@@ -94,7 +94,7 @@ def graphics_card(look: Look) -> Shape:
 def _stick(
     x: float, y: float, chips: int, palette: tuple[str, ...], label: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """A little card lying: black chips on it or a label, gold contacts at its edge."""
+    """A small circuit board lying flat, with black chips or a label and gold contacts."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.97, 1.05)

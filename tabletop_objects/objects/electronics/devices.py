@@ -1,4 +1,4 @@
-"""Devices (electronics)."""
+"""Objects of the ``electronics`` theme: electronic devices."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DARK: RGB = (32, 32, 35)
           aliases=("quadcopter", "quadrocopter", "camera drone", "mini drone", "toy drone"),
           themes=("electronics",), roles=("big",), colors=("white", "gray"))  # fmt: skip
 def drone(look: Look) -> Shape:
-    """A quadcopter standing on its feet: body, four arms with rotors, camera."""
+    """A quadcopter standing on its feet: a body, four arms with rotors and a camera."""
     k = look.between(0.88, 1.08)
     color = look.color("white", "gray", "black", "charcoal", "orange", "red")
     tile = look.surface(color, "plastic")
@@ -57,7 +57,7 @@ def drone(look: Look) -> Shape:
           "variable power supply", "power supply unit", "psu"), themes=("electronics",),
           roles=("big",), colors=("gray",))  # fmt: skip
 def power_supply(look: Look) -> Shape:
-    """A bench power supply standing: two displays, knobs, red and black sockets."""
+    """A bench power supply with two displays, knobs and red and black sockets."""
     k = look.between(0.85, 1.05)
     x, y, h = 0.14 * k, 0.2 * k, 0.16 * k
     color = look.color("gray", "white", "charcoal", "blue", "cream")
@@ -88,7 +88,7 @@ def power_supply(look: Look) -> Shape:
           aliases=("surveillance camera", "cctv camera", "ip camera", "cctv", "baby camera"),
           themes=("electronics",), colors=("white",))  # fmt: skip
 def security_camera(look: Look) -> Shape:
-    """A security camera on a foot: a bullet with a dark glass front."""
+    """A bullet security camera with a dark glass front, on a foot."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "white", "black", "gray")
     tile = look.surface(color, "plastic")

@@ -1,4 +1,4 @@
-"""Switches (electronics)."""
+"""Objects of the ``electronics`` theme: switches."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ STEEL: RGB = (196, 198, 202)
           "quiz buzzer", "emergency stop", "emergency stop button", "keycap", "door bell button"),
           themes=("electronics",), roles=("round",), colors=("red",))  # fmt: skip
 def push_button(look: Look) -> Shape:
-    """A big round push button on a square or round base."""
+    """A big, round push button on a square or round base."""
     k = look.between(0.75, 1.15)
     color = look.color("red", "red", "green", "blue", "yellow")
     base_tone = look.own_color("black", "charcoal", "white", "yellow", "gray")
@@ -41,7 +41,7 @@ def push_button(look: Look) -> Shape:
           aliases=("lever switch", "switch"), themes=("electronics",),
           colors=("red", "blue"))  # fmt: skip
 def toggle_switch(look: Look) -> Shape:
-    """A toggle switch: a body with lugs, a threaded bush and a bat lever."""
+    """A toggle switch: a body with terminals, a threaded collar and a lever."""
     color = look.color("red", "blue", "black", "green")
     k = look.between(0.9, 1.5)
     body = at_box(0.028, 0.016, 0.018, (0, 0, 0.007))
@@ -60,7 +60,7 @@ def toggle_switch(look: Look) -> Shape:
           aliases=("power switch", "push switch", "dip switch", "on-off switch"),
           themes=("electronics",), colors=("black",))  # fmt: skip
 def rocker_switch(look: Look) -> Shape:
-    """A rocker switch in its frame, marked 0 and 1."""
+    """A rocker switch in a frame, marked 0 and 1."""
     color = look.color("black", "red", "green", "white")
     k = look.between(0.9, 1.4)
     body = at_box(0.028, 0.02, 0.02, (0, 0, 0.006))
@@ -81,7 +81,7 @@ def rocker_switch(look: Look) -> Shape:
           aliases=("rotary encoder", "encoder", "trimmer potentiometer", "variable resistor"),
           themes=("electronics",), colors=("silver",))  # fmt: skip
 def potentiometer(look: Look) -> Shape:
-    """A potentiometer: a round can with three lugs and a shaft, with its knob or without."""
+    """A potentiometer: a round can with three terminals and a shaft, with or without a knob."""
     color = look.color("silver", "blue", "green", "black")
     k = look.between(0.9, 1.35)
     can = drum(0.0125, 0.011, sides=24, bevel=0.001)
@@ -105,7 +105,7 @@ def potentiometer(look: Look) -> Shape:
           "cabinet knob", "dial"), themes=("electronics",), roles=("round",),
           colors=("black",))  # fmt: skip
 def knob(look: Look) -> Shape:
-    """A round knob with a ribbed rim and a pointer line."""
+    """A round knob with a ribbed rim and an indicator line."""
     color = look.color("black", "silver", "red", "cream", "blue", "brown")
     k = look.between(0.8, 1.6)
     skirt = drum(0.018, 0.004, sides=28, bevel=0.001)

@@ -1,4 +1,4 @@
-"""Desserts (food)."""
+"""Objects of the ``food`` theme: desserts."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def ice_cream_sandwich(look: Look) -> Shape:
 
 
 def _glass_sweet(layers: tuple[tuple[str, ...], ...], cream: bool) -> Callable[[Look], Shape]:
-    """Return the shape function of a dessert in layers in a glass, cream or fruit on top."""
+    """Return the shape function of a layered dessert in a glass, with cream or fruit on top."""
 
     def make(look: Look) -> Shape:
         r, h = look.between(0.036, 0.044), look.between(0.07, 0.085)
@@ -92,7 +92,7 @@ def croquembouche(look: Look) -> Shape:
           aliases=("fish waffle", "fish shaped cake"), themes=("food",), roles=("edible",),
           colors=("wooden",), state="lying flat")  # fmt: skip
 def taiyaki(look: Look) -> Shape:
-    """A taiyaki: a fish-shaped waffle lying, scales pressed into it."""
+    """A taiyaki: a fish-shaped waffle with pressed scales, lying flat."""
     k, color = look.between(0.88, 1.08), look.color("wooden", "copper", "amber", "tan")
     side = smooth([(-0.065, 0.0), (-0.05, -0.024), (-0.01, -0.034), (0.03, -0.018), (0.042, -0.012),
                    (0.07, -0.03), (0.066, 0.0), (0.07, 0.03), (0.042, 0.012), (0.03, 0.018),
@@ -133,7 +133,7 @@ def churro(look: Look) -> Shape:
           aliases=("pan dulce", "mexican sweet bread", "melon pan"), themes=("food",),
           roles=("edible", "round"), colors=("pink",))  # fmt: skip
 def concha(look: Look) -> Shape:
-    """A concha: a round sweet bun with a shell pattern of sugar paste."""
+    """A concha: a round, sweet bun with a shell pattern of sugar paste."""
     r, color = look.between(0.045, 0.056), look.color("pink", "yellow", "white", "brown", "cream")
     bun = lathe([(0, 0), (0.9 * r, 0), (r, 0.2 * r), (0.9 * r, 0.55 * r), (0.5 * r, 0.82 * r),
                  (0, 0.88 * r)], 32)  # fmt: skip

@@ -1,4 +1,4 @@
-"""Snacks (food)."""
+"""Objects of the ``food`` theme: snacks."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import RGB, Look, readable_on, speck, tint_color
           aliases=("hand roll", "sushi hand roll", "sushi cone"), themes=("food",),
           roles=("edible",), colors=("coral",), state="lying")  # fmt: skip
 def temaki(look: Look) -> Shape:
-    """A temaki: a cone of seaweed full of rice, salmon and cucumber, lying."""
+    """A temaki lying flat: a cone of seaweed filled with rice, salmon and cucumber."""
     k, color = look.between(0.88, 1.1), look.color("coral", "orange", "crimson")
     cone = (lathe([(0, 0), (0.004, 0), (0.028, 0.1), (0.024, 0.1), (0.002, 0.01), (0, 0.01)],
                   22).turn(1, -np.pi / 2).turn(1, 0.27).move(0.05, 0, 0.004))  # fmt: skip
@@ -37,7 +37,7 @@ def temaki(look: Look) -> Shape:
 def bun(
     d: tuple[float, float], tall: float, palette: tuple[str, ...], kind: str
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a small round bite: mochi, dorayaki, scotch egg."""
+    """Return the shape function of a small round snack: mochi, dorayaki or scotch egg."""
 
     def make(look: Look) -> Shape:
         size, color = look.between(*d), look.color(*palette)
@@ -80,7 +80,7 @@ def bun(
           aliases=("siu mai", "shaomai", "open dumpling"), themes=("food",),
           roles=("edible", "round"), colors=("yellow",))  # fmt: skip
 def shumai(look: Look) -> Shape:
-    """A shumai: an open frilled dumpling, its filling and a pea on top."""
+    """A shumai: an open, frilled dumpling with its filling visible and a pea on top."""
     k, color = look.between(0.88, 1.12), look.color("yellow", "cream", "gold")
     skin = lathe([(0, 0), (0.014, 0), (0.018, 0.012), (0.0165, 0.024), (0.019, 0.03),
                   (0.0165, 0.03), (0.014, 0.025), (0, 0.024)], 40)  # fmt: skip
@@ -99,7 +99,7 @@ BAKED = ("wooden", "tan", "amber", "copper")
           aliases=("quesadilla slice", "cheese quesadilla"), themes=("food",), roles=("edible",),
           colors=("tan",), state="lying flat")  # fmt: skip
 def quesadilla(look: Look) -> Shape:
-    """Two wedges of a toasted folded tortilla, cheese and filling at their edges."""
+    """Two wedges of a toasted, folded tortilla with cheese and filling at their edges."""
     r, color = look.between(0.08, 0.1), look.color("tan", "wooden", "beige")
     wedge = np.array([(0.0, 0.0), *arc((0, 0), r, 0.1, 1.3, 7)])
     pieces = []
@@ -122,7 +122,7 @@ def quesadilla(look: Look) -> Shape:
 def half_moon(
     long: tuple[float, float], crimped: bool, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a folded pastry: a half-moon with a crimped edge."""
+    """Return the shape function of a half-moon pastry with a crimped edge."""
 
     def make(look: Look) -> Shape:
         r, color = look.between(*long) / 2, look.color(*palette)
@@ -151,7 +151,7 @@ def half_moon(
           aliases=("bean tostada",), themes=("food",), roles=("edible", "flat"), colors=("amber",),
           state="lying flat")  # fmt: skip
 def tostada(look: Look) -> Shape:
-    """A tostada: a flat crisp tortilla with beans, lettuce, tomato and cheese on it."""
+    """A tostada: a flat, crisp tortilla topped with beans, lettuce, tomato and cheese."""
     r, color = look.between(0.06, 0.072), look.color("amber", "tan", "gold")
     disc = cylinder(r, 0.004, 30)
     beans = cylinder(0.86 * r, 0.005, 26).move(z=0.003)
@@ -169,7 +169,7 @@ def tostada(look: Look) -> Shape:
           aliases=("nacho", "plate of nachos", "loaded nachos", "bowl of nachos", "tortilla chips"),
           themes=("food",), roles=("edible",), colors=("gold",))  # fmt: skip
 def nachos(look: Look) -> Shape:
-    """A plate of nachos: corn chips heaped under cheese, with dots of salsa and jalapeno."""
+    """A plate of nachos: corn chips under cheese, with dots of salsa and jalapeno."""
     k, color = look.between(0.85, 1.05), look.color("gold", "amber", "yellow")
     plate = lathe([(0, 0), (0.07, 0), (0.1, 0.012), (0.1, 0.015), (0.07, 0.006), (0, 0.006)], 32)
     chips = []
@@ -224,7 +224,7 @@ def enchilada(look: Look) -> Shape:
 @category("tamale", size=(0.171, 0.0871, 0.0325), mass=0.12, material="food", aliases=("tamal",),
           themes=("food",), roles=("edible",), colors=("tan",), state="lying")  # fmt: skip
 def tamale(look: Look) -> Shape:
-    """A tamale: dough in an opened corn husk tied at one end."""
+    """A tamale: dough in an open corn husk that is tied at one end."""
     k, color = look.between(0.85, 1.1), look.color("tan", "beige", "wooden")
     dough = bent_rod(0.095, 0.018, blunt=5).move(0.01, 0, 0.02)
     husk = [blade([(-0.075, 0, 0.012), (-0.02, 0.026 * s, 0.006), (0.08, 0.038 * s, 0.006)], 0.045,
@@ -244,7 +244,7 @@ def tamale(look: Look) -> Shape:
           roles=("edible",), colors=("yellow",), state="lying")  # fmt: skip
 @keep_still
 def elote(look: Look) -> Shape:
-    """Grilled corn on a stick, cream, cheese and chilli on it."""
+    """A grilled corn cob on a stick, with cream, cheese and chilli."""
     k, color = look.between(0.88, 1.08), look.color("yellow", "gold", "amber")
     cob = limb([(-0.09, 0, 0), (-0.07, 0, 0), (0.0, 0, 0), (0.07, 0, 0), (0.085, 0, 0)],
                [0.006, 0.019, 0.023, 0.021, 0.012], 20)  # fmt: skip
@@ -264,7 +264,7 @@ def elote(look: Look) -> Shape:
 
 
 def crust(look: Look, color: RGB) -> surfaces.Tile:
-    """Return baked dough, darker below."""
+    """Return baked dough that is darker at the bottom."""
     return surfaces.gradient(tint_color(color, 0.8), tint_color(color, 1.2), look.rng, 14)
 
 
@@ -277,7 +277,7 @@ def toasted_slice(look: Look, color: RGB) -> surfaces.Tile:
           aliases=("mini sausage roll", "pig in blanket"), themes=("food",), roles=("edible",),
           colors=("wooden",), state="lying")  # fmt: skip
 def sausage_roll(look: Look) -> Shape:
-    """A sausage roll: scored flaky pastry round a pink filling, lying."""
+    """A sausage roll: scored flaky pastry around a pink filling, lying flat."""
     long, color = look.between(0.075, 0.12), look.color(*BAKED)
     body = (prism(rectangle(0.046, 0.032, 0.013), -long / 2, long
                   / 2).turn(0, np.pi / 2).turn(2, np.pi / 2).move(z=0.016))  # fmt: skip
@@ -295,7 +295,7 @@ def sausage_roll(look: Look) -> Shape:
           aliases=("filled pita", "pita sandwich", "falafel pita", "stuffed pita", "falafel wrap"),
           themes=("food",), roles=("edible",), colors=("tan",), state="lying")  # fmt: skip
 def pita_pocket(look: Look) -> Shape:
-    """A pita pocket: a half round bread open at its straight side, filling coming out."""
+    """A pita pocket: half a round bread, open at its straight side, with its filling showing."""
     k, color = look.between(0.88, 1.1), look.color("tan", "beige", "wooden")
     half = ellipsoid(0.15, 0.15, 0.034, 28, 10).bend(
         lambda p: np.column_stack([p[:, 0], np.minimum(p[:, 1], 0.0), p[:, 2]])
@@ -314,7 +314,7 @@ def pita_pocket(look: Look) -> Shape:
 
 
 def _long_roll(long: tuple[float, float], ridged: bool) -> Callable[[Look], Shape]:
-    """Return the shape function of a filled long roll, toasted with grill marks or crusty."""
+    """Return the shape function of a long filled roll, toasted with grill marks or crusty."""
 
     def make(look: Look) -> Shape:
         size, color = look.between(*long), look.color(*BAKED)
@@ -348,7 +348,7 @@ def _long_roll(long: tuple[float, float], ridged: bool) -> Callable[[Look], Shap
           aliases=("single crisp", "single chip"), themes=("food",), roles=("edible",),
           colors=("amber",), state="lying flat")  # fmt: skip
 def potato_crisp(look: Look) -> Shape:
-    """A thin crisp of golden potato with blisters and brown spots."""
+    """A thin, crisp, golden potato crisp with blisters and brown spots."""
     outline = ellipse(look.between(0.042, 0.056), look.between(0.034, 0.042), 24)
     outline = outline * (1 + 0.05 * look.rng.normal(size=(24, 1)))
     color = look.color("amber", "gold")
@@ -363,7 +363,7 @@ def potato_crisp(look: Look) -> Shape:
 def tub(
     words: tuple[str, ...], r: float, h: float, palette: tuple[str, ...], food: tuple[RGB, RGB]
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a printed tub, shut or open with its food showing."""
+    """Return the shape function of a printed tub, closed, or open with its food visible."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.92, 1.08), look.color(*palette)
@@ -403,7 +403,7 @@ def tub(
           aliases=("boba", "boba tea", "pearl milk tea", "cup of bubble tea"), themes=("food",),
           roles=("tall", "round"), colors=("tan",))  # fmt: skip
 def bubble_tea(look: Look) -> Shape:
-    """A cup of bubble tea: milky tea, dark pearls at the bottom, a domed lid, a fat straw."""
+    """A cup of bubble tea: milky tea with dark pearls, a domed lid and a wide straw."""
     k, color = (look.between(0.9, 1.08), look.color("tan", "pink", "mint", "lavender", "orange",
                                                     "beige"))  # fmt: skip
     r, h = 0.044 * k, 0.125 * k
@@ -426,7 +426,7 @@ def bubble_tea(look: Look) -> Shape:
           "strawberry punnet", "box of strawberries", "fruit punnet", "punnet of berries",
           "punnet of cherries"), themes=("food",), colors=("red",))  # fmt: skip
 def punnet(look: Look) -> Shape:
-    """A punnet of berries: a clear or cardboard tray heaped with strawberries or blueberries."""
+    """A clear or cardboard punnet heaped with strawberries or blueberries."""
     k, color = look.between(0.88, 1.06), look.color("red", "red", "indigo", "crimson", "maroon")
     x, y, h = 0.15 * k, 0.11 * k, 0.055 * k
     outline = rectangle(x, y, 0.02 * k)

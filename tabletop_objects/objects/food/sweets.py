@@ -1,4 +1,4 @@
-"""Sweets (food)."""
+"""Objects of the ``food`` theme: sweets."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _ball(d: tuple[float, float], speckled: bool) -> Callable[[Look], Shape]:
           aliases=("jellybean",), themes=("food",), roles=("edible",), colors=("red",),
           state="lying")  # fmt: skip
 def jelly_bean(look: Look) -> Shape:
-    """A jelly bean: a small glossy bean."""
+    """A small, glossy jelly bean."""
     long, color = look.between(0.016, 0.021), look.color(*BRIGHT, "black")
     body = bent_rod(long, 0.3 * long, blunt=3.2, bend=0.16 * long)
     tile = (surfaces.spots(look.rng, color, tint_color(color, 0.8), 0.06) if look.chance(0.3)
@@ -48,7 +48,7 @@ def jelly_bean(look: Look) -> Shape:
           "butterscotch"), themes=("food",), roles=("edible", "round"),
           colors=("red",))  # fmt: skip
 def peppermint(look: Look) -> Shape:
-    """A round flat peppermint with red swirls, sometimes in clear wrapping."""
+    """A round, flat peppermint with red swirls, sometimes in clear wrapping."""
     r, color = look.between(0.011, 0.014), look.color("red", "red", "green", "sky", "pink")
     t = 0.55 * r
     body = lathe([(0, 0), (0.8 * r, 0), (r, 0.3 * t), (r, 0.7 * t), (0.8 * r, t), (0, t)], 30)
@@ -71,7 +71,7 @@ def peppermint(look: Look) -> Shape:
 def _cube(
     size: tuple[float, float], flat: float, palette: tuple[str, ...], kind: str
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a cut block of a sweet: fudge, toffee, nougat, delight."""
+    """Return the shape function of a cube of fudge, toffee, nougat or Turkish delight."""
 
     def make(look: Look) -> Shape:
         x, color = look.between(*size), look.color(*palette)
@@ -94,7 +94,7 @@ def _cube(
           aliases=("allsort", "licorice allsort"), themes=("food",), roles=("edible",),
           colors=("pink",))  # fmt: skip
 def liquorice_allsort(look: Look) -> Shape:
-    """A liquorice allsort: a layered square, a coconut wheel or a bobbly button."""
+    """A liquorice allsort: a layered square, a coconut wheel or a button covered in beads."""
     color = look.color("pink", "yellow", "orange", "white", "sky")
     kind = look.pick(["layers", "wheel", "bobbles"])
     k = look.between(0.9, 1.15)
@@ -124,7 +124,7 @@ def liquorice_allsort(look: Look) -> Shape:
           aliases=("mint humbug", "pear drop", "sherbet lemon"), themes=("food",),
           roles=("edible",), colors=("black",), state="lying")  # fmt: skip
 def humbug(look: Look) -> Shape:
-    """A humbug: a striped pillow of boiled sugar."""
+    """A humbug: a striped, pillow-shaped boiled sweet."""
     k, color = look.between(0.9, 1.15), look.color("black", "brown", "maroon", "green")
     x = np.linspace(-1, 1, 11)
     body = tube(np.column_stack([0.013 * x, 0 * x, 0 * x]), 0.0095 * np.maximum(1 - np.abs(x) ** 3,
@@ -140,7 +140,7 @@ def humbug(look: Look) -> Shape:
           themes=("food",), roles=("edible",), colors=("pink",), state="lying")  # fmt: skip
 @keep_still
 def stick_of_rock(look: Look) -> Shape:
-    """A stick of seaside rock: a pink cylinder, letters in its white ends."""
+    """A stick of seaside rock: a pink cylinder with letters in its white ends."""
     long, r = look.between(0.14, 0.2), look.between(0.0105, 0.013)
     color = look.color("pink", "pink", "magenta", "red", "green", "sky")
     stick = cylinder(r, long, 24).turn(1, np.pi / 2).move(-long / 2, 0, r)
@@ -183,7 +183,7 @@ def peanut_brittle(look: Look) -> Shape:
           aliases=("bubblegum machine", "sweet dispenser", "gum machine", "candy machine"),
           themes=("food",), roles=("tall", "round"), colors=("red",))  # fmt: skip
 def gumball_machine(look: Look) -> Shape:
-    """A gumball machine: a globe of coloured balls on a red stand with a turning handle."""
+    """A gumball machine: a globe of coloured balls on a red stand with a crank."""
     k, color = look.between(0.85, 1.08), look.color("red", "red", "blue", "black", "pink")
     base = lathe([(0, 0), (0.06, 0), (0.062, 0.012), (0.045, 0.03), (0.045, 0.085), (0.056, 0.1),
                   (0.05, 0.108), (0, 0.108)], 28)  # fmt: skip
@@ -234,7 +234,7 @@ def candy_dispenser(look: Look) -> Shape:
           aliases=("candy floss", "cotton candy", "fairy floss", "stick of candyfloss"),
           themes=("food",), roles=("edible",), colors=("pink",), state="lying")  # fmt: skip
 def candyfloss(look: Look) -> Shape:
-    """Candyfloss: a pink cloud round a stick, lying."""
+    """A pink cloud of candyfloss on a stick, lying flat."""
     k, color = look.between(0.85, 1.1), look.color("pink", "pink", "sky", "lavender", "mint")
     puffs = [ellipsoid(0.075, 0.07, 0.066, 12, 8).move(0.035 * np.cos(2.4 * n) - 0.02, 0.03
                                                        * np.sin(2.4 * n), 0.05 + 0.012
@@ -251,7 +251,7 @@ def candyfloss(look: Look) -> Shape:
           aliases=("sour worm", "jelly worm", "jelly snake", "gummy snake", "earthworm"),
           themes=("food",), roles=("edible",), colors=("red",), state="lying")  # fmt: skip
 def gummy_worm(look: Look) -> Shape:
-    """A sour worm: a ribbed jelly worm of two colours, sugared."""
+    """A ribbed jelly worm in two colours, coated with sugar."""
     long = look.between(0.07, 0.1)
     color = look.color("red", "green", "orange", "sky", "yellow", "pink")
     other = look.own_color("yellow", "lime", "sky", "pink")
@@ -270,7 +270,7 @@ def gummy_worm(look: Look) -> Shape:
           aliases=("cola bottle", "gummy bottle", "fizzy cola bottle"), themes=("food",),
           roles=("edible",), colors=("brown",), state="lying flat")  # fmt: skip
 def cola_bottle_sweet(look: Look) -> Shape:
-    """A cola bottle sweet: a flat jelly bottle, brown below, clear above."""
+    """A flat jelly sweet in the shape of a cola bottle, brown at the bottom and clear above."""
     k, color = look.between(0.9, 1.2), look.color("brown", "maroon", "copper")
     side = smooth(
         [(-0.016, 0.0075), (-0.006, 0.0055), (0.002, 0.0072), (0.008, 0.004), (0.016, 0.003)], 3
@@ -290,7 +290,7 @@ def cola_bottle_sweet(look: Look) -> Shape:
           aliases=("pastille", "wine gum", "gumdrop", "gum drop", "lozenge", "fruit gum",
           "jelly sweet"), themes=("food",), roles=("edible",), colors=("red",))  # fmt: skip
 def fruit_pastille(look: Look) -> Shape:
-    """A fruit pastille: a sugared disc with a rounded top; a lozenge is an oval."""
+    """A fruit pastille: a sugared disc with a rounded top, or an oval lozenge."""
     r, color = (look.between(0.0095, 0.0125), look.color("red", "green", "yellow", "orange",
                                                          "purple", "black"))  # fmt: skip
     body = lathe([(0, 0), (r, 0), (0.95 * r, 0.5 * r), (0.6 * r, 0.75 * r), (0, 0.78 * r)], 24)

@@ -1,4 +1,4 @@
-"""Board games (games)."""
+"""Objects of the ``games`` theme: board games."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ BRIGHT: tuple[RGB, ...] = ((204, 52, 48), (52, 104, 190), (70, 150, 80), (244, 2
 
 
 def properties(look: Look, color: RGB) -> surfaces.Tile:
-    """Streets in colours round the rim."""
+    """Return a game board with coloured street fields around its border."""
     image = prints.canvas(256, 256, tint_color(color, 1.5))
     prints.fill(image, 0.13, 0.13, 0.74, 0.74, tint_color(color, 1.3))
     for n in range(9):
@@ -48,7 +48,7 @@ def properties(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def track(look: Look, color: RGB) -> surfaces.Tile:
-    """A spiral of coloured spaces."""
+    """Return a game board with a spiral of coloured spaces."""
     image = prints.canvas(224, 224, tint_color(color, 1.35))
     for _ in range(7):
         x, y = look.rng.uniform(0.2, 0.8, 2)
@@ -66,7 +66,7 @@ def track(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def rooms(look: Look, color: RGB) -> surfaces.Tile:
-    """A house of named rooms."""
+    """Return a game board with a house of named rooms."""
     image = prints.canvas(240, 240, (226, 206, 150))
     for n in range(25):
         prints.fill(image, n / 24, 0, 0.004, 1, (190, 168, 116))
@@ -85,7 +85,7 @@ def rooms(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def world(look: Look, color: RGB) -> surfaces.Tile:
-    """Continents of coloured countries."""
+    """Return a game board with continents of coloured countries."""
     image = prints.canvas(256, 176, tint_color(color, 1.35))
     shapes = [(0.19, 0.3, 0.16), (0.28, 0.68, 0.12), (0.5, 0.28, 0.1), (0.54, 0.6, 0.15),
               (0.72, 0.3, 0.2), (0.85, 0.76, 0.09)]  # fmt: skip
@@ -102,7 +102,7 @@ def world(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def noughts(look: Look, color: RGB) -> surfaces.Tile:
-    """Noughts and crosses."""
+    """Return a board with noughts and crosses."""
     ink = readable_on(color)
     image = prints.canvas(144, 144, color)
     for at in (1 / 3, 2 / 3):
@@ -121,7 +121,7 @@ def noughts(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def mills(look: Look, color: RGB) -> surfaces.Tile:
-    """Three squares with men on their corners."""
+    """Return a mill board: three nested squares with pieces on their corners."""
     ink = readable_on(color)
     image = surfaces.fit(surfaces.wood(look.rng, color), 176, 176).copy()
     for low in (0.1, 0.23, 0.36):
@@ -144,7 +144,7 @@ def mills(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def holes(rows: int, columns: int, wide: int, tall: int) -> Print:
-    """Rows of drilled holes, a few with pegs."""
+    """Return the print function of a board with rows of drilled holes and a few pegs."""
 
     def draw(look: Look, color: RGB) -> surfaces.Tile:
         image = surfaces.fit(surfaces.wood(look.rng, color), tall, wide).copy()
@@ -162,7 +162,7 @@ def holes(rows: int, columns: int, wide: int, tall: int) -> Print:
 
 
 def carrom(look: Look, color: RGB) -> surfaces.Tile:
-    """Corner pockets and a heap of men."""
+    """Return a carrom board with corner pockets and a heap of pieces."""
     image = surfaces.fit(surfaces.wood(look.rng, tint_color(color, 1.2)), 224, 224).copy()
     dark: RGB = (50, 36, 30)
     for at in ((0.08, 0.08), (0.92, 0.08), (0.08, 0.92), (0.92, 0.92)):
@@ -180,7 +180,7 @@ def carrom(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def star(look: Look, color: RGB) -> surfaces.Tile:
-    """A six-pointed star of holes."""
+    """Return a board with a six-pointed star of holes."""
     image = prints.canvas(224, 224, tint_color(color, 1.3))
     for n in range(6):
         a = np.pi / 3 * n + np.pi / 6
@@ -199,7 +199,7 @@ def star(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def roulette(look: Look, color: RGB) -> surfaces.Tile:
-    """The bets of roulette."""
+    """Return the betting layout of a roulette table."""
     image = prints.canvas(320, 144, color)
     line: RGB = (240, 226, 160)
     prints.fill(image, 0.03, 0.08, 0.07, 0.5, line)
@@ -222,7 +222,7 @@ def roulette(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def blackjack(look: Look, color: RGB) -> surfaces.Tile:
-    """Arcs and boxes of blackjack."""
+    """Return the arcs and boxes of a blackjack table."""
     image = prints.canvas(288, 176, color)
     line: RGB = (246, 230, 150)
     for r in (0.98, 0.8):
@@ -237,7 +237,7 @@ def blackjack(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def board(x: float, y: float, draw: Print, palette: tuple[str, ...], kind: str = "card"):
-    """Return the shape function of a board of this size with a print."""
+    """Return the shape function of a board of the given size with a print."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)
@@ -255,7 +255,7 @@ def board(x: float, y: float, draw: Print, palette: tuple[str, ...], kind: str =
           aliases=("mancala", "mancala game", "oware board"), themes=("games",),
           roles=("flat", "support", "big"), colors=("wooden",), state="lying flat")  # fmt: skip
 def mancala_board(look: Look) -> Shape:
-    """A mancala board: two rows of six pits and a store at each end, stones in them."""
+    """A mancala board with two rows of six pits, a store at each end and stones."""
     k = look.between(0.92, 1.08)
     x, y, h = 0.4 * k, 0.12 * k, 0.026 * k
     color = look.color("wooden", "tan", "brown", "maroon")
@@ -285,7 +285,7 @@ def mancala_board(look: Look) -> Shape:
           themes=("games",), roles=("flat", "support"), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def marble_solitaire(look: Look) -> Shape:
-    """A round solitaire board with its cross of marbles."""
+    """A round solitaire board with a cross of marbles."""
     r = look.between(0.095, 0.115)
     h = 0.018
     color = look.color("wooden", "brown", "tan", "maroon")
@@ -316,7 +316,7 @@ HUES: tuple[RGB, ...] = ((204, 52, 48), (52, 104, 190), (70, 150, 80), (244, 206
           aliases=("connect 4", "four in a row", "connect four game", "connect four grid",
           "four in a row game"), themes=("games",), roles=("tall",), colors=("blue",))  # fmt: skip
 def connect_four(look: Look) -> Shape:
-    """An upright grid of seven columns with red and yellow discs, on two feet."""
+    """An upright Connect Four grid of seven columns with red and yellow discs, on two feet."""
     k, color = look.between(0.85, 1.1), look.color("blue", "blue", "navy", "teal")
     w, h, t, foot = 0.24 * k, 0.2 * k, 0.016 * k, 0.028 * k
     wall = box(w, t, h).move(z=foot)
@@ -343,7 +343,7 @@ def connect_four(look: Look) -> Shape:
           aliases=("tangram puzzle", "tangram set"), themes=("games",), roles=("flat",),
           colors=("red",), state="lying flat")  # fmt: skip
 def tangram(look: Look) -> Shape:
-    """A tangram: seven coloured pieces laid into a square."""
+    """A tangram: seven coloured pieces arranged in a square."""
     side, t = look.between(0.1, 0.14), look.between(0.004, 0.008)
     shapes = [[(0, 0), (4, 0), (2, 2)], [(0, 0), (2, 2), (0, 4)], [(4, 0), (4, 2), (3, 1)],
               [(2, 2), (3, 1), (4, 2), (3, 3)], [(2, 2), (3, 3), (1, 3)],
@@ -365,7 +365,7 @@ def tangram(look: Look) -> Shape:
           aliases=("marble drop game", "kerplunk game"), themes=("games",), roles=("tall", "round"),
           colors=("yellow",))  # fmt: skip
 def kerplunk(look: Look) -> Shape:
-    """A game of skill: a see-through tube on a base, pierced by sticks, marbles on them."""
+    """A KerPlunk game: a transparent tube on a base, pierced by sticks with marbles on them."""
     r, h = look.between(0.042, 0.05), look.between(0.2, 0.24)
     color = look.color("yellow", "red", "blue", "orange")
     base = lathe(
@@ -389,7 +389,7 @@ def kerplunk(look: Look) -> Shape:
           "jenga tower", "block tower", "tower of blocks", "stacking tower", "jenga block tower",
           "toy block tower"), themes=("games",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def tumbling_tower(look: Look) -> Shape:
-    """A tower of wooden bars, three in each layer, the layers crossed."""
+    """A tower of wooden bars, three in each layer, with alternating directions."""
     layers = int(look.rng.integers(14, 19))
     color = look.color("wooden", "tan", "beige")
     woods = [surfaces.wood(look.rng, tint_color(color, f), side=64) for f in (0.9, 1.0, 1.15)]
@@ -409,7 +409,7 @@ _checkers_set_Print = Callable[[Look, RGB], surfaces.Tile]
 def _board(
     side: float, draw: _checkers_set_Print, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """A flat square board with a print and a rim; its men are drawn by ``draw`` too."""
+    """A flat, square board with a print and a rim; ``draw`` also draws its pieces."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06) * side
@@ -437,7 +437,7 @@ def _squares(look: Look, color: RGB) -> surfaces.Tile:
           "checker board", "chequers"), themes=("games",), roles=("flat", "big"),
           colors=("wooden",))  # fmt: skip
 def checkers_set(look: Look) -> Shape:
-    """A draughts board with its men set up."""
+    """A draughts board with its pieces set up."""
     made = _board(0.3, _squares, ("wooden", "tan", "beige", "red"))(look)
     side = 0.288
     pieces = [(p.solid, p.tile) for p in made.pieces]
@@ -553,7 +553,7 @@ def _snakes(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def _game_box(titles: tuple[str, ...], puzzle: bool) -> Callable[[Look], Shape]:
-    """A flat lidded box with a big picture and a title."""
+    """A flat box with a lid, a big picture and a title."""
 
     def make(look: Look) -> Shape:
         x, y, h = look.between(0.24, 0.29), look.between(0.2, 0.24), look.between(0.045, 0.06)
@@ -584,7 +584,7 @@ def _game_box(titles: tuple[str, ...], puzzle: bool) -> Callable[[Look], Shape]:
           aliases=("dart board",), themes=("games",), roles=("flat", "round", "big"))  # fmt: skip
 @in_sizes(0.15)
 def dartboard(look: Look) -> Shape:
-    """A dartboard lying flat, its coloured fields up."""
+    """A dartboard lying flat with its coloured sectors up."""
     r, h = look.between(0.15, 0.19), 0.025
     image = prints.canvas(224, 224, (30, 30, 32))
     red, green = look.color("red", "crimson"), look.own_color("green", "teal")
@@ -616,7 +616,7 @@ def dartboard(look: Look) -> Shape:
           aliases=("chess", "chess set", "chess game"), themes=("games",), roles=("big",),
           colors=("brown", "black"), common=True)  # fmt: skip
 def chess_board(look: Look) -> Shape:
-    """A chess board set up with simple men on its first and last ranks."""
+    """A chess board with simple pieces set up on its first and last ranks."""
     side, h = look.between(0.28, 0.38), look.between(0.012, 0.022)
     dark, light = (
         look.color("brown", "black", "maroon", "green"),

@@ -1,4 +1,4 @@
-"""Cards (games)."""
+"""Objects of the ``games`` theme: cards."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _card_face(look: Look, color: RGB) -> surfaces.Tile:
           "deck of uno cards"), themes=("games", "coffee"), roles=("flat",), state="lying flat",
           common=True)  # fmt: skip
 def playing_cards(look: Look) -> Shape:
-    """A squared-up deck of cards, face up."""
+    """A neat deck of playing cards, face up."""
     x, y, h = 0.063, 0.088, look.between(0.014, 0.018)
     red = look.chance(0.5)
     ink: RGB = (190, 30, 40) if red else (28, 28, 32)

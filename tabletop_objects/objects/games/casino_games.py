@@ -1,4 +1,4 @@
-"""Casino games (games)."""
+"""Objects of the ``games`` theme: casino games."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def _chip_edge(color: RGB) -> surfaces.Tile:
           "betting chip", "gaming chip", "gambling chip"), themes=("games",),
           roles=("flat", "round"), colors=("red", "blue"), state="lying flat")  # fmt: skip
 def poker_chip(look: Look) -> Shape:
-    """One casino chip with dashed rim and its worth."""
+    """One casino chip with a dashed rim and its value."""
     r, t = look.between(0.0185, 0.022), look.between(0.003, 0.0042)
     color = look.color(*CHIP)
     word = look.pick(["5", "10", "25", "50", "100", "1"])
@@ -51,7 +51,7 @@ def poker_chip(look: Look) -> Shape:
           aliases=("gaming plaque",), themes=("games",), roles=("flat",), colors=("blue",),
           state="lying flat")  # fmt: skip
 def casino_plaque(look: Look) -> Shape:
-    """A rectangular casino plaque with its worth in a frame."""
+    """A rectangular casino plaque with its value in a frame."""
     k, color = (look.between(0.9, 1.15), look.color("blue", "crimson", "green", "purple", "black",
                                                     "gold"))  # fmt: skip
     body = block(0.085 * k, 0.056 * k, 0.0042, 0.006 * k, 0.0006)
@@ -69,7 +69,7 @@ def casino_plaque(look: Look) -> Shape:
           aliases=("poker chip case", "poker set", "poker case", "poker chip set",
           "casino chip case"), themes=("games",), roles=("big",), colors=("silver",))  # fmt: skip
 def chip_case(look: Look) -> Shape:
-    """An open metal case with rows of chips, cards and dice in its tray, its lid up."""
+    """An open metal case with chips, cards and dice in its tray and its lid up."""
     k, color = look.between(0.85, 1.05), look.color("silver", "black", "silver", "maroon")
     x, y, h = 0.3 * k, 0.2 * k, 0.05 * k
     base = block(x, y, h, 0.008, 0.002)
@@ -101,7 +101,7 @@ def chip_case(look: Look) -> Shape:
           aliases=("roulette", "roulette game", "mini roulette wheel"), themes=("games",),
           roles=("round", "big"), colors=("brown",))  # fmt: skip
 def roulette_wheel(look: Look) -> Shape:
-    """A roulette wheel: a wooden bowl, a ring of red and black pockets, a turret."""
+    """A roulette wheel: a wooden bowl, a ring of red and black pockets and a turret."""
     r, color = look.between(0.12, 0.16), look.color("brown", "maroon", "wooden", "black")
     h = 0.3 * r
     bowl = lathe([(0, 0), (0.7 * r, 0), (0.8 * r, 0.1 * h), (r, 0.8 * h), (r, h), (0.94 * r, h),
@@ -136,7 +136,7 @@ def roulette_wheel(look: Look) -> Shape:
           "spinning prize wheel"), themes=("games",), roles=("tall",),
           colors=("wooden",))  # fmt: skip
 def prize_wheel(look: Look) -> Shape:
-    """An upright wheel of fortune of coloured sectors on a stand, a pointer on top."""
+    """An upright wheel of fortune with coloured sectors on a stand, with a pointer on top."""
     r, color = look.between(0.11, 0.14), look.color("wooden", "black", "white", "red")
     t, z = 0.012, r + 0.035
     wheel = facing(cylinder(r, t, 48)).move(y=t / 2, z=z)
@@ -171,7 +171,7 @@ def prize_wheel(look: Look) -> Shape:
           aliases=("toy slot machine", "one-armed bandit", "one armed bandit", "fruit machine",
           "slots"), themes=("games",), roles=("tall",), colors=("red",))  # fmt: skip
 def slot_machine(look: Look) -> Shape:
-    """A one-armed bandit: three reels in a window, a tray, a lever with a red ball."""
+    """A slot machine with three reels in a window, a tray and a lever with a red ball."""
     k, color = look.between(0.85, 1.1), look.color("red", "red", "gold", "blue", "purple", "silver")
     side = np.array([(-0.055, 0), (0.05, 0), (0.05, 0.19), (0.02, 0.215), (-0.03, 0.215),
                      (-0.036, 0.1),
@@ -214,7 +214,7 @@ def slot_machine(look: Look) -> Shape:
           aliases=("dauber", "bingo marker", "bingo dabber"), themes=("games",),
           roles=("tall", "round"), colors=("red",))  # fmt: skip
 def bingo_dauber(look: Look) -> Shape:
-    """A fat bottle of bingo ink with a cap and a printed sleeve."""
+    """A wide bottle of bingo ink with a cap and a printed sleeve."""
     r, h = look.between(0.018, 0.021), look.between(0.1, 0.12)
     color = look.color("red", "blue", "green", "purple", "pink", "orange")
     body = lathe([(0, 0), (r, 0), (r, 0.66 * h), (0.8 * r, 0.72 * h), (0, 0.72 * h)], 26,
@@ -233,7 +233,7 @@ def bingo_dauber(look: Look) -> Shape:
           aliases=("croupier's rake", "casino rake", "roulette rake"), themes=("games",),
           roles=("big",), colors=("wooden",), state="lying flat")  # fmt: skip
 def croupier_rake(look: Look) -> Shape:
-    """A croupier's rake: a long thin stick with a flat wooden blade, lying."""
+    """A croupier's rake lying flat: a long, thin stick with a flat wooden blade."""
     k, color = look.between(0.9, 1.05), look.color("wooden", "black", "brown")
     stick = tube([(-0.2 * k, 0, 0.005), (0.24 * k, 0, 0.005)], 0.005, 10)
     blade = box(0.014, 0.12 * k, 0.022).move(x=0.245 * k)
@@ -246,7 +246,7 @@ def croupier_rake(look: Look) -> Shape:
           "betting chips", "stacks of poker chips", "gaming chips"), themes=("games",),
           roles=("flat",), colors=("red", "blue"))  # fmt: skip
 def poker_chips(look: Look) -> Shape:
-    """Two to four stacks of poker chips of different colours."""
+    """Two to four stacks of poker chips in different colours."""
     r, t = look.between(0.0185, 0.0205), 0.0034
     color = look.color("red", "blue", "green", "black", "purple", "orange")
     others = [look.own_color("white", "red", "blue", "green", "black", "purple", "yellow")

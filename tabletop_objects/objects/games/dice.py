@@ -1,4 +1,4 @@
-"""Dice (games)."""
+"""Objects of the ``games`` theme: dice."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ COLORS = ("red", "blue", "green", "purple", "black", "teal", "orange", "white", 
 
 
 def _signs(*triples: tuple[float, float, float]) -> Float[np.ndarray, "n 3"]:
-    """Return the triples with every change of signs and every turn of their order."""
+    """Return all sign changes and cyclic permutations of the triples."""
     made = {tuple(np.round(np.roll(np.array(t) * [i, j, k], n), 9))
             for t in triples for i in (-1, 1) for j in (-1, 1) for k in (-1,
                 1) for n in range(3)}  # fmt: skip
@@ -27,14 +27,14 @@ def _signs(*triples: tuple[float, float, float]) -> Float[np.ndarray, "n 3"]:
 
 
 def _kite_ends() -> Float[np.ndarray, "n 3"]:
-    """Return the corners of a ten-sided die: two points and a zigzag belt of ten."""
+    """Return the corners of a ten-sided die: two apexes and a zigzag belt of ten points."""
     a = np.pi / 5 * np.arange(10)
     belt = np.column_stack([np.cos(a), np.sin(a), 0.105 * (-1.0) ** np.arange(10)])
     return np.array([*belt, (0, 0, 1.0), (0, 0, -1.0)])
 
 
 def _sides(corners: np.ndarray) -> list[np.ndarray]:
-    """Return the corners of each flat side, counter-clockwise seen from outside."""
+    """Return the corners of each flat face, counter-clockwise seen from outside."""
     from scipy.spatial import ConvexHull
 
     hull = ConvexHull(corners)
@@ -54,14 +54,14 @@ def _sides(corners: np.ndarray) -> list[np.ndarray]:
 
 
 def _die(corners: np.ndarray, size: float) -> Callable[[Look], Shape]:
-    """Return the shape function of a die with these corners, lying on one of its sides."""
+    """Return the shape function of a die with the given corners, resting on one face."""
 
     def make(look: Look) -> Shape:
         color = look.color(*COLORS)
         ink = readable_on(color)
         k = size * look.between(0.9, 1.2) / 2 / np.linalg.norm(corners, axis=1).max()
         sides = _sides(corners)
-        # Turn the first side down.
+        # Turn the first face down.
         down = np.cross(sides[0][1] - sides[0][0], sides[0][2] - sides[0][1])
         down = down / np.linalg.norm(down)
         turn = _turn_to(down, np.array([0.0, 0.0, -1.0]))
@@ -100,7 +100,7 @@ def _die(corners: np.ndarray, size: float) -> Callable[[Look], Shape]:
 
 
 def _turn_to(a: np.ndarray, b: np.ndarray) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation that turns direction ``a`` into ``b``."""
+    """Return the rotation that turns direction ``a`` into direction ``b``."""
     axis = np.cross(a, b)
     s, c = np.linalg.norm(axis), float(a @ b)
     if s < 1e-9:
@@ -114,7 +114,7 @@ def _turn_to(a: np.ndarray, b: np.ndarray) -> Float[np.ndarray, "3 3"]:
           aliases=("tower for dice",), themes=("games",), roles=("tall",),
           colors=("wooden",))  # fmt: skip
 def dice_tower(look: Look) -> Shape:
-    """A dice tower: a square shaft with a crenellated top and a walled tray before it."""
+    """A dice tower: a square shaft with battlements and a walled tray in front."""
     k, color = look.between(0.9, 1.1), look.color("wooden", "brown", "black", "maroon", "gray")
     x, y, h = 0.075 * k, 0.07 * k, 0.16 * k
     back = 0.045 * k
@@ -141,7 +141,7 @@ def dice_tower(look: Look) -> Shape:
           aliases=("dice shaker", "cup for dice"), themes=("games",), roles=("container", "round"),
           colors=("brown",))  # fmt: skip
 def dice_cup(look: Look) -> Shape:
-    """An open leather cup for shaking dice."""
+    """An open leather dice cup."""
     k = look.between(0.94, 1.08)
     side = [(0.034 * k, 0), (0.04 * k, 0.088 * k), (0.042 * k, 0.092 * k)]
     body, parts = open_vessel(side, 0.003, 0.005)

@@ -1,4 +1,4 @@
-"""Pieces (games)."""
+"""Objects of the ``games`` theme: game pieces."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ COLORS = ("cream", "black", "white", "brown", "charcoal", "tan")
 
 
 def _body(r: float, h: float, neck: float) -> list[tuple[float, float]]:
-    """Return the turned side of a man: foot, waist and collar, up to ``h``."""
+    """Return the turned profile of a chess piece up to ``h``: foot, waist and collar."""
     return [(0, 0), (r, 0), (r, 0.14 * r), (0.94 * r, 0.34 * r), (0.78 * r, 0.5 * r),
             (0.8 * r, 0.62 * r), (0.55 * r, 0.9 * r), (neck * r, 0.62 * h), (neck * r, 0.86 * h),
             (1.75 * neck * r, 0.9 * h), (1.75 * neck * r, 0.94 * h), (neck * r, h)]  # fmt: skip
@@ -74,7 +74,7 @@ def _knight(r: float, h: float) -> list[Solid]:
 
 
 def man(height: float, neck: float, head: Head) -> Callable[[Look], Shape]:
-    """Return the shape function of a chess man of about this body height, in metres."""
+    """Return the shape function of a chess piece of about the given body height, in metres."""
 
     def make(look: Look) -> Shape:
         r = look.between(0.0145, 0.0175)
@@ -96,7 +96,7 @@ HUES: tuple[RGB, ...] = ((204, 52, 48), (52, 104, 190), (70, 150, 80), (244, 206
           aliases=("catan tile", "settlers tile", "terrain tile", "hexagon tile"),
           themes=("games",), roles=("flat",), colors=("green",), state="lying flat")  # fmt: skip
 def hex_tile(look: Look) -> Shape:
-    """A six-sided tile of landscape: a field of one colour with trees, sheaves or hills."""
+    """A hexagonal landscape tile of one colour with trees, sheaves or hills."""
     r, t = look.between(0.036, 0.045), look.between(0.0025, 0.004)
     color = look.color("green", "lime", "mustard", "terracotta", "gray", "tan", "sky")
     outline = ellipse(2 * r, 2 * r, 6)
@@ -135,7 +135,7 @@ def _roof(h: float):
           aliases=("scrabble rack", "scrabble tile rack", "domino rack", "rummy rack"),
           themes=("games",), colors=("wooden",))  # fmt: skip
 def tile_rack(look: Look) -> Shape:
-    """A wooden rack with a sloping face, letter tiles leaning on it."""
+    """A wooden rack with a sloping face and letter tiles leaning on it."""
     long, color = look.between(0.18, 0.22), look.color("wooden", "tan", "brown", "maroon")
     side = np.array([(-0.02, 0), (0.02, 0), (0.02, 0.008), (0.008, 0.026), (0.002, 0.026),
                      (-0.009, 0.01), (-0.009, 0.013), (-0.02, 0.013)])  # fmt: skip
@@ -158,7 +158,7 @@ def tile_rack(look: Look) -> Shape:
           "spinner wheel"), themes=("games",), roles=("flat",), colors=("white",),
           state="lying flat")  # fmt: skip
 def game_spinner(look: Look) -> Shape:
-    """A card with a wheel of colours and an arrow that turns on a pin."""
+    """A card with a coloured wheel and an arrow that spins on a pin."""
     side, color = look.between(0.11, 0.14), look.color("white", "sky", "yellow", "mint")
     body = block(side, side, 0.004, 0.008)
     image, count = prints.canvas(176, 176, color), look.pick([4, 6, 8])
@@ -182,7 +182,7 @@ def game_spinner(look: Look) -> Shape:
           aliases=("shogi tile", "japanese chess piece"), themes=("games",), roles=("flat",),
           colors=("tan",), state="lying flat")  # fmt: skip
 def shogi_piece(look: Look) -> Shape:
-    """A shogi piece: a wooden wedge pointed like an arrow with ink signs."""
+    """A shogi piece: a pointed wooden wedge with ink characters."""
     k, color = look.between(0.9, 1.15), look.color("tan", "wooden", "beige", "amber")
     outline = (
         np.array([(-0.5, -0.55), (0.5, -0.55), (0.4, 0.32), (0, 0.6), (-0.4, 0.32)]) * 0.027 * k
@@ -203,7 +203,7 @@ def shogi_piece(look: Look) -> Shape:
           aliases=("tan piece", "tangram tile"), themes=("games",), roles=("flat",),
           colors=("red",), state="lying flat")  # fmt: skip
 def tangram_piece(look: Look) -> Shape:
-    """One flat piece of a tangram: a triangle, square or slanted square."""
+    """One flat piece of a tangram: a triangle, a square or a parallelogram."""
     k, t = look.between(0.03, 0.045), look.between(0.004, 0.008)
     corners = look.pick([[(-1, -0.5), (1, -0.5), (0, 0.5)], [(-0.7, -0.7), (0.7, -0.7), (0.7, 0.7),
         (-0.7, 0.7)],
@@ -219,7 +219,7 @@ def tangram_piece(look: Look) -> Shape:
           colors=("red",), state="lying flat")  # fmt: skip
 @keep_still
 def pick_up_stick(look: Look) -> Shape:
-    """A thin pointed stick of the game, banded in colours, lying."""
+    """A thin, pointed pick-up stick with coloured bands, lying flat."""
     long, r = look.between(0.16, 0.19), look.between(0.0015, 0.002)
     color = look.color("red", "blue", "green", "yellow", "wooden")
     stick = lathe([(0, 0), (0.9 * r, 0.012), (r, 0.02), (r, long - 0.02), (0.9 * r, long - 0.012),
@@ -236,7 +236,7 @@ PIECES = ("red", "blue", "green", "yellow", "black", "white", "orange", "purple"
 
 
 def _disc_piece(r: float, h: float, palette: tuple[str, ...]) -> Callable[[Look], Shape]:
-    """A turned disc with a raised rim: a draughtsman or a counter."""
+    """A turned disc with a raised rim: a draughts piece or a counter."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.1)
@@ -264,7 +264,7 @@ def go_stone(look: Look) -> Shape:
 def tile_piece(
     x: float, y: float, h: float, draw: Print, palette: tuple[str, ...], back: bool = False
 ) -> Callable[[Look], Shape]:
-    """A tile lying face up, ``draw`` on its face; with ``back``, a coloured underside."""
+    """A tile lying face up; ``draw`` prints its face and ``back`` colours its underside."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.95, 1.08)
@@ -320,7 +320,7 @@ def _domino(look: Look, color: RGB) -> surfaces.Tile:
           aliases=("jigsaw piece", "jigsaw puzzle piece", "piece of a puzzle", "push fit piece"),
           themes=("games",), roles=("flat",))  # fmt: skip
 def puzzle_piece(look: Look) -> Shape:
-    """One piece of a jigsaw: a square with knobs and hollows."""
+    """One piece of a jigsaw puzzle: a square with tabs and blanks."""
     k = look.between(0.9, 1.15)
     knob = smooth([(0.12, 0), (0.09, 0.1), (0.17, 0.2), (0, 0.3), (-0.17, 0.2), (-0.09, 0.1),
                    (-0.12, 0)], 4)  # fmt: skip
@@ -345,7 +345,7 @@ def puzzle_piece(look: Look) -> Shape:
           aliases=("game token", "token", "wooden meeple", "game figure", "game piece"),
           themes=("games",), colors=("red", "blue"))  # fmt: skip
 def meeple(look: Look) -> Shape:
-    """A little wooden man of a board game, standing."""
+    """A small wooden meeple, standing upright."""
     k = look.between(0.9, 1.2)
     right = [(0.003, 0), (0.008, 0), (0.0035, 0.0075), (0.0085, 0.0085), (0.0085, 0.0105),
              (0.0035, 0.0125), (0.0032, 0.0155), (0.0015, 0.0172)]  # fmt: skip
@@ -362,7 +362,7 @@ def meeple(look: Look) -> Shape:
           aliases=("halma piece", "ludo piece", "ludo pawn", "board game pawn", "pawn token"),
           themes=("games",), roles=("round",), colors=("red", "yellow"))  # fmt: skip
 def game_pawn(look: Look) -> Shape:
-    """A halma man: a cone with a ball for its head."""
+    """A game pawn: a cone with a ball as its head."""
     k = look.between(0.9, 1.2)
     a = np.linspace(-1.1, np.pi / 2, 8)
     head = np.column_stack([0.005 * np.cos(a), 0.0215 + 0.005 * np.sin(a)])
@@ -377,7 +377,7 @@ def game_pawn(look: Look) -> Shape:
           aliases=("steel dart", "throwing dart"), themes=("games",), colors=("red",))  # fmt: skip
 @keep_still
 def dart(look: Look) -> Shape:
-    """A dart lying: point, metal barrel, shaft, four flights."""
+    """A dart lying flat, with a point, a metal barrel, a shaft and four flights."""
     k = look.between(0.94, 1.08)
     z = 0.0135 * k
     rod = lathe(np.array([(0, 0), (0.0005, 0), (0.0012, 0.03), (0.0032, 0.034), (0.0036, 0.055),
@@ -401,7 +401,7 @@ def dart(look: Look) -> Shape:
           aliases=("chessman", "chessman of lewis"), themes=("games",), roles=("round",),
           colors=("cream", "black"), common=True)  # fmt: skip
 def chess_piece(look: Look) -> Shape:
-    """A chess piece: pawn, bishop-like or rook-like."""
+    """A chess piece shaped like a pawn, a bishop or a rook."""
     wood = look.surface(look.color("cream", "black", "brown", "white", "crimson", "tan"),
                         look.pick(["plastic", "wood"]))  # fmt: skip
     kind = int(look.rng.integers(3))
@@ -422,7 +422,7 @@ def chess_piece(look: Look) -> Shape:
           "stack of dominoes", "pile of dominoes", "line of dominoes", "box of dominoes"),
           themes=("games", "toys"), colors=("ivory", "black"), noun="set of dominoes")  # fmt: skip
 def dominoes(look: Look) -> Shape:
-    """Dominoes: a chain lying on the table, or a row of them standing."""
+    """A chain of dominoes lying on the table, or a row of standing dominoes."""
     x, y, h = 0.024, 0.048, 0.0085
     color = look.color("ivory", "white", "black", "ivory", "red", "wooden", "teal")
     ink: RGB = (34, 34, 38) if sum(color) > 380 else (246, 244, 238)

@@ -1,4 +1,4 @@
-"""Devices (gaming)."""
+"""Objects of the ``gaming`` theme: electronic devices."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from ...kit.surfaces import RGB, Look, tint_color
           "flight joystick", "joy stick", "gaming joystick", "control stick"), themes=("gaming",),
           roles=("tall",), colors=("black",))  # fmt: skip
 def joystick(look: Look) -> Shape:
-    """A flight joystick: a grip with a trigger and a hat switch on a broad foot with buttons."""
+    """A flight joystick: a grip with a trigger and a hat switch on a broad base with buttons."""
     k = look.between(0.92, 1.08)
     color = look.color("black", "charcoal", "gray", "navy", "black")
     trim = surfaces.plain(look.own_color("red", "orange", "blue", "silver", "lime"))
@@ -62,7 +62,7 @@ DARK = (40, 42, 46)
           aliases=("vr goggles", "virtual reality headset", "vr glasses", "vr"), themes=("gaming",),
           colors=("white", "black"), common=True)  # fmt: skip
 def vr_headset(look: Look) -> Shape:
-    """A virtual-reality headset: visor in front, straps behind."""
+    """A virtual-reality headset with a visor in front and straps behind."""
     x, z, y = look.between(0.17, 0.19), look.between(0.09, 0.105), look.between(0.06, 0.08)
     color = look.color("white", "black", "charcoal", "white")
     shell = surfaces.speckles(look.rng, color, 3, 32)
@@ -130,7 +130,7 @@ def microphone(look: Look) -> Shape:
           "game boy", "gameboy"), themes=("gaming", "toys"), roles=("flat",),
           colors=("red", "black"), state="lying flat", common=True)  # fmt: skip
 def handheld_console(look: Look) -> Shape:
-    """A handheld games console lying flat: screen between two coloured grips."""
+    """A handheld games console lying flat, with a screen between two coloured grips."""
     k = look.between(0.94, 1.08)
     x, y, h = 0.235 * k, 0.1 * k, 0.0145
     left, right = (
@@ -168,7 +168,7 @@ HEADSET_DARK: RGB = (38, 39, 43)
           aliases=("gaming headset", "headset with microphone", "call center headset",
           "pc headset"), themes=("gaming", "office"), colors=("black", "white"))  # fmt: skip
 def headset(look: Look) -> Shape:
-    """A headset with a microphone arm, lying upright on its ear cups."""
+    """A headset with a microphone arm, standing on its ear cups."""
     k = look.between(0.94, 1.08)
     color = look.color("black", "white", "charcoal", "red", "pink", "navy", "green")
     skin = surfaces.speckles(look.rng, color, 4, 32)

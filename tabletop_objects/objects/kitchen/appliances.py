@@ -1,4 +1,4 @@
-"""Appliances (kitchen)."""
+"""Objects of the ``kitchen`` theme: appliances."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from .grills import _panel, turn_knob
           assembled=True, aliases=("egg timer", "cooking timer"), themes=("kitchen",),
           colors=("red", "white"))  # fmt: skip
 def kitchen_timer(look: Look) -> Shape:
-    """A kitchen timer: a round dial on its foot, or an egg or tomato to twist."""
+    """A kitchen timer: a round dial on a foot, or a twistable egg or tomato."""
     d = look.between(0.06, 0.072)
     color = look.color("red", "white", "yellow", "sky", "orange", "mint", "black", "silver")
     skin = look.surface(color, "plastic")
@@ -76,7 +76,7 @@ DARK = (36, 37, 40)
           aliases=("airfryer",), themes=("kitchen",), roles=("big", "tall"),
           colors=("black",))  # fmt: skip
 def air_fryer(look: Look) -> Shape:
-    """An egg-shaped air fryer: a drawer with a handle below a display."""
+    """An egg-shaped air fryer with a drawer, a handle and a display."""
     x, h = look.between(0.25, 0.28), look.between(0.29, 0.33)
     color = look.color("black", "black", "white", "charcoal", "red", "silver", "cream")
     skin = look.surface(color, "plastic")
@@ -127,7 +127,7 @@ def slow_cooker(look: Look) -> Shape:
           aliases=("mini oven", "oven", "countertop oven", "tabletop oven"), themes=("kitchen",),
           roles=("big",), colors=("black", "silver"))  # fmt: skip
 def toaster_oven(look: Look) -> Shape:
-    """A small oven: a glass door with a bar handle, knobs at its right."""
+    """A small oven with a glass door, a bar handle and knobs on the right."""
     x, y, h = look.between(0.38, 0.44), look.between(0.25, 0.29), look.between(0.22, 0.25)
     color = look.color(*BODY)
     skin = look.surface(color, "metal")
@@ -186,7 +186,7 @@ def food_processor(look: Look) -> Shape:
           aliases=("electric mixer", "electric whisk", "handheld mixer", "hand blender",
           "electric hand mixer"), themes=("kitchen",), colors=("white", "red"))  # fmt: skip
 def hand_mixer(look: Look) -> Shape:
-    """An electric hand mixer standing on its heel, its beaters lying to the left."""
+    """An electric hand mixer standing on its heel, with its beaters on the left."""
     long = look.between(0.17, 0.195)
     color = look.color("white", "red", "mint", "black", "cream", "sky", "pink")
     skin = look.surface(color, "plastic")
@@ -224,7 +224,7 @@ def _time(look: Look) -> str:
           aliases=("microwave oven", "countertop microwave"), themes=("kitchen",), roles=("big",),
           colors=("white", "silver"))  # fmt: skip
 def microwave(look: Look) -> Shape:
-    """A microwave oven: a dark window in its door, a handle, a clock and keys or two dials."""
+    """A microwave oven with a dark window, a handle, and a clock and keys or two dials."""
     x, y, h = look.between(0.42, 0.5), look.between(0.3, 0.36), look.between(0.24, 0.29)
     color = look.color(*SHELLS)
     shell = look.surface(color, "metal" if look.chance(0.3) else "plastic")
@@ -262,7 +262,7 @@ def microwave(look: Look) -> Shape:
 
 
 def _burner(look: Look, kind: str, r: float, z: float) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return a burner of radius ``r`` whose underside is at height ``z``."""
+    """Return a burner of radius ``r`` with its underside at height ``z``."""
     dark = surfaces.plain((34, 35, 38))
     if kind == "coil":
         hot = look.pick([(52, 50, 50), (52, 50, 50), (206, 62, 34)])
@@ -290,7 +290,7 @@ def _burner(look: Look, kind: str, r: float, z: float) -> list[tuple[Solid, surf
           "burner", "hot plate stirrer", "magnetic stirrer", "hotplate stirrer"),
           themes=("kitchen",), roles=("big", "support"), colors=("white", "silver"))  # fmt: skip
 def stove(look: Look) -> Shape:
-    """A table-top stove with one or two burners and its knobs in front."""
+    """A table-top stove with one or two burners and knobs in front."""
     count, kind = look.pick([1, 1, 2]), look.pick(["plate", "plate", "coil", "gas"])
     r = look.between(0.08, 0.095)
     x, y, h = 0.3 if count == 1 else 0.47, look.between(0.28, 0.31), look.between(0.06, 0.08)
@@ -322,7 +322,7 @@ def stove(look: Look) -> Shape:
           aliases=("smoothie maker", "mixer jug", "smoothie blender"), themes=("kitchen",),
           roles=("tall", "big"), colors=("silver", "black"))  # fmt: skip
 def blender(look: Look) -> Shape:
-    """A blender: motor base with buttons or a dial, a jug with a scale and a handle, a lid."""
+    """A blender: a motor base with buttons or a dial, and a lidded jug with a scale and a grip."""
     r, h = look.between(0.068, 0.078), look.between(0.34, 0.4)
     color = look.color("silver", "black", "red", "white", "cream", "mint", "charcoal")
     skin, dark = (look.surface(color, look.pick(["metal", "plastic"])),
@@ -362,7 +362,7 @@ def blender(look: Look) -> Shape:
           aliases=("multi cooker", "electric steamer", "food steamer", "vegetable steamer"),
           themes=("kitchen",), roles=("big",), colors=("white", "red"))  # fmt: skip
 def rice_cooker(look: Look) -> Shape:
-    """A rice cooker: a bellied pot with a domed lid, a handle over it and a switch in front."""
+    """A rice cooker: a bulbous pot with a domed lid, a carrying handle and a switch in front."""
     r, h = look.between(0.115, 0.135), look.between(0.17, 0.2)
     color = look.color("white", "white", "red", "silver", "black", "pink", "mint", "cream")
     skin = look.surface(color, "plastic")
@@ -398,7 +398,7 @@ def rice_cooker(look: Look) -> Shape:
           aliases=("food mixer", "kitchen mixer", "mixer", "cake mixer"), themes=("kitchen",),
           roles=("tall", "big"), colors=("red", "mint"))  # fmt: skip
 def stand_mixer(look: Look) -> Shape:
-    """A stand mixer, its head to the left over a steel bowl."""
+    """A stand mixer with its head on the left, above a steel bowl."""
     k = look.between(0.92, 1.08)
     color = look.color("red", "mint", "cream", "black", "silver", "pink", "sky", "white", "teal")
     skin, steel = look.surface(color, "plastic"), surfaces.brushed_metal(look.rng, (190, 193, 198))
@@ -432,7 +432,7 @@ def stand_mixer(look: Look) -> Shape:
           "scales", "electronic scale"), themes=("kitchen",), roles=("support",),
           colors=("white", "black"))  # fmt: skip
 def kitchen_scale(look: Look) -> Shape:
-    """A kitchen scale: a flat digital one, or one with a dial and a pan."""
+    """A flat digital kitchen scale, or one with a dial and a pan."""
     color = look.color("white", "black", "silver", "red", "mint", "sky", "cream")
     if look.chance(0.6):
         x, y, h = look.between(0.16, 0.18), look.between(0.2, 0.23), look.between(0.018, 0.026)
@@ -473,7 +473,7 @@ def kitchen_scale(look: Look) -> Shape:
           aliases=("electric kettle", "tea kettle", "copper kettle"), themes=("kitchen",),
           roles=("tall",), colors=("silver", "black"), common=True)  # fmt: skip
 def kettle(look: Look) -> Shape:
-    """A kettle: an electric jug on its base, a gooseneck, or a dome for the stove."""
+    """An electric kettle on its base, a gooseneck kettle, or a domed stove-top kettle."""
     kind = look.pick(["jug", "jug", "gooseneck", "dome"])
     color = look.color(
         "silver", "silver", "black", "red", "white", "cream", "sage", "teal", "copper"
@@ -489,7 +489,7 @@ def kettle(look: Look) -> Shape:
          (0, 0.96 * h)], v=[0, 0.01, 0.05, 0.9, 0.95, 1],
     )  # fmt: skip
     tile = skin
-    if look.chance(0.35):  # a glass window, or a band
+    if look.chance(0.35):  # a glass window or a band
         band = surfaces.plain(look.pick([(150, 186, 200), (40, 40, 44), (200, 202, 206)]))
         tile = surfaces.stack((skin, 3), (band, look.pick([1, 4])), (skin, 4), side=96)
     base = cylinder(1.02 * r, 0.02, 32, bevel=0.003)
@@ -517,7 +517,7 @@ def kettle(look: Look) -> Shape:
 
 
 def _stove_kettle(look: Look, r: float, h: float, skin: Tile, dark: Tile) -> Shape:
-    """Return a wide kettle with a handle over its dome."""
+    """Return a wide stove-top kettle with a handle over its dome."""
     t = np.linspace(0, 1, 8)
     dome = np.column_stack([r * np.cos(1.25 * t**1.3), 0.012 + (h - 0.012) * t])
     body = lathe([(0, 0), (0.9 * r, 0), *dome, (0, h)], 32)
@@ -541,7 +541,7 @@ def _stove_kettle(look: Look, r: float, h: float, skin: Tile, dark: Tile) -> Sha
 @category("toaster", size=(0.285, 0.168, 0.2), mass=1.4, material="device", themes=("kitchen",),
           roles=("big",), colors=("silver", "red"), common=True)  # fmt: skip
 def toaster(look: Look) -> Shape:
-    """A two-slot toaster with a lever at its right end: round-backed, boxy or sloping."""
+    """A rounded, boxy or sloping two-slot toaster with a lever at its right end."""
     x, y, h = look.between(0.25, 0.3), look.between(0.155, 0.18), look.between(0.165, 0.195)
     color = look.color(
         "silver", "silver", "red", "cream", "black", "mint", "sky", "white", "pink", "copper"
@@ -561,12 +561,12 @@ def toaster(look: Look) -> Shape:
     dial = cylinder(0.013, 0.01, 18, bevel=0.002).turn(1, np.pi / 2).move(x=x / 2, z=0.2 * h)
     pieces = [(body, skin), *((s, dark) for s in (*feet, *slots, lever, rail, dial))]
     front = int(look.rng.integers(4))
-    if front == 1:  # a band of another colour with a name
+    if front == 1:  # a band in another colour with a name
         sign = prints.canvas(256, 48, look.own_color("white", "black", "gold", "charcoal"))
         prints.write(sign, look.pick(["TOAST", "CRISPY", "RETRO", "DAILY"]), 0.5, 0.5, 0.5,
                      tint_color(color, 0.6))  # fmt: skip
         pieces.append((box(0.7 * x, 0.0016, 0.045).move(y=-y / 2, z=0.35 * h), sign))
-    elif front == 2:  # ends of another colour
+    elif front == 2:  # ends in another colour
         caps = [box(0.02, 0.9 * y, 0.72 * h).move(s * (x / 2 - 0.009), 0, 0.012) for s in (-1, 1)]
         pieces += [(cap, dark) for cap in caps]
     elif front == 3:
@@ -587,7 +587,7 @@ STEEL: RGB = (190, 194, 200)
 
 
 def metal(look: Look, color: RGB = STEEL) -> surfaces.Tile:
-    """Return brushed metal."""
+    """Return a tile of brushed metal."""
     return surfaces.brushed_metal(look.rng, color)
 
 
@@ -595,7 +595,7 @@ def metal(look: Look, color: RGB = STEEL) -> surfaces.Tile:
           aliases=("lettuce spinner", "salad dryer", "salad drier"), themes=("kitchen",),
           roles=("big", "round"), colors=("green", "white"))  # fmt: skip
 def salad_spinner(look: Look) -> Shape:
-    """A salad spinner: a wide clear bowl, a slotted basket with leaves, a lid with a knob."""
+    """A salad spinner: a clear bowl, a slotted basket with leaves and a lid with a knob."""
     k, color = look.between(0.88, 1.06), look.color("green", "white", "red", "gray", "lime", "teal")
     bowl = lathe([(0, 0), (0.08, 0), (0.1, 0.01), (0.122, 0.1), (0.124, 0.12), (0, 0.12)], 36)
     image = prints.canvas(192, 96, (222, 230, 232))
@@ -617,7 +617,7 @@ def salad_spinner(look: Look) -> Shape:
           aliases=("meat grinder", "meat mincer", "hand mincer", "sausage maker"),
           themes=("kitchen",), roles=("tall",), colors=("silver",))  # fmt: skip
 def mincer(look: Look) -> Shape:
-    """A hand mincer: a funnel on a barrel, a plate with holes, a crank, a table foot."""
+    """A hand mincer: a funnel on a barrel, a plate with holes, a crank and a foot."""
     k, color = look.between(0.88, 1.06), look.color("silver", "silver", "red", "white", "cream")
     foot = block(0.11, 0.09, 0.014, 0.02, 0.003)
     neck = lathe([(0, 0), (0.03, 0), (0.018, 0.04), (0.022, 0.1), (0, 0.1)], 18).move(z=0.01)
@@ -647,7 +647,7 @@ def mincer(look: Look) -> Shape:
           aliases=("food slicer", "bread slicer", "ham slicer", "deli slicer"), themes=("kitchen",),
           roles=("big",), colors=("silver",))  # fmt: skip
 def meat_slicer(look: Look) -> Shape:
-    """A slicer: a big round blade on a motor block, a sliding tray with a sausage."""
+    """A meat slicer: a large, round blade on a motor block and a sliding tray with a sausage."""
     k, color = look.between(0.88, 1.02), look.color("silver", "red", "white", "black")
     base = block(0.3, 0.18, 0.05, 0.03, 0.006)
     motor = block(0.1, 0.1, 0.1, 0.03, 0.01).move(0.08, 0.03, 0.045)
@@ -707,7 +707,7 @@ def deep_fryer(look: Look) -> Shape:
           aliases=("food sealer", "bag sealer", "vacuum packer"), themes=("kitchen",),
           roles=("big",), colors=("black",))  # fmt: skip
 def vacuum_sealer(look: Look) -> Shape:
-    """A vacuum sealer: a long flat machine, a hinged lid, buttons, a bag in its mouth."""
+    """A vacuum sealer: a long, flat machine with a hinged lid, buttons and a bag in its slot."""
     k, color = look.between(0.9, 1.08), look.color("black", "silver", "white", "red")
     x, y, h = 0.37 * k, 0.13 * k, 0.05 * k
     low, lid = (
@@ -726,7 +726,7 @@ def vacuum_sealer(look: Look) -> Shape:
           aliases=("sous vide stick", "sous vide machine", "immersion circulator",
           "sous vide cooker"), themes=("kitchen",), colors=("black",), state="lying")  # fmt: skip
 def sous_vide(look: Look) -> Shape:
-    """A sous vide stick lying: a steel tube with slots, a clip, a round screen at its head."""
+    """A sous vide stick lying flat: a slotted steel tube with a clip and a round screen."""
     k, color = look.between(0.9, 1.08), look.color("black", "white", "gray", "teal")
     steel = cylinder(0.026, 0.18, 24, bevel=0.003).turn(1, np.pi / 2).move(-0.2, 0, 0.026)
     head = cylinder(0.03, 0.14, 26, bevel=0.008).turn(1, np.pi / 2).move(-0.03, 0, 0.03)
@@ -752,7 +752,7 @@ MINI_FRIDGE_INK: RGB = (34, 36, 40)
           "drinks fridge", "minifridge", "toy fridge"), themes=("kitchen",), roles=("big",),
           colors=("white",))  # fmt: skip
 def mini_fridge(look: Look) -> Shape:
-    """A small table-top fridge: a rounded cabinet, a door with a handle, a badge."""
+    """A small table-top fridge: a rounded cabinet with a door, a handle and a badge."""
     k, color = (look.between(0.85, 1.05), look.color("white", "pink", "mint", "red", "black", "sky",
                                                      "cream"))  # fmt: skip
     x, y, h = 0.23 * k, 0.24 * k, 0.32 * k
@@ -820,7 +820,7 @@ def _stack(trays: int, r: float) -> tuple[list[Solid], list[Solid]]:
           aliases=("dehydrator", "fruit dryer", "food dryer"), themes=("kitchen",),
           roles=("big", "round"), colors=("white",))  # fmt: skip
 def food_dehydrator(look: Look) -> Shape:
-    """A food dehydrator: a round base with a dial under a stack of vented trays and a lid."""
+    """A food dehydrator: a round base with a dial below vented trays and a lid."""
     k, color = look.between(0.9, 1.05), look.color("white", "black", "gray", "cream")
     r, count = 0.14 * k, look.pick([4, 5, 5])
     base = lathe([(0, 0), (1.02 * r, 0), (1.06 * r, 0.02), (r, 0.06), (0, 0.06)], 32)
@@ -841,7 +841,7 @@ def food_dehydrator(look: Look) -> Shape:
           aliases=("egg boiler", "egg steamer", "electric egg cooker"), themes=("kitchen",),
           roles=("round",), colors=("white",))  # fmt: skip
 def egg_cooker(look: Look) -> Shape:
-    """An egg boiler: a round heated base, eggs on a tray, a clear dome with a knob."""
+    """An egg cooker: a round heated base, eggs on a tray and a clear dome with a knob."""
     k, color = (look.between(0.9, 1.1), look.color("white", "silver", "red", "yellow", "mint",
                                                    "black"))  # fmt: skip
     r = 0.085 * k
@@ -871,7 +871,7 @@ SAMOVAR_STEEL: RGB = (190, 194, 200)
 
 
 def _urn(samovar: bool) -> Callable[[Look], Shape]:
-    """Return the shape function of an urn with a tap: a bellied samovar or a plain boiler."""
+    """Return the shape function of an urn with a tap: a bulbous samovar or a plain boiler."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.88, 1.06)

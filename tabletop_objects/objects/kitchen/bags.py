@@ -1,4 +1,4 @@
-"""Bags (kitchen)."""
+"""Objects of the ``kitchen`` theme: bags."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ...kit.surfaces import RGB, Look, readable_on, tint_color
           "coffee pouch"), themes=("kitchen", "coffee"), roles=("tall",), colors=("brown", "black"),
           common=True)  # fmt: skip
 def coffee_bag(look: Look) -> Shape:
-    """A standing bag of coffee with a folded, clipped top."""
+    """An upright bag of coffee with a folded, clipped top."""
     x, y, h = look.between(0.085, 0.11), look.between(0.055, 0.07), look.between(0.17, 0.23)
     color = look.color("brown", "black", "tan", "red", "green", "cream", "teal")
     word = look.pick(["COFFEE", "ROAST", "ARABICA", "BEANS", "ESPRESSO"])
@@ -57,7 +57,7 @@ Make = Callable[[Look], Shape]
 
 
 def panel(look: Look, word: str, color: RGB, wide: int = 120, tall: int = 120) -> surfaces.Tile:
-    """Return the print of a lid or front: a title on a band over a ground, a round picture."""
+    """Return the print of a lid or front: a title on a band and a round picture."""
     image = prints.canvas(wide, tall, color)
     prints.disc(image, 0.5, 0.7, 0.24, tint_color(color, 1.55))
     prints.disc(image, 0.5, 0.7, 0.15, tint_color(color, 0.7))
@@ -68,7 +68,7 @@ def panel(look: Look, word: str, color: RGB, wide: int = 120, tall: int = 120) -
 
 def soft_pack(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, float, float],
               seam: bool = True) -> Make:  # fmt: skip
-    """Return a filled plastic or paper packet lying flat, its ends crimped."""
+    """Return a filled plastic or paper packet lying flat, with crimped ends."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)
@@ -95,7 +95,7 @@ def soft_pack(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[floa
           "open shopping bag", "paper shopping bag", "empty bag"), themes=("kitchen",),
           roles=("container", "tall"), colors=("tan",))  # fmt: skip
 def open_paper_bag(look: Look) -> Shape:
-    """A brown paper bag standing open."""
+    """An upright, open brown paper bag."""
     k = look.between(0.92, 1.08)
     color = look.color("tan", "tan", "white", "brown", "beige")
     x, y, h, t = 0.16 * k, 0.105 * k, 0.2 * k, 0.0024
@@ -112,9 +112,9 @@ INKS = ("red", "blue", "green", "navy", "orange", "teal", "brown", "crimson")
 
 
 def _fronts(look: Look, x: float, y: float, ground: RGB, front: surfaces.Tile) -> surfaces.Tile:
-    """Return a print round a packet of depth y and width x: its front twice, small print beside.
+    """Return a print around a packet of depth y and width x, with two fronts and small print.
 
-    u = 0 is the middle of no side: ``packet`` over ``rectangle`` starts at the left front corner.
+    u = 0 is a corner: ``packet`` over ``rectangle`` starts at the left front corner.
     """
     width = 384
     image = prints.canvas(width, 160, ground)
@@ -131,7 +131,7 @@ def _fronts(look: Look, x: float, y: float, ground: RGB, front: surfaces.Tile) -
 def _bag(
     look: Look, x: float, y: float, h: float, ground: RGB, front: surfaces.Tile, top: str
 ) -> Shape:
-    """Return a paper or plastic bag: its top folded flat, or pressed to a seam."""
+    """Return a paper or plastic bag with its top folded flat or pressed into a seam."""
     image = _fronts(look, x, y, ground, front)
     rim: RGB = tuple(float(c) for c in front[2, 2])  # type: ignore[assignment]
     if top == "flat":
@@ -149,7 +149,7 @@ def _bag(
 
 
 def _front(look: Look, word: str, color: RGB, ground: RGB, kind: str) -> surfaces.Tile:
-    """Return a bag's front: a title and a picture: an ear of wheat, cubes, a bowl of rice."""
+    """Return a bag's front: a title and a picture of wheat, sugar cubes or a bowl of rice."""
     image = prints.canvas(112, 160, ground)
     prints.fill(image, 0, 0, 1, 0.13, color)
     prints.fill(image, 0, 0.87, 1, 0.13, color)
@@ -183,7 +183,7 @@ def _front(look: Look, word: str, color: RGB, ground: RGB, kind: str) -> surface
           aliases=("bag of flour", "flour", "flour packet", "packet of flour", "flour sack",
           "baking flour"), themes=("kitchen",), colors=("white", "blue"))  # fmt: skip
 def flour_bag(look: Look) -> Shape:
-    """A paper bag of flour folded flat on top, an ear of wheat on its front."""
+    """A paper bag of flour with a flat folded top and an ear of wheat on its front."""
     x, y, h = look.between(0.095, 0.115), look.between(0.06, 0.075), look.between(0.155, 0.19)
     color, ground = (look.color(*INKS), look.pick([(244, 240, 228), (250, 250, 248),
                                                    (222, 200, 160)]))  # fmt: skip
@@ -195,7 +195,7 @@ def flour_bag(look: Look) -> Shape:
           aliases=("bag of sugar", "sugar box", "packet of sugar", "box of sugar"),
           themes=("kitchen",), colors=("white", "blue"))  # fmt: skip
 def sugar_bag(look: Look) -> Shape:
-    """A small paper bag or box of sugar, white cubes on its front."""
+    """A small paper bag or box of sugar with white cubes on its front."""
     x, y, h = look.between(0.085, 0.1), look.between(0.045, 0.06), look.between(0.13, 0.165)
     color = look.color("blue", "pink", "red", "yellow", "navy", "sky", "green")
     ground = look.pick([(250, 250, 248), (250, 228, 130), (236, 240, 246)])
@@ -235,7 +235,7 @@ def rice_bag(look: Look) -> Shape:
 def bag(
     x: float, y: float, h: float, face: surfaces.Tile, side: surfaces.Tile
 ) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return an open standing bag's walls: printed in front and behind, folded at its sides."""
+    """Return the walls of an open, upright bag with printed faces and folded sides."""
     t = 0.0022
     front = box(x, t, h)
     wing = box(t, y - 2 * t, h)
@@ -250,7 +250,7 @@ def bag(
           "anti-static bag", "rubbish bag"), themes=("kitchen", "office"), roles=("tall",),
           colors=("tan",), opened="open_paper_bag")  # fmt: skip
 def paper_bag(look: Look) -> Shape:
-    """A brown paper bag: open with its jagged rim, a lunch bag folded over, or with handles."""
+    """A brown paper bag: open with a jagged rim, a folded lunch bag, or a bag with handles."""
     x, y, h = look.between(0.12, 0.16), look.between(0.075, 0.095), look.between(0.19, 0.25)
     color = look.color("tan", "tan", "bronze", "white", "beige")
     paper = surfaces.speckles(look.rng, color, 9, 64)

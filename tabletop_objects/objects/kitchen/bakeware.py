@@ -1,4 +1,4 @@
-"""Bakeware (kitchen)."""
+"""Objects of the ``kitchen`` theme: bakeware."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def cupcake_case(look: Look) -> Shape:
           "cake circle"), themes=("kitchen",), roles=("flat", "support", "round"),
           colors=("silver",), state="lying flat")  # fmt: skip
 def cake_board(look: Look) -> Shape:
-    """A round board under a cake, covered in silver or gold foil."""
+    """A round cake board covered in silver or gold foil."""
     r = look.between(0.11, 0.14)
     color = look.color("silver", "gold", "white", "silver")
     foil = surfaces.brushed_metal(look.rng, color)
@@ -113,7 +113,7 @@ def roasting_tin(look: Look) -> Shape:
           aliases=("loaf pan", "bread tin", "bread pan"), themes=("kitchen",), roles=("container",),
           colors=("silver", "charcoal"))  # fmt: skip
 def loaf_tin(look: Look) -> Shape:
-    """A long narrow tin for a loaf."""
+    """A long, narrow loaf tin."""
     return _tin(look, look.between(0.23, 0.27), look.between(0.11, 0.125), look.between(0.06, 0.07),
                 ("silver", "charcoal", "black", "copper", "red"))  # fmt: skip
 
@@ -123,7 +123,7 @@ def loaf_tin(look: Look) -> Shape:
           "lasagne dish"), themes=("kitchen",), roles=("container", "big"),
           colors=("white", "red"))  # fmt: skip
 def baking_dish(look: Look) -> Shape:
-    """A rectangular ceramic dish for the oven with small handles."""
+    """A rectangular ceramic baking dish with small handles."""
     return _tin(look, look.between(0.26, 0.31), look.between(0.18, 0.21), look.between(0.05, 0.06),
                 ("white", "red", "blue", "cream", "teal", "terracotta"), material="ceramic",
                 flare=0.92, ears=0.018)  # fmt: skip
@@ -134,7 +134,7 @@ def baking_dish(look: Look) -> Shape:
           "springform tin", "springform cake tin"), themes=("kitchen",),
           roles=("container", "round", "big"), colors=("charcoal",))  # fmt: skip
 def cake_tin(look: Look) -> Shape:
-    """A round tin with straight walls and a clasp at its side."""
+    """A round cake tin with straight walls and a clasp."""
     r, h = look.between(0.1, 0.125), look.between(0.058, 0.07)
     color = look.color("charcoal", "silver", "black", "copper", "red", "pink")
     skin = look.surface(color, "metal")
@@ -152,7 +152,7 @@ def cake_tin(look: Look) -> Shape:
           "pie pan"), themes=("kitchen",), roles=("container", "round", "big"),
           colors=("white",))  # fmt: skip
 def pie_dish(look: Look) -> Shape:
-    """A shallow round dish with a fluted rim."""
+    """A shallow, round pie dish with a fluted rim."""
     r, h = look.between(0.12, 0.14), look.between(0.034, 0.042)
     color = look.color("white", "red", "cream", "blue", "terracotta", "sage")
     skin = look.surface(color, "ceramic")
@@ -171,7 +171,7 @@ def pie_dish(look: Look) -> Shape:
           aliases=("ice tray", "ice cube mould", "ice cube mold"), themes=("kitchen",),
           colors=("sky", "white"))  # fmt: skip
 def ice_cube_tray(look: Look) -> Shape:
-    """A tray of twelve or more pockets for ice, some with ice in them."""
+    """A tray of twelve or more ice cube compartments, some with ice in them."""
     columns, rows = look.pick([6, 7, 8]), 2
     pitch, h = look.between(0.034, 0.038), look.between(0.028, 0.034)
     x, y = columns * pitch + 0.012, rows * pitch + 0.012
@@ -203,7 +203,7 @@ def ice_cube_tray(look: Look) -> Shape:
           themes=("kitchen",), roles=("container", "round", "big"),
           colors=("silver", "white"))  # fmt: skip
 def mixing_bowl(look: Look) -> Shape:
-    """A large deep bowl of steel, plastic or glaze with a rolled rim, some with batter."""
+    """A large, deep mixing bowl of steel, plastic or glazed ceramic, sometimes with batter."""
     r, h = look.between(0.11, 0.135), look.between(0.1, 0.125)
     color = look.color("silver", "silver", "white", "cream", "red", "teal", "yellow", "sky", "pink")
     kind = look.pick(["metal", "plastic", "ceramic"])
@@ -227,7 +227,7 @@ def mixing_bowl(look: Look) -> Shape:
           aliases=("measuring jug", "measure cup", "measuring glass", "glass measuring cup"),
           themes=("kitchen",), roles=("container",), colors=("silver", "red"))  # fmt: skip
 def measuring_cup(look: Look) -> Shape:
-    """A measuring cup: a glass jug with a red scale, or a steel cup with a long handle."""
+    """A glass measuring jug with a red scale, or a steel measuring cup with a long handle."""
     if look.chance(0.6):
         r, h = look.between(0.042, 0.055), look.between(0.085, 0.12)
         ink = look.color("red", "red", "blue", "green", "black")
@@ -271,7 +271,7 @@ def measuring_cup(look: Look) -> Shape:
           "cookie tray"), themes=("kitchen",), roles=("container", "support", "big", "flat"),
           colors=("silver", "charcoal"))  # fmt: skip
 def baking_tray(look: Look) -> Shape:
-    """A baking tray with a raised rim: empty, or with biscuits or buns on it."""
+    """A baking tray with a raised rim, empty or with biscuits or buns."""
     x, y, h = look.between(0.3, 0.36), look.between(0.22, 0.26), look.between(0.016, 0.024)
     color = look.color("silver", "charcoal", "black", "gray", "copper")
     skin = look.surface(color, "metal")
@@ -302,7 +302,7 @@ def baking_tray(look: Look) -> Shape:
           "copper jelly mould"), themes=("kitchen",), roles=("big",),
           colors=("charcoal", "silver"))  # fmt: skip
 def muffin_tin(look: Look) -> Shape:
-    """A tin with six or twelve cups in a flat top, empty or with muffins."""
+    """A muffin tin with six or twelve cups in a flat top, empty or with muffins."""
     rows, columns = 2, look.pick([3, 3, 4])
     pitch, r, h = 0.082, 0.034, look.between(0.03, 0.036)
     x, y = columns * pitch + 0.02, rows * pitch + 0.02
@@ -336,7 +336,7 @@ def muffin_tin(look: Look) -> Shape:
           "mooncake mould", "chocolate mould", "fluted mould"), themes=("kitchen",),
           roles=("round",), colors=("copper",))  # fmt: skip
 def jelly_mould(look: Look) -> Shape:
-    """A fluted mould standing upside down: a copper or tin dome with tiers."""
+    """An upside-down jelly mould: a fluted copper or tin dome with tiers."""
     k, color = look.between(0.88, 1.1), look.color("copper", "silver", "copper", "pink", "red")
     dome = lathe([(0, 0), (0.078, 0), (0.078, 0.004), (0.066, 0.006), (0.062, 0.05), (0.05, 0.056),
                   (0.046, 0.082), (0.034, 0.088), (0.03, 0.1), (0, 0.104)], 64)  # fmt: skip

@@ -1,4 +1,4 @@
-"""Beans (kitchen)."""
+"""Objects of the ``kitchen`` theme: beans and peas."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("roasted coffee bean", "espresso bean"), themes=("kitchen",), roles=("edible",),
           colors=("brown",), state="lying flat")  # fmt: skip
 def coffee_bean(look: Look) -> Shape:
-    """A roasted coffee bean, its groove up."""
+    """A roasted coffee bean with its groove up."""
     k = look.between(0.9, 1.2)
     color = look.color("brown", "brown", "bronze")
     half = bent_rod(0.0125, 0.0046, blunt=2.3, squash=0.75)
@@ -31,7 +31,7 @@ def coffee_bean(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("green",),
           state="lying flat")  # fmt: skip
 def pea_pod(look: Look) -> Shape:
-    """An open pod of peas lying."""
+    """An open pea pod with peas, lying flat."""
     long = look.between(0.075, 0.092)
     color = look.color("green", "lime", "green")
     half = bent_rod(long, 0.0085, blunt=3, bend=0.008, squash=0.8)
@@ -52,7 +52,7 @@ def pea_pod(look: Look) -> Shape:
           aliases=("string bean", "runner bean", "french bean"), themes=("kitchen", "food"),
           roles=("edible",), colors=("green",), state="lying flat")  # fmt: skip
 def green_bean(look: Look) -> Shape:
-    """A long green bean lying, a little bent."""
+    """A long, slightly bent green bean, lying flat."""
     long, r = look.between(0.11, 0.14), look.between(0.0042, 0.0052)
     color = look.color("green", "green", "lime", "yellow")
     bend = look.between(0.01, 0.024)
@@ -67,7 +67,7 @@ def green_bean(look: Look) -> Shape:
           aliases=("kidney bean", "lentil"), themes=("kitchen", "food"), roles=("edible",),
           colors=("maroon",), state="lying flat")  # fmt: skip
 def bean(look: Look) -> Shape:
-    """A kidney bean lying on its side."""
+    """A kidney bean, lying on its side."""
     long, r = look.between(0.015, 0.019), look.between(0.0042, 0.0052)
     color = look.color("maroon", "brown", "white", "black", "tan")
     body = bent_rod(long, r, blunt=2.6, bend=0.32 * r * 2, squash=0.85)

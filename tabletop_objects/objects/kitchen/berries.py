@@ -1,4 +1,4 @@
-"""Berries (kitchen)."""
+"""Objects of the ``kitchen`` theme: berries."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ LEAF: RGB = (78, 130, 58)
           themes=("kitchen", "food"), roles=("edible",), colors=("red",), state="lying flat",
           common=True)  # fmt: skip
 def strawberry(look: Look) -> Shape:
-    """A strawberry lying on its side, with its green star."""
+    """A strawberry with its green leaves, lying on its side."""
     r, h = look.between(0.015, 0.019), look.between(0.036, 0.046)
     color = look.color("red", "crimson", "red", "coral")
     profile = [(0, 0), (0.2 * r, 0.03 * h), (0.62 * r, 0.3 * h), (0.95 * r, 0.66 * h),
@@ -41,7 +41,7 @@ def strawberry(look: Look) -> Shape:
 
 
 def currants(palette: tuple[str, ...]) -> Callable[[Look], Shape]:
-    """Return the shape function of a string of currants lying."""
+    """Return the shape function of a string of currants, lying flat."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(0.06, 0.08), look.color(*palette)
@@ -103,7 +103,7 @@ def _berry(look: Look, color: RGB) -> Shape:
           aliases=("bilberry", "huckleberry", "cranberry"), themes=("kitchen", "food"),
           roles=("round", "edible"), colors=("navy",))  # fmt: skip
 def blueberry(look: Look) -> Shape:
-    """A blueberry, its crown up."""
+    """A blueberry with its crown up."""
     d = look.between(0.013, 0.017)
     color = look.color("navy", "indigo", "blue")
     body = ellipsoid(d, d, 0.88 * d, 20, 12)

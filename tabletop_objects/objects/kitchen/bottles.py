@@ -1,4 +1,4 @@
-"""Bottles (kitchen)."""
+"""Objects of the ``kitchen`` theme: bottles."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import RGB, Look, readable_on
           themes=("kitchen", "dining", "breakfast"), roles=("tall", "round"),
           colors=("white",))  # fmt: skip
 def milk_bottle(look: Look) -> Shape:
-    """A glass bottle of milk with a wide mouth and a foil or a swing lid."""
+    """A glass bottle of milk with a wide mouth and a foil cap or a swing top."""
     r, h = look.between(0.036, 0.042), look.between(0.19, 0.23)
     milk = look.color("white", "white", "cream", "pink", "tan", "brown", spread=4)
     neck = 0.55 * r
@@ -49,7 +49,7 @@ def milk_bottle(look: Look) -> Shape:
           "screen cleaning kit", "hand sanitizer spray"), themes=("kitchen", "workbench"),
           roles=("tall",), colors=("sky", "white"), common=True)  # fmt: skip
 def spray_bottle(look: Look) -> Shape:
-    """A cleaner's spray bottle with its trigger."""
+    """A spray bottle of cleaner with a trigger."""
     r, h = look.between(0.036, 0.043), look.between(0.15, 0.18)
     color = look.color("sky", "clear", "green", "white", "orange", "lavender", "yellow")
     label = wrap(look, look.pick(["CLEAN", "GLASS", "SHINE", "MIST", "PLANTS"]),
@@ -88,7 +88,7 @@ STEEL: RGB = (196, 199, 204)
           "anchovy paste tube", "harissa tube", "tube of tomato paste", "mustard tube",
           "wasabi tube"), themes=("kitchen",), colors=("red",), state="lying flat")  # fmt: skip
 def paste_tube(look: Look) -> Shape:
-    """A soft metal tube of tomato paste lying, its cap to the right."""
+    """A soft metal tube of tomato paste lying flat, with its cap on the right."""
     k = look.between(0.92, 1.08)
     color = look.color("red", "red", "green", "gold", "blue")
     t = np.linspace(0, 1, 9)
@@ -142,7 +142,7 @@ def hot_sauce(look: Look) -> Shape:
 
 
 def _cruet(look: Look, fill: RGB, word: str) -> Shape:
-    """Return a bottle of oil or vinegar: slim, with a pouring spout or a cork."""
+    """Return a slim bottle of oil or vinegar with a pouring spout or a cork."""
     r, h = look.between(0.031, 0.037), look.between(0.22, 0.27)
     square = look.chance(0.4)
     body = vessel(r, h, 0.012, 0.6 * h, 0.78 * h, sides=4 if square else 32)

@@ -1,4 +1,4 @@
-"""Boxes (kitchen)."""
+"""Objects of the ``kitchen`` theme: boxes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..workbench.boxes import case
           aliases=("spice box", "indian spice box", "masala box", "spice tray"),
           themes=("kitchen",), roles=("round",), colors=("silver",))  # fmt: skip
 def masala_dabba(look: Look) -> Shape:
-    """A round steel box with seven bowls of spices, its lid beside under it."""
+    """A round, open steel box with seven bowls of spices."""
     k = look.between(0.94, 1.06)
     color = look.color("silver", "silver", "copper")
     r, h = 0.095 * k, 0.045 * k
@@ -44,7 +44,7 @@ def masala_dabba(look: Look) -> Shape:
           aliases=("bread bin", "breadbox", "breadbin"), themes=("kitchen",), roles=("big",),
           colors=("cream", "silver"))  # fmt: skip
 def bread_box(look: Look) -> Shape:
-    """A bread bin with a rounded roll front and a knob."""
+    """A bread bin with a rounded roll-up front and a knob."""
     x, y, h = look.between(0.34, 0.4), look.between(0.22, 0.26), look.between(0.17, 0.2)
     color = look.color("cream", "silver", "red", "mint", "black", "wooden", "white")
     skin = look.surface(color, look.pick(["metal", "metal", "wood"]))
@@ -93,7 +93,7 @@ def cool_box(look: Look) -> Shape:
           "box of granola"), themes=("kitchen", "dining"), roles=("tall",),
           colors=("red", "yellow"), common=True)  # fmt: skip
 def cereal_box(look: Look) -> Shape:
-    """A box of cereal standing."""
+    """An upright cereal box."""
     x, y, h = look.between(0.17, 0.19), look.between(0.05, 0.06), look.between(0.24, 0.28)
     color = look.color("red", "yellow", "blue", "orange", "green")
     title = look.pick(["OATS", "FLAKES", "CRUNCH", "MUESLI"])
@@ -109,7 +109,7 @@ def cereal_box(look: Look) -> Shape:
           themes=("kitchen", "food"), colors=("gray", "beige"), state="lying open",
           common=True)  # fmt: skip
 def egg_carton(look: Look) -> Shape:
-    """An open carton of eggs; empty, with as many ``places`` as the attribute says."""
+    """An open carton of eggs, or an empty one with the requested number of ``places``."""
     rows, pitch = 2, 0.048
     columns = int(look.pick([3, 5]))
     empty = look.attributes.get("state") == "empty"
@@ -146,7 +146,7 @@ def egg_carton(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("tall",), colors=("blue", "red", "green"),
           common=True)  # fmt: skip
 def milk_carton(look: Look) -> Shape:
-    """A gable-top carton; its printed front faces the viewer."""
+    """A gable-top carton of milk with its printed front facing the viewer."""
     x, h = look.between(0.066, 0.074), look.between(0.15, 0.19)
     color = look.color("blue", "red", "green", "teal", "sky", "orange")
     word = look.pick(["MILK", "OATS", "JUICE", "CREAM"])
@@ -182,7 +182,7 @@ PALE: RGB = (246, 244, 238)
           state="lying flat")  # fmt: skip
 @vary()
 def ready_meal(look: Look) -> Shape:
-    """A ready meal: a black tray with food in parts under a printed sleeve."""
+    """A ready meal: a black tray of food with compartments, under a printed sleeve."""
     k = look.between(0.95, 1.06)
     x, y, h = 0.19 * k, 0.14 * k, 0.036 * k
     color = look.color("green", "red", "navy", "purple", "orange", "brown")
@@ -211,7 +211,7 @@ def ready_meal(look: Look) -> Shape:
           "packet of cookies", "packet of crackers", "cracker packet"), themes=("kitchen", "tea"),
           colors=("blue", "red"))  # fmt: skip
 def cookie_box(look: Look) -> Shape:
-    """A box of biscuits, biscuits shown on its front."""
+    """A box of biscuits with biscuits shown on its front."""
     x, y, h = look.between(0.15, 0.19), look.between(0.05, 0.065), look.between(0.1, 0.13)
     color = look.color("blue", "red", "green", "purple", "yellow", "brown", "teal", "pink")
     image = prints.canvas(176, 112, color)
@@ -240,7 +240,7 @@ def cookie_box(look: Look) -> Shape:
           "pudding mix", "chocolate pudding box", "gelatin", "baking mix", "gelatin packet",
           "jelly packet"), themes=("kitchen",), colors=("brown", "red"))  # fmt: skip
 def pudding_box(look: Look) -> Shape:
-    """A small box of pudding or jelly powder with a dish of it on the front."""
+    """A small box of pudding or jelly powder with a dish of it shown on the front."""
     x, y, h = look.between(0.085, 0.11), look.between(0.03, 0.04), look.between(0.075, 0.09)
     color = look.color("brown", "red", "yellow", "green", "orange", "crimson", "blue")
     word = look.pick(["PUDDING", "PUDDING", "JELLY", "CHOCOLATE", "GELATIN"])
@@ -287,7 +287,7 @@ Pieces = list[tuple[Solid, surfaces.Tile]]
           "lasagna box", "box of spaghetti", "box of macaroni"), themes=("kitchen",),
           roles=("tall",), colors=("blue",))  # fmt: skip
 def pasta_box(look: Look) -> Shape:
-    """A box of pasta: tall for spaghetti or broad, with a window that shows it."""
+    """A box of pasta: tall for spaghetti, or broad with a window that shows the pasta."""
     tall = look.chance(0.5)
     x, y, h = (look.between(0.07, 0.085), 0.04, look.between(0.25, 0.28)) if tall else (
         look.between(0.12, 0.14), look.between(0.045, 0.06), look.between(0.17, 0.2))  # fmt: skip
@@ -355,7 +355,7 @@ def tea_box(look: Look) -> Shape:
           "carton of orange juice", "drink carton", "fruit juice", "boxed drink", "juice brick"),
           themes=("kitchen", "breakfast"), roles=("tall",), colors=("orange", "green"))  # fmt: skip
 def juice_carton(look: Look) -> Shape:
-    """A carton of juice: a tall brick with a screw cap, or a small one with a straw."""
+    """A carton of juice: a tall carton with a screw cap, or a small one with a straw."""
     fruit, word = look.pick([("orange", "ORANGE"), ("red", "CHERRY"), ("green", "APPLE"),
                              ("purple", "GRAPE"), ("yellow", "MANGO"),
                              ("crimson", "TOMATO")])  # fmt: skip

@@ -1,4 +1,4 @@
-"""Breads (kitchen)."""
+"""Objects of the ``kitchen`` theme: breads."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from .nuts import Heap, heap
           aliases=("bread cube", "cube of bread", "bread crouton", "toasted bread cube"),
           themes=("kitchen",), roles=("edible",), colors=("cream",))  # fmt: skip
 def crouton(look: Look) -> Shape:
-    """A cube of bread: white crumb with holes, one side of crust."""
+    """A crouton: a cube of white bread crumb with holes and with crust on one side."""
     x = look.between(0.019, 0.024)
     color = look.color("cream", "beige", "amber")
     crumb = surfaces.spots(look.rng, tint_color(color, 1.25), tint_color(color, 0.85), 0.2)
@@ -45,7 +45,7 @@ def crouton(look: Look) -> Shape:
           roles=("flat", "edible"), colors=("cream",))  # fmt: skip
 @from_pieces()
 def matzo(look: Look) -> Pieces:
-    """A thin square sheet of matzo with rows of scorched dots."""
+    """A thin, square sheet of matzo with rows of scorched dots."""
     color = look.color("cream", "beige")
     image = surfaces.spots(look.rng, color, (150, 104, 60), 0.06).copy()
     for k in range(1, 10):
@@ -59,7 +59,7 @@ def matzo(look: Look) -> Pieces:
           themes=("kitchen", "dining"), roles=("edible",), state="lying flat")  # fmt: skip
 @vary()
 def hot_dog_bun(look: Look) -> Shape:
-    """A long soft roll split along its top."""
+    """A long, soft hot dog bun, split along its top."""
     k = look.between(0.92, 1.08)
     halves = [bent_rod(0.155, 0.024, blunt=5, squash=0.95).move(y=s * 0.017) for s in (-1, 1)]
     base = bent_rod(0.15, 0.026, blunt=5, squash=0.5).move(z=-0.01)
@@ -73,7 +73,7 @@ def hot_dog_bun(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible", "big"), colors=("amber",),
           state="lying flat")  # fmt: skip
 def baguette(look: Look) -> Shape:
-    """A long crusty loaf with slanted cuts."""
+    """A long, crusty loaf with slanted cuts."""
     long, r = look.between(0.4, 0.48), look.between(0.028, 0.034)
     bread = bent_rod(long, r, blunt=5, squash=0.8)
     cuts = [ellipsoid(0.075, 0.02, 0.012, 12, 6).turn(2, 0.45).move(x=u * long, z=0.76 * r)
@@ -111,7 +111,7 @@ def pretzel(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible",), colors=("brown", "tan"),
           state="lying flat", common=True)  # fmt: skip
 def bread_loaf(look: Look) -> Shape:
-    """A loaf of bread with scored crust."""
+    """A loaf of bread with a scored crust."""
     x, y, h = look.between(0.2, 0.24), look.between(0.095, 0.11), look.between(0.075, 0.09)
     crust = look.color("brown", "tan", "copper")
     tile = surfaces.scratches(look.rng, tint_color(crust, 1.15), (236, 210, 168), 90)
@@ -130,7 +130,7 @@ def bread_loaf(look: Look) -> Shape:
           aliases=("crust", "crust of bread", "bitten toast"), themes=("kitchen",),
           colors=("brown",))  # fmt: skip
 def bread_crust(look: Look) -> Shape:
-    """A bitten end of a slice of bread."""
+    """A bitten end piece of a slice of bread."""
     color = look.color("brown", "tan", "wooden")
     k = look.between(0.85, 1.2)
     a = np.linspace(0.1, np.pi - 0.1, 9)

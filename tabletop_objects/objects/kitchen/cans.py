@@ -1,4 +1,4 @@
-"""Cans (kitchen)."""
+"""Objects of the ``kitchen`` theme: cans."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ WORDS = ("COLA", "FIZZ", "LIME", "ORANGE", "TONIC", "CHERRY", "BERRY", "ROOT")
           "pepsi"), themes=("kitchen", "dining", "office", "gaming"), roles=("round", "tall"),
           colors=("red", "blue"))  # fmt: skip
 def soda_can(look: Look) -> Shape:
-    """An aluminium can of soda or an energy drink, necked at both ends, with its pull tab."""
+    """An aluminium can of soda or energy drink, tapered at both ends, with its pull tab."""
     slim = look.chance(0.3)
     r, h = (0.0265, look.between(0.134, 0.16)) if slim else (0.033, look.between(0.115, 0.125))
     color = look.color("red", "blue", "green", "orange", "silver", "purple", "black", "yellow",
@@ -75,7 +75,7 @@ def meat_can(look: Look) -> Shape:
           "bait tin", "formula tin", "mess tin", "bar keeper's tin", "etui", "vesta case",
           "ant trap"), themes=("kitchen", "tea"), colors=("green", "red"), common=True)  # fmt: skip
 def tea_tin(look: Look) -> Shape:
-    """A tin of tea: round or square, its lid on."""
+    """A round or square tin of tea with its lid on."""
     w, h = look.between(0.07, 0.085), look.between(0.1, 0.14)
     color = look.color("green", "red", "teal", "navy", "gold", "black", "maroon")
     other = look.own_color("gold", "cream", "mustard", "sage")
@@ -127,7 +127,7 @@ Make = Callable[[Look], Shape]
 
 def tin(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, float], lid: str
         ) -> Make:  # fmt: skip
-    """Return a round labelled tin: ``form`` is its radius and height; "push" or "ring" lid."""
+    """Return a labelled round tin; ``form`` is its radius and height, its lid "push" or "ring"."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)
@@ -156,7 +156,7 @@ def tin(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, flo
           aliases=("empty can", "empty tin can", "open can"), themes=("kitchen",),
           roles=("container", "round"), colors=("silver",))  # fmt: skip
 def open_can(look: Look) -> Shape:
-    """A tin can without its lid."""
+    """A tin can without a lid."""
     r, h = look.between(0.036, 0.042), look.between(0.105, 0.118)
     metal = surfaces.brushed_metal(look.rng, (176, 178, 182))
     color = look.own_color("silver", "red", "green", "navy", "cream")
@@ -171,7 +171,7 @@ CREAM: RGB = (246, 240, 222)
 
 
 def _draw(front: prints.Canvas, what: str, x: float, y: float, r: float) -> None:
-    """Draw a tomato, fish, bowl of soup, bee, nut or berries round (x, y) of a label's front."""
+    """Draw a tomato, fish, bowl of soup, bee, nut or berries at (x, y) on a label's front."""
     wide = front.shape[0] / front.shape[1]
     if what == "tomato":
         prints.disc(front, x, y, r, (206, 44, 34))
@@ -211,7 +211,7 @@ def _draw(front: prints.Canvas, what: str, x: float, y: float, r: float) -> None
 
 
 def _label(look: Look, title: str, color: RGB, ground: RGB, what: str) -> surfaces.Tile:
-    """Return a wrap-round label: a title over a picture on a ground, bands, small print behind."""
+    """Return a wrap-round label with a title over a picture, bands, and small print behind."""
     image = prints.canvas(320, 160, ground)
     band = look.pick([0.07, 0.12])
     prints.fill(image, 0, 0, 1, band, color)
@@ -235,7 +235,7 @@ def _label(look: Look, title: str, color: RGB, ground: RGB, what: str) -> surfac
 
 
 def _tin(look: Look, r: float, h: float, label: surfaces.Tile, *, ribs: bool = False) -> Pieces:
-    """Return a food can of radius ``r``: rims at both ends, a label between, maybe a pull ring."""
+    """Return a food can of radius ``r`` with rims, a label and sometimes a pull ring."""
     steel = surfaces.brushed_metal(look.rng, look.own_color("silver", "silver", "gold", spread=4))
     rim = min(0.004, 0.06 * h)
     body = lathe([(0, 0.0015), (r - 0.003, 0.0015), (r - 0.001, 0), (r, rim / 2), (r - 0.0012, rim),
@@ -275,7 +275,7 @@ def soup_can(look: Look) -> Shape:
           "can of tomato soup", "sauce can"), themes=("kitchen", "food"), roles=("round",),
           colors=("red", "green"))  # fmt: skip
 def tomato_can(look: Look) -> Shape:
-    """A tin of tomatoes: whole, chopped or as a sauce or paste."""
+    """A tin of whole or chopped tomatoes, tomato sauce or tomato paste."""
     paste = look.chance(0.2)
     r, h = (0.026, 0.06) if paste else (look.between(0.034, 0.045), look.between(0.1, 0.12))
     color = look.color("red", "green", "yellow", "crimson", "navy", "black")

@@ -1,4 +1,4 @@
-"""Citrus (kitchen)."""
+"""Objects of the ``kitchen`` theme: citrus fruit."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def orange(look: Look) -> Shape:
 @category("lemon", size=(0.085, 0.057, 0.055), mass=0.11, material="food", themes=("kitchen",),
           roles=("round", "edible"), colors=("yellow",), common=True)  # fmt: skip
 def lemon(look: Look) -> Shape:
-    """A lemon lying, pointed at both ends."""
+    """A lemon lying flat, pointed at both ends."""
     x, d = look.between(0.078, 0.09), look.between(0.054, 0.06)
     color = look.color("yellow")
     a = np.linspace(-np.pi / 2, np.pi / 2, 15)
@@ -52,7 +52,7 @@ def lemon(look: Look) -> Shape:
 def _half(
     d: tuple[float, float], flesh: RGB, palette: tuple[str, ...], count: int
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a halved citrus fruit, its cut face up."""
+    """Return the shape function of a halved citrus fruit with its cut face up."""
 
     def make(look: Look) -> Shape:
         size, color = look.between(*d), look.color(*palette)
@@ -68,7 +68,7 @@ def _half(
 
 
 def wheel(color: RGB, pith: RGB, count: int = 9) -> surfaces.Tile:
-    """Return the cut face of a citrus fruit: its segments like spokes."""
+    """Return the cut face of a citrus fruit with segments like spokes."""
     y, x = np.mgrid[0:128, 0:128] / 127 * 2 - 1
     away, turn = np.hypot(x, y), np.arctan2(y, x)
     gap = np.abs(np.sin(count * turn / 2)) * away < 0.07
@@ -80,7 +80,7 @@ def wheel(color: RGB, pith: RGB, count: int = 9) -> surfaces.Tile:
 
 def _lime_citrus(look: Look, d: tuple[float, float], flesh: RGB, palette: tuple[str, ...],
             nub: float) -> Shape:  # fmt: skip
-    """Return a citrus fruit, whole or a half with its cut face up."""
+    """Return a citrus fruit, whole or halved with its cut face up."""
     size, color = look.between(*d), look.color(*palette)
     peel = surfaces.spots(look.rng, color, tint_color(color, 0.88), 0.12)
     if look.chance(0.3):
@@ -111,7 +111,7 @@ def lime(look: Look) -> Shape:
           aliases=("pomelo", "half grapefruit"), themes=("kitchen", "food"),
           roles=("round", "edible"), colors=("amber",))  # fmt: skip
 def grapefruit(look: Look) -> Shape:
-    """A grapefruit, whole or halved, pink inside."""
+    """A grapefruit, whole or halved with pink flesh."""
     return _lime_citrus(look, (0.098, 0.115), (236, 110, 96), ("amber", "coral", "yellow"), 0.0)
 
 
@@ -128,7 +128,7 @@ def _slice(look: Look, d: float, flesh: RGB, rind: RGB) -> Shape:
           "slice of lime", "lime wedge", "lemon wedge"), themes=("kitchen", "food"),
           roles=("edible", "flat", "round"), colors=("yellow",), state="lying flat")  # fmt: skip
 def lemon_slice(look: Look) -> Shape:
-    """A round slice of a citrus fruit lying flat."""
+    """A round slice of citrus fruit, lying flat."""
     color = look.color("yellow", "yellow", "lime", "orange")
     return _slice(look, look.between(0.05, 0.066), tint_color(color, 1.25), color)
 

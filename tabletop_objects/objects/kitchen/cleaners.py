@@ -1,4 +1,4 @@
-"""Cleaners (kitchen)."""
+"""Objects of the ``kitchen`` theme: cleaning supplies."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .utensils import with_handle
           themes=("kitchen", "office"), roles=("tall", "round"), colors=("yellow", "green"),
           common=True)  # fmt: skip
 def wipes_canister(look: Look) -> Shape:
-    """A canister of cleaning wipes, one pulled through its lid."""
+    """A canister of cleaning wipes with one wipe pulled through its lid."""
     r, h = look.between(0.037, 0.044), look.between(0.16, 0.2)
     color = look.color("yellow", "green", "sky", "lavender", "orange", "teal", "white")
     accent = look.own_color("navy", "green", "blue", "teal", "purple")
@@ -71,7 +71,7 @@ def bleach(look: Look) -> Shape:
           themes=("kitchen", "vanity"), roles=("flat",), colors=("yellow",), state="lying flat",
           common=True)  # fmt: skip
 def sponge(look: Look) -> Shape:
-    """A kitchen sponge with its scouring side, up or down."""
+    """A kitchen sponge with its scouring side up or down."""
     x, y = look.between(0.09, 0.11), look.between(0.06, 0.07)
     soft, pad = look.between(0.022, 0.028), look.between(0.007, 0.01)
     color = look.color("yellow", "pink", "sky", "orange", "lime", "yellow")
@@ -91,7 +91,7 @@ def sponge(look: Look) -> Shape:
           aliases=("bottle cleaning brush", "test tube brush", "tube brush"), themes=("kitchen",),
           colors=("white", "blue"))  # fmt: skip
 def bottle_brush(look: Look) -> Shape:
-    """A long thin brush lying: bristles round a twisted wire, a handle."""
+    """A long, thin bottle brush lying flat, with bristles around a twisted wire and a handle."""
     color = look.color("white", "blue", "pink", "green", "yellow")
     k = look.between(0.8, 1.1)
     t = np.linspace(0, 1, 60)
@@ -144,7 +144,7 @@ TONES = ("red", "blue", "green", "yellow", "teal", "pink", "gray", "orange")
           aliases=("dust pan", "dustpan and brush"), themes=("kitchen",), colors=("red", "blue"),
           state="lying flat")  # fmt: skip
 def dustpan(look: Look) -> Shape:
-    """A dustpan lying, its handle to the right."""
+    """A dustpan lying flat, with its handle on the right."""
     color = look.color(*TONES)
     floor = prism(
         [(-0.12, -0.1), (0.05, -0.075), (0.065, 0), (0.05, 0.075), (-0.12, 0.1)], 0, 0.004
@@ -181,7 +181,7 @@ def scrub_brush(look: Look) -> Shape:
           aliases=("latex glove", "cleaning glove", "dish glove", "household glove"),
           themes=("kitchen",), colors=("yellow",), state="lying flat")  # fmt: skip
 def rubber_glove(look: Look) -> Shape:
-    """A rubber glove lying flat, with a long cuff."""
+    """A rubber glove with a long cuff, lying flat."""
     return hand_shape(look, ("yellow", "yellow", "pink", "blue", "green"), 0.09, knit=False)
 
 

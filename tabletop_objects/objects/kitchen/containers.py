@@ -1,4 +1,4 @@
-"""Containers (kitchen)."""
+"""Objects of the ``kitchen`` theme: containers."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .bags import panel
           "wine crate", "milk crate"), themes=("kitchen",), roles=("container", "big"),
           colors=("wooden",))  # fmt: skip
 def crate(look: Look) -> Shape:
-    """An open wooden crate of slats, or a plastic one with holes."""
+    """An open crate: wood with slats, or plastic with holes."""
     x, y, h = look.between(0.28, 0.34), look.between(0.2, 0.24), look.between(0.11, 0.14)
     color = look.color("wooden", "tan", "brown", "beige", "wooden")
     skin = look.surface(color, "wood")
@@ -43,7 +43,7 @@ def crate(look: Look) -> Shape:
           aliases=("churn", "milk churn"), themes=("kitchen",), roles=("tall",),
           colors=("wooden",))  # fmt: skip
 def butter_churn(look: Look) -> Shape:
-    """A butter churn: a staved tub with hoops and a plunger through its lid."""
+    """A butter churn: a wooden tub with hoops and a plunger through its lid."""
     color = look.color("wooden", "tan", "brown")
     k = look.between(0.8, 1.05)
     tub = standing((0.07, 0), (0.056, 0.18), (0.054, 0.18), sides=20)
@@ -64,7 +64,7 @@ def butter_churn(look: Look) -> Shape:
           "tub of maggots"), themes=("kitchen", "dining", "craft"), roles=("container", "big"),
           colors=("tan", "brown"), common=True)  # fmt: skip
 def basket(look: Look) -> Shape:
-    """A woven basket, open at the top; things go into it."""
+    """A woven basket that is open at the top and holds other objects."""
     color = look.color("tan", "brown", "beige", "wooden", "white")
     weave = surfaces.basketwork(look.rng, color)
     dark = surfaces.speckles(look.rng, tint_color(color, 0.75), 6, 32)
@@ -93,7 +93,7 @@ def basket(look: Look) -> Shape:
           "travel cup lid"), themes=("kitchen",), roles=("round", "flat"), colors=("white",),
           state="lying flat")  # fmt: skip
 def cup_lid(look: Look) -> Shape:
-    """A plastic lid lying: a coffee cup's with its sip hole, or a plain one of a jar."""
+    """A plastic lid lying flat: a coffee cup lid with a sip hole, or a plain jar lid."""
     r = look.between(0.04, 0.046)
     color = look.color("white", "black", "white", "brown")
     low = lathe([(0, 0), (r, 0), (1.0 * r, 0.004), (0.93 * r, 0.006), (0.88 * r, 0.016),
@@ -111,7 +111,7 @@ Make = Callable[[Look], Shape]
 
 def tub(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, float, float],
         oval: bool = False) -> Make:  # fmt: skip
-    """Return a plastic tub with a printed lid, round or rectangular with round corners."""
+    """Return a plastic tub with a printed lid, round or rectangular with rounded corners."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.93, 1.07)
@@ -155,7 +155,7 @@ def tub(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, flo
           aliases=("empty ice bucket",), themes=("kitchen", "dining"),
           roles=("container", "round", "big"), colors=("silver",))  # fmt: skip
 def open_ice_bucket(look: Look) -> Shape:
-    """A bucket for bottles on ice, with two ring handles, empty."""
+    """An empty ice bucket for bottles, with two ring handles."""
     r, h = look.between(0.085, 0.1), look.between(0.17, 0.2)
     color = look.color("silver", "silver", "copper", "gold", "black", "white")
     skin = look.surface(color, "metal")

@@ -1,4 +1,4 @@
-"""Cookware (kitchen)."""
+"""Objects of the ``kitchen`` theme: cookware."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from .utensils import bright_steel, steel, with_handle
           "yogurt lid", "plastic lid"), themes=("kitchen",), roles=("round", "flat"),
           colors=("silver",), state="lying flat")  # fmt: skip
 def lid(look: Look) -> Shape:
-    """A pot's lid of steel or glass with its knob, lying right side up."""
+    """A steel or glass pot lid with a knob, lying right side up."""
     r, h = look.between(0.09, 0.125), look.between(0.02, 0.032)
     color = look.color("silver", "silver", "red", "black", "blue", "copper", "white", "sage")
     body = lathe([(0, 0), (0.95 * r, 0), (r, 0.004), (r, 0.009), (0.75 * r, 0.66 * h),
@@ -47,7 +47,7 @@ ENAMEL = ("red", "orange", "blue", "teal", "cream", "black", "sage", "charcoal",
           aliases=("stir fry pan", "wok pan", "karahi", "kadai"), themes=("kitchen",),
           roles=("container", "big"), colors=("charcoal",))  # fmt: skip
 def wok(look: Look) -> Shape:
-    """A wok: a wide round-bottomed pan with a long handle to the right and an ear."""
+    """A wide, round-bottomed wok with a long handle on the right and a loop handle."""
     r, h = look.between(0.14, 0.165), look.between(0.075, 0.09)
     color = look.color("charcoal", "black", "charcoal", "silver", "red")
     skin = look.surface(color, "metal")
@@ -148,7 +148,7 @@ def griddle(look: Look) -> Shape:
           aliases=("tajine", "tagine pot"), themes=("kitchen",), roles=("big", "tall", "round"),
           colors=("terracotta",))  # fmt: skip
 def tagine(look: Look) -> Shape:
-    """A shallow clay dish under a tall cone."""
+    """A tagine: a shallow clay dish under a tall cone."""
     r, h = look.between(0.12, 0.14), look.between(0.19, 0.23)
     color = look.color("terracotta", "red", "orange", "navy", "teal", "cream")
     skin = look.surface(color, "stoneware")
@@ -166,7 +166,7 @@ def tagine(look: Look) -> Shape:
           aliases=("open bamboo steamer",), themes=("kitchen",),
           roles=("container", "round", "big"), colors=("tan",))  # fmt: skip
 def open_steamer(look: Look) -> Shape:
-    """One tier of a bamboo steamer without its lid."""
+    """One tier of a bamboo steamer, without its lid."""
     r, h = look.between(0.09, 0.11), look.between(0.05, 0.058)
     color = look.color("tan", "beige", "wooden")
     body, parts = open_vessel([(r, 0), (r, h)], 0.005, 0.008)
@@ -196,7 +196,7 @@ def open_pot(look: Look) -> Shape:
           aliases=("pasta strainer", "salad strainer", "drainer"), themes=("kitchen",),
           roles=("container", "round", "big"), colors=("silver", "white"))  # fmt: skip
 def colander(look: Look) -> Shape:
-    """A colander: a perforated bowl on feet with two ears."""
+    """A colander: a perforated bowl on feet with two handles."""
     r, h = look.between(0.1, 0.12), look.between(0.085, 0.105)
     color = look.color("silver", "silver", "white", "red", "mint", "sky", "cream", "yellow")
     t = np.linspace(0, np.pi / 2, 8)
@@ -228,7 +228,7 @@ def colander(look: Look) -> Shape:
           themes=("kitchen",), roles=("big",), colors=("silver", "red"), opened="open_pot",
           common=True)  # fmt: skip
 def pot(look: Look) -> Shape:
-    """A cooking pot with two ears: tall, low or bellied; with a lid of steel or glass, or open."""
+    """A tall, low or bulbous cooking pot with two handles, open or with a steel or glass lid."""
     r, h, wall = look.between(0.09, 0.118), look.between(0.085, 0.135), 0.003
     color = look.color(
         "silver", "silver", "red", "black", "blue", "copper", "cream", "teal", "orange", "sage"
@@ -278,7 +278,7 @@ def pot(look: Look) -> Shape:
           aliases=("frying pan", "skillet", "bed warmer", "copper pan"), themes=("kitchen",),
           roles=("container", "big"), colors=("charcoal",), common=True)  # fmt: skip
 def pan(look: Look) -> Shape:
-    """A frying pan, skillet, saute pan or wok, its handle to the right."""
+    """A frying pan, skillet, saute pan or wok with its handle on the right."""
     r, h, wall = look.between(0.098, 0.128), look.between(0.036, 0.05), 0.0035
     kind = look.pick(["fry", "fry", "saute", "wok"])
     low = r * {"fry": 0.8, "saute": 0.97, "wok": 0.5}[kind]
@@ -330,7 +330,7 @@ def _mesh_disc(r: float) -> Head:
           aliases=("lidded tea bowl", "chinese tea bowl", "lidded cup"), themes=("kitchen",),
           roles=("round",), colors=("white",))  # fmt: skip
 def gaiwan(look: Look) -> Shape:
-    """A gaiwan: a lidded Chinese tea bowl on its saucer."""
+    """A gaiwan: a Chinese tea bowl with a lid on its saucer."""
     k, color = look.between(0.88, 1.1), look.color("white", "sky", "mint", "teal", "cream", "red")
     saucer = lathe(
         [(0, 0), (0.03, 0), (0.055, 0.012), (0.056, 0.015), (0.03, 0.005), (0, 0.005)], 32
@@ -356,7 +356,7 @@ def gaiwan(look: Look) -> Shape:
           aliases=("fondue", "fondue pot", "cheese fondue", "chocolate fondue"),
           themes=("kitchen",), roles=("big",), colors=("red",))  # fmt: skip
 def fondue_set(look: Look) -> Shape:
-    """A fondue set: a pot of melted cheese on a stand over a burner, long forks in it."""
+    """A fondue set: a pot of melted cheese on a stand over a burner, with long forks."""
     k, color = look.between(0.88, 1.06), look.color("red", "orange", "black", "silver", "blue")
     pot = lathe([(0, 0.085), (0.06, 0.085), (0.08, 0.1), (0.085, 0.16), (0.079, 0.16),
                  (0.076, 0.145), (0, 0.145)], 30)  # fmt: skip

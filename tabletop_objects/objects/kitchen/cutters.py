@@ -1,4 +1,4 @@
-"""Cutters (kitchen)."""
+"""Objects of the ``kitchen`` theme: cutting tools."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .utensils import bright_steel, grip_bar
           themes=("kitchen",), roles=("flat",), colors=("black", "red"),
           state="lying flat")  # fmt: skip
 def pizza_cutter(look: Look) -> Shape:
-    """A pizza wheel lying flat, its wheel to the left."""
+    """A pizza cutter lying flat with its wheel on the left."""
     r, long = look.between(0.034, 0.046), look.between(0.2, 0.23)
     color = look.color("black", "red", "wooden", "white", "green", "teal")
     wheel = lathe([(0, 0.0085), (0.8 * r, 0.0085), (r, 0.0095), (0.8 * r, 0.0105), (0, 0.0105)], 34)
@@ -40,7 +40,7 @@ def pizza_cutter(look: Look) -> Shape:
           aliases=("mandolin slicer", "vegetable slicer", "mandoline slicer"), themes=("kitchen",),
           roles=("big",), colors=("white", "black"))  # fmt: skip
 def mandoline(look: Look) -> Shape:
-    """A mandoline slicer: a sloping board on a foot, a slanted blade across it."""
+    """A mandoline slicer: a sloping board on a foot with a slanted blade."""
     x, y = look.between(0.28, 0.34), look.between(0.1, 0.12)
     color = look.color("white", "black", "red", "green", "sage", "silver")
     skin = look.surface(color, "plastic")
@@ -69,7 +69,7 @@ def mandoline(look: Look) -> Shape:
           aliases=("biscuit cutter", "pastry cutter", "cookie stamp"), themes=("kitchen",),
           roles=("flat",), colors=("silver", "red"), state="lying flat")  # fmt: skip
 def cookie_cutter(look: Look) -> Shape:
-    """A cookie cutter: a thin wall round a star, heart, flower or round, open above."""
+    """A cookie cutter: a thin wall in the shape of a star, heart, flower or circle."""
     r, h = look.between(0.03, 0.042), look.between(0.02, 0.026)
     color = look.color("silver", "silver", "copper", "red", "green", "blue", "pink")
     skin = look.surface(color, "metal")
@@ -111,7 +111,7 @@ STEEL: RGB = (188, 191, 196)
           aliases=("cheese slicer", "cheese shaver", "truffle slicer"),
           themes=("kitchen", "dining"), colors=("wooden",), state="lying flat")  # fmt: skip
 def cheese_plane(look: Look) -> Shape:
-    """A cheese plane lying: a slotted blade with a handle."""
+    """A cheese plane lying flat: a slotted blade with a handle."""
     k = look.between(0.92, 1.08)
     color = look.color("wooden", "black", "red", "silver", "teal")
     plate = prism(np.array([(-0.012, -0.02), (0.03, -0.036), (0.1, -0.034), (0.1, 0.034),
@@ -130,7 +130,7 @@ def cheese_plane(look: Look) -> Shape:
           aliases=("wire cheese slicer", "cheese slicer board"), themes=("kitchen", "dining"),
           colors=("wooden",))  # fmt: skip
 def cheese_wire(look: Look) -> Shape:
-    """A board with a wire on a bow that cuts cheese."""
+    """A cheese board with a wire on a bow for cutting cheese."""
     k = look.between(0.92, 1.08)
     color = look.color("wooden", "white", "cream")
     x, y = 0.22 * k, 0.14 * k
@@ -155,7 +155,7 @@ HUES = ("white", "green", "red", "gray", "black", "teal", "yellow")
           aliases=("spiraliser", "vegetable spiralizer", "spiral slicer"), themes=("kitchen",),
           roles=("big",), colors=("white", "green"))  # fmt: skip
 def spiralizer(look: Look) -> Shape:
-    """A spiralizer: a frame with a crank, a courgette against a toothed blade, curls before it."""
+    """A spiralizer with a crank: a courgette against a toothed blade, with spirals in front."""
     k, color = look.between(0.88, 1.05), look.color(*HUES)
     rails = [box(0.26, 0.014, 0.018).move(y=s * 0.05, z=0.008) for s in (-1, 1)]
     ends = [block(0.018, 0.12, 0.13, 0.006).move(x) for x in (-0.09, 0.06)]
@@ -186,7 +186,7 @@ EGG_SLICER_STEEL: RGB = (190, 194, 200)
           aliases=("egg cutter", "egg wedger", "mozzarella slicer"), themes=("kitchen",),
           colors=("white",))  # fmt: skip
 def egg_slicer(look: Look) -> Shape:
-    """An egg slicer: a tray with a hollow, an egg on it, a hinged frame of wires above."""
+    """An egg slicer: a tray with an egg in its hollow and a hinged frame of wires above."""
     k, color = look.between(0.9, 1.1), look.color("white", "red", "silver", "yellow", "mint")
     tray = block(0.09, 0.12, 0.016, 0.012, 0.003)
     slots = [box(0.07, 0.002, 0.001).move(0, 0.008 * j, 0.0156) for j in range(-5, 6)]

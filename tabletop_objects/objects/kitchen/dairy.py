@@ -1,4 +1,4 @@
-"""Dairy (kitchen)."""
+"""Objects of the ``kitchen`` theme: dairy."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from .nuts import Heap, heap
 
 
 def cheese_wheel(profile: list[tuple[float, float]], segments: int) -> Solid:
-    """Return a body turned from a smooth curve through ``profile``."""
+    """Return a solid of revolution from a smooth curve through ``profile``."""
     curve = np.maximum(smooth(profile, 4), 0)
     return lathe(curve, segments)
 
 
 def wedge(flesh: tuple[str, ...], rind: RGB, veins: RGB | None):
-    """Return a wedge cut from a round cheese, with a rind and veins or holes."""
+    """Return a wedge cut from a round cheese, with a rind and with veins or holes."""
 
     def make(look: Look) -> Shape:
         r, h = look.between(0.1, 0.12), look.between(0.042, 0.055)
@@ -84,7 +84,7 @@ def goat_cheese(look: Look) -> Shape:
           aliases=("mini cheese", "waxed cheese", "baby bel"), themes=("kitchen", "dining"),
           roles=("edible", "round"), colors=("red",))  # fmt: skip
 def babybel(look: Look) -> Shape:
-    """A small round cheese in red wax with its pull tab."""
+    """A small, round cheese in red wax with a pull tab."""
     r, h = look.between(0.019, 0.022), look.between(0.017, 0.02)
     color = look.color("red", "red", "yellow", "green")
     body = lathe([(0, 0), (0.8 * r, 0), (r, 0.25 * h), (r, 0.75 * h), (0.8 * r, h), (0, h)], 26)
@@ -97,7 +97,7 @@ def babybel(look: Look) -> Shape:
           aliases=("edam cheese", "edam ball", "ball of edam"), themes=("kitchen", "dining"),
           roles=("edible", "round"), colors=("red",))  # fmt: skip
 def edam(look: Look) -> Shape:
-    """A ball of cheese in red wax with a wedge-shaped cut."""
+    """A ball of Edam cheese in red wax with a wedge cut out."""
     r = look.between(0.062, 0.072)
     color = look.color("red", "red", "yellow")
     body = cheese_wheel([(0, 0), (0.5 * r, 0), (0.9 * r, 0.42 * r), (r, 0.85 * r), (0.9 * r,
@@ -113,7 +113,7 @@ def edam(look: Look) -> Shape:
           "bocconcini"), themes=("kitchen", "dining"), roles=("edible", "round"),
           colors=("ivory",))  # fmt: skip
 def mozzarella(look: Look) -> Shape:
-    """A soft white ball of fresh cheese, knotted on top."""
+    """A soft, white ball of mozzarella with a knot on top."""
     r = look.between(0.036, 0.044)
     body = cheese_wheel([(0, 0), (0.6 * r, 0), (0.92 * r, 0.3 * r), (r, 0.65 * r), (0.85 * r,
     1.1 * r),
@@ -128,7 +128,7 @@ def mozzarella(look: Look) -> Shape:
           "gouda wheel", "wheel of brie", "wheel of gouda", "wheel of camembert", "cheese round"),
           themes=("kitchen",), roles=("edible", "round"), colors=("yellow",))  # fmt: skip
 def cheese_wheel_(look: Look) -> Shape:
-    """A round of cheese with a slice cut out, or small and white."""
+    """A round cheese with a slice cut out, or a small white one."""
     r, h = look.between(0.07, 0.095), look.between(0.045, 0.06)
     color = look.color("yellow", "golden", "red", "orange", "cream")
     a = np.linspace(-1.15, 2 * np.pi - 2.0, 40)
@@ -149,7 +149,7 @@ def cheese_wheel_(look: Look) -> Shape:
           aliases=("slice of cheese", "sliced cheese", "swiss cheese slice"), themes=("kitchen",),
           roles=("edible", "flat"), colors=("yellow",), state="lying flat")  # fmt: skip
 def cheese_slice(look: Look) -> Shape:
-    """A square slice of cheese with holes shown, lying."""
+    """A square slice of cheese with printed holes, lying flat."""
     x, t = look.between(0.085, 0.095), look.between(0.003, 0.0045)
     color = look.color("yellow", "golden", "amber", "cream")
     face = surfaces.speckles(look.rng, color, 4, 96)
@@ -181,7 +181,7 @@ def cheese(look: Look) -> Shape:
           themes=("kitchen",), roles=("round", "edible"), colors=("cream", "tan"),
           state="lying flat", common=True)  # fmt: skip
 def egg(look: Look) -> Shape:
-    """An egg lying."""
+    """An egg, lying on its side."""
     color = look.color("cream", "tan", "white", "beige")
     a = np.linspace(-np.pi / 2, np.pi / 2, 13)
     profile = np.column_stack([0.0215 * np.cos(a) * (1 - 0.12 * np.sin(a)), 0.028 * np.sin(a)])
@@ -196,7 +196,7 @@ def egg(look: Look) -> Shape:
           "butter pat"), themes=("kitchen", "breakfast"), roles=("edible",),
           colors=("yellow", "white"))  # fmt: skip
 def butter(look: Look) -> Shape:
-    """A stick of butter on a dish, its wrapper folded back, some of it cut off."""
+    """A stick of butter on a dish, partly cut, with its wrapper folded back."""
     x, y, h = look.between(0.11, 0.13), look.between(0.055, 0.065), look.between(0.036, 0.044)
     color = look.color("white", "white", "sky", "cream", "teal", "pink", "navy")
     dish = loft(np.stack([np.column_stack([rectangle(1, 1, 0.2, 4) * [a, b], np.full(20, z)]) for a,

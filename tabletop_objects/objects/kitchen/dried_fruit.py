@@ -1,4 +1,4 @@
-"""Dried fruit (kitchen)."""
+"""Objects of the ``kitchen`` theme: dried fruit."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .nuts import Heap, heap
 
 
 def _dried_fruit(palette: tuple[str, ...], d: tuple[float, float]) -> Callable[[Look], Shape]:
-    """Return the shape function of a dried half fruit: a dented wrinkled disc."""
+    """Return the shape function of a dried fruit half: a dented, wrinkled disc."""
 
     def make(look: Look) -> Shape:
         size, color, lumps = look.between(*d), look.color(*palette), look.between(0, 6)
@@ -38,7 +38,7 @@ def _dried_fruit(palette: tuple[str, ...], d: tuple[float, float]) -> Callable[[
           aliases=("medjool date", "dried date", "prune"), themes=("kitchen", "food"),
           roles=("edible",), colors=("brown",), state="lying flat")  # fmt: skip
 def date(look: Look) -> Shape:
-    """A wrinkled date lying."""
+    """A wrinkled date, lying flat."""
     long, r = look.between(0.036, 0.044), look.between(0.0095, 0.012)
     color = look.color("brown", "bronze", "maroon")
     body = bent_rod(long, r, blunt=3, squash=0.9)

@@ -1,4 +1,4 @@
-"""Fruit (kitchen)."""
+"""Objects of the ``kitchen`` theme: fruit."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def apple(look: Look) -> Shape:
 @category("pear", size=(0.07, 0.07, 0.11), mass=0.19, material="food", themes=("kitchen", "dining"),
           roles=("round", "edible"), colors=("lime", "yellow"), common=True)  # fmt: skip
 def pear(look: Look) -> Shape:
-    """A pear standing."""
+    """A pear, standing upright."""
     r, h = look.between(0.032, 0.037), look.between(0.088, 0.1)
     base = look.color("lime", "yellow", "olive", "amber")
     body = lathe(
@@ -73,7 +73,7 @@ def pear(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible",), colors=("yellow",), state="lying flat",
           common=True)  # fmt: skip
 def banana(look: Look) -> Shape:
-    """A banana lying on its side, curved."""
+    """A curved banana, lying on its side."""
     bow, r = look.between(0.085, 0.1), look.between(0.016, 0.018)
     color = look.color("yellow")
     angles = np.linspace(np.deg2rad(205), np.deg2rad(335), 13)
@@ -93,7 +93,7 @@ def banana(look: Look) -> Shape:
 
 
 def _slice(body: Solid, ring: int) -> np.ndarray:
-    """Return the points of a banana's ``ring`` of 13 along its length, by angle."""
+    """Return the points of cross-section ``ring`` (0 to 12) of a banana, selected by angle."""
     p = body.vertices
     center = p[:, :2].mean(0) + np.array([0, 0.1])
     away = np.arctan2(*(p[:, :2] - center).T[::-1])
@@ -102,7 +102,7 @@ def _slice(body: Solid, ring: int) -> np.ndarray:
 
 
 def _diamonds(look: Look, color: RGB) -> Tile:
-    """A pineapple's skin: slanted rows of eyes with dark seams."""
+    """Return a pineapple's skin: slanted rows of eyes with dark seams."""
     y, x = np.mgrid[0:128, 0:128] / 128
     a, b = (8 * x + 7 * y) % 1 - 0.5, (8 * x - 7 * y) % 1 - 0.5
     eye = np.exp(-(a**2 + b**2) / 0.012)
@@ -115,7 +115,7 @@ def _diamonds(look: Look, color: RGB) -> Tile:
           themes=("kitchen", "food"), roles=("tall", "round", "edible"), colors=("amber",),
           common=True)  # fmt: skip
 def pineapple(look: Look) -> Shape:
-    """A pineapple standing, crowned with stiff leaves."""
+    """A pineapple with a crown of stiff leaves, standing upright."""
     r, h = look.between(0.046, 0.058), look.between(0.13, 0.17)
     color = look.color("amber", "mustard", "golden", "olive")
     body = lathe(
@@ -142,7 +142,7 @@ def pineapple(look: Look) -> Shape:
           roles=("edible",), colors=("purple", "lime"), state="lying flat",
           common=True)  # fmt: skip
 def grapes(look: Look) -> Shape:
-    """A bunch of grapes lying, with its stalk."""
+    """A bunch of grapes with its stalk, lying flat."""
     d = look.between(0.019, 0.024)
     color = look.color("purple", "lime", "crimson", "indigo", "sage")
     rows = [(1, 0), (2, 1), (3, 2), (4, 2), (4, 3), (3, 2)]
@@ -164,7 +164,7 @@ def grapes(look: Look) -> Shape:
 
 
 def _crease(solid: Solid, deep: float) -> Solid:
-    """Return a round fruit with one furrow from stalk to tip, towards the viewer."""
+    """Return a round fruit with one furrow from stalk to tip, facing the viewer."""
 
     def furrow(p: np.ndarray) -> np.ndarray:
         turn = np.arctan2(p[:, 1], p[:, 0]) + np.pi / 2 + 0.35
@@ -175,7 +175,7 @@ def _crease(solid: Solid, deep: float) -> Solid:
 
 
 def _fruit(d: float, tall: float, dip: float = 0.12) -> Solid:
-    """Return a round fruit of diameter ``d`` standing on a flat spot, dented at its stalk."""
+    """Return a round fruit of diameter ``d`` on a flat base, dented at its stalk."""
     t = np.linspace(-np.pi / 2, np.pi / 2, 17)
     r, z = 0.5 * d * np.cos(t), 0.5 * tall * (1 + np.sin(t))
     z = z - dip * tall * np.exp(-((r / (0.16 * d)) ** 2)) * (np.sin(t) > 0)
@@ -184,7 +184,7 @@ def _fruit(d: float, tall: float, dip: float = 0.12) -> Solid:
 
 
 def _furrow(skin: surfaces.Tile) -> surfaces.Tile:
-    """Return a fruit's skin with a darker line where ``_creased`` has its furrow."""
+    """Return a fruit's skin with a darker line along its furrow."""
     made = skin.copy()
     wide = made.shape[1]
     at = int(0.444 * wide)
@@ -196,7 +196,7 @@ def _furrow(skin: surfaces.Tile) -> surfaces.Tile:
           aliases=("nectarine", "apricot", "plastic peach"), themes=("kitchen", "food"),
           roles=("round", "edible"), colors=("coral",))  # fmt: skip
 def peach(look: Look) -> Shape:
-    """A peach, nectarine or apricot with its furrow, a stalk and maybe a leaf."""
+    """A peach, nectarine or apricot with a furrow, a stalk and sometimes a leaf."""
     d = look.between(0.058, 0.078)
     color = look.color("coral", "orange", "golden", "coral", "amber")
     blush = look.pick([(206, 60, 60), (220, 90, 70), (186, 40, 60)])
@@ -213,7 +213,7 @@ def peach(look: Look) -> Shape:
 @category("plum", size=(0.048, 0.047, 0.055), mass=0.07, material="food", aliases=("damson",),
           themes=("kitchen", "food"), roles=("round", "edible"), colors=("purple",))  # fmt: skip
 def plum(look: Look) -> Shape:
-    """A plum: purple, red or yellow, with a bloom on its skin."""
+    """A purple, red or yellow plum with a bloom on its skin."""
     d = look.between(0.042, 0.055)
     color = look.color("purple", "indigo", "maroon", "crimson", "mustard")
     skin = _furrow(
@@ -228,7 +228,7 @@ def plum(look: Look) -> Shape:
 @category("mango", size=(0.118, 0.07, 0.07), mass=0.3, material="food", themes=("kitchen", "food"),
           roles=("edible",), colors=("golden",), state="lying flat")  # fmt: skip
 def mango(look: Look) -> Shape:
-    """A mango lying on its side: a kidney of green, yellow and red."""
+    """A kidney-shaped green, yellow and red mango, lying on its side."""
     k = look.between(0.9, 1.12)
     color = look.color("golden", "yellow", "green", "orange", "olive")
     skin = surfaces.gradient(color, look.pick([(200, 70, 50), (220, 110, 50), (110, 140, 60)]),
@@ -246,7 +246,7 @@ def mango(look: Look) -> Shape:
           aliases=("kiwi fruit", "kiwifruit", "kiwi half"), themes=("kitchen", "food"),
           roles=("edible",), colors=("brown",), state="lying flat")  # fmt: skip
 def kiwi(look: Look) -> Shape:
-    """A kiwi fruit: whole and furry, or a half showing green flesh and seeds."""
+    """A whole, furry kiwi fruit, or half of one with green flesh and seeds."""
     k = look.between(0.9, 1.1)
     brown = look.color("brown", "bronze", "olive")
     fur = surfaces.scratches(look.rng, brown, tint_color(brown, 1.25), 260)
@@ -275,7 +275,7 @@ def kiwi(look: Look) -> Shape:
           aliases=("cherry", "pair of cherries", "bunch of cherries"), themes=("kitchen", "food"),
           roles=("edible",), colors=("crimson",), state="lying flat")  # fmt: skip
 def cherries(look: Look) -> Shape:
-    """Two or three cherries joined at their stalks."""
+    """Two or three cherries with joined stalks."""
     d = look.between(0.021, 0.025)
     color = look.color("crimson", "red", "maroon", "crimson", "golden")
     skin = surfaces.gradient(tint_color(color, 0.8), tint_color(color, 1.1), look.rng, 6)
@@ -352,7 +352,7 @@ def _wedge(
 
 
 def _crescent(r: float, half: float) -> Solid:
-    """Return the peel over a segment."""
+    """Return the peel of a segment."""
     rings = []
     for a in np.linspace(-1.5, 1.5, 13):
         rim = [(r * k * np.cos(a) * np.cos(b), r * k * np.cos(a) * np.sin(b))
@@ -397,10 +397,10 @@ BROWN: RGB = (112, 84, 54)
 
 @dataclass(frozen=True)
 class Globe:
-    """A round fruit: ``d`` its smallest and largest width, metres, ``tall`` its height in widths.
+    """A round fruit with a width in the range ``d`` (metres) and the relative height ``tall``.
 
-    ``skin`` names its surface and ``bumps`` how many warts, spikes or hairs it has; ``top`` names
-    what it carries; ``pear`` narrows it upwards; ``lying`` lays it on its side.
+    ``skin`` names its surface, ``bumps`` is its number of warts, spikes or hairs, and ``top`` names
+    the kind of its top. ``pear`` makes it narrower upwards; ``lying`` lays it on its side.
     """
 
     d: tuple[float, float]
@@ -415,13 +415,13 @@ class Globe:
 
 
 def _ways(count: int, low: float = -0.72, high: float = 0.97) -> Float[np.ndarray, "n 2"]:
-    """Return polar and azimuth angles of ``count`` points spread evenly over a ball."""
+    """Return polar and azimuth angles of ``count`` points spread evenly over a sphere."""
     rise = np.linspace(high, low, count)
     return np.column_stack([np.arccos(rise), 2.4 * np.arange(count)])
 
 
 def _over(kind: Globe, r: float, one: Callable[[], Solid], sink: float) -> Solid:
-    """Return a copy of ``one`` (it stands on z = 0) at every point of the skin, sunk a little."""
+    """Return a copy of ``one`` (standing on z = 0) at every point of the skin, slightly sunk in."""
     made = []
     for polar, around in _ways(kind.bumps):
         solid = one().move(z=-sink).turn(1, polar).turn(2, around)
@@ -516,7 +516,7 @@ def globe(kind: Globe) -> Callable[[Look], Shape]:
 @category("fig", size=(0.0511, 0.0511, 0.0562), mass=0.05, material="food",
           themes=("kitchen", "food"), roles=("round", "edible"), colors=("purple",))  # fmt: skip
 def fig(look: Look) -> Shape:
-    """A fig sitting, its neck up."""
+    """A fig resting with its neck up."""
     r, h = look.between(0.023, 0.028), look.between(0.052, 0.062)
     color = look.color("purple", "maroon", "indigo", "sage")
     body = lathe([(0, 0), (0.5 * r, 0.0), (0.92 * r, 0.16 * h), (r, 0.36 * h), (0.8 * r, 0.6 * h),
@@ -546,7 +546,7 @@ def pomegranate(look: Look) -> Shape:
           aliases=("starfruit", "carambola"), themes=("kitchen", "food"), roles=("edible", "flat"),
           colors=("yellow",), state="lying flat")  # fmt: skip
 def star_fruit(look: Look) -> Shape:
-    """A thick star-shaped slice lying flat."""
+    """A thick, star-shaped slice of star fruit, lying flat."""
     r, t = look.between(0.028, 0.036), look.between(0.008, 0.012)
     color = look.color("yellow", "lime", "golden")
     a = np.arange(10) * np.pi / 5 + np.pi / 2
@@ -564,7 +564,7 @@ def star_fruit(look: Look) -> Shape:
           aliases=("passionfruit", "maracuja"), themes=("kitchen", "food"),
           roles=("edible", "round"), colors=("purple",))  # fmt: skip
 def passion_fruit(look: Look) -> Shape:
-    """Half a passion fruit, yellow pulp and seeds in its dark shell."""
+    """Half a passion fruit with yellow pulp and seeds in its dark shell."""
     d = look.between(0.052, 0.062)
     color = look.color("purple", "maroon", "purple", "yellow")
     half = lathe([(0, 0), (0.2, 0), (0.42, 0.14), (0.5, 0.38), (0.5, 0.46), (0.45, 0.46),
@@ -585,7 +585,7 @@ def passion_fruit(look: Look) -> Shape:
           aliases=("pawpaw", "half papaya"), themes=("kitchen", "food"), roles=("edible",),
           colors=("yellow",), state="lying flat")  # fmt: skip
 def papaya(look: Look) -> Shape:
-    """A papaya half lying, black seeds in its orange flesh, or a whole one."""
+    """A papaya half with black seeds in its orange flesh, or a whole papaya."""
     long, r = look.between(0.15, 0.19), look.between(0.042, 0.05)
     color = look.color("yellow", "green", "orange")
     whole = bent_rod(long, r, blunt=2.4, taper=-0.22)
@@ -607,7 +607,7 @@ def papaya(look: Look) -> Shape:
           roles=("edible",), colors=("magenta",), state="lying flat")  # fmt: skip
 @vary()
 def dragon_fruit(look: Look) -> Shape:
-    """A dragon fruit lying, its pink skin with green-tipped scales."""
+    """A dragon fruit with pink skin and green-tipped scales, lying on its side."""
     k = look.between(0.9, 1.12)
     color = look.color("magenta", "magenta", "pink", "yellow")
     body = ellipsoid(0.115, 0.082, 0.08, 24, 14)

@@ -1,4 +1,4 @@
-"""Greens (kitchen)."""
+"""Objects of the ``kitchen`` theme: leafy vegetables."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .vegetables import Pod, leafy, pod_of
 def _stalked_leaf(
     long: tuple[float, float], stalks: tuple[str, ...], thick: float, leaf: float, count: int
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of leaves on broad stalks that meet at a foot, lying."""
+    """Return the shape function of leaves on broad stalks that meet at the base, lying flat."""
 
     def make(look: Look) -> Shape:
         size, stalk = look.between(*long), look.color(*stalks)
@@ -45,7 +45,7 @@ def _stalked_leaf(
 @category("radicchio", size=(0.115, 0.123, 0.0757), mass=0.3, material="food",
           themes=("kitchen", "food"), roles=("edible", "round"), colors=("maroon",))  # fmt: skip
 def radicchio(look: Look) -> Shape:
-    """A head of radicchio: dark red leaves with white ribs."""
+    """A head of radicchio with dark red leaves and white ribs."""
     color = look.color("maroon", "crimson", "purple")
     return settle([(head(look, look.between(0.045, 0.056), 8, 0.12), leafy(look, color))], 0.07)
 
@@ -54,7 +54,7 @@ def radicchio(look: Look) -> Shape:
           aliases=("sprout", "brussel sprout"), themes=("kitchen", "food"),
           roles=("edible", "round"), colors=("lime",))  # fmt: skip
 def brussels_sprout(look: Look) -> Shape:
-    """A brussels sprout: a small tight head with a cut foot."""
+    """A Brussels sprout: a small, tight head with a cut base."""
     r = look.between(0.014, 0.019)
     color = look.color("lime", "green", "sage")
     ball = head(look, r, 6, 0.02)
@@ -72,7 +72,7 @@ def head(look: Look, r: float, layers: int, frill: float) -> Solid:
         high = 1.75 - 0.35 * k / layers
 
         def cup(p: np.ndarray, size: float = size, high: float = high) -> np.ndarray:
-            u, v = p[:, 0], p[:, 2]  # across and up, both about -1 to 1
+            u, v = p[:, 0], p[:, 2]  # horizontal and vertical coordinates, both about -1 to 1
             t = np.clip(0.5 + 0.5 * v, 0, 1)
             out = size * (0.42 + 0.62 * np.sin(np.pi * (0.12 + 0.62 * t)))
             out = out + frill * size * t**3 * (0.5 + 0.5 * np.sin(9 * u))
@@ -102,7 +102,7 @@ def lettuce(look: Look) -> Shape:
           aliases=("head of cabbage", "cabbage head"), themes=("kitchen", "food"),
           roles=("edible", "round"), colors=("sage", "purple"))  # fmt: skip
 def cabbage(look: Look) -> Shape:
-    """A round cabbage, green, white or red, its outer leaves a little open."""
+    """A round green, white or red cabbage with slightly open outer leaves."""
     r = look.between(0.068, 0.08)
     color = look.color("lime", "purple", "sage")
     return settle([(head(look, r, 7, 0.08), leafy(look, color))], 0.07)

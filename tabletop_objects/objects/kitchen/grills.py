@@ -1,4 +1,4 @@
-"""Grills (kitchen)."""
+"""Objects of the ``kitchen`` theme: grills."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def _coals(look: Look, x: float, y: float, z: float, count: int) -> tuple[Solid,
           "bbq grill", "hibachi", "barbecue", "small grill", "table grill"), themes=("kitchen",),
           roles=("big",), colors=("black", "red"))  # fmt: skip
 def tabletop_grill(look: Look) -> Shape:
-    """A round tabletop barbecue on three legs: coals, a grate, side handles."""
+    """A round table-top barbecue on three legs, with coals, a grate and side handles."""
     k = look.between(0.92, 1.06)
     color = look.color("black", "red", "green", "navy")
     r = 0.14
@@ -88,7 +88,7 @@ def disposable_barbecue(look: Look) -> Shape:
           colors=("silver",))  # fmt: skip
 @vary()
 def chimney_starter(look: Look) -> Shape:
-    """A chimney starter: a steel can with holes, a handle and coals on top."""
+    """A chimney starter: a perforated steel can with a handle and coals on top."""
     k = look.between(0.92, 1.06)
     color = look.color("silver", "silver", "black")
     r, h = 0.08 * k, 0.2 * k
@@ -111,7 +111,7 @@ def chimney_starter(look: Look) -> Shape:
 
 def cube(form: tuple[float, float, float], palette: tuple[str, ...], spot: float, deep: float,
          soft: float = 0.0015) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return a small block with a spotted surface: bread, wax, coal, lighter."""
+    """Return a small block with a spotted surface: bread, wax, coal or a firelighter."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
@@ -163,7 +163,7 @@ INK: RGB = (34, 36, 40)
 
 
 def turn_knob(r: float, x: float, y: float, z: float) -> Solid:
-    """Return a knob on a front."""
+    """Return a knob on a front panel."""
     return facing(cylinder(r, 0.012, 18, top=0.85 * r)).move(x, y, z)
 
 
@@ -178,7 +178,7 @@ def _panel(look: Look, wide: int = 128, tall: int = 48) -> surfaces.Tile:
 
 
 def _griddle(ribs: bool, wide: float, open_: float) -> Callable[[Look], Shape]:
-    """Return the shape function of a clamshell grill, shut or with its lid up."""
+    """Return the shape function of a clamshell grill, closed or with its lid up."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.88, 1.08), look.color("black", "silver", "red", "gray", "white")
@@ -214,7 +214,7 @@ def _griddle(ribs: bool, wide: float, open_: float) -> Callable[[Look], Shape]:
           aliases=("raclette maker", "raclette set"), themes=("kitchen",), roles=("big",),
           colors=("black", "red"))  # fmt: skip
 def raclette_grill(look: Look) -> Shape:
-    """A raclette grill: a plate on legs over a shelf of little pans with handles."""
+    """A raclette grill: a hot plate on legs over a shelf of small pans with handles."""
     k, color = look.between(0.88, 1.05), look.color("black", "red", "silver", "gray")
     x, y = 0.38 * k, 0.2 * k
     shelf, plate = (block(x, y, 0.012, 0.03 * k).move(z=0.02),

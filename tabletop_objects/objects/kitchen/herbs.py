@@ -1,4 +1,4 @@
-"""Herbs (kitchen)."""
+"""Objects of the ``kitchen`` theme: herbs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .vegetables import Pod, pod_of
 def _single(
     long: tuple[float, float], wide: float, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of one pointed leaf on its stalk, lying."""
+    """Return the shape function of one pointed leaf on its stalk, lying flat."""
 
     def make(look: Look) -> Shape:
         size, color = look.between(*long), look.color(*palette)
@@ -37,7 +37,7 @@ def _single(
 
 
 def _bunch(look: Look, kind: str) -> Shape:
-    """Return a bunch of herbs lying, stalks to the left, tied with a string."""
+    """Return a bunch of herbs tied with a string, lying flat with its stalks on the left."""
     long = look.between(0.13, 0.17)
     color = look.color(*{"rosemary": ("sage", "olive"), "parsley": ("green",),
                          "basil": ("green",), "mint": ("green", "lime")}[kind])  # fmt: skip
@@ -77,7 +77,7 @@ def _bunch(look: Look, kind: str) -> Shape:
           roles=("edible",), colors=("green",), state="lying flat")  # fmt: skip
 @vary()
 def basil(look: Look) -> Shape:
-    """A bunch of basil: broad leaves."""
+    """A bunch of basil with broad leaves."""
     return _bunch(look, "basil")
 
 
@@ -86,7 +86,7 @@ def basil(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("green",),
           state="lying flat")  # fmt: skip
 def mint(look: Look) -> Shape:
-    """A bunch of mint: pointed leaves."""
+    """A bunch of mint with pointed leaves."""
     return _bunch(look, "mint")
 
 
@@ -97,7 +97,7 @@ def mint(look: Look) -> Shape:
           "watercress bunch", "samphire bunch", "samphire"), themes=("kitchen", "food"),
           roles=("edible",), colors=("green",), state="lying flat")  # fmt: skip
 def parsley(look: Look) -> Shape:
-    """A bunch of parsley: small curly leaves."""
+    """A bunch of parsley with small, curly leaves."""
     return _bunch(look, "parsley")
 
 
@@ -106,7 +106,7 @@ def parsley(look: Look) -> Shape:
           "sprig of thyme"), themes=("kitchen", "food"), roles=("edible",), colors=("sage",),
           state="lying flat")  # fmt: skip
 def rosemary(look: Look) -> Shape:
-    """A bunch of rosemary: needles along the stalks."""
+    """A bunch of rosemary with needles along its stalks."""
     return _bunch(look, "rosemary")
 
 
@@ -116,7 +116,7 @@ def rosemary(look: Look) -> Shape:
           "pot of thyme", "pot of rosemary", "parsley plant", "chive plant"),
           themes=("kitchen", "living"), roles=("tall",), colors=("terracotta",))  # fmt: skip
 def herb_pot(look: Look) -> Shape:
-    """A kitchen herb in a pot: a bush of small leaves."""
+    """A pot with a bushy kitchen herb."""
     r, h = look.between(0.042, 0.055), look.between(0.065, 0.085)
     green = look.own_color("green", "lime", "sage", "olive", spread=14)
     leaves: list[Solid] = []

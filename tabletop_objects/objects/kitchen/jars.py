@@ -1,4 +1,4 @@
-"""Jars (kitchen)."""
+"""Objects of the ``kitchen`` theme: jars."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .cans import _label
           "easter tin"), themes=("kitchen",), roles=("round", "tall"), colors=("white", "red"),
           opened="open_jar")  # fmt: skip
 def cookie_jar(look: Look) -> Shape:
-    """A bellied jar with a lid and a knob, COOKIES on its front."""
+    """A bulbous jar with a lid, a knob and the word COOKIES on its front."""
     r, h = look.between(0.075, 0.09), look.between(0.16, 0.19)
     color = look.color("white", "red", "cream", "sky", "yellow", "mint", "brown")
     body = lathe([(0, 0), (0.72 * r, 0), (0.95 * r, 0.14 * h), (r, 0.38 * h), (0.9 * r, 0.62 * h),
@@ -45,7 +45,7 @@ def cookie_jar(look: Look) -> Shape:
           "saffron jar"), themes=("kitchen",), roles=("round", "tall"),
           colors=("red", "amber"))  # fmt: skip
 def spice_jar(look: Look) -> Shape:
-    """A small glass jar of spice with a pierced or screwed lid and a label."""
+    """A small glass jar of spice with a label and a perforated or screw lid."""
     r, h = look.between(0.02, 0.025), look.between(0.085, 0.105)
     color = look.color("red", "amber", "brown", "green", "mustard", "orange", "maroon")
     word = look.pick(["PAPRIKA", "CURRY", "CUMIN", "BASIL", "CHILI", "OREGANO", "SPICE"])
@@ -66,7 +66,7 @@ def spice_jar(look: Look) -> Shape:
           "flour canister", "sugar canister"), themes=("kitchen",), roles=("round", "tall"),
           colors=("white",), opened="open_jar")  # fmt: skip
 def storage_jar(look: Look) -> Shape:
-    """A canister with a tight lid, FLOUR or the like on its front."""
+    """A canister with a tight lid and a word such as FLOUR on its front."""
     r, h = look.between(0.05, 0.06), look.between(0.14, 0.18)
     color = look.color("white", "cream", "sage", "silver", "red", "navy", "terracotta")
     word = look.pick(["FLOUR", "SUGAR", "RICE", "OATS", "PASTA", "COFFEE"])
@@ -83,7 +83,7 @@ def storage_jar(look: Look) -> Shape:
           "bottle lid"), themes=("kitchen",), roles=("round", "flat"), colors=("gold",),
           state="lying flat")  # fmt: skip
 def jar_lid(look: Look) -> Shape:
-    """The screw lid of a jar lying on its rim."""
+    """The screw lid of a jar, lying on its rim."""
     r, h = look.between(0.032, 0.038), look.between(0.013, 0.016)
     color = look.color("gold", "red", "white", "green", "black", "silver")
     body = cylinder(r, h, 36, bevel=0.0016)
@@ -109,7 +109,7 @@ def open_jar(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("round",), colors=("crimson", "amber"),
           opened="open_jar", common=True)  # fmt: skip
 def jar(look: Look) -> Shape:
-    """A jar of jam, honey, pickles or spice: round, squat, tall or faceted, with a lid."""
+    """A round, squat, tall or faceted jar of jam, honey, pickles or spice, with a lid."""
     r, h = look.between(0.033, 0.043), look.between(0.08, 0.12)
     color = look.color(
         *("crimson", "amber", "purple", "orange", "olive", "brown", "cream", "green", "gold")
@@ -135,7 +135,7 @@ CLEAR: RGB = (208, 218, 216)
 
 
 def _jar(look: Look, inside: surfaces.Tile, word: str, lid: RGB, *, band: bool = True) -> Shape:
-    """Return a glass jar of ``inside`` with a screw lid and a label."""
+    """Return a glass jar filled with ``inside``, with a screw lid and a label."""
     r, h = look.between(0.034, 0.04), look.between(0.1, 0.125)
     body = lathe([(0, 0), (0.92 * r, 0), (r, 0.04 * h), (r, 0.72 * h), (0.84 * r, 0.83 * h),
                   (0.8 * r, 0.86 * h), (0, 0.86 * h)], 32,
@@ -156,7 +156,7 @@ def _jar(look: Look, inside: surfaces.Tile, word: str, lid: RGB, *, band: bool =
           "kimchi", "sauerkraut"), themes=("kitchen",), roles=("round",),
           colors=("olive",))  # fmt: skip
 def pickle_jar(look: Look) -> Shape:
-    """A jar of gherkins standing in their brine."""
+    """A jar of gherkins in brine."""
     color = look.color("olive", "green", "olive")
     image = prints.canvas(256, 128, tint_color(color, 1.3))
     for k in range(11):
@@ -215,7 +215,7 @@ def _peanut_butter_jar(
     look: Look, r: float, h: float, fill: RGB, label: surfaces.Tile, lid: surfaces.Tile,
     *, sides: int = 32, neck: float = 0.8, wide: tuple[float, float] = (0.2, 0.68),
 ) -> Shape:  # fmt: skip
-    """Return a jar full of something with a label and a screw lid."""
+    """Return a filled jar with a label and a screw lid."""
     body = vessel(r, h, neck * r, 0.8 * h, 0.93 * h, sides=sides)
     skin = surfaces.spots(look.rng, fill, tint_color(fill, 0.75), 0.08)
     low, high = wide
@@ -249,7 +249,7 @@ def peanut_butter(look: Look) -> Shape:
           aliases=("jar of honey", "honey", "honey bottle"), themes=("kitchen", "breakfast"),
           roles=("round",), colors=("gold", "amber"))  # fmt: skip
 def honey_jar(look: Look) -> Shape:
-    """A six-sided or round jar of honey, a bee on its label."""
+    """A six-sided or round jar of honey with a bee on its label."""
     r, h = look.between(0.036, 0.042), look.between(0.09, 0.11)
     color = look.color("gold", "mustard", "brown", "black", "amber", "white", "green")
     label = _label(look, look.pick(["HONEY", "HONEY", "MIEL", "ACACIA"]), color,

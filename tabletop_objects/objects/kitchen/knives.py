@@ -1,4 +1,4 @@
-"""Knives (kitchen)."""
+"""Objects of the ``kitchen`` theme: knives."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def paring_knife(look: Look) -> Shape:
           aliases=("meat cleaver", "butcher knife", "butcher's knife", "chinese cleaver"),
           themes=("kitchen",), roles=("flat",), colors=("wooden",), state="lying flat")  # fmt: skip
 def cleaver(look: Look) -> Shape:
-    """A heavy rectangular chopping knife with a hole in its corner."""
+    """A heavy, rectangular cleaver with a hole in its corner."""
     long, wide = look.between(0.28, 0.31), look.between(0.075, 0.09)
     steel = look.surface(look.own_color("silver", "gray"), "metal")
     tile = look.surface(look.color("wooden", "black", "brown", "wooden"), "wood")
@@ -81,7 +81,7 @@ def _long_rod(look: Look, color: RGB, z: float) -> Pieces:
           themes=("kitchen",), colors=("wooden",), state="lying flat")  # fmt: skip
 @keep_still
 def mezzaluna(look: Look) -> Shape:
-    """A mezzaluna lying: a half-moon blade with a knob handle at each end."""
+    """A mezzaluna lying flat: a half-moon blade with a knob at each end."""
     k, color = look.between(0.88, 1.1), look.color("wooden", "black", "brown", "red")
     outer, inner = (arc((0, 0), 0.1, np.pi + 0.35, 2 * np.pi - 0.35, 16),
                     arc((0, 0.02), 0.088, 2 * np.pi - 0.42, np.pi + 0.42, 16))  # fmt: skip

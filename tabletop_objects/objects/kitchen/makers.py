@@ -1,4 +1,4 @@
-"""Makers (kitchen)."""
+"""Objects of the ``kitchen`` theme: machines that make food and drinks."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ DARK = (36, 37, 40)
           aliases=("waffle maker",), themes=("kitchen",), roles=("big",),
           colors=("black", "silver"))  # fmt: skip
 def waffle_iron(look: Look) -> Shape:
-    """A round waffle iron, its lid raised over a waffle pattern."""
+    """A round waffle iron with its lid raised above a waffle pattern."""
     r = look.between(0.095, 0.11)
     color = look.color(*BODY)
     skin = look.surface(color, "metal")
@@ -55,7 +55,7 @@ def waffle_iron(look: Look) -> Shape:
           "drip coffee machine"), themes=("kitchen", "coffee"), roles=("big", "tall"),
           colors=("black",))  # fmt: skip
 def coffee_machine(look: Look) -> Shape:
-    """A filter coffee machine: a glass pot on a hot plate under the filter, a water tank behind."""
+    """A filter coffee machine: a glass pot on a hot plate under a filter, and a water tank."""
     x, y, h = look.between(0.19, 0.22), look.between(0.22, 0.25), look.between(0.32, 0.36)
     color = look.color("black", "silver", "white", "red", "cream", "charcoal")
     skin = look.surface(color, "plastic")
@@ -88,7 +88,7 @@ def coffee_machine(look: Look) -> Shape:
           roles=("big",), colors=("silver",))  # fmt: skip
 @vary()
 def pasta_machine(look: Look) -> Shape:
-    """A pasta machine: chrome cheeks and rollers, a dial, a crank, a sheet of dough coming out."""
+    """A pasta machine with chrome sides, rollers, a dial and a crank, and a sheet of dough."""
     k, color = look.between(0.9, 1.06), look.color("silver", "silver", "red", "black")
     cheeks = [side_view(np.array([(-0.055, 0), (0.055, 0), (0.05, 0.09), (0.03, 0.125),
                                   (-0.03, 0.125), (-0.05, 0.1)]), 0.014)
@@ -122,7 +122,7 @@ INK: RGB = (34, 36, 40)
           aliases=("breadmaker", "bread machine", "bread baker"), themes=("kitchen",),
           roles=("big",), colors=("white", "black"))  # fmt: skip
 def bread_maker(look: Look) -> Shape:
-    """A bread maker: a tall rounded box, a window in its lid, a panel beside it."""
+    """A bread maker: a tall, rounded box with a window in its lid and a control panel."""
     k, color = look.between(0.88, 1.05), look.color(*BREAD_MAKER_BODY)
     x, y, h = 0.32 * k, 0.22 * k, 0.26 * k
     body, lid = (block(x, y, h, 0.04 * k, 0.004), block(0.7 * x, 0.9 * y, 0.03 * k, 0.03 * k,
@@ -143,7 +143,7 @@ def bread_maker(look: Look) -> Shape:
           "roti maker"), themes=("kitchen",), roles=("big", "round"),
           colors=("black",))  # fmt: skip
 def crepe_maker(look: Look) -> Shape:
-    """A crepe maker: a wide black disc on a low base, a thin crepe and a wooden spreader on it."""
+    """A crepe maker: a wide, black disc on a low base with a thin crepe and a wooden spreader."""
     k, color = (look.between(0.9, 1.1), look.color("black", "red", "silver", "white", "cream",
                                                    "teal"))  # fmt: skip
     r = 0.16 * k
@@ -168,7 +168,7 @@ STEEL: RGB = (190, 194, 200)
           "candyfloss maker"), themes=("kitchen",), roles=("big", "round"),
           colors=("red",))  # fmt: skip
 def candyfloss_machine(look: Look) -> Shape:
-    """A candyfloss machine: a wide bowl on a base, a spinner, pink floss on a stick."""
+    """A candyfloss machine: a wide bowl with a spinner on a base, and pink floss on a stick."""
     k, color = look.between(0.88, 1.05), look.color("red", "pink", "sky", "white")
     base = lathe([(0, 0), (0.1, 0), (0.095, 0.02), (0.08, 0.1), (0, 0.1)], 28)
     bowl = lathe([(0, 0.1), (0.1, 0.1), (0.14, 0.15), (0.142, 0.17), (0.134, 0.17), (0.1, 0.112),
@@ -193,7 +193,7 @@ SODA_MAKER_STEEL: RGB = (190, 194, 200)
           aliases=("yogurt maker", "yoghurt machine", "yogurt machine"), themes=("kitchen",),
           roles=("round",), colors=("white",))  # fmt: skip
 def yoghurt_maker(look: Look) -> Shape:
-    """A yoghurt maker: a round base full of small jars with coloured lids under a clear cover."""
+    """A yoghurt maker: a round base with small jars under a clear cover."""
     k, color = look.between(0.9, 1.1), look.color("white", "gray", "mint", "sky", "pink")
     r = 0.115 * k
     base = lathe([(0, 0), (0.96 * r, 0), (r, 0.01), (r, 0.055), (0.94 * r, 0.06), (0, 0.06)], 36)
@@ -215,7 +215,7 @@ def yoghurt_maker(look: Look) -> Shape:
           aliases=("popcorn machine", "popcorn popper"), themes=("kitchen",), roles=("big",),
           colors=("red",))  # fmt: skip
 def popcorn_maker(look: Look) -> Shape:
-    """A popcorn cart's kettle case: windows with popcorn, a peaked roof with stripes."""
+    """A popcorn cart's cabinet: windows that show popcorn, and a striped, peaked roof."""
     k, color = look.between(0.85, 1.05), look.color("red", "red", "crimson", "navy", "yellow")
     x, y, h = 0.2 * k, 0.17 * k, 0.22 * k
     base = block(x, y, 0.05 * k, 0.008, 0.002)
@@ -270,7 +270,7 @@ def ice_cream_maker(look: Look) -> Shape:
           "sparkling water maker"), themes=("kitchen",), roles=("tall", "big"),
           colors=("black",))  # fmt: skip
 def soda_maker(look: Look) -> Shape:
-    """A soda maker: a tall arched body, a clear bottle under its head, a lever."""
+    """A soda maker: a tall, arched body with a lever and a clear bottle under its head."""
     k, color = look.between(0.9, 1.06), look.color("black", "white", "red", "silver", "sky")
     h = 0.4 * k
     foot = block(0.12 * k, 0.2 * k, 0.02, 0.05 * k, 0.004)

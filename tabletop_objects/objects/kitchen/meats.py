@@ -1,4 +1,4 @@
-"""Meats (kitchen)."""
+"""Objects of the ``kitchen`` theme: meats."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def burger_patty(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible", "big"), colors=("brown",),
           state="lying flat")  # fmt: skip
 def roast_beef(look: Look) -> Shape:
-    """A roast joint tied with string, one slice cut, pink inside."""
+    """A roast joint tied with string, pink inside, with one slice cut off."""
     long, r = look.between(0.15, 0.19), look.between(0.045, 0.055)
     body = bent_rod(long, r, blunt=8, squash=0.85)
     loops = [torus(1.0 * r, 0.0014, 26, 6).turn(1, np.pi / 2).scale(1, 1, 0.86).move(x=u * long)
@@ -67,7 +67,7 @@ def roast_beef(look: Look) -> Shape:
           aliases=("meat loaf", "nut roast", "pate", "terrine"), themes=("kitchen", "dining"),
           roles=("edible",), colors=("red",))  # fmt: skip
 def meatloaf(look: Look) -> Shape:
-    """A brown loaf of meat with a red glaze, its end cut."""
+    """A brown meatloaf with a red glaze and a cut end."""
     x, y, h = look.between(0.17, 0.2), look.between(0.085, 0.1), look.between(0.06, 0.07)
     body = block(x, y, h, 0.02, 0.012)
     glaze = block(0.9 * x, 0.72 * y, 0.01, 0.018, 0.004).move(z=h - 0.006)
@@ -83,7 +83,7 @@ def meatloaf(look: Look) -> Shape:
           state="lying flat")  # fmt: skip
 @vary()
 def lamb_chop(look: Look) -> Shape:
-    """A grilled chop: meat, a rim of fat, the bone sticking out."""
+    """A grilled lamb chop with a rim of fat and a protruding bone."""
     k = look.between(0.9, 1.1)
     ring = smooth(np.array([(-0.042, 0.0), (-0.03, -0.03), (0.005, -0.035), (0.034, -0.02),
                             (0.03, 0.014), (0.0, 0.03), (-0.03, 0.024), (-0.042, 0.0)]),
@@ -125,7 +125,7 @@ def chicken_breast(look: Look) -> Shape:
           state="lying flat")  # fmt: skip
 @vary()
 def kofta(look: Look) -> Shape:
-    """Kofta: minced meat pressed round a flat skewer."""
+    """A kofta: minced meat pressed around a flat skewer."""
     k = look.between(0.92, 1.08)
     a = np.linspace(-1, 1, 24)
     radii = 0.0135 * np.sqrt(np.maximum(1 - np.abs(a) ** 8, 0.06)) * (1 + 0.08 * np.sin(14 * a))
@@ -138,7 +138,7 @@ def kofta(look: Look) -> Shape:
 
 
 def dome(ring: np.ndarray, h: float) -> Solid:
-    """Return a body over the outline ``ring`` that is domed up to the height ``h``."""
+    """Return a dome of height ``h`` over the outline ``ring``."""
     levels = [(1.0, 0), (0.97, 0.25 * h), (0.85, 0.6 * h), (0.55, 0.92 * h), (0.15, h)]
     return loft(np.stack([np.column_stack([ring * f, np.full(len(ring), z)]) for f, z in levels]),
                 ring)  # fmt: skip
@@ -149,7 +149,7 @@ def dome(ring: np.ndarray, h: float) -> Solid:
           themes=("kitchen",), roles=("edible",), colors=("maroon",),
           state="lying flat")  # fmt: skip
 def salami(look: Look) -> Shape:
-    """A salami cut open at its left end, with a few slices beside it."""
+    """A salami cut at its left end, with a few slices beside it."""
     long, r = look.between(0.12, 0.16), look.between(0.024, 0.03)
     body = lathe([(0, 0), (r, 0), (r, 0.86 * long), (0.7 * r, 0.96 * long), (0.15 * r, long),
                   (0, long)], 26)  # fmt: skip
@@ -169,7 +169,7 @@ def salami(look: Look) -> Shape:
           aliases=("block of tofu", "tofu block", "feta", "paneer", "halloumi", "bean curd"),
           themes=("kitchen",), roles=("edible",), colors=("ivory",))  # fmt: skip
 def tofu(look: Look) -> Shape:
-    """A white block of tofu with cut corners and a faint grid."""
+    """A white block of tofu with bevelled corners and a faint grid."""
     x, y, h = look.between(0.085, 0.1), look.between(0.065, 0.078), look.between(0.035, 0.045)
     color = look.color("ivory", "cream", "white", "ivory")
     tile = surfaces.spots(look.rng, color, tint_color(color, 0.93), 0.15)

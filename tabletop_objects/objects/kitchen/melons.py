@@ -1,4 +1,4 @@
-"""Melons (kitchen)."""
+"""Objects of the ``kitchen`` theme: melons."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .fruit import _wedge
           aliases=("slice of watermelon", "melon slice"), themes=("kitchen", "food"),
           roles=("flat", "edible"), colors=("red",), state="lying flat", common=True)  # fmt: skip
 def watermelon_slice(look: Look) -> Shape:
-    """A slice of watermelon lying flat: flesh with seeds, pale and green rind."""
+    """A slice of watermelon lying flat: flesh with seeds and a pale and green rind."""
     r, thick = look.between(0.085, 0.12), look.between(0.018, 0.03)
     half = look.pick([np.pi / 2, np.pi / 2, 0.62, 0.75])
     color = look.color("red", "coral", "red", "crimson", "amber")
@@ -45,7 +45,7 @@ def watermelon_slice(look: Look) -> Shape:
           "cut watermelon"), themes=("kitchen", "food"), roles=("edible", "round", "big"),
           colors=("green",))  # fmt: skip
 def watermelon_half(look: Look) -> Shape:
-    """Half a watermelon, its red cut face up, seeds in it."""
+    """Half a watermelon with its red cut face and seeds up."""
     r, h = look.between(0.09, 0.11), look.between(0.085, 0.1)
     color = look.color("green", "green", "olive")
     a = np.linspace(0.25, np.pi / 2, 8)
@@ -74,7 +74,7 @@ STEM: RGB = (110, 90, 52)
           themes=("kitchen", "food"), roles=("round", "edible", "big"),
           colors=("tan",))  # fmt: skip
 def melon(look: Look) -> Shape:
-    """A netted or smooth melon, whole."""
+    """A whole melon with netted or smooth skin."""
     d = look.between(0.13, 0.155)
     color = look.color("tan", "yellow", "sage", "beige")
     body = lobe(ellipsoid(1.08 * d, d, 0.98 * d, 40, 20), 10, 0.03)
@@ -91,7 +91,7 @@ def melon(look: Look) -> Shape:
           roles=("edible", "big"), colors=("green",))  # fmt: skip
 @in_sizes(0.12)
 def watermelon(look: Look) -> Shape:
-    """A whole striped watermelon lying."""
+    """A whole striped watermelon, lying on its side."""
     x, d = look.between(0.21, 0.25), look.between(0.165, 0.19)
     color = look.color("green", "green", "olive")
     _, u = np.mgrid[0:128, 0:160]

@@ -1,4 +1,4 @@
-"""Nuts (kitchen)."""
+"""Objects of the ``kitchen`` theme: nuts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, streaks, tint_color
 
 def seed(palette: tuple[str, ...], form: tuple[float, float, float], striped: bool
          ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return one flat pointed seed, plain or striped."""
+    """Return one flat, pointed seed, plain or striped."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.15)
@@ -41,7 +41,7 @@ def seed(palette: tuple[str, ...], form: tuple[float, float, float], striped: bo
           aliases=("brazil nut in its shell",), themes=("kitchen",), roles=("edible",),
           colors=("brown",), state="lying flat")  # fmt: skip
 def brazil_nut(look: Look) -> Shape:
-    """A Brazil nut: three-sided, ridged, brown."""
+    """A brown, ridged, three-sided Brazil nut."""
     k = look.between(0.9, 1.1)
     color = look.color("brown", "bronze")
     ring = smooth([(-0.5, -0.05), (-0.2, -0.3), (0.25, -0.28), (0.5, 0.0), (0.3, 0.3), (-0.2, 0.28),
@@ -69,9 +69,10 @@ def pecan(look: Look) -> Shape:
 
 @dataclass(frozen=True)
 class Heap:
-    """A heap: ``r`` its least and greatest radius and ``grain`` a grain's size, metres.
+    """A heap: ``r`` is its range of radii and ``grain`` the size of a grain, in metres.
 
-    ``form`` names a grain's form: "ball", "chip", "cube", "strand", "ring" or "powder" for none.
+    ``form`` names the shape of a grain: "ball", "chip", "cube", "strand", "ring", or "powder" for
+    no visible grains.
     """
 
     r: tuple[float, float]
@@ -134,7 +135,7 @@ def heap(kind: Heap) -> Callable[[Look], Shape]:
           aliases=("coconut half", "half coconut"), themes=("kitchen", "food"),
           roles=("round", "edible"), colors=("brown",))  # fmt: skip
 def coconut(look: Look) -> Shape:
-    """A hairy coconut, whole, or a half with white flesh."""
+    """A whole, hairy coconut, or half of one with white flesh."""
     d = look.between(0.1, 0.12)
     color = look.color("brown", "bronze", "brown")
     hair = surfaces.scratches(look.rng, color, tint_color(color, 0.6), 500)
@@ -155,7 +156,7 @@ def coconut(look: Look) -> Shape:
           aliases=("walnut half", "walnut shell", "peach pit"), themes=("kitchen", "food"),
           roles=("edible",), colors=("tan",))  # fmt: skip
 def walnut(look: Look) -> Shape:
-    """A walnut in its wrinkled shell, its seam upright."""
+    """A walnut in its wrinkled shell, with its seam upright."""
     d = look.between(0.034, 0.04)
     color = look.color("tan", "wooden", "beige")
     phase = look.rng.uniform(0, 6, 2)
@@ -175,7 +176,7 @@ def walnut(look: Look) -> Shape:
           aliases=("pine nut", "pine kernel"), themes=("kitchen", "food"), roles=("edible",),
           colors=("brown",), state="lying flat")  # fmt: skip
 def almond(look: Look) -> Shape:
-    """An almond lying flat, pointed to the left."""
+    """An almond lying flat with its point on the left."""
     long = look.between(0.023, 0.028)
     color = look.color("copper", "brown", "bronze")
     body = limb([(-0.5 * long, 0, 0), (-0.2 * long, 0, 0), (0.15 * long, 0, 0), (0.42 * long, 0, 0),
@@ -188,7 +189,7 @@ def almond(look: Look) -> Shape:
           aliases=("macadamia", "filbert", "macadamia nut", "cobnut", "beechnut"),
           themes=("kitchen", "food"), roles=("edible", "round"), colors=("copper",))  # fmt: skip
 def hazelnut(look: Look) -> Shape:
-    """A hazelnut, its pale scar below, its tip up."""
+    """A hazelnut with its tip up and a pale scar at the bottom."""
     r = look.between(0.0085, 0.0105)
     color = look.color("copper", "bronze", "brown")
     body = lathe([(0, 0), (0.55 * r, 0), (0.92 * r, 0.5 * r), (r, 0.95 * r), (0.75 * r, 1.5 * r),
@@ -202,7 +203,7 @@ def hazelnut(look: Look) -> Shape:
           aliases=("groundnut", "monkey nut"), themes=("kitchen", "food"), roles=("edible",),
           colors=("tan",), state="lying flat")  # fmt: skip
 def peanut(look: Look) -> Shape:
-    """A peanut in its waisted shell lying."""
+    """A peanut in its waisted shell, lying flat."""
     long, r = look.between(0.036, 0.044), look.between(0.0075, 0.009)
     body = limb([(-0.5 * long, 0, 0), (-0.42 * long, 0, 0), (-0.24 * long, 0.001, 0), (0, 0.002, 0),
                  (0.24 * long, 0.001, 0), (0.42 * long, 0, 0), (0.5 * long, 0, 0)],
@@ -218,7 +219,7 @@ def peanut(look: Look) -> Shape:
           aliases=("cashew nut",), themes=("kitchen", "food"), roles=("edible",), colors=("cream",),
           state="lying flat")  # fmt: skip
 def cashew(look: Look) -> Shape:
-    """A curved cashew lying."""
+    """A curved cashew, lying flat."""
     k = look.between(0.9, 1.15)
     a = np.linspace(0.3, 2.85, 7)
     path = np.column_stack([0.0105 * np.cos(a), 0.009 * np.sin(a), 0 * a])
@@ -231,7 +232,7 @@ def cashew(look: Look) -> Shape:
           aliases=("pistachio nut",), themes=("kitchen", "food"), roles=("edible",),
           colors=("beige",), state="lying flat")  # fmt: skip
 def pistachio(look: Look) -> Shape:
-    """A pistachio, its pale shell open over the green kernel."""
+    """A pistachio with a pale shell that is open over the green kernel."""
     k = look.between(0.9, 1.15)
     color = look.color("beige", "cream", "tan")
     whole = bent_rod(0.02, 0.0058, blunt=2.3, squash=0.8)
@@ -247,7 +248,7 @@ def pistachio(look: Look) -> Shape:
           aliases=("conker", "sweet chestnut"), themes=("kitchen", "food"),
           roles=("edible", "round"), colors=("brown",))  # fmt: skip
 def chestnut(look: Look) -> Shape:
-    """A glossy chestnut with its pale scar."""
+    """A glossy chestnut with a pale scar."""
     d = look.between(0.028, 0.034)
     color = look.color("maroon", "brown", "copper")
     body = lathe([(0, 0), (0.3, 0), (0.48, 0.16), (0.5, 0.36), (0.36, 0.62), (0.12, 0.78),

@@ -1,4 +1,4 @@
-"""Openers (kitchen)."""
+"""Objects of the ``kitchen`` theme: openers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .utensils import bright_steel, with_handle
           "waiters friend", "waiter's friend", "sommelier knife"), themes=("kitchen", "dining"),
           colors=("silver", "wooden"), state="lying flat")  # fmt: skip
 def corkscrew(look: Look) -> Shape:
-    """A corkscrew lying: a winged one of steel, or a screw with a wooden handle."""
+    """A corkscrew lying flat: a winged one of steel, or a screw with a wooden handle."""
     color = look.color("wooden", "black", "brown", "red", "silver", "maroon")
     a = np.linspace(0, 6 * 2 * np.pi, 66)
     steel = bright_steel(look)
@@ -63,7 +63,7 @@ def corkscrew(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("flat",), colors=("silver", "black"),
           state="lying flat")  # fmt: skip
 def bottle_opener(look: Look) -> Shape:
-    """A bottle opener lying flat: a steel bar with an eye, or an eye with a handle."""
+    """A bottle opener lying flat: a steel bar with an opening, or an opener with a handle."""
     color = look.color("silver", "black", "red", "gold", "wooden", "teal", "blue")
     long, r = look.between(0.1, 0.13), look.between(0.017, 0.021)
     t = 0.004
@@ -87,7 +87,7 @@ def bottle_opener(look: Look) -> Shape:
           aliases=("egg cracker", "egg opener", "egg clacker"), themes=("kitchen",),
           roles=("tall",), colors=("silver",))  # fmt: skip
 def egg_topper(look: Look) -> Shape:
-    """An egg topper: a steel bell on a rod with a ball that slides on it."""
+    """An egg topper: a steel bell on a rod with a sliding ball."""
     k = look.between(0.94, 1.06)
     color = look.color("silver", "silver", "copper", "gold")
     bell = lathe([(0, 0.012), (0.017, 0.0), (0.0185, 0.0), (0.016, 0.014), (0.006, 0.022), (0,
@@ -108,7 +108,7 @@ GRIPS = ("black", "red", "teal", "white", "navy", "sage", "gray")
           aliases=("tin opener",), themes=("kitchen",), colors=("black", "red"),
           state="lying flat")  # fmt: skip
 def can_opener(look: Look) -> Shape:
-    """A can opener lying: two handles to the right, a cutting wheel and a turning key."""
+    """A can opener lying flat: two handles on the right, a cutting wheel and a turning key."""
     long = look.between(0.17, 0.2)
     color = look.color(*GRIPS)
     steel, skin = bright_steel(look), look.surface(color, "plastic")

@@ -1,4 +1,4 @@
-"""Papers (kitchen)."""
+"""Objects of the ``kitchen`` theme: paper goods."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..school.stationery import thick_book
 
 
 def _roll_box(look: Look, word: str, tile: surfaces.Tile, palette: tuple[str, ...]) -> Shape:
-    """Return a long box of foil or film, a sheet pulled out over its front edge."""
+    """Return a long box of foil or film with a sheet pulled out over its front edge."""
     x, y, h = look.between(0.29, 0.32), look.between(0.046, 0.054), look.between(0.046, 0.054)
     color = look.color(*palette)
     face = prints.canvas(224, 40, color)
@@ -38,7 +38,7 @@ def _roll_box(look: Look, word: str, tile: surfaces.Tile, palette: tuple[str, ..
           "aluminium foil roll", "baking paper", "parchment paper", "carrier bag roll"),
           themes=("kitchen",), colors=("blue",), state="lying flat")  # fmt: skip
 def foil_roll(look: Look) -> Shape:
-    """A box of aluminium foil, a sheet of it pulled out."""
+    """A box of aluminium foil with a sheet pulled out."""
     foil = surfaces.noise(look.rng, 96, 96, (12, 12), 2)[..., None] * 26
     tile = np.clip(np.array((206, 209, 214)) + foil, 0, 255).astype(np.uint8)
     return _roll_box(look, "FOIL", tile, ("blue", "red", "navy", "green"))
@@ -49,7 +49,7 @@ def foil_roll(look: Look) -> Shape:
           "clingfilm", "roll of plastic wrap"), themes=("kitchen",), colors=("green",),
           state="lying flat")  # fmt: skip
 def cling_film(look: Look) -> Shape:
-    """A box of cling film, a clear sheet of it pulled out."""
+    """A box of cling film with a clear sheet pulled out."""
     return _roll_box(look, "CLING FILM", surfaces.plain((222, 236, 240)),
                      ("green", "yellow", "teal", "purple"))  # fmt: skip
 
@@ -60,7 +60,7 @@ def cling_film(look: Look) -> Shape:
           "bin bag roll", "roll of bin bags", "newspaper roll"), themes=("kitchen",),
           roles=("tall", "round"), colors=("white",))  # fmt: skip
 def paper_towel_roll(look: Look) -> Shape:
-    """A roll of kitchen paper standing, alone or on a holder."""
+    """A roll of kitchen paper standing upright, alone or on a holder."""
     r, h = look.between(0.052, 0.064), look.between(0.22, 0.25)
     color = look.color("white", "white", "white", "cream")
     quilt = surfaces.grid(tint_color(color, 0.93), color, 14, 14, 128)

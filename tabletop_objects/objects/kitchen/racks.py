@@ -1,4 +1,4 @@
-"""Racks (kitchen)."""
+"""Objects of the ``kitchen`` theme: racks."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from ...values import ConvexPart, Extent, Holder, Slot, read_room
           aliases=("cone stand", "ice cream cone stand", "ice cream cone holder", "cone rack"),
           themes=("kitchen",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def cone_holder(look: Look) -> Shape:
-    """A stand with round holes that holds ice cream cones, two cones in it."""
+    """A stand with round holes and two ice cream cones in it."""
     k = look.between(0.94, 1.06)
     color = look.color("wooden", "clear", "white", "silver")
     top = block(0.19, 0.07, 0.008, 0.01, 0.001).move(z=0.11)
@@ -51,7 +51,7 @@ def cone_holder(look: Look) -> Shape:
           aliases=("pot stand", "hot pad", "hot plate stand", "pan stand"), themes=("kitchen",),
           roles=("support", "flat"), colors=("black", "wooden"), state="lying flat")  # fmt: skip
 def trivet(look: Look) -> Shape:
-    """A trivet to put hot pots on: a lattice of bars, or a ring with spokes."""
+    """A trivet for hot pots: a lattice of bars, or a ring with spokes."""
     x, h = look.between(0.16, 0.2), look.between(0.012, 0.016)
     color = look.color("black", "wooden", "silver", "red", "tan", "teal")
     skin = look.surface(color, look.pick(["wood", "metal"]))
@@ -73,7 +73,7 @@ def trivet(look: Look) -> Shape:
           themes=("kitchen",), roles=("tall", "big"), colors=("wooden",),
           opened="empty_knife_block")  # fmt: skip
 def knife_block(look: Look) -> Shape:
-    """A slanted wooden block with knife handles sticking out."""
+    """A slanted wooden knife block with knife handles sticking out."""
     x, y, h = look.between(0.1, 0.12), look.between(0.13, 0.15), look.between(0.2, 0.23)
     color = look.color("wooden", "brown", "black", "tan", "white")
     skin = look.surface(color, "wood")
@@ -123,7 +123,7 @@ def cooling_rack(look: Look) -> Shape:
           aliases=("spice shelf", "rack of spices", "spice holder"), themes=("kitchen",),
           roles=("tall", "big"), colors=("wooden",))  # fmt: skip
 def spice_rack(look: Look) -> Shape:
-    """A small wooden rack of two steps with spice jars in it."""
+    """A small, wooden, two-step rack with spice jars."""
     x, y, h = look.between(0.26, 0.31), look.between(0.095, 0.11), look.between(0.2, 0.23)
     color = look.color("wooden", "brown", "tan", "black", "white")
     wood = look.surface(color, "wood")
@@ -150,7 +150,7 @@ def spice_rack(look: Look) -> Shape:
           "cutlery holder", "spoon holder", "kitchen utensil holder"), themes=("kitchen",),
           roles=("container", "round", "tall"), colors=("white", "cream"))  # fmt: skip
 def utensil_crock(look: Look) -> Shape:
-    """A stoneware crock for wooden spoons and whisks, empty."""
+    """An empty stoneware crock for wooden spoons and whisks."""
     r, h = look.between(0.058, 0.066), look.between(0.15, 0.175)
     color = look.color("white", "cream", "sage", "navy", "terracotta", "charcoal")
     side = [(0.92 * r, 0), (r, 0.12 * h), (0.98 * r, 0.85 * h), (r, h)]
@@ -167,7 +167,7 @@ def _rod(a: tuple[float, float, float], b: tuple[float, float, float], r: float)
           "dish drying rack"), themes=("kitchen",), roles=("big",), colors=("silver", "black"),
           opened="empty_dish_rack")  # fmt: skip
 def dish_rack(look: Look) -> Shape:
-    """A wire rack for dishes on its drip tray, with a few plates standing in it."""
+    """A wire dish rack on a drip tray, with a few plates standing in it."""
     x, y, h = look.between(0.34, 0.4), look.between(0.26, 0.3), look.between(0.1, 0.13)
     color = look.color("silver", "black", "white", "silver", "copper", "sage")
     wire, tray_tile = look.surface(color, "metal"), look.surface(
@@ -208,7 +208,7 @@ def dish_rack(look: Look) -> Shape:
           "wine bottle holder"), themes=("kitchen", "dining"), roles=("big", "support"),
           colors=("wooden", "black"), opened="empty_wine_rack")  # fmt: skip
 def wine_rack(look: Look) -> Shape:
-    """A rack for wine bottles lying down: of wood or wire, two rows, some bottles in it."""
+    """A wooden or wire wine rack with two rows and some bottles lying in it."""
     pitch, y = look.between(0.1, 0.108), look.between(0.19, 0.22)
     columns = look.pick([2, 3, 3])
     x = columns * pitch
@@ -249,23 +249,23 @@ def wine_rack(look: Look) -> Shape:
     return shape(pieces, [*frame, *shelves, *(hull_of(b) for b in bottles)])
 
 
-_PLAY = 0.003  # metres of room in a place beside the thing
-_Placed = tuple[float, float, float, float, float, float]  # sides of a box, and where it stands
+_PLAY = 0.003  # clearance in a slot beside the object, metres
+_Placed = tuple[float, float, float, float, float, float]  # dimensions of a box, and its position
 
 
 def read_request(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
-    """Return how many places are asked for, and for how large things."""
+    """Return the requested number of slots and the size of the objects for them."""
     count = int(look.attributes.get("places", places))
     return count, read_room(look.attributes.get("room"), room)
 
 
 def centres(count: int, pitch: float) -> list[float]:
-    """Return places in a row about 0."""
+    """Return positions in a row centred at 0."""
     return [(k - (count - 1) / 2) * pitch for k in range(count)]
 
 
 def choose_slots(centres: list[float], count: int, z: float) -> list[Slot]:
-    """Return ``count`` of the places, spread over the row."""
+    """Return ``count`` slots spread over the row."""
     which = np.linspace(0, len(centres) - 1, count).round().astype(int)
     return [Slot(np.array([centres[k], 0.0, z])) for k in which]
 
@@ -284,7 +284,7 @@ def _wire(a: Extent, b: Extent, r: float = 0.0025) -> Solid:
           aliases=("empty plate rack",), themes=("kitchen",), roles=("big",),
           colors=("silver", "black"), holder=Holder("edge", (0.1, 0.36, 0.3)))  # fmt: skip
 def empty_dish_rack(look: Look) -> Shape:
-    """A wire rack for dishes on its drip tray, empty: two rails carry what stands between pegs."""
+    """An empty wire dish rack on a drip tray; two rails carry the dishes between pegs."""
     count, (a, b, c) = read_request(look, 4, (0.024, 0.25, 0.25))
     color = look.color("silver", "black", "white", "silver", "copper", "sage")
     wire = look.surface(color, "metal")
@@ -314,7 +314,7 @@ def empty_dish_rack(look: Look) -> Shape:
           aliases=("empty wine holder",), themes=("kitchen", "dining"), roles=("big",),
           colors=("wooden", "black"), holder=Holder("side", (0.11, 0.38, 0.11)))  # fmt: skip
 def empty_wine_rack(look: Look) -> Shape:
-    """A wooden rack for bottles of wine lying down, empty."""
+    """An empty wooden rack for wine bottles that lie down."""
     count, (a, b, c) = read_request(look, 4, (0.075, 0.31, 0.075))
     wood = look.surface(look.color("wooden", "brown", "black", "tan", "charcoal"), "wood")
     columns = max(2, min(3, count))
@@ -339,7 +339,7 @@ def empty_wine_rack(look: Look) -> Shape:
           aliases=("empty knife holder",), themes=("kitchen",), roles=("tall",), colors=("wooden",),
           holder=Holder("end", (0.04, 0.09, 0.38)))  # fmt: skip
 def empty_knife_block(look: Look) -> Shape:
-    """A wooden block with slots for knives, empty."""
+    """An empty wooden knife block with slots."""
     count, (a, b, c) = read_request(look, 5, (0.014, 0.04, 0.25))
     skin = look.surface(look.color("wooden", "brown", "black", "tan", "white"), "wood")
     wall, floor, h = 0.007, 0.012, 0.62 * c
@@ -357,7 +357,7 @@ def empty_knife_block(look: Look) -> Shape:
           aliases=("ladle rest",), themes=("kitchen",), roles=("flat",),
           colors=("white",))  # fmt: skip
 def spoon_rest(look: Look) -> Shape:
-    """A spoon rest: a shallow glazed dish shaped like a big spoon."""
+    """A spoon rest: a shallow, glazed dish in the shape of a big spoon."""
     k, color = (look.between(0.88, 1.1), look.color("white", "sky", "red", "yellow", "teal",
                                                     "cream", "gray"))  # fmt: skip
     a = np.linspace(0.32, 2 * np.pi - 0.32, 26)
@@ -381,7 +381,7 @@ def spoon_rest(look: Look) -> Shape:
 @category("taco_holder", size=(0.192, 0.0958, 0.0493), mass=0.15, material="metal",
           aliases=("taco stand", "taco rack"), themes=("kitchen",), colors=("silver",))  # fmt: skip
 def taco_holder(look: Look) -> Shape:
-    """A taco holder: a wavy steel or coloured sheet with slots for three tacos."""
+    """A taco holder: a wavy sheet, steel or coloured, with slots for three tacos."""
     k, color = (look.between(0.88, 1.08), look.color("silver", "silver", "red", "yellow", "green",
                                                      "wooden"))  # fmt: skip
     x = np.linspace(-0.1, 0.1, 29)
@@ -398,7 +398,7 @@ def taco_holder(look: Look) -> Shape:
           aliases=("teapot warmer", "teapot stand", "rechaud"), themes=("kitchen",),
           roles=("round", "support"), colors=("white",))  # fmt: skip
 def tea_warmer(look: Look) -> Shape:
-    """A tea warmer: a pierced ring on which a pot stands, a tea light inside."""
+    """A tea warmer: a perforated ring for a pot, with a tea light inside."""
     k, color = look.between(0.88, 1.1), look.color("white", "black", "teal", "silver", "terracotta")
     wall = lathe([(0.058, 0), (0.066, 0), (0.068, 0.05), (0.06, 0.056), (0.05, 0.056),
                   (0.058, 0.046)], 34, loop=True)  # fmt: skip
@@ -421,7 +421,7 @@ def tea_warmer(look: Look) -> Shape:
           "teaspoon rest", "teabag dish", "tea bag dish"), themes=("kitchen",),
           roles=("container",), colors=("white",))  # fmt: skip
 def spoon_dish(look: Look) -> Shape:
-    """A tiny shallow dish for a teaspoon or a used tea bag, sometimes shaped like a teapot."""
+    """A tiny, shallow dish for a teaspoon or a used tea bag, sometimes shaped like a teapot."""
     k, color = (look.between(0.88, 1.12), look.color("white", "sky", "pink", "mint", "yellow",
                                                      "teal"))  # fmt: skip
     body, parts = open_vessel(

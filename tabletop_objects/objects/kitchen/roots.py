@@ -1,4 +1,4 @@
-"""Roots (kitchen)."""
+"""Objects of the ``kitchen`` theme: root vegetables."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .vegetables import Pod, halves, pod_of, root
 @category("carrot", size=(0.2, 0.05, 0.03), mass=0.06, material="food", themes=("kitchen",),
           roles=("edible",), colors=("orange",), state="lying flat", common=True)  # fmt: skip
 def carrot(look: Look) -> Shape:
-    """A carrot lying, with a tuft of green."""
+    """A carrot with a tuft of green, lying flat."""
     length, r = look.between(0.14, 0.18), look.between(0.014, 0.017)
     color = look.color("orange", "orange", "coral")
     rings = surfaces.stripes([color, color, color, tint_color(color, 0.82)], 9)
@@ -39,7 +39,7 @@ def carrot(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("tan",), state="lying flat",
           common=True)  # fmt: skip
 def potato(look: Look) -> Shape:
-    """A knobbly potato lying."""
+    """A knobbly potato, lying flat."""
     x, y, z = look.between(0.08, 0.105), look.between(0.055, 0.068), look.between(0.05, 0.058)
     color = look.color("tan", "beige", "terracotta", "mustard", "maroon")
     phase = look.rng.uniform(0, 6.3, 3)
@@ -76,7 +76,7 @@ GREEN: RGB = (92, 150, 62)
 
 
 def _tuft(x: float, reach: float, wide: float, count: int, end: float) -> Solid:
-    """Return leaves from ``x`` to the right, fanned out, their tips at height ``end``."""
+    """Return leaves that fan out to the right from ``x``, with tips at height ``end``."""
     return join([
         blade([(x, 0, 0), (x + 0.45 * reach, wide * s, 0.06 * reach),
                (x + reach, 2.2 * wide * s, end)], 0.34 * reach / count + 0.016,
@@ -86,7 +86,7 @@ def _tuft(x: float, reach: float, wide: float, count: int, end: float) -> Solid:
 
 
 def _radish_root(look: Look, long: float, r: float, peel: surfaces.Tile, leaf: float) -> Shape:
-    """Return a root lying, its thin tail to the left and leaves to the right."""
+    """Return a root lying flat, with its thin tail on the left and leaves on the right."""
     body = limb([(-0.5 * long - 0.9 * r, 0, -0.2 * r), (-0.5 * long - 0.1 * r, 0, 0),
                  (-0.3 * long, 0, 0), (0.05 * long, 0, 0), (0.4 * long, 0, 0), (0.5 * long, 0, 0)],
                 [0.03 * r, 0.14 * r, 0.78 * r, r, 0.72 * r, 0.2 * r], 20)  # fmt: skip
@@ -99,7 +99,7 @@ def _radish_root(look: Look, long: float, r: float, peel: surfaces.Tile, leaf: f
           themes=("kitchen", "food"), roles=("edible",), colors=("crimson",),
           state="lying flat")  # fmt: skip
 def radish(look: Look) -> Shape:
-    """A red radish with its leaves, lying."""
+    """A red radish with its leaves, lying flat."""
     d = look.between(0.027, 0.034)
     color = look.color("crimson", "red", "magenta", "white")
     peel = surfaces.stack((surfaces.plain((250, 244, 240)), 0.3), (surfaces.speckles(
@@ -111,7 +111,7 @@ def radish(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("maroon",),
           state="lying flat")  # fmt: skip
 def beetroot(look: Look) -> Shape:
-    """A beetroot with cut red stalks, lying."""
+    """A beetroot with cut red stalks, lying flat."""
     d = look.between(0.062, 0.075)
     color = look.color("maroon", "maroon", "crimson")
     peel = skin(look, tint_color(color, 0.75), (84, 30, 46), 0.6)
@@ -122,7 +122,7 @@ def beetroot(look: Look) -> Shape:
           aliases=("rutabaga", "swede"), themes=("kitchen", "food"), roles=("edible",),
           colors=("purple",), state="lying flat")  # fmt: skip
 def turnip(look: Look) -> Shape:
-    """A turnip, purple towards its top, lying."""
+    """A turnip with a purple top, lying flat."""
     d = look.between(0.062, 0.078)
     color = look.color("purple", "violet", "magenta")
     peel = surfaces.gradient((246, 240, 226), color, look.rng)
@@ -133,7 +133,7 @@ def turnip(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("cream",),
           state="lying flat")  # fmt: skip
 def parsnip(look: Look) -> Shape:
-    """A pale parsnip lying, its tip to the left."""
+    """A pale parsnip lying flat with its tip on the left."""
     long, r = look.between(0.17, 0.22), look.between(0.02, 0.026)
     body = limb([(-0.5 * long, 0.003, -0.004), (-0.2 * long, 0, 0), (0.3 * long, 0, 0),
                  (0.46 * long, 0, 0), (0.5 * long, 0, 0)],
@@ -148,7 +148,7 @@ def parsnip(look: Look) -> Shape:
           aliases=("yam", "batata"), themes=("kitchen", "food"), roles=("edible",),
           colors=("terracotta",), state="lying flat")  # fmt: skip
 def sweet_potato(look: Look) -> Shape:
-    """A sweet potato lying, pointed at both ends."""
+    """A sweet potato lying flat, pointed at both ends."""
     long, r = look.between(0.13, 0.16), look.between(0.028, 0.034)
     color = look.color("terracotta", "copper", "maroon", "purple")
     bend = look.between(0.004, 0.014)
@@ -164,7 +164,7 @@ def sweet_potato(look: Look) -> Shape:
           "jerusalem artichoke", "sunchoke"), themes=("kitchen", "food"), roles=("edible",),
           colors=("tan",), state="lying flat")  # fmt: skip
 def ginger(look: Look) -> Shape:
-    """A knobbly root of ginger lying."""
+    """A knobbly ginger root, lying flat."""
     k = look.between(0.9, 1.15)
     knobs = [bent_rod(0.09, 0.015, bend=0.008, blunt=5)]
     for x, y, a, size in ((-0.028, 0.02, 1.9, 0.042), (0.012, 0.022, 1.2, 0.05),

@@ -1,4 +1,4 @@
-"""Seafood (kitchen)."""
+"""Objects of the ``kitchen`` theme: seafood."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .meats import dome
           aliases=("lobster claw", "claw of a crab"), themes=("kitchen", "dining"),
           roles=("edible",), colors=("coral",), state="lying flat")  # fmt: skip
 def crab_claw(look: Look) -> Shape:
-    """A cooked crab's claw lying."""
+    """A cooked crab claw, lying flat."""
     k = look.between(0.9, 1.1)
     color = look.color("coral", "orange", "red")
     pinch = claw(1, (-0.01, 0), 0.055, np.pi)
@@ -34,7 +34,7 @@ def crab_claw(look: Look) -> Shape:
           aliases=("tail of a lobster",), themes=("kitchen", "dining"), roles=("edible",),
           colors=("red",), state="lying flat")  # fmt: skip
 def lobster_tail(look: Look) -> Shape:
-    """A lobster's tail: red rings, a fan, white meat at the front."""
+    """A lobster tail with red rings, a fan and white meat at the front."""
     k = look.between(0.9, 1.1)
     color = look.color("red", "coral", "crimson")
     rings = [ellipsoid(0.032, 0.056 - 0.004 * n, 0.04 - 0.003 * n, 14, 8).move(-0.05 + 0.02 * n, 0,
@@ -52,7 +52,7 @@ def lobster_tail(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible",), colors=("red",),
           state="lying flat")  # fmt: skip
 def crayfish(look: Look) -> Shape:
-    """A crayfish or langoustine: like a small slim lobster."""
+    """A crayfish or langoustine, shaped like a small, slim lobster."""
     thing = lobster(look)
     return thing.scale(0.5)
 
@@ -63,7 +63,7 @@ def crayfish(look: Look) -> Shape:
           state="lying flat")  # fmt: skip
 @vary()
 def fish_finger(look: Look) -> Shape:
-    """A breaded finger of fish."""
+    """A breaded fish finger."""
     k = look.between(0.92, 1.08)
     x, y, h = 0.09 * k, 0.027 * k, 0.017 * k
     crumb = surfaces.spots(look.rng, tint_color(look.color("amber", "orange"), 1.02),
@@ -76,7 +76,7 @@ def fish_finger(look: Look) -> Shape:
           "potato pancake", "fritter", "rostis"), themes=("kitchen", "dining"),
           roles=("edible", "round", "flat"), colors=("amber",), state="lying flat")  # fmt: skip
 def fishcake(look: Look) -> Shape:
-    """A round breaded cake of fish or potato."""
+    """A round, breaded cake of fish or potato."""
     r, h = look.between(0.034, 0.042), look.between(0.02, 0.025)
     body = lathe([(0, 0), (0.85 * r, 0), (r, 0.35 * h), (r, 0.7 * h), (0.85 * r, h), (0, h)], 26)
     crumb = surfaces.spots(look.rng, look.color("amber", "copper"), (166, 98, 40), 0.35)
@@ -87,7 +87,7 @@ def fishcake(look: Look) -> Shape:
           aliases=("pickled herring", "rollmops", "rolled herring"), themes=("kitchen", "dining"),
           roles=("edible",))  # fmt: skip
 def rollmop(look: Look) -> Shape:
-    """A herring fillet rolled up, silver outside, with a stick through it."""
+    """A rolled herring fillet, silver on the outside, with a stick through it."""
     r, h = look.between(0.022, 0.026), look.between(0.036, 0.042)
     t = np.linspace(1.2, 4.6 * np.pi, 50)
     away = r * t / t[-1]
@@ -104,7 +104,7 @@ def rollmop(look: Look) -> Shape:
           aliases=("plate of fish and chips", "fish supper", "fish & chips"),
           themes=("kitchen", "dining"), roles=("edible", "big"), colors=("white",))  # fmt: skip
 def fish_and_chips(look: Look) -> Shape:
-    """Battered fish on chips with peas and lemon, on an oval plate."""
+    """Battered fish on chips with peas and lemon on an oval plate."""
     k = look.between(0.95, 1.05)
     plate = lathe([(0, 0), (0.6, 0), (1, 0.12), (0.98, 0.135), (0.62, 0.04), (0, 0.04)], 36).scale(
         0.15, 0.11, 0.15)  # fmt: skip
@@ -150,7 +150,7 @@ FRIED: RGB = (222, 160, 74)
           aliases=("mussel shell", "open mussel"), themes=("kitchen", "dining"), roles=("edible",),
           colors=("navy",), state="lying flat")  # fmt: skip
 def mussel(look: Look) -> Shape:
-    """A blue-black mussel, half open, orange inside."""
+    """A blue-black mussel, half open and orange inside."""
     k = look.between(0.9, 1.15)
     ring = (smooth(np.array([(-0.5, 0), (-0.3, -0.2), (0.1, -0.27), (0.45, -0.18), (0.5, 0.05),
                              (0.35, 0.2), (0, 0.2), (-0.3, 0.12), (-0.5, 0)]), 4)[:-1]
@@ -172,7 +172,7 @@ def mussel(look: Look) -> Shape:
           aliases=("king scallop", "scallop in its shell"), themes=("kitchen", "dining"),
           roles=("edible",), colors=("coral",), state="lying flat")  # fmt: skip
 def scallop(look: Look) -> Shape:
-    """A fan-shaped scallop in its half shell with white meat and coral."""
+    """A fan-shaped scallop in its half shell with white meat and orange roe."""
     k = look.between(0.9, 1.1)
     a = np.linspace(-0.25, np.pi + 0.25, 25)
     fan = np.column_stack([0.05 * np.cos(a), 0.048 * np.sin(a)]) * (1 + 0.03 * np.cos(24 * a))[
@@ -195,7 +195,7 @@ def scallop(look: Look) -> Shape:
           aliases=("cuttlefish", "raw squid", "whole squid"), themes=("kitchen", "dining"),
           roles=("edible",), colors=("pink",), state="lying flat")  # fmt: skip
 def squid(look: Look) -> Shape:
-    """A squid lying: a pale mantle with fins, arms to the right."""
+    """A squid lying flat: a pale mantle with fins, and arms on the right."""
     k = look.between(0.9, 1.1)
     color = look.color("pink", "beige", "coral", "ivory")
     mantle = limb([(-0.13, 0, 0.0), (-0.08, 0, 0), (0, 0, 0), (0.03, 0, 0)],
@@ -217,7 +217,7 @@ def squid(look: Look) -> Shape:
           aliases=("baby octopus", "toy octopus", "rubber octopus"), themes=("kitchen", "dining"),
           roles=("edible",), colors=("crimson",))  # fmt: skip
 def octopus(look: Look) -> Shape:
-    """An octopus: a bulging head and eight curling arms with suckers."""
+    """An octopus with a bulging head and eight curling arms with suckers."""
     k = look.between(0.9, 1.1)
     color = look.color("crimson", "coral", "purple", "pink")
     head = join([ellipsoid(0.07, 0.064, 0.075, 20, 12).move(0, 0.006, 0.058),
@@ -286,7 +286,7 @@ def sea_urchin(look: Look) -> Shape:
           aliases=("smoked eel", "moray", "lamprey"), themes=("kitchen", "dining"),
           roles=("edible",), colors=("olive",), state="lying flat")  # fmt: skip
 def eel(look: Look) -> Shape:
-    """A long smooth eel in a loose S."""
+    """A long, smooth eel in a loose S shape."""
     k = look.between(0.9, 1.1)
     color = look.color("olive", "charcoal", "brown", "gray")
     body = limb([(-0.17, 0.0, 0), (-0.11, 0.045, 0), (-0.02, 0.01, 0), (0.06, -0.045, 0),
@@ -306,7 +306,7 @@ def eel(look: Look) -> Shape:
           "sole"), themes=("kitchen", "dining"), roles=("edible", "flat"), colors=("brown",),
           state="lying flat")  # fmt: skip
 def flatfish(look: Look) -> Shape:
-    """A plaice or sole: oval and flat, fringed by its fins, spotted."""
+    """A plaice or sole: an oval, flat, spotted fish with fins along its edge."""
     k = look.between(0.9, 1.1)
     color = look.color("brown", "olive", "tan", "gray")
     body = ellipsoid(0.2, 0.13, 0.024, 28, 10)
@@ -340,7 +340,7 @@ def ring(look: Look) -> Shape:
           "tilapia", "perch", "pollock", "carp"), themes=("kitchen",), roles=("edible",),
           colors=("silver", "gray"), state="lying flat")  # fmt: skip
 def fish(look: Look) -> Shape:
-    """A whole fish lying on its side, head to the left."""
+    """A whole fish lying on its side with its head on the left."""
     long, tall, t = look.between(0.2, 0.26), look.between(0.066, 0.085), look.between(0.026, 0.034)
     color = look.color("silver", "gray", "sky", "teal", "coral", "gold", "olive")
     body = bent_rod(0.8 * long, tall / 2, blunt=2.0, squash=t / tall, sides=16)
@@ -377,7 +377,7 @@ def fish(look: Look) -> Shape:
           themes=("kitchen",), roles=("edible",), colors=("coral",),
           state="lying flat")  # fmt: skip
 def salmon(look: Look) -> Shape:
-    """A pink fillet with pale lines, lying on its skin."""
+    """A pink salmon fillet with pale lines, lying on its skin."""
     x, y, h = look.between(0.12, 0.15), look.between(0.055, 0.07), look.between(0.02, 0.027)
     side = np.array([(-0.5, 0), (0.5, 0), (0.47, 0.7), (0.2, 1.0), (-0.2, 0.9), (-0.47, 0.4)])
     body = side_view(side * [y, h], x, 0.004).turn(2, np.pi / 2)

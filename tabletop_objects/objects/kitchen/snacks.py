@@ -1,4 +1,4 @@
-"""Snacks (kitchen)."""
+"""Objects of the ``kitchen`` theme: snacks."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def rough_ball(
     spot: float,
     glossy: RGB | None = None,
 ) -> Callable[[Look], Shape]:
-    """Return a ball of dough, meat or batter: smooth or knobbly."""
+    """Return a smooth or knobbly ball of dough, meat or batter."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
@@ -47,7 +47,7 @@ def rough_ball(
           roles=("edible", "round"), colors=("copper",))  # fmt: skip
 @vary()
 def vada(look: Look) -> Shape:
-    """Vada: a fried savoury ring."""
+    """A vada: a fried savoury ring."""
     r, t = look.between(0.023, 0.026), look.between(0.013, 0.015)
     body = torus(r, t, 28, 10).scale(1, 1, 0.9)
     return settle([(body, surfaces.spots(look.rng, look.color("copper", "amber"), (140, 76, 30),
@@ -58,7 +58,7 @@ def vada(look: Look) -> Shape:
           aliases=("idly", "steamed rice cake", "idlis"), themes=("kitchen", "dining"),
           roles=("edible", "round"), colors=("white",))  # fmt: skip
 def idli(look: Look) -> Shape:
-    """Idli: a soft white steamed cake."""
+    """An idli: a soft, white steamed cake."""
     r, h = look.between(0.034, 0.04), look.between(0.022, 0.027)
     body = lathe([(0, 0), (0.5 * r, 0.0), (0.88 * r, 0.3 * h), (r, 0.55 * h), (0.8 * r, 0.85 * h),
                   (0.4 * r, h), (0, h)], 28)  # fmt: skip
@@ -70,7 +70,7 @@ def idli(look: Look) -> Shape:
           aliases=("masala dosa", "rolled pancake", "injera"), themes=("kitchen", "dining"),
           roles=("edible", "big"), colors=("amber",), state="lying flat")  # fmt: skip
 def dosa(look: Look) -> Shape:
-    """A long crisp pancake rolled to an open tube."""
+    """A dosa: a long, crisp pancake rolled into an open tube."""
     long, r = look.between(0.24, 0.3), look.between(0.026, 0.032)
     t = np.linspace(0.2, 2 * np.pi + 1.0, 26)
     away = r * (0.8 + 0.05 * t)
@@ -87,7 +87,7 @@ def dosa(look: Look) -> Shape:
           "dolmathes"), themes=("kitchen", "dining"), roles=("edible",), colors=("olive",),
           state="lying flat")  # fmt: skip
 def dolma(look: Look) -> Shape:
-    """A vine leaf rolled around rice."""
+    """A dolma: a vine leaf rolled around rice."""
     body = bent_rod(look.between(0.055, 0.065), look.between(0.0105, 0.0125), blunt=6)
     green = look.color("olive", "olive", "green")
     veins = surfaces.leaf(look.rng, tint_color(green, 0.8))
@@ -98,7 +98,7 @@ def dolma(look: Look) -> Shape:
           aliases=("golgappa", "puri", "poori", "panipuri", "pani puris", "puris"),
           themes=("kitchen", "dining"), roles=("edible", "round"), colors=("amber",))  # fmt: skip
 def pani_puri(look: Look) -> Shape:
-    """A hollow crisp ball, broken open above and filled."""
+    """A pani puri: a hollow, crisp ball, broken open at the top and filled."""
     r = look.between(0.021, 0.025)
     ball_ = lathe([(0, 0), (0.5 * r, 0.06 * r), (0.92 * r, 0.55 * r), (r, r), (0.86 * r, 1.45 * r),
                    (0.55 * r, 1.68 * r), (0.5 * r, 1.62 * r), (0.3 * r, 1.35 * r), (0, 1.35 * r)],

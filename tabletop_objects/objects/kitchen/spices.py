@@ -1,4 +1,4 @@
-"""Spices (kitchen)."""
+"""Objects of the ``kitchen`` theme: spices."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .vegetables import Pod, pod_of
           aliases=("cardamom", "green cardamom", "cardamom seed"), themes=("kitchen",),
           colors=("olive",), state="lying flat")  # fmt: skip
 def cardamom_pod(look: Look) -> Shape:
-    """A green cardamom pod with its three ribs."""
+    """A green cardamom pod with three ribs."""
     k = look.between(0.9, 1.15)
     color = look.color("olive", "lime", "beige")
     body = bent_rod(0.022, 0.0052, blunt=2.4)
@@ -56,7 +56,7 @@ def star_anise(look: Look) -> Shape:
           colors=("brown",), state="lying flat")  # fmt: skip
 @at_rest
 def clove(look: Look) -> Shape:
-    """A clove, the spice: a nail with a four-cornered crown, lying."""
+    """A clove lying flat: a small nail shape with a four-cornered crown."""
     color = look.color("brown", "bronze", "maroon", "black")
     k = look.between(0.9, 1.25)
     stem = lathe([(0, 0), (0.0011, 0.0005), (0.0015, 0.006), (0.0021, 0.0095), (0, 0.0105)], 10)
@@ -73,7 +73,7 @@ def clove(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("copper",),
           state="lying flat")  # fmt: skip
 def cinnamon_stick(look: Look) -> Shape:
-    """A quill of cinnamon: a rolled bark, two scrolls side by side, lying."""
+    """A cinnamon stick lying flat: rolled bark with two scrolls side by side."""
     long, r = look.between(0.07, 0.1), look.between(0.0055, 0.0075)
     color = look.color("copper", "brown", "terracotta", "bronze")
     scroll = lathe([(0.62 * r, 0), (r, 0), (r, long), (0.62 * r, long)], 18, loop=True)

@@ -1,4 +1,4 @@
-"""Spoons (kitchen)."""
+"""Objects of the ``kitchen`` theme: spoons."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ GRIPS = ("black", "red", "teal", "wooden", "white", "navy", "sage", "silver")
           aliases=("cooking spoon", "mixing spoon", "stirring spoon"), themes=("kitchen",),
           colors=("wooden",), state="lying flat")  # fmt: skip
 def wooden_spoon(look: Look) -> Shape:
-    """A cooking spoon of wood."""
+    """A wooden cooking spoon."""
     wood = look.surface(look.color("wooden", "tan", "beige", "brown"), "wood")
     return _spoon(look, look.between(0.26, 0.32), look.between(0.032, 0.038), 0.026, 0.014, wood,
                   thick=0.0055)  # fmt: skip
@@ -41,7 +41,7 @@ def slotted_spoon(look: Look) -> Shape:
           aliases=("rice spoon", "rice scoop", "shamoji"), themes=("kitchen",), roles=("flat",),
           colors=("white", "wooden"), state="lying flat")  # fmt: skip
 def rice_paddle(look: Look) -> Shape:
-    """A flat round paddle for rice."""
+    """A flat, round paddle for rice."""
     long = look.between(0.19, 0.22)
     tile = look.surface(look.color("white", "wooden", "cream", "red"), look.pick(
         ["wood", "plastic"]))  # fmt: skip
@@ -55,7 +55,7 @@ def rice_paddle(look: Look) -> Shape:
           aliases=("honey stick", "honey spoon", "honey wand"), themes=("kitchen",),
           colors=("wooden",), state="lying flat")  # fmt: skip
 def honey_dipper(look: Look) -> Shape:
-    """A grooved wooden dipper lying."""
+    """A grooved wooden honey dipper, lying flat."""
     long, r = look.between(0.14, 0.165), look.between(0.013, 0.016)
     wood = look.surface(look.color("wooden", "tan", "brown"), "wood")
     head = []
@@ -75,7 +75,7 @@ def honey_dipper(look: Look) -> Shape:
           aliases=("ice cream spoon",), themes=("kitchen",), colors=("silver", "red"),
           state="lying flat")  # fmt: skip
 def ice_cream_scoop(look: Look) -> Shape:
-    """A round scoop with a thick handle, lying."""
+    """A round ice cream scoop with a thick handle, lying flat."""
     long, r = look.between(0.18, 0.21), look.between(0.024, 0.028)
     color = look.color(*GRIPS)
     t = np.linspace(0.1, np.pi / 2, 7)
@@ -123,7 +123,7 @@ def scoop(look: Look) -> Shape:
           assembled=True, aliases=("measuring spoons", "set of measuring spoons"),
           themes=("kitchen",), colors=("silver",), state="lying flat")  # fmt: skip
 def measuring_spoon(look: Look) -> Shape:
-    """Measuring spoons fanned out on a ring."""
+    """Measuring spoons on a ring, fanned out."""
     color = look.color("silver", "silver", "copper", "red", "teal", "white")
     tile = look.surface(color, "metal" if look.chance(0.6) else "plastic")
     solids, parts = [], []
@@ -146,7 +146,7 @@ def measuring_spoon(look: Look) -> Shape:
           aliases=("soup ladle", "serving ladle", "dipper"), themes=("kitchen", "dining"),
           colors=("silver", "black"), state="lying down")  # fmt: skip
 def ladle(look: Look) -> Shape:
-    """A soup ladle lying on its bowl's side of rest and the end of its handle."""
+    """A soup ladle resting on the side of its bowl and the end of its handle."""
     r, long = look.between(0.036, 0.044), look.between(0.24, 0.29)
     color = look.color("silver", "silver", *GRIPS)
     steel = bright_steel(look) if look.chance(0.7) else look.surface(color, "plastic")

@@ -1,4 +1,4 @@
-"""Sweets (kitchen)."""
+"""Objects of the ``kitchen`` theme: sweets."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .snacks import rough_ball
           aliases=("membrillo", "quince jelly", "fruit paste", "quince cheese"),
           themes=("kitchen", "dining"), roles=("edible",), colors=("crimson",))  # fmt: skip
 def quince_paste(look: Look) -> Shape:
-    """A slab of dark red fruit paste."""
+    """A slab of dark red quince paste."""
     k = look.between(0.9, 1.1)
     x, y, h = 0.07 * k, 0.05 * k, 0.022 * k
     tone = look.color("crimson", "maroon")
@@ -31,7 +31,7 @@ def quince_paste(look: Look) -> Shape:
           aliases=("lokum", "piece of turkish delight", "cube of turkish delight"),
           themes=("kitchen", "dining"), roles=("edible",), colors=("pink",))  # fmt: skip
 def turkish_delight(look: Look) -> Shape:
-    """Turkish delight: a soft cube dusted with sugar."""
+    """A soft cube of Turkish delight, dusted with sugar."""
     x, h = look.between(0.023, 0.028), look.between(0.02, 0.024)
     color = look.color("pink", "yellow", "coral", "mint", "orange")
     body = block(x, x, h, 0.003, 0.002)
@@ -43,7 +43,7 @@ def turkish_delight(look: Look) -> Shape:
           "kaju katli", "milk sweet", "indian sweet", "fudge square", "barfis", "burfis"),
           themes=("kitchen", "dining"), roles=("edible",), colors=("cream",))  # fmt: skip
 def barfi(look: Look) -> Shape:
-    """A square of milk sweet with a leaf of silver and pistachio."""
+    """A square of milk fudge with silver leaf and pistachio."""
     x, h = look.between(0.032, 0.04), look.between(0.014, 0.018)
     color = look.color("cream", "ivory", "mint", "pink", "tan")
     body = block(x, x, h, 0.001, 0.0008)
@@ -59,7 +59,7 @@ def barfi(look: Look) -> Shape:
           themes=("kitchen",), roles=("edible", "flat"), colors=("red", "orange"),
           state="lying flat")  # fmt: skip
 def ice_pop(look: Look) -> Shape:
-    """An ice lolly lying on its side, its flat stick to the right."""
+    """An ice lolly lying on its side with its flat stick on the right."""
     x, y, h = look.between(0.085, 0.1), look.between(0.042, 0.05), look.between(0.018, 0.022)
     color = look.color("red", "orange", "pink", "brown", "lime", "sky", "yellow")
     side = rectangle(x, y, 0.46 * y, 6)
@@ -82,7 +82,7 @@ def ice_pop(look: Look) -> Shape:
           themes=("kitchen",), roles=("edible",), colors=("pink", "cream"),
           state="lying down")  # fmt: skip
 def ice_cream_cone(look: Look) -> Shape:
-    """An ice cream cone lying on its side: a waffle cone and one or two scoops."""
+    """An ice cream cone lying on its side: a waffle cone with one or two scoops."""
     r, long = look.between(0.026, 0.031), look.between(0.1, 0.12)
     color = look.color("pink", "brown", "cream", "mint", "yellow", "lavender")
     cone = lathe([(0, 0), (0.1 * r, 0), (0.92 * r, long), (0, long)], 28)
@@ -108,7 +108,7 @@ def ice_cream_cone(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible", "round", "big"),
           colors=("tan",))  # fmt: skip
 def pie(look: Look) -> Shape:
-    """A round pie in its tin: a lattice of pastry, or a closed crust with slits."""
+    """A round pie in its tin with a pastry lattice, or with a closed crust with slits."""
     r, h = look.between(0.105, 0.125), look.between(0.035, 0.045)
     crust = surfaces.spots(look.rng, (216, 164, 96), (168, 112, 58), 0.2)
     tin = look.surface(look.color("silver", "silver", "white", "charcoal", "terracotta"), "metal")

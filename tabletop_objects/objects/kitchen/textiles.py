@@ -1,4 +1,4 @@
-"""Textiles (kitchen)."""
+"""Objects of the ``kitchen`` theme: textiles."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CLOTH = ("red", "navy", "sage", "mustard", "white", "teal", "gray", "pink")
           themes=("kitchen",), roles=("flat", "big"), colors=("red",),
           state="lying flat")  # fmt: skip
 def oven_mitt(look: Look) -> Shape:
-    """A quilted oven mitt lying flat, its thumb to the front."""
+    """A quilted oven mitt lying flat with its thumb in front."""
     color = look.color(*CLOTH)
     k, h = look.between(0.92, 1.1), look.between(0.024, 0.03)
     hand = smooth(np.array([(-0.14, -0.065), (-0.05, -0.07), (0.01, -0.075), (0.05, -0.105),
@@ -60,7 +60,7 @@ def pot_holder(look: Look) -> Shape:
           "dish rag", "folded tea towel", "cheesecloth"), themes=("kitchen",),
           roles=("flat", "support"), colors=("red", "navy"), state="lying flat")  # fmt: skip
 def tea_towel(look: Look) -> Shape:
-    """A folded tea towel, striped or checked, lying."""
+    """A folded striped or checked tea towel, lying flat."""
     x, y, h = look.between(0.21, 0.26), look.between(0.15, 0.18), look.between(0.014, 0.02)
     color = look.color("red", "navy", "sage", "teal", "mustard", "gray", "white")
     if look.chance(0.5):
@@ -79,7 +79,7 @@ def tea_towel(look: Look) -> Shape:
           aliases=("kitchen apron", "cooking apron", "chef apron"), themes=("kitchen",),
           roles=("flat", "big"), colors=("navy", "red"), state="lying flat")  # fmt: skip
 def apron(look: Look) -> Shape:
-    """A folded apron lying, its pocket up and its strings beside it."""
+    """A folded apron lying flat, with its pocket up and its strings beside it."""
     x, y, h = look.between(0.24, 0.28), look.between(0.26, 0.3), look.between(0.014, 0.02)
     color = look.color("navy", "red", "black", "tan", "sage", "white", "gray")
     cloth = surfaces.fabric(look.rng, color)

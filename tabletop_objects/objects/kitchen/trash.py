@@ -1,4 +1,4 @@
-"""Trash (kitchen)."""
+"""Objects of the ``kitchen`` theme: trash."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def fish_skeleton(look: Look) -> Shape:
           aliases=("banana skin", "peel of a banana"), themes=("kitchen", "food"),
           colors=("yellow",), state="lying spread")  # fmt: skip
 def banana_peel(look: Look) -> Shape:
-    """A banana skin thrown down: four strips spread from the stalk, pale inside."""
+    """A discarded banana peel: four strips spread out from the stalk, pale inside."""
     color = look.color("yellow", "gold", "yellow", "lime")
     k, strips, insides = look.between(0.85, 1.15), [], []
     for n in range(4):
@@ -69,7 +69,7 @@ def banana_peel(look: Look) -> Shape:
           aliases=("core of an apple", "eaten apple", "half eaten apple", "bitten apple core"),
           themes=("kitchen", "food"), colors=("red",), state="lying")  # fmt: skip
 def apple_core(look: Look) -> Shape:
-    """An eaten apple: red ends, a thin pale middle with pips, its stalk, lying."""
+    """An apple core lying flat: red ends, a thin pale middle with pips, and the stalk."""
     color = look.color("red", "green", "crimson", "yellow", "lime")
     d, h = look.between(0.058, 0.07), look.between(0.062, 0.072)
     thin = look.between(0.16, 0.22)
@@ -91,7 +91,7 @@ def apple_core(look: Look) -> Shape:
           aliases=("ball of foil", "crumpled foil", "tin foil ball"), themes=("kitchen",),
           colors=("silver",))  # fmt: skip
 def foil_ball(look: Look) -> Shape:
-    """A ball of kitchen foil."""
+    """A ball of crumpled kitchen foil."""
     color = look.color("silver", "silver", "gold", "copper")
     d = look.between(0.04, 0.065)
     knots = look.rng.normal(size=(30, 3))
@@ -113,7 +113,7 @@ def foil_ball(look: Look) -> Shape:
           aliases=("potato peel", "apple peel", "peel", "potato peeling", "peeling", "melon rind",
           "rind", "vegetable peel"), themes=("kitchen",), colors=("orange", "yellow"))  # fmt: skip
 def fruit_peel(look: Look) -> Shape:
-    """A curl of peel lying in a loose spiral."""
+    """A curl of fruit peel in a loose spiral."""
     color = look.color("orange", "yellow", "tan", "lime", "red")
     k = look.between(0.8, 1.2)
     t = np.linspace(0, 2.6 * np.pi, 44)
@@ -131,7 +131,7 @@ def fruit_peel(look: Look) -> Shape:
           aliases=("can tab", "pull tab", "can pull", "soda tab"), themes=("kitchen",),
           roles=("flat",), colors=("silver",))  # fmt: skip
 def ring_pull(look: Look) -> Shape:
-    """The tab of a can."""
+    """The ring pull of a can."""
     color = look.color("silver", "gold", "red", "blue", "green")
     k = look.between(0.9, 1.3)
     ring = torus(0.0085, 0.0019, 22, 7).move(0.004, 0, 0.0018)
@@ -144,7 +144,7 @@ def ring_pull(look: Look) -> Shape:
           aliases=("six pack ring", "can rings", "plastic rings"), themes=("kitchen",),
           roles=("flat", "big"), colors=("clear",))  # fmt: skip
 def six_pack_ring(look: Look) -> Shape:
-    """Six joined rings of clear plastic, lying."""
+    """Six joined rings of clear plastic, lying flat."""
     color = look.color("clear", "white", "gray", "sky")
     k = look.between(0.85, 1.1)
     rings = [torus(0.032, 0.0022, 26, 6).scale(1, 1, 0.7).move(x, y, 0.0016)
@@ -158,7 +158,7 @@ def six_pack_ring(look: Look) -> Shape:
 @category("fish_bone", size=(0.195, 0.0567, 0.00641), mass=0.01, material="food",
           themes=("kitchen",), roles=("flat",), colors=("ivory",))  # fmt: skip
 def fish_bone(look: Look) -> Shape:
-    """The bones of a fish: head, spine, ribs and tail, lying."""
+    """Fish bones lying flat: head, spine, ribs and tail."""
     color = look.color("ivory", "cream", "white", "gray")
     k = look.between(0.8, 1.15)
     spine = straight((-0.075, 0, 0.003), (0.06, 0, 0.003), [0.0016, 0.0026], 8)
@@ -179,7 +179,7 @@ def fish_bone(look: Look) -> Shape:
 @category("corn_husk", size=(0.159, 0.11, 0.0175), mass=0.02, material="food",
           aliases=("husk", "husk of corn"), themes=("kitchen",), colors=("lime",))  # fmt: skip
 def corn_husk(look: Look) -> Shape:
-    """Leaves of a corn husk, peeled back and lying."""
+    """Leaves of a peeled corn husk, lying flat."""
     color = look.color("lime", "tan", "sage", "olive")
     k = look.between(0.85, 1.15)
     leaves = []

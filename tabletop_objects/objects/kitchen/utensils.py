@@ -1,4 +1,4 @@
-"""Utensils (kitchen)."""
+"""Objects of the ``kitchen`` theme: utensils."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def burger_press(look: Look) -> Shape:
           aliases=("bear claw shredder", "meat shredder", "shredding claw", "bbq claw"),
           themes=("kitchen",), colors=("black",), state="lying flat")  # fmt: skip
 def meat_claw(look: Look) -> Shape:
-    """A claw for pulling meat: a grip with long curved prongs, lying."""
+    """A meat claw lying flat: a grip with long, curved prongs."""
     k = look.between(0.94, 1.06)
     color = look.color("black", "black", "red", "wooden")
     grip = bent_rod(0.11, 0.013, blunt=7).turn(2, np.pi / 2)
@@ -81,7 +81,7 @@ def meat_claw(look: Look) -> Shape:
           themes=("kitchen",), colors=("yellow",), state="lying flat")  # fmt: skip
 @vary()
 def corn_holder(look: Look) -> Shape:
-    """A holder for corn: a tiny yellow cob with two pins, lying."""
+    """A corn holder lying flat: a tiny yellow cob with two pins."""
     k = look.between(0.95, 1.2)
     color = look.color("yellow", "yellow", "green")
     cob = bent_rod(0.036, 0.0095, blunt=3.5)
@@ -102,7 +102,7 @@ GRIPS = ("black", "red", "teal", "white", "navy", "sage", "gray")
           "mesh sieve"), themes=("kitchen",), roles=("container", "big"),
           colors=("silver", "black"))  # fmt: skip
 def sieve(look: Look) -> Shape:
-    """A round mesh sieve with a long handle, resting bowl down."""
+    """A round mesh sieve with a long handle, resting with its bowl down."""
     r, h = look.between(0.07, 0.09), look.between(0.045, 0.058)
     color = look.color(*GRIPS, "silver")
     t = np.linspace(0.15, np.pi / 2, 6)
@@ -129,7 +129,7 @@ def sieve(look: Look) -> Shape:
           aliases=("garlic crusher",), themes=("kitchen",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def garlic_press(look: Look) -> Shape:
-    """A garlic press lying, its handles a little open to the right."""
+    """A garlic press lying flat, with its handles slightly open on the right."""
     long = look.between(0.155, 0.18)
     color = look.color("silver", "silver", "red", "black", "teal")
     skin = look.surface(color, "metal")
@@ -150,7 +150,7 @@ def garlic_press(look: Look) -> Shape:
           assembled=True, aliases=("masher",), themes=("kitchen",), roles=("tall",),
           colors=("black", "silver"))  # fmt: skip
 def potato_masher(look: Look) -> Shape:
-    """A potato masher standing on its zigzag or pierced plate."""
+    """A potato masher standing on its zigzag or perforated plate."""
     h = look.between(0.23, 0.27)
     color = look.color(*GRIPS, "wooden")
     steel = bright_steel(look)
@@ -181,7 +181,7 @@ def potato_masher(look: Look) -> Shape:
           "lemon press"), themes=("kitchen",), roles=("round",),
           colors=("yellow", "white"))  # fmt: skip
 def citrus_juicer(look: Look) -> Shape:
-    """A citrus squeezer: a ridged cone in a dish with a spout and an ear."""
+    """A citrus juicer: a ridged cone in a dish with a spout and a handle."""
     r = look.between(0.058, 0.068)
     color = look.color("yellow", "white", "green", "orange", "clear", "silver", "sky")
     skin = look.surface(color, look.pick(["plastic", "ceramic"]))
@@ -202,7 +202,7 @@ def citrus_juicer(look: Look) -> Shape:
           aliases=("kebab skewer", "bamboo skewer"), themes=("kitchen",), colors=("tan", "silver"),
           state="lying flat")  # fmt: skip
 def skewer(look: Look) -> Shape:
-    """A bare skewer of wood or steel lying."""
+    """A bare skewer of wood or steel, lying flat."""
     long = look.between(0.22, 0.27)
     color = look.color("tan", "wooden", "silver")
     skin = look.surface(color, "metal" if color[2] > 150 else "wood")
@@ -216,7 +216,7 @@ def skewer(look: Look) -> Shape:
           aliases=("basting brush", "baking brush", "kitchen brush"), themes=("kitchen",),
           roles=("flat",), colors=("wooden",), state="lying flat")  # fmt: skip
 def pastry_brush(look: Look) -> Shape:
-    """A flat brush with bristles or silicone strands, lying."""
+    """A pastry brush with bristles or silicone strands, lying flat."""
     long, wide = look.between(0.19, 0.23), look.between(0.032, 0.042)
     color = look.color("wooden", "red", "black", "teal", "wooden")
     handle = look.surface(color, "wood")
@@ -238,7 +238,7 @@ def pastry_brush(look: Look) -> Shape:
           "drawing board"), themes=("kitchen",), roles=("support", "flat", "big"),
           colors=("wooden",), state="lying flat", common=True)  # fmt: skip
 def cutting_board(look: Look) -> Shape:
-    """A board, rectangular, rounded or a paddle, of planks, end grain, plastic or slate."""
+    """A rectangular or rounded board or a paddle, made of planks, end grain, plastic or slate."""
     x, y, h = look.between(0.26, 0.34), look.between(0.17, 0.23), look.between(0.011, 0.022)
     color = look.color("wooden", "tan", "beige", "brown", "bronze")
     kind = int(look.rng.integers(5))
@@ -254,7 +254,7 @@ def cutting_board(look: Look) -> Shape:
     radius, long = look.between(0.006, 0.05), look.between(0.07, 0.1)
     board = prism(rectangle(x, y, radius), 0, h, 0.002)
     hole_tile = surfaces.plain(tint_color(color, 0.3))
-    if look.chance(0.4):  # without a handle: a slot in the board, a groove round it
+    if look.chance(0.4):  # boards without a handle have a slot and a groove around them
         slot = block(0.014, 0.07, 0.0006, 0.007).move(x=0.43 * x, z=h - 0.0002)
         return shape([(board, tile), (slot, hole_tile)], [box_part(x, y, h)])
     grip = prism(rectangle(long, look.between(0.04, 0.07), 0.02), 0.0005, h - 0.0005, 0.002)
@@ -269,7 +269,7 @@ def cutting_board(look: Look) -> Shape:
           aliases=("dough roller",), themes=("kitchen",), colors=("wooden",), state="lying down",
           common=True)  # fmt: skip
 def rolling_pin(look: Look) -> Shape:
-    """A wooden rolling pin lying down."""
+    """A wooden rolling pin, lying flat."""
     r, long = look.between(0.024, 0.029), look.between(0.36, 0.42)
     wood = look.surface(look.color("wooden", "tan", "beige"), "wood")
     profile = [(0, 0), (0.008, 0.002), (0.013, 0.03), (0.008, 0.085), (0.008, 0.09), (r, 0.092)]
@@ -287,7 +287,7 @@ def rolling_pin(look: Look) -> Shape:
           aliases=("egg beater", "balloon whisk"), themes=("kitchen",), colors=("silver", "black"),
           state="lying down", common=True)  # fmt: skip
 def whisk(look: Look) -> Shape:
-    """A balloon whisk lying down, wires to the left."""
+    """A balloon whisk lying flat with its wires on the left."""
     steel = surfaces.brushed_metal(look.rng, (190, 193, 198))
     skin = look.surface(look.color("black", "silver", "wooden", "red", "teal"), "plastic")
     wide, long = look.between(0.03, 0.036), 0.15
@@ -302,7 +302,7 @@ def whisk(look: Look) -> Shape:
         path = np.column_stack([np.concatenate([x, x[-2::-1]]), side * reach, np.zeros(len(half))])
         wire = tube(path, 0.0011, 5).turn(0, np.pi / 4 * k)
         pieces.append((wire, steel))
-    lean = np.arctan2(wide - 0.011, 0.21)  # it rests on the wires and the end of its grip
+    lean = np.arctan2(wide - 0.011, 0.21)  # rests on the wires and the end of the grip
     turned = [(solid.turn(1, lean), tile) for solid, tile in pieces]
     low = min(solid.bounds[0, 2] for solid, _ in turned)
     turned = [(solid.move(z=-low), tile) for solid, tile in turned]
@@ -315,12 +315,12 @@ SPATULA_GRIPS = ("black", "red", "teal", "wooden", "white", "navy", "sage", "sil
 
 
 def bright_steel(look: Look) -> surfaces.Tile:
-    """Return bright brushed steel."""
+    """Return a tile of bright brushed steel."""
     return surfaces.brushed_metal(look.rng, (192, 195, 200))
 
 
 def grip_bar(start: float, stop: float, wide: float, z: float) -> Solid:
-    """Return a rounded handle along x from ``start`` to ``stop`` whose middle is at ``z``."""
+    """Return a rounded handle along x from ``start`` to ``stop`` with its middle at ``z``."""
     t = np.linspace(0, 1, 7)
     x = start + (stop - start) * t
     scale = wide * (0.72 + 0.28 * np.sin(np.pi * (0.15 + 0.85 * t)))
@@ -340,7 +340,7 @@ def _slices(solid: Solid, edges: list[float]) -> list[ConvexPart]:
           "wooden spatula", "slotted turner"), themes=("kitchen",), roles=("flat",),
           colors=("black", "red"), state="lying flat")  # fmt: skip
 def spatula(look: Look) -> Shape:
-    """A spatula lying: a slotted steel turner, a silicone scraper, or a wooden one."""
+    """A spatula lying flat: a slotted steel turner, a silicone scraper or a wooden one."""
     kind = look.pick(["turner", "turner", "scraper", "wooden"])
     color = look.color(*SPATULA_GRIPS)
     long = look.between(0.28, 0.33)
@@ -383,7 +383,7 @@ def spatula(look: Look) -> Shape:
           "barbecue tongs", "sugar nips"), themes=("kitchen",), roles=("flat",),
           colors=("silver", "black"), state="lying flat")  # fmt: skip
 def tongs(look: Look) -> Shape:
-    """Kitchen tongs lying open, their heads to the left."""
+    """Open kitchen tongs lying flat with their heads on the left."""
     long, gap = look.between(0.23, 0.3), look.between(0.03, 0.045)
     color = look.color(*SPATULA_GRIPS)
     steel, skin = bright_steel(look), look.surface(color, "plastic")
@@ -442,7 +442,7 @@ def peeler(look: Look) -> Shape:
           aliases=("cheese grater", "box grater", "vegetable grater", "shredder"),
           themes=("kitchen",), roles=("tall",), colors=("silver", "black"))  # fmt: skip
 def grater(look: Look) -> Shape:
-    """A four-sided box grater standing, with a handle on top."""
+    """A four-sided box grater with a handle on top."""
     x, y, h = look.between(0.095, 0.115), look.between(0.075, 0.085), look.between(0.19, 0.22)
     color = look.color("black", "red", "green", "teal", "orange", "silver", "white")
     face = surfaces.brushed_metal(look.rng, (196, 199, 204), 128).copy()
@@ -486,7 +486,7 @@ def grater(look: Look) -> Shape:
           colors=("silver",), state="lying")  # fmt: skip
 @keep_still
 def ricer(look: Look) -> Shape:
-    """A potato ricer lying: a pierced cup between two long handles."""
+    """A potato ricer lying flat: a perforated cup between two long handles."""
     k, color = (look.between(0.9, 1.08), look.color("silver", "black", "red", "green", "blue",
                                                     "white"))  # fmt: skip
     cup = lathe(
@@ -514,7 +514,7 @@ def with_handle(
     palette: tuple[str, ...] = HUES,
     r: float = 0.009,
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a tool that lies: a head, a neck, a grip of ``grip`` length."""
+    """Return the shape function of a tool that lies flat, with a head, a neck and a grip."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(*grip), look.color(*palette)
@@ -538,7 +538,7 @@ def with_handle(
 
 
 def steel(look: Look) -> surfaces.Tile:
-    """Return brushed steel."""
+    """Return a tile of brushed steel."""
     return surfaces.brushed_metal(look.rng, APPLE_CORER_STEEL)
 
 
@@ -587,7 +587,7 @@ def _mallet(look: Look, color: RGB, z: float) -> Pieces:
           colors=("red",), state="lying")  # fmt: skip
 @keep_still
 def cherry_pitter(look: Look) -> Shape:
-    """A cherry pitter lying: two sprung handles, a ring with a cherry, a plunger."""
+    """A cherry pitter lying flat: two sprung handles, a ring with a cherry and a plunger."""
     k, color = look.between(0.9, 1.12), look.color("red", "black", "silver", "green")
     arms = [tube(smooth([(-0.04, s * 0.012, 0.012), (0.0, s * 0.022, 0.012),
                          (0.06, s * 0.026, 0.012), (0.11, s * 0.018, 0.012)], 4), 0.0075, 9)
@@ -606,7 +606,7 @@ def cherry_pitter(look: Look) -> Shape:
           aliases=("icing nozzle", "piping tip", "icing tip", "cake nozzle"), themes=("kitchen",),
           roles=("round",), colors=("silver",))  # fmt: skip
 def piping_nozzle(look: Look) -> Shape:
-    """A piping nozzle standing on its wide end: a small steel cone with a star tip."""
+    """A piping nozzle standing on its wide end: a small steel cone with a star-shaped tip."""
     k, color = look.between(0.85, 1.3), look.color("silver", "silver", "gray", "gold")
     body = lathe([(0, 0), (0.012, 0), (0.0115, 0.004), (0.0045, 0.034), (0, 0.034)], 24)
     teeth = [prism([(-0.0018, 0), (0.0018, 0), (0, 0.006)], -0.0005,
@@ -621,7 +621,7 @@ def piping_nozzle(look: Look) -> Shape:
           aliases=("roti press",), themes=("kitchen",), roles=("big",),
           colors=("black",))  # fmt: skip
 def tortilla_press(look: Look) -> Shape:
-    """A tortilla press: two round plates on a hinge, a lever, a ball of dough."""
+    """A tortilla press: two hinged round plates with a lever and a ball of dough."""
     k, color = look.between(0.88, 1.06), look.color("black", "silver", "red", "gray")
     low = cylinder(0.1, 0.014, 34, bevel=0.002).move(z=0.008)
     feet = [cylinder(0.012, 0.01, 12).move(0.07 * np.cos(a), 0.07 * np.sin(a), 0)
@@ -652,7 +652,7 @@ def tortilla_press(look: Look) -> Shape:
           aliases=("wooden toothpick",), themes=("kitchen",), colors=("tan",),
           state="lying")  # fmt: skip
 def toothpick(look: Look) -> Shape:
-    """A thin wooden pick with two points, lying."""
+    """A thin wooden toothpick with two points, lying flat."""
     long, r = look.between(0.06, 0.07), look.between(0.0009, 0.0012)
     color = look.color("tan", "wooden", "beige", "amber", "cream", "brown")
     pick = lathe([(0, 0), (0.7 * r, 0.12 * long), (r, 0.25 * long), (r, 0.75 * long),
@@ -666,7 +666,7 @@ def toothpick(look: Look) -> Shape:
           "food pick", "flag pick"), themes=("kitchen",), colors=("red",),
           state="lying")  # fmt: skip
 def cocktail_pick(look: Look) -> Shape:
-    """A cocktail pick lying, a bead or a little flag at one end."""
+    """A cocktail stick with a bead or a small flag at one end, lying flat."""
     long, r = look.between(0.08, 0.11), look.between(0.0009, 0.0012)
     color = look.color("red", "green", "gold", "blue", "white", "pink")
     pick = (lathe([(0, 0), (r, 0.2 * long), (r, long), (0, long)],
@@ -707,7 +707,7 @@ def _separator(look: Look, color: RGB, z: float) -> Pieces:
 
 
 def _balloon(look: Look, color: RGB, z: float) -> Pieces:
-    """Return the tube and tip of a baster."""
+    """Return the tube and the tip of a baster."""
     pipe = (lathe([(0, 0), (0.011, 0), (0.0115, 0.13), (0.004, 0.17), (0.003, 0.2), (0, 0.2)],
                   18).turn(1, -np.pi / 2).move(0.0, 0, z))  # fmt: skip
     image = prints.canvas(96, 24, (214, 226, 230))

@@ -1,4 +1,4 @@
-"""Vegetables (kitchen)."""
+"""Objects of the ``kitchen`` theme: vegetables."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .nuts import Heap, heap
 @category("tomato", size=(0.067, 0.067, 0.062), mass=0.13, material="food", themes=("kitchen",),
           roles=("round", "edible"), colors=("red",), common=True)  # fmt: skip
 def tomato(look: Look) -> Shape:
-    """A tomato with its green star."""
+    """A tomato with green leaves around its stem."""
     d, tall = look.between(0.058, 0.076), look.between(0.74, 0.98)
     color = look.color("red", "red", "coral", "crimson")
     body = press_flat(ellipsoid(d, d, tall * d, 24, 14), 0.45 * tall * d)
@@ -37,7 +37,7 @@ def tomato(look: Look) -> Shape:
 
 
 def root(look: Look, length: float, radii: list[float]) -> Solid:
-    """Return a slightly bent round body lying along x, ``radii`` spaced evenly along it."""
+    """Return a slightly bent round body along x with the given, evenly spaced radii."""
     bend = look.between(-0.008, 0.008)
     t = np.linspace(-1, 1, len(radii))
     radius = max(radii)
@@ -48,7 +48,7 @@ def root(look: Look, length: float, radii: list[float]) -> Solid:
 
 
 def halves(body: Solid, pieces: int) -> list[ConvexPart]:
-    """Return hulls of equal lengths of a lying body, each reaching down to the table."""
+    """Return hulls of equal lengths of a lying body, each extended down to the table."""
     p = body.vertices
     cuts = np.linspace(p[:, 0].min(), p[:, 0].max(), pieces + 1)
     width = (cuts[1] - cuts[0]) * 0.55
@@ -59,7 +59,7 @@ def halves(body: Solid, pieces: int) -> list[ConvexPart]:
 @category("cucumber", size=(0.19, 0.04, 0.038), mass=0.16, material="food", themes=("kitchen",),
           roles=("edible",), colors=("green",), state="lying flat", common=True)  # fmt: skip
 def cucumber(look: Look) -> Shape:
-    """A cucumber lying."""
+    """A cucumber, lying flat."""
     length, r = look.between(0.17, 0.21), look.between(0.018, 0.021)
     color = look.color("green", "green", "olive")
     dark = tint_color(color, 0.72)
@@ -72,7 +72,7 @@ def cucumber(look: Look) -> Shape:
           aliases=("aubergine", "brinjal"), themes=("kitchen", "food"), roles=("edible",),
           colors=("purple",), state="lying flat")  # fmt: skip
 def eggplant(look: Look) -> Shape:
-    """An aubergine lying: a dark glossy club with a green cap."""
+    """An aubergine lying flat: a dark, glossy club shape with a green cap."""
     k = look.between(0.88, 1.12)
     color = look.color("purple", "indigo", "indigo", "maroon", "violet")
     skin = surfaces.gradient(tint_color(color, 0.5), tint_color(color, 0.7), look.rng, 4)
@@ -102,7 +102,7 @@ LEAF: RGB = (78, 130, 58)
           aliases=("avocado half", "half avocado"), themes=("kitchen", "food"), roles=("edible",),
           colors=("green",), state="lying flat", common=True)  # fmt: skip
 def avocado(look: Look) -> Shape:
-    """An avocado, whole or a half with its stone, lying."""
+    """A whole avocado, or half of one with its stone, lying flat."""
     x, d = look.between(0.095, 0.115), look.between(0.06, 0.07)
     t = np.linspace(0, np.pi, 15)
     radius = d / 2 * np.sin(t) ** 0.85 * (1 - 0.3 * np.cos(t / 1.0) * (t < 2.2) * 0.9)
@@ -138,7 +138,7 @@ def avocado(look: Look) -> Shape:
           aliases=("red onion", "white onion", "shallot"), themes=("kitchen", "food"),
           roles=("round", "edible"), colors=("amber", "maroon"), common=True)  # fmt: skip
 def onion(look: Look) -> Shape:
-    """An onion with its papery skin and dry neck."""
+    """An onion with papery skin and a dry neck."""
     r = look.between(0.032, 0.042)
     h = look.between(1.5, 1.85) * r
     color = look.color("amber", "maroon", "cream", "tan", "amber")
@@ -177,7 +177,7 @@ def garlic(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("yellow",), state="lying flat",
           common=True)  # fmt: skip
 def corn(look: Look) -> Shape:
-    """An ear of corn lying in its opened husk."""
+    """An ear of corn in its open husk, lying flat."""
     length, r = look.between(0.15, 0.19), look.between(0.02, 0.025)
     color = look.color("yellow", "golden", "yellow", "cream")
     y, x = np.mgrid[0:128, 0:128] / 128
@@ -210,7 +210,7 @@ def corn(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("round", "edible"), colors=("red", "yellow", "green"),
           common=True)  # fmt: skip
 def bell_pepper(look: Look) -> Shape:
-    """A bell pepper standing, its stalk up."""
+    """A bell pepper standing upright with its stalk on top."""
     r, h = look.between(0.035, 0.043), look.between(0.075, 0.1)
     color = look.color("red", "yellow", "green", "orange")
     body = lathe(
@@ -231,7 +231,7 @@ def bell_pepper(look: Look) -> Shape:
           aliases=("broccoli head",), themes=("kitchen", "food"), roles=("round", "edible"),
           colors=("green",), common=True)  # fmt: skip
 def broccoli(look: Look) -> Shape:
-    """A head of broccoli standing on its cut stalk."""
+    """A head of broccoli, standing on its cut stalk."""
     r, h = look.between(0.045, 0.058), look.between(0.075, 0.09)
     color = look.color("green", "green", "olive", "sage", "cream")
     pale = surfaces.speckles(look.rng, (168, 190, 110), 6)
@@ -253,7 +253,7 @@ def broccoli(look: Look) -> Shape:
           aliases=("champignon", "toadstool"), themes=("kitchen", "food"),
           roles=("round", "edible"), colors=("cream",), common=True)  # fmt: skip
 def mushroom(look: Look) -> Shape:
-    """A mushroom standing on its stalk."""
+    """A mushroom, standing on its stalk."""
     r, h = look.between(0.022, 0.034), look.between(0.045, 0.06)
     color = look.color("cream", "white", "brown", "tan", "beige")
     s = 0.42 * r
@@ -271,7 +271,7 @@ def mushroom(look: Look) -> Shape:
           state="lying")  # fmt: skip
 @keep_still
 def pickle_spear(look: Look) -> Shape:
-    """A quarter of a pickled cucumber cut lengthwise."""
+    """A quarter of a pickled cucumber, cut lengthwise."""
     long, r = look.between(0.085, 0.11), look.between(0.015, 0.019)
     color = look.color("olive", "green", "sage")
     outline = np.array([(0.0, 0.0), *arc((0, 0), r, 0.0, np.pi / 2, 6)])
@@ -289,7 +289,7 @@ GREEN: RGB = (70, 132, 62)
           aliases=("romanesco broccoli", "romanesco cauliflower"), themes=("kitchen", "food"),
           roles=("edible", "round"), colors=("lime",))  # fmt: skip
 def romanesco(look: Look) -> Shape:
-    """A romanesco: spiralling cones of cones on a leafy foot."""
+    """A romanesco: spirals of small cones on a leafy base."""
     r = look.between(0.055, 0.068)
     color = look.color("lime", "green", "lime")
     core = lathe(
@@ -314,10 +314,10 @@ OKRA_GREEN: RGB = (92, 140, 62)
 
 @dataclass(frozen=True)
 class Pod:
-    """A long thing: ``long`` its least and greatest length, metres.
+    """A long fruit, vegetable or pod: ``long`` is its range of lengths, in metres.
 
-    ``r`` gives its radius, in lengths, from left to right; ``bend`` how far it curves, in lengths;
-    ``skin`` names its surface, ``end`` what grows at its right end.
+    ``r`` gives its radii from left to right and ``bend`` how far it curves, both relative to its
+    length; ``skin`` names its surface and ``end`` the shape of its right end.
     """
 
     long: tuple[float, float]
@@ -341,7 +341,7 @@ def _skin(look: Look, pod: Pod, color: RGB) -> surfaces.Tile:
 
 
 def pod_of(pod: Pod) -> Callable[[Look], Shape]:
-    """Return the shape function of one kind of long thing."""
+    """Return the shape function of one kind of long object."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(*pod.long), look.color(*pod.colors)
@@ -376,7 +376,7 @@ def pod_of(pod: Pod) -> Callable[[Look], Shape]:
           aliases=("halloween pumpkin",), themes=("kitchen", "food"),
           roles=("round", "edible", "big"), colors=("orange",))  # fmt: skip
 def pumpkin(look: Look) -> Shape:
-    """A ribbed pumpkin with its stalk."""
+    """A ribbed pumpkin with a stalk."""
     r, h = look.between(0.085, 0.11), look.between(0.12, 0.15)
     color = look.color("orange", "orange", "terracotta", "ivory", "amber")
     t = np.linspace(-np.pi / 2, np.pi / 2, 15)
@@ -396,7 +396,7 @@ WHITE: RGB = (240, 238, 222)
 
 
 def leafy(look: Look, color: RGB) -> surfaces.Tile:
-    """Return a leaf's skin: veins paler than ``color``."""
+    """Return a leaf's surface with veins that are paler than ``color``."""
     tile = surfaces.noise(look.rng, 96, 96, (5, 5), 3)[..., None] * 22
     veins = np.abs(np.sin(np.linspace(0, 22, 96)))[None, :, None] < 0.16
     image = np.where(veins, np.array(tint_color(color, 1.45)), np.array(color) + tile)
@@ -408,7 +408,7 @@ def leafy(look: Look, color: RGB) -> surfaces.Tile:
           themes=("kitchen", "food"), roles=("edible",), colors=("lime",),
           state="lying flat")  # fmt: skip
 def celery(look: Look) -> Shape:
-    """A bunch of celery lying, leaves to the right."""
+    """A bunch of celery lying flat with its leaves on the right."""
     long = look.between(0.24, 0.3)
     color = look.color("lime", "green", "sage")
     stalks, tops = [], []
@@ -429,7 +429,7 @@ def celery(look: Look) -> Shape:
 
 
 def _stalk(look: Look, long: float, r: float, count: int, fan: float) -> Shape:
-    """Return leeks or spring onions: white shafts to the left, green leaves to the right."""
+    """Return leeks or spring onions with white shafts on the left and green leaves on the right."""
     color = look.color("green", "green", "sage")
     whites, leaves, roots = [], [], []
     for k in range(count):
@@ -455,7 +455,7 @@ def _stalk(look: Look, long: float, r: float, count: int, fan: float) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("green",),
           state="lying flat")  # fmt: skip
 def leek(look: Look) -> Shape:
-    """A leek lying, its leaves fanned out to the right."""
+    """A leek lying flat with its leaves fanned out on the right."""
     return _stalk(look, look.between(0.27, 0.33), look.between(0.0145, 0.018), 1, 0.03)
 
 
@@ -473,7 +473,7 @@ def spring_onion(look: Look) -> Shape:
           "asparagus bundle"), themes=("kitchen", "food"), roles=("edible",), colors=("green",),
           state="lying flat")  # fmt: skip
 def asparagus(look: Look) -> Shape:
-    """A bundle of asparagus tied with a band, tips to the right."""
+    """A bundle of asparagus tied with a band, with its tips on the right."""
     long, r = look.between(0.18, 0.22), look.between(0.0048, 0.006)
     color = look.color("green", "green", "sage", "white")
     at = [(0, 0), *((2.05 * r * np.cos(a), 2.05 * r * np.sin(a))
@@ -523,7 +523,7 @@ def cauliflower(look: Look) -> Shape:
           aliases=("globe artichoke",), themes=("kitchen", "food"), roles=("edible", "round"),
           colors=("sage",))  # fmt: skip
 def artichoke(look: Look) -> Shape:
-    """An artichoke standing, its scales overlapping."""
+    """An artichoke with overlapping scales, standing upright."""
     r = look.between(0.042, 0.052)
     color = look.color("sage", "green", "olive")
     scales = []
@@ -547,7 +547,7 @@ def artichoke(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("olive",),
           state="lying flat")  # fmt: skip
 def olive(look: Look) -> Shape:
-    """An olive lying, a red pepper in its hole, or plain."""
+    """An olive lying flat, plain or stuffed with red pepper."""
     long, r = look.between(0.021, 0.026), look.between(0.0078, 0.0095)
     color = look.color("olive", "olive", "black", "purple", "green")
     body = bent_rod(long, r, blunt=2.4)
@@ -561,7 +561,7 @@ def olive(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("olive",),
           state="lying flat")  # fmt: skip
 def pickle(look: Look) -> Shape:
-    """A warty pickled gherkin lying."""
+    """A warty pickled gherkin, lying flat."""
     long, r = look.between(0.07, 0.09), look.between(0.011, 0.014)
     color = look.color("olive", "green", "olive")
     body = bent_rod(long, r, blunt=4, bend=look.between(0.004, 0.01))
@@ -579,7 +579,7 @@ CHILI_GREEN: RGB = (92, 150, 62)
           aliases=("courgette",), themes=("kitchen", "food"), roles=("edible",), colors=("green",),
           state="lying flat")  # fmt: skip
 def zucchini(look: Look) -> Shape:
-    """A courgette lying, its stub to the right."""
+    """A courgette lying flat with its stem on the right."""
     long, r = look.between(0.17, 0.21), look.between(0.019, 0.023)
     color = look.color("green", "green", "olive", "yellow")
     body = bent_rod(long, r, blunt=9, taper=-0.12, bend=0.006)
@@ -595,7 +595,7 @@ def zucchini(look: Look) -> Shape:
           themes=("kitchen", "food"), roles=("edible",), colors=("red", "green"),
           state="lying flat")  # fmt: skip
 def chili(look: Look) -> Shape:
-    """A chilli pepper lying, its green stalk to the right."""
+    """A chilli pepper lying flat with its green stalk on the right."""
     long, r = look.between(0.085, 0.125), look.between(0.0075, 0.011)
     bend = look.between(0.008, 0.02)
     color = look.color("red", "red", "green", "crimson", "yellow", "orange")
@@ -615,7 +615,7 @@ def chili(look: Look) -> Shape:
           themes=("kitchen", "living"), roles=("round",), colors=("orange", "amber"),
           common=True)  # fmt: skip
 def gourd(look: Look) -> Shape:
-    """A gourd to look at: a ribbed pumpkin, or a bottle gourd of two bulbs."""
+    """An ornamental gourd: a ribbed pumpkin, or a bottle gourd with two bulbs."""
     color = look.color("orange", "amber", "white", "green", "teal", "tan", "terracotta")
     other = tint_color(color, look.pick([0.72, 1.3]))
     stem_tile = surfaces.speckles(look.rng, (118, 112, 66), 10)

@@ -1,4 +1,4 @@
-"""Apparatus (lab)."""
+"""Objects of the ``lab`` theme: apparatus."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ DARK: RGB = (36, 37, 41)
           "proto board", "protoboard"), themes=("lab", "workbench"), roles=("flat",),
           colors=("white",), state="lying flat")  # fmt: skip
 def breadboard(look: Look) -> Shape:
-    """A solderless breadboard: rows of holes, coloured rails, wires and parts plugged in."""
+    """A solderless breadboard with rows of holes, coloured rails, wires and plugged-in parts."""
     x, y, h = look.pick([(0.165, 0.055, 0.0095), (0.083, 0.055, 0.0095)])
     color = look.color("white", "white", "white", "cream", "sky", "black", "red", "green")
     image = prints.canvas(int(x * 2400), 132, color)
@@ -82,7 +82,7 @@ def breadboard(look: Look) -> Shape:
           "micro:bit", "network card", "microbit", "esp32"), themes=("lab", "workbench"),
           roles=("flat",), colors=("green", "blue"), state="lying flat")  # fmt: skip
 def circuit_board(look: Look) -> Shape:
-    """A microcontroller or single-board computer: chips, headers, plugs on a printed board."""
+    """A microcontroller or single-board computer: a printed board with chips, headers and plugs."""
     x, y = look.pick([(0.0686, 0.0534), (0.085, 0.056), (0.045, 0.018)])
     color = look.color("teal", "blue", "green", "navy", "red", "purple", "black")
     base = tint_color(color, 0.72)
@@ -138,7 +138,7 @@ def circuit_board(look: Look) -> Shape:
           "logic analyser", "logic analyzer"), themes=("lab", "workbench"), roles=("big", "screen"),
           colors=("gray", "white"))  # fmt: skip
 def oscilloscope(look: Look) -> Shape:
-    """A bench oscilloscope: a screen with traces, knobs, sockets, a handle on top."""
+    """A bench oscilloscope with a screen that shows traces, knobs, sockets and a handle on top."""
     x, y, h = look.between(0.28, 0.34), look.between(0.12, 0.15), look.between(0.14, 0.165)
     color = look.color("gray", "white", "beige", "charcoal", "navy", "silver")
     shell = surfaces.speckles(look.rng, color, 3, 32)
@@ -186,7 +186,7 @@ STEEL: RGB = (186, 189, 194)
           aliases=("gas burner", "lab burner", "bunsen"), themes=("lab",), roles=("tall",),
           colors=("charcoal",))  # fmt: skip
 def bunsen_burner(look: Look) -> Shape:
-    """A Bunsen burner: foot, barrel with an air ring, gas inlet, some alight."""
+    """A Bunsen burner with a foot, a barrel with an air ring and a gas inlet, sometimes alight."""
     k = look.between(0.9, 1.08)
     color = look.color("charcoal", "green", "black", "blue", "gray")
     foot = lathe(np.array([(0, 0), (0.04, 0), (0.041, 0.004), (0.036, 0.012), (0.014, 0.022),
@@ -217,7 +217,7 @@ def bunsen_burner(look: Look) -> Shape:
           "lab stand"), themes=("lab",), roles=("support", "tall"),
           colors=("charcoal",))  # fmt: skip
 def lab_tripod(look: Look) -> Shape:
-    """A tripod with a gauze mat on it, to heat things over."""
+    """A tripod with a gauze mat, for heating."""
     k = look.between(0.9, 1.06)
     color = look.color("charcoal", "black", "gray", "silver")
     r, h = 0.062 * k, 0.13 * k
@@ -299,7 +299,7 @@ def balance_scale(look: Look) -> Shape:
           themes=("lab",), colors=("clear",))  # fmt: skip
 @in_sizes(0.12)
 def glass_prism(look: Look) -> Shape:
-    """A triangular glass prism lying, rainbow light in it."""
+    """A triangular glass prism lying flat, with rainbow light in it."""
     k = look.between(0.88, 1.15)
     color = look.color("clear", "clear", "sky")
     long, side = 0.08 * k, 0.034 * k
@@ -319,7 +319,7 @@ GLASS: RGB = (206, 222, 226)
 @category("microscope", size=(0.13, 0.18, 0.33), mass=2.4, material="device", themes=("lab",),
           roles=("tall", "big"), colors=("white", "gray"), common=True)  # fmt: skip
 def microscope(look: Look) -> Shape:
-    """A microscope: foot, stage, curved arm, slanted eyepiece towards the viewer."""
+    """A microscope with a foot, a stage, a curved arm and an eyepiece that faces the viewer."""
     body = look.color("white", "gray", "navy", "cream", "black", "teal", "red")
     tall, pair = look.between(0.9, 1.12), look.pick([0.0, 0.0, 0.017])
     shell, dark = surfaces.speckles(look.rng, body, 4), surfaces.plain((44, 46, 50))
@@ -349,7 +349,7 @@ BLACK = surfaces.plain((34, 34, 37))
           colors=("white",))  # fmt: skip
 @from_pieces(bodies=3)
 def thermocycler(look: Look) -> Pieces:
-    """A thermocycler: a lid with a knob over its block."""
+    """A thermocycler: a lid with a knob above its block."""
     shell = plastic(look, "white", "gray", "sky")
     return [(at_block(0.2, 0.26, 0.12, 0.02), shell), (at_block(0.14, 0.12, 0.035, 0.012,
                                                                 (0, 0.05, 0.118)),
@@ -364,7 +364,7 @@ def thermocycler(look: Look) -> Pieces:
           roles=("big",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=3)
 def spectrophotometer(look: Look) -> Pieces:
-    """A spectrophotometer with the lid of its sample chamber."""
+    """A spectrophotometer with a lid on its sample chamber."""
     shell = plastic(look, "white", "gray", "sky")
     return [(at_block(0.24, 0.28, 0.1, 0.02), shell), (at_block(0.14, 0.12, 0.035, 0.012,
                                                                 (0, 0.05, 0.099)),
@@ -378,7 +378,7 @@ def spectrophotometer(look: Look) -> Pieces:
           colors=("white",))  # fmt: skip
 @from_pieces()
 def butterfly_net(look: Look) -> Pieces:
-    """A butterfly net lying: a hoop with a tapering bag, a long handle."""
+    """A butterfly net lying flat: a hoop with a tapering bag and a long handle."""
     hoop = torus(0.09, 0.003, 40, 6).move(0.1, 0, 0.0032)
     color = look.color("white", "green", "sky", "yellow", "pink")
     bag = lathe(
@@ -391,7 +391,7 @@ def butterfly_net(look: Look) -> Pieces:
 
 
 def display(text: str) -> prints.Canvas:
-    """Return a dark screen with one reading on it."""
+    """Return a dark screen with one reading."""
     screen = prints.canvas(64, 28, (20, 40, 70))
     prints.write(screen, text, 0.5, 0.5, 0.55, (140, 230, 250), True)
     return screen
@@ -406,7 +406,7 @@ WHITE = surfaces.plain((242, 242, 240))
           colors=("wooden",))  # fmt: skip
 @from_pieces()
 def plant_press(look: Look) -> Pieces:
-    """A plant press: paper between two boards, slats across the upper one, two straps round it."""
+    """A plant press: paper between two boards with slats on top and two straps."""
     tile = wood(look, "wooden", "beige")
     boards = [at_box(0.22, 0.16, 0.01, (0, 0, z)) for z in (0, 0.045)]
     paper = at_box(0.21, 0.15, 0.036, (0, 0, 0.0095))
@@ -422,7 +422,7 @@ def plant_press(look: Look) -> Pieces:
           colors=("green",))  # fmt: skip
 @from_pieces(bodies=3)
 def ant_farm(look: Look) -> Pieces:
-    """A flat glass nest with tunnels in sand."""
+    """An ant farm: a flat glass case with tunnels in sand."""
     image = surfaces.spots(look.rng, (206, 168, 112), (170, 130, 80), 0.2).copy()
     image = surfaces.fit(image, 128, 176).copy()
     image[:34] = (196, 222, 236)
@@ -452,7 +452,7 @@ def ant_farm(look: Look) -> Pieces:
           "alchemist apparatus"), themes=("lab",), roles=("tall",), colors=("clear",))  # fmt: skip
 @from_pieces()
 def kipps_apparatus(look: Look) -> Pieces:
-    """A tower of glass bulbs with taps on a stand: Kipp's apparatus."""
+    """Kipp's apparatus: a tower of glass bulbs with taps on a stand."""
     foot = standing((0.05, 0), (0.055, 0.01), (0.06, 0.05), (0.03, 0.085))
     middle = ball(0.09, 0.09, 0.08, (0, 0, 0.12), 22)
     upper = ball(0.1, 0.1, 0.085, (0, 0, 0.205), 22)
@@ -472,7 +472,7 @@ def kipps_apparatus(look: Look) -> Pieces:
           aliases=("pellet",), themes=("lab",), colors=("gray",))  # fmt: skip
 @from_pieces(foot=0.08, bodies=1)
 def owl_pellet(look: Look) -> Pieces:
-    """A furry lump with four bits of white bone showing on top."""
+    """A furry owl pellet with four pieces of white bone on top."""
     color = look.color("gray", "charcoal", "brown")
     body = ball(0.055, 0.028, 0.026, (0, 0, 0.011), 18)
     bits = [rod([(x, y, 0.019), (x + 0.01, y + 0.006, 0.0235)], 0.0009, 5) for x,
@@ -486,7 +486,7 @@ def owl_pellet(look: Look) -> Pieces:
           colors=("white",))  # fmt: skip
 @from_pieces()
 def quadrat(look: Look) -> Pieces:
-    """A square frame with a grid of strings, lying."""
+    """A quadrat: a square frame with a grid of strings, lying flat."""
     tile = plastic(look, "white", "red", "wooden", "yellow")
     s = 0.24
     sides = [at_box(s, 0.01, 0.01, (0, t * s / 2, 0)) for t in (-1, 1)] + [
@@ -506,7 +506,7 @@ CENTRIFUGE_BLACK = surfaces.plain((34, 34, 37))
           roles=("big",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=2)
 def centrifuge(look: Look) -> Pieces:
-    """A bench centrifuge: a rounded case, a clear lid over a rotor with tubes, keys."""
+    """A bench centrifuge: a rounded case, keys and a clear lid over a rotor with tubes."""
     shell = plastic(look, "white", "gray", "sky")
     body = at_block(0.22, 0.25, 0.1, 0.05)
     rim = torus(0.088, 0.007, 40, 8).move(0, 0.02, 0.1)
@@ -551,7 +551,7 @@ def incubator(look: Look) -> Pieces:
           roles=("big",), colors=("white",))  # fmt: skip
 @from_pieces()
 def water_bath(look: Look) -> Pieces:
-    """A heated bath of water."""
+    """A heated water bath."""
     shell = plastic(look, "white", "gray", "sky")
     walls = [at_box(0.24, 0.01, 0.12, (0, s * 0.085, 0.03)) for s in (-1, 1)] + [
         at_box(0.01, 0.16, 0.12, (s * 0.115, 0, 0.03)) for s in (-1, 1)

@@ -1,4 +1,4 @@
-"""Labware (lab)."""
+"""Objects of the ``lab`` theme: labware."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from ..kitchen.racks import _boards, centres, choose_slots, read_request
           aliases=("stopper", "lab stopper"), themes=("lab",), roles=("round",),
           colors=("terracotta",))  # fmt: skip
 def rubber_stopper(look: Look) -> Shape:
-    """A tapered rubber stopper standing on its wider end or its narrower one."""
+    """A tapered rubber stopper, standing on its wider or its narrower end."""
     color = look.color("terracotta", "black", "gray", "red", "cream")
     r = look.between(0.012, 0.022)
     body = drum(r, 1.3 * r, top=0.76 * r, sides=26, bevel=0.03 * r)
@@ -69,7 +69,7 @@ def marks(ground: RGB, count: int = 10) -> surfaces.Tile:
           "specimen tube", "blood sample tube", "homeopathic tube", "fulgurite"), themes=("lab",),
           colors=("clear", "blue"), state="lying flat")  # fmt: skip
 def test_tube(look: Look) -> Shape:
-    """One stoppered test tube lying, liquid in it."""
+    """One stoppered test tube with liquid in it, lying flat."""
     k = look.between(0.9, 1.1)
     color = look.color(*LIQUIDS)
     r, long = 0.009 * k, 0.13 * k
@@ -95,7 +95,7 @@ def test_tube(look: Look) -> Shape:
           "vial rack"), themes=("lab",), roles=("big",), colors=("wooden",),
           opened="empty_tube_rack")  # fmt: skip
 def tube_stand(look: Look) -> Shape:
-    """An empty rack for test tubes: a board with round holes over a base."""
+    """An empty rack for test tubes: a board with round holes above a base."""
     k = look.between(0.92, 1.08)
     color = look.color("wooden", "white", "blue", "wooden", "beige")
     wood = look.surface(color, "wood")
@@ -117,7 +117,7 @@ def tube_stand(look: Look) -> Shape:
           "rain gauge tube", "tornado tube"), themes=("lab",), roles=("round", "tall"),
           colors=("clear",))  # fmt: skip
 def graduated_cylinder(look: Look) -> Shape:
-    """A measuring cylinder: a tall open tube with a scale on a broad foot."""
+    """A graduated cylinder: a tall, open tube with a scale on a broad foot."""
     k = look.between(0.85, 1.1)
     color = look.color("clear", "clear", "blue", "amber")
     side = [(0.03 * k, 0.0), (0.03 * k, 0.006), (0.0145 * k, 0.012), (0.0145 * k, 0.17 * k),
@@ -138,7 +138,7 @@ def graduated_cylinder(look: Look) -> Shape:
           "funnel for oil", "oil funnel"), themes=("lab", "kitchen"), roles=("round",),
           colors=("white", "blue"))  # fmt: skip
 def funnel(look: Look) -> Shape:
-    """A funnel standing on its rim, stem up."""
+    """A funnel standing on its rim with its stem up."""
     k = look.between(0.85, 1.15)
     color = look.color("white", "blue", "red", "clear", "orange", "silver", "green")
     r, h = 0.045 * k, 0.05 * k
@@ -155,7 +155,7 @@ def funnel(look: Look) -> Shape:
           aliases=("lab wash bottle", "distilled water bottle", "squirt bottle", "rinse bottle"),
           themes=("lab",), roles=("tall",), colors=("white",))  # fmt: skip
 def wash_bottle(look: Look) -> Shape:
-    """A soft squeeze bottle with a long bent spout."""
+    """A wash bottle: a soft squeeze bottle with a long, bent spout."""
     k = look.between(0.9, 1.08)
     color = look.color("white", "white", "clear")
     cap_tone = look.own_color("red", "blue", "yellow", "green", "white", "orange")
@@ -180,7 +180,7 @@ def wash_bottle(look: Look) -> Shape:
           aliases=("pipette", "eye dropper", "glass dropper", "transfer pipette", "eyedropper",
           "dropping pipette"), themes=("lab",), colors=("red",), state="lying flat")  # fmt: skip
 def dropper(look: Look) -> Shape:
-    """A pipette with a rubber bulb, lying."""
+    """A pipette with a rubber bulb, lying flat."""
     k = look.between(0.88, 1.1)
     color = look.color("red", "blue", "orange", "black", "white", "teal")
     stem = lathe(np.array([(0, 0), (0.0014, 0), (0.0018, 0.03), (0.0042, 0.04), (0.0042, 0.11),
@@ -202,7 +202,7 @@ def dropper(look: Look) -> Shape:
           colors=("white",), state="lying flat")  # fmt: skip
 @keep_still
 def micropipette(look: Look) -> Shape:
-    """A laboratory pipette lying: plunger, grip with a hook, slender shaft and tip."""
+    """A micropipette lying flat: a plunger, a grip with a hook, a slender shaft and a tip."""
     k = look.between(0.92, 1.06)
     color = look.color("white", "gray", "white", "sky")
     accent = look.own_color("blue", "yellow", "red", "green", "orange", "purple")
@@ -233,7 +233,7 @@ def micropipette(look: Look) -> Shape:
           aliases=("stirring rod", "stir rod", "glass stirring rod", "glass stirrer",
           "stirring stick"), themes=("lab",), colors=("clear",), state="lying flat")  # fmt: skip
 def glass_rod(look: Look) -> Shape:
-    """A glass rod for stirring, lying."""
+    """A glass stirring rod, lying flat."""
     k = look.between(0.9, 1.1)
     r, long = 0.0032 * k, 0.2 * k
     side = [(0, 0), (0.7 * r, 0.0006), (r, 0.003), (r, long - 0.003), (0.7 * r, long - 0.0006),
@@ -249,7 +249,7 @@ def glass_rod(look: Look) -> Shape:
           colors=("clear",))  # fmt: skip
 @vary()
 def empty_beaker(look: Look) -> Shape:
-    """A glass beaker with a scale and nothing in it."""
+    """An empty glass beaker with a scale."""
     r, h = look.between(0.036, 0.042), look.between(0.095, 0.11)
     side = [(r, 0), (r, h - 0.003), (1.06 * r, h)]
     body, parts = open_vessel(side, 0.003, 0.005)
@@ -260,7 +260,7 @@ def empty_beaker(look: Look) -> Shape:
           aliases=("weigh boat", "weighing dish", "weighing tray"), themes=("lab",),
           roles=("container",), colors=("white",))  # fmt: skip
 def weighing_boat(look: Look) -> Shape:
-    """A small open plastic tray for powders, a little powder in it."""
+    """A small, open plastic tray with a little powder."""
     k = look.between(0.85, 1.15)
     x, y, h, wall = 0.075 * k, 0.06 * k, 0.016 * k, 0.0018
     color = look.color("white", "white", "blue", "black", "clear")
@@ -276,7 +276,7 @@ def weighing_boat(look: Look) -> Shape:
           aliases=("porcelain crucible",), themes=("lab",), roles=("container", "round"),
           colors=("white",))  # fmt: skip
 def crucible(look: Look) -> Shape:
-    """A small porcelain crucible, open."""
+    """A small, open porcelain crucible."""
     k = look.between(0.88, 1.12)
     color = look.color("white", "white", "cream", "gray", "charcoal")
     side = [(0.014 * k, 0), (0.021 * k, 0.014 * k), (0.026 * k, 0.036 * k), (0.0275 * k, 0.042 * k)]
@@ -292,7 +292,7 @@ def _glass(color: RGB) -> surfaces.Tile:
 
 
 def _graduation(ground: RGB, ink: RGB = (70, 90, 100)) -> surfaces.Tile:
-    """Glass with a measuring scale on the front."""
+    """Return glass with a measuring scale on the front."""
     image = prints.canvas(128, 128, ground)
     for k in range(9):
         prints.fill(image, 0.46, 0.2 + 0.075 * k, 0.09 if k % 2 else 0.05, 0.014, ink)
@@ -304,7 +304,7 @@ def _graduation(ground: RGB, ink: RGB = (70, 90, 100)) -> surfaces.Tile:
           aliases=("glass beaker",), themes=("lab",), roles=("round",), colors=("clear",),
           opened="empty_beaker", common=True)  # fmt: skip
 def beaker(look: Look) -> Shape:
-    """A glass beaker with a scale and some liquid; open at the top."""
+    """An open glass beaker with a scale and some liquid."""
     r, h, wall = look.between(0.034, 0.04), look.between(0.09, 0.105), 0.003
     level = look.between(0.3, 0.6) * h
     liquid = look.color(*BEAKER_LIQUIDS)
@@ -342,7 +342,7 @@ def flask(look: Look) -> Shape:
           aliases=("rack of test tubes", "tube rack"), themes=("lab",), colors=("white", "blue"),
           opened="empty_tube_rack", common=True)  # fmt: skip
 def test_tube_rack(look: Look) -> Shape:
-    """A rack of two boards holding a row of stoppered tubes."""
+    """A test tube rack: two boards that hold a row of stoppered tubes."""
     count = int(look.rng.integers(5, 7))
     pitch, depth = 0.029, 0.058
     length = pitch * count + 0.018
@@ -366,7 +366,7 @@ def test_tube_rack(look: Look) -> Shape:
           aliases=("culture dish", "evaporating dish", "watch glass"), themes=("lab",),
           roles=("round", "flat"), colors=("clear",), common=True)  # fmt: skip
 def petri_dish(look: Look) -> Shape:
-    """A shallow round dish with a lid and cultures inside."""
+    """A shallow, round Petri dish with a lid and cultures inside."""
     r, h = look.between(0.044, 0.05), 0.017
     agar = look.color("cream", "amber", "pink", "mint")
     image = prints.canvas(128, 128, tint_color(agar, 1.1))
@@ -406,7 +406,7 @@ def reagent_bottle(look: Look) -> Shape:
           aliases=("tip box", "pipette tip box"), themes=("lab",), colors=("blue", "yellow"),
           common=True)  # fmt: skip
 def pipette_box(look: Look) -> Shape:
-    """A box of pipette tips: coloured lid over a clear lower part."""
+    """A box of pipette tips: a coloured lid over a clear lower part."""
     x, y, h = look.between(0.115, 0.125), look.between(0.08, 0.09), look.between(0.06, 0.075)
     lid = surfaces.speckles(look.rng, look.color("blue", "yellow", "green", "red", "violet"), 4)
     base = surfaces.grid((150, 160, 166), (214, 220, 224), 8, 12)
@@ -440,7 +440,7 @@ def mortar(look: Look) -> Shape:
           aliases=("vial stand",), themes=("lab",), roles=("big",), colors=("wooden",),
           holder=Holder("end", (0.04, 0.04, 0.22)))  # fmt: skip
 def empty_tube_rack(look: Look) -> Shape:
-    """An empty rack for test tubes: a board with holes over a base."""
+    """An empty rack for test tubes: a board with holes above a base."""
     count, (a, b, c) = read_request(look, 6, (0.0214, 0.0214, 0.142))
     color = look.color("wooden", "white", "blue", "wooden", "beige")
     wood = look.surface(color, "wood")
@@ -463,7 +463,7 @@ def empty_tube_rack(look: Look) -> Shape:
           themes=("lab",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=1)
 def cryobox(look: Look) -> Pieces:
-    """A freezer box with its lid off beside: a grid of vials."""
+    """A freezer box with a grid of vials and its lid beside it."""
     shell = plastic(look, "white", "sky", "yellow", "red", "green")
     body = at_box(0.13, 0.13, 0.04)
     vials = [disc(0.0062, 0.012, ((i - 3.5) * 0.0152, (j - 3.5) * 0.0152, 0.0395), sides=7)
@@ -485,7 +485,7 @@ WHITE = surfaces.plain((242, 242, 240))
           colors=("clear",))  # fmt: skip
 @from_pieces(foot=0.08, bodies=3)
 def condenser(look: Look) -> Pieces:
-    """A glass condenser lying: a jacket round a tube, two side pipes."""
+    """A glass condenser lying flat: a jacket around a tube, with two side pipes."""
     z = 0.02
     jacket = spindle((-0.1, 0.008), (-0.09, 0.018), (0.09, 0.018), (0.1, 0.008), z=z)
     inner = spindle((-0.16, 0.007), (0.16, 0.007), z=z)
@@ -521,7 +521,7 @@ def desiccator(look: Look) -> Pieces:
           roles=("container",), colors=("white",))  # fmt: skip
 @from_pieces()
 def reagent_reservoir(look: Look) -> Pieces:
-    """A long shallow trough of plastic, open above."""
+    """A long, shallow plastic trough, open at the top."""
     tile = plastic(look, "white", "clear")
     sides = [at_box(0.13, 0.004, 0.025, (0, s * 0.02, 0)) for s in (-1, 1)] + [
         at_box(0.004, 0.044, 0.025, (s * 0.063, 0, 0)) for s in (-1, 1)
@@ -536,7 +536,7 @@ def reagent_reservoir(look: Look) -> Pieces:
 @vary(0.08)
 @from_pieces()
 def microscope_slide(look: Look) -> Pieces:
-    """A glass slide: a white end to the left, stained blots in a pale field in the middle."""
+    """A glass slide with a white end on the left and stained spots in a pale field."""
     color = look.color("pink", "purple", "clear", "sky")
     image = prints.canvas(96, 32, (216, 230, 234))
     prints.fill(image, 0, 0, 0.2, 1, (244, 244, 242))
@@ -564,13 +564,13 @@ def cover_slip(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.3)
 def pipette_tip(look: Look) -> Pieces:
-    """A pipette tip lying: a collar to the left, tapering to a point at the right."""
+    """A pipette tip lying flat: a collar on the left that tapers to a point on the right."""
     return [(spindle((-0.025, 0.0034), (-0.018, 0.0034), (-0.012, 0.0029), (0.025, 0.0005),
                      z=0.0034), plastic(look, "yellow", "sky", "clear", "white"))]  # fmt: skip
 
 
 def _vial(cap: str) -> Drawing:
-    """A small tube lying: conical with a snap lid, or straight with a screw cap."""
+    """A small tube lying flat: conical with a snap lid, or straight with a screw cap."""
 
     def draw(look: Look) -> Pieces:
         color = look.color("clear", "sky", "pink", "mint", "amber")
@@ -592,7 +592,7 @@ def _vial(cap: str) -> Drawing:
 
 
 def _wells(rows: int, columns: int) -> Drawing:
-    """A plate of small wells, some with coloured liquid."""
+    """A plate with small wells, some with coloured liquid."""
 
     def draw(look: Look) -> Pieces:
         shell = plastic(look, "clear", "white", "black")
@@ -618,7 +618,7 @@ def _wells(rows: int, columns: int) -> Drawing:
           colors=("clear",))  # fmt: skip
 @from_pieces(bodies=2)
 def pcr_strip(look: Look) -> Pieces:
-    """A strip of eight small capped tubes standing in a low coloured rack."""
+    """A strip of eight small capped tubes, standing in a low coloured rack."""
     tile = surfaces.plain(tint_color(look.color("clear", "sky", "white"), 1.1))
     tubes = [spindle((-0.0075, 0.0028), (0.003, 0.0026), (0.0095, 0.001),
                      z=0).turn(1, np.pi / 2).move((k - 3.5) * 0.009, 0, 0.0095)

@@ -1,4 +1,4 @@
-"""Medical supplies (lab)."""
+"""Objects of the ``lab`` theme: medical supplies."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BLACK = surfaces.plain((34, 34, 37))
           colors=("black",))  # fmt: skip
 @from_pieces(foot=0.08)
 def otoscope(look: Look) -> Pieces:
-    """An otoscope lying: a handle, a round head with a cone."""
+    """An otoscope lying flat: a handle and a round head with a cone."""
     z = 0.016
     grip = spindle((-0.11, 0.012), (-0.1, 0.0155), (0.02, 0.0145), (0.03, 0.011), z=z)
     neck = spindle((0.03, 0.008), (0.055, 0.008), z=z)
@@ -35,7 +35,7 @@ def otoscope(look: Look) -> Pieces:
           themes=("lab",), roles=("flat",), colors=("beige",))  # fmt: skip
 @from_pieces()
 def tongue_depressor(look: Look) -> Pieces:
-    """A flat wooden stick with rounded ends."""
+    """A flat wooden tongue depressor with rounded ends."""
     return [(at_block(0.15, 0.018, 0.0016, 0.0088), wood(look, "beige", "cream", "tan"))]
 
 
@@ -44,7 +44,7 @@ def tongue_depressor(look: Look) -> Pieces:
           roles=("tall",), colors=("yellow",))  # fmt: skip
 @from_pieces(bodies=2)
 def sharps_container(look: Look) -> Pieces:
-    """A yellow sharps bin with a lid and a warning sign."""
+    """A yellow sharps container with a lid and a warning sign."""
     body = at_block(0.13, 0.1, 0.16, 0.014)
     lid = at_block(0.136, 0.106, 0.03, 0.016, (0, 0, 0.158))
     slot = at_block(0.06, 0.03, 0.004, 0.01, (0, 0.01, 0.186))
@@ -62,7 +62,7 @@ def sharps_container(look: Look) -> Pieces:
 
 
 def _cassette(kind: str) -> Drawing:
-    """A test stick or cassette with a window and lines."""
+    """A test strip or cassette with a window and lines."""
 
     def draw(look: Look) -> Pieces:
         lines = look.pick([1, 2])
@@ -94,7 +94,7 @@ def _cassette(kind: str) -> Drawing:
 @vary(0.08)
 @from_pieces()
 def test_strip(look: Look) -> Pieces:
-    """A narrow white strip with four coloured fields in its left half."""
+    """A narrow white strip with four coloured fields on its left half."""
     image = prints.canvas(160, 16, (246, 244, 236))
     for k, name in enumerate(("yellow", "orange", "green", "teal")):
         prints.fill(image, 0.04 + 0.12 * k, 0, 0.1, 1, look.own_color(name))
@@ -106,7 +106,7 @@ def test_strip(look: Look) -> Pieces:
           colors=("beige",))  # fmt: skip
 @from_pieces(foot=0.1)
 def hearing_aid(look: Look) -> Pieces:
-    """A hearing aid lying: a curved case, a thin pale tube, a bud at its end."""
+    """A hearing aid lying flat: a curved case, a thin pale tube and an ear bud at its end."""
     tile = plastic(look, "beige", "gray", "silver", "brown")
     body = rod([(-0.014, -0.006, 0.006), (-0.006, 0.008, 0.006), (0.008, 0.008, 0.006),
                 (0.014, -0.002, 0.006)], [0.0045, 0.006, 0.006, 0.0035], 12)  # fmt: skip
@@ -124,7 +124,7 @@ WHITE = surfaces.plain((244, 243, 240))
           aliases=("bed pan",), themes=("lab",), roles=("big",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=(0, 2))
 def bedpan(look: Look) -> Pieces:
-    """A bedpan: a low broad bowl with a flat rim and a handle."""
+    """A low, broad bedpan with a flat rim and a handle."""
     tile = plastic(look, "white", "gray", "sky", "silver")
     floor = at_block(0.22, 0.2, 0.01, 0.08)
     wall = lathe([(0.09, 0), (0.11, 0.06), (0.135, 0.066), (0.135, 0.07), (0.104, 0.068),
@@ -138,7 +138,7 @@ def bedpan(look: Look) -> Pieces:
           colors=("white",))  # fmt: skip
 @from_pieces(foot=0.06, bodies=3)
 def ultrasound_probe(look: Look) -> Pieces:
-    """An ultrasound probe lying with its cord."""
+    """An ultrasound probe with its cord, lying flat."""
     shell = plastic(look, "white", "gray", "sky")
     body = rod([(-0.06, 0, 0.018), (0.0, 0, 0.018), (0.03, 0, 0.018)], [0.013, 0.017, 0.018], 14)
     head = ball(0.05, 0.066, 0.034, (0.045, 0, 0.0175), 18)
@@ -154,7 +154,7 @@ def ultrasound_probe(look: Look) -> Pieces:
           colors=("red", "yellow"))  # fmt: skip
 @from_pieces(bodies=2)
 def defibrillator(look: Look) -> Pieces:
-    """A defibrillator: a bright case with a heart, a screen, a big button, a handle."""
+    """A bright defibrillator case with a heart symbol, a screen, a big button and a handle."""
     shell = plastic(look, "red", "yellow", "orange", "green")
     body = at_block(0.22, 0.2, 0.075, 0.03)
     grip = rod([(-0.06, 0.09, 0.05), (-0.05, 0.125, 0.05), (0.05, 0.125, 0.05), (0.06, 0.09, 0.05)],
@@ -179,7 +179,7 @@ def defibrillator(look: Look) -> Pieces:
           roles=("big",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=2)
 def nebuliser(look: Look) -> Pieces:
-    """A nebuliser: a small pump, a hose, a clear mask."""
+    """A nebuliser: a small pump with a hose and a clear mask."""
     shell = plastic(look, "white", "sky", "gray")
     body = at_block(0.15, 0.12, 0.08, 0.03, (-0.04, 0, 0))
     vents = [at_box(0.05, 0.003, 0.001, (-0.05, 0.02 + 0.01 * k, 0.0796)) for k in range(4)]
@@ -200,7 +200,7 @@ def nebuliser(look: Look) -> Pieces:
           themes=("lab",), colors=("amber",))  # fmt: skip
 @from_pieces(foot=0.1)
 def ampoule(look: Look) -> Pieces:
-    """A glass ampoule lying: a body with a white and blue band, a neck, a narrow tip."""
+    """A glass ampoule lying flat: a body with a white and blue band, a neck and a narrow tip."""
     color = look.color("amber", "clear", "brown", "sky")
     body = spindle((-0.03, 0.0035), (-0.028, 0.0056), (0.008, 0.0056), (0.013, 0.0026),
                    (0.016, 0.0032), (0.026, 0.0028), (0.031, 0.0008), z=0.0056)  # fmt: skip
@@ -216,7 +216,7 @@ def ampoule(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces(foot=0.06)
 def prosthetic_hand(look: Look) -> Pieces:
-    """An artificial hand lying: jointed fingers, a wrist ring."""
+    """An artificial hand with jointed fingers and a wrist ring, lying flat."""
     tile = plastic(look, "black", "gray", "beige", "silver", "white")
     palm = pad(0.085, 0.08, 0.03, 0.02)
     fingers = []
@@ -236,7 +236,7 @@ def prosthetic_hand(look: Look) -> Pieces:
           aliases=("heart pacemaker",), themes=("lab",), colors=("silver",))  # fmt: skip
 @from_pieces()
 def pacemaker(look: Look) -> Pieces:
-    """A flat rounded metal case with a pale head and a thin lead winding over the table."""
+    """A pacemaker: a flat, rounded metal case with a pale head and a thin, winding lead."""
     steel = shine(look, "silver", "gray")
     body = at_block(0.048, 0.042, 0.008, 0.019)
     head = at_block(0.04, 0.014, 0.0085, 0.006, (0, 0.024, 0))
@@ -251,7 +251,7 @@ def pacemaker(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.05)
 def speculum(look: Look) -> Pieces:
-    """A speculum of steel or clear plastic lying: two tapered bills, a bent handle, a screw."""
+    """A steel or clear plastic speculum lying flat: two tapered blades, a handle and a screw."""
     tile = shine(look, "silver", "gray") if look.chance(0.6) else surfaces.plain((206, 224, 230))
     bills = [rod([(-0.02, 0, 0.02 + s * 0.004), (0.04, 0, 0.02 + s * 0.008),
                   (0.09, 0, 0.02 + s * 0.003)], [0.018, 0.014, 0.007], 12)
@@ -270,7 +270,7 @@ def speculum(look: Look) -> Pieces:
           colors=("white",))  # fmt: skip
 @from_pieces(bodies=2)
 def peak_flow_meter(look: Look) -> Pieces:
-    """A peak flow meter lying: a tube with a scale and a mouthpiece."""
+    """A peak flow meter lying flat: a tube with a scale and a mouthpiece."""
     scale = prints.rule(8, (250, 250, 248), (30, 60, 140))
     body = at_block(0.15, 0.04, 0.03, 0.012)
     mouth = spindle((0.072, 0.0145), (0.105, 0.0145), z=0.0152)
@@ -289,7 +289,7 @@ PILL_CUTTER_WHITE = surfaces.plain((244, 243, 240))
           colors=("clear",))  # fmt: skip
 @from_pieces(foot=0.06)
 def spacer_device(look: Look) -> Pieces:
-    """A clear inhaler chamber lying: a coloured end to the left, a ring near its mouthpiece."""
+    """A clear inhaler spacer lying flat, with a coloured end on the left and a ring."""
     body = spindle(
         (-0.07, 0.02), (-0.06, 0.028), (0.05, 0.028), (0.065, 0.018), (0.085, 0.014), z=0.028
     )
@@ -305,7 +305,7 @@ def spacer_device(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=(0, 2, 3))
 def tourniquet(look: Look) -> Pieces:
-    """A strap in a ring on its edge, its tail to the right; a black stick and buckle in front."""
+    """A tourniquet: a strap in a loop on its edge, with a black rod and a buckle in front."""
     color = look.color("black", "orange", "blue", "red")
     loop = lathe([(0.045, 0), (0.047, 0), (0.047, 0.036), (0.045, 0.036)], 40, loop=True)
     tail = at_box(0.12, 0.0025, 0.036, (0.06, -0.046, 0)).turn(2, 0.04)
@@ -320,14 +320,14 @@ def tourniquet(look: Look) -> Pieces:
           colors=("orange",))  # fmt: skip
 @from_pieces(foot=0.1)
 def ear_plug(look: Look) -> Pieces:
-    """One soft ear plug lying."""
+    """One soft ear plug, lying flat."""
     return [(spindle((-0.012, 0.006), (-0.011, 0.0066), (0.004, 0.0058), (0.011, 0.0038),
                      (0.0125, 0.002), z=0.0062), plastic(look, "orange", "yellow", "green",
                                                          "pink"))]  # fmt: skip
 
 
 def _pack(text: tuple[str, ...], size: tuple[float, float, float], *colors: str) -> Drawing:
-    """A soft flat packet with a word."""
+    """A soft, flat packet with a word on it."""
 
     def draw(look: Look) -> Pieces:
         x, y, h = size
@@ -351,7 +351,7 @@ def _pack(text: tuple[str, ...], size: tuple[float, float, float], *colors: str)
           colors=("sage", "pink"))  # fmt: skip
 @from_pieces(foot=0.06, bodies=3)
 def jade_roller(look: Look) -> Pieces:
-    """A jade roller lying: a stone at each end of a handle."""
+    """A jade roller lying flat: a handle with a stone at each end."""
     color = look.color("sage", "pink", "green", "purple")
     stone = surfaces.marble(look.rng, color, tint_color(color, 1.5))
     z = 0.016
@@ -373,7 +373,7 @@ def jade_roller(look: Look) -> Pieces:
           colors=("pink",))  # fmt: skip
 @from_pieces()
 def toe_separator(look: Look) -> Pieces:
-    """A soft bar with five rounded teeth to the back."""
+    """A toe separator: a soft bar with five rounded teeth at the back."""
     tile = plastic(look, "pink", "purple", "mint", "yellow")
     bar = at_block(0.085, 0.014, 0.018, 0.006)
     posts = [
@@ -387,7 +387,7 @@ def toe_separator(look: Look) -> Pieces:
           colors=("sky",))  # fmt: skip
 @from_pieces()
 def pill_cutter(look: Look) -> Pieces:
-    """A small rounded box, its lid tilted up over a steel blade, a pale wedge and a tablet."""
+    """A pill cutter: a small box with a tablet, a pale wedge and a blade below its raised lid."""
     tile = plastic(look, "sky", "clear", "pink", "green", "white")
     low, high = (at_block(0.075, 0.045, 0.016, 0.01),
                  at_block(0.075, 0.045, 0.01, 0.01).turn(0, 0.6).move(0, 0.008, 0.03))  # fmt: skip
@@ -403,7 +403,7 @@ def pill_cutter(look: Look) -> Pieces:
           "false eyelashes case"), themes=("lab",), roles=("flat",), colors=("pink",))  # fmt: skip
 @from_pieces(bodies=1)
 def false_eyelashes(look: Look) -> Pieces:
-    """A pair of false lashes in a little tray."""
+    """A pair of false eyelashes in a small tray."""
     tray = at_block(0.11, 0.045, 0.006, 0.01)
     lines = []
     for s in (-1, 1):

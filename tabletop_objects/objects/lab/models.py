@@ -1,4 +1,4 @@
-"""Models (lab)."""
+"""Objects of the ``lab`` theme: models and miniatures."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ BLACK = surfaces.plain((34, 34, 37))
           themes=("lab",), colors=("pink",))  # fmt: skip
 @from_pieces(bodies=5)
 def brain_model(look: Look) -> Pieces:
-    """A brain of two folded halves with a striped cerebellum, its stem on a round black foot."""
+    """A brain model: two folded halves, a striped cerebellum and a stem on a round black foot."""
     color = look.color("pink", "beige", "coral")
     pieces: Pieces = []
 
@@ -75,7 +75,7 @@ def brain_model(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=2)
 def eye_model(look: Look) -> Pieces:
-    """A white eyeball on a black foot: a coloured iris, a pupil, red veins, a nerve behind."""
+    """A white eyeball on a black foot: a coloured iris, a pupil, red veins and a nerve behind."""
     iris = look.color("blue", "green", "brown", "gray")
     foot = standing((0.04, 0), (0.038, 0.008), (0.008, 0.016), (0.008, 0.04))
     globe = ball(0.1, 0.1, 0.1, (0, 0, 0.088), 30)
@@ -95,7 +95,7 @@ def eye_model(look: Look) -> Pieces:
           colors=("ivory",))  # fmt: skip
 @from_pieces()
 def skeleton_model(look: Look) -> Pieces:
-    """A skeleton hung on a stand."""
+    """A skeleton hanging from a stand."""
     bone = look.surface(look.color("ivory", "cream", "white"))
     base, pole = (at_block(0.11, 0.09, 0.012, 0.01), straight((0, 0.025, 0.01), (0, 0.025, 0.33),
                                                               0.004, 8))  # fmt: skip
@@ -132,7 +132,7 @@ ANATOMICAL_MODEL_BLACK = surfaces.plain((34, 34, 37))
           "human body model"), themes=("lab",), roles=("tall",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=4)
 def anatomical_model(look: Look) -> Pieces:
-    """A torso with coloured organs in its open front."""
+    """A torso with an open front and coloured organs."""
     skin = dye(look, "beige", "tan")
     foot = at_block(0.11, 0.09, 0.014, 0.02)
     body = standing((0.05, 0.014), (0.052, 0.05), (0.042, 0.1), (0.06, 0.16), (0.058, 0.185),

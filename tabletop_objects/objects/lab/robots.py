@@ -1,4 +1,4 @@
-"""Robots (lab)."""
+"""Objects of the ``lab`` theme: robots."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...kit.surfaces import Look, plain, tint_color
           "robotic gripper", "robotic hand"), themes=("lab", "workbench"), roles=("big",),
           colors=("white", "black"))  # fmt: skip
 def gripper(look: Look) -> Shape:
-    """A parallel gripper lying: a flange, a body and two fingers with pads."""
+    """A parallel gripper lying flat: a flange, a body and two fingers with pads."""
     color = look.color("white", "black", "silver", "orange", "blue")
     k, open_ = look.between(0.85, 1.15), look.between(0.02, 0.04)
     flange = drum(0.032, 0.012, (-0.07, 0, 0.033), 0, sides=24)
@@ -36,7 +36,7 @@ def gripper(look: Look) -> Shape:
           themes=("lab", "workbench"), roles=("tall", "big"),
           colors=("white", "orange"))  # fmt: skip
 def robot_arm(look: Look) -> Shape:
-    """A small jointed robot arm on its base, with a gripper at its end."""
+    """A small jointed robot arm on a base, with a gripper at its end."""
     color = look.color("white", "orange", "blue", "yellow", "gray")
     k = look.between(0.85, 1.1)
     base = [drum(0.06, 0.018, bevel=0.003), drum(0.042, 0.05, (0, 0, 0.016), top=0.036)]
@@ -59,7 +59,7 @@ def robot_arm(look: Look) -> Shape:
           "aruco board", "apriltag", "calibration pattern", "charuco board", "aruco tag"),
           themes=("lab",), roles=("flat", "big"), colors=("white",))  # fmt: skip
 def calibration_board(look: Look) -> Shape:
-    """A flat board with a checkerboard, or with square black markers."""
+    """A flat board with a checkerboard pattern or with square black markers."""
     color = look.color("white", "white", "cream")
     x, y = look.between(0.18, 0.24), look.between(0.13, 0.17)
     image = prints.canvas(192, 144, color)
@@ -91,7 +91,7 @@ def calibration_board(look: Look) -> Shape:
           "busy board", "button panel"), themes=("lab", "workbench"), roles=("big",),
           colors=("white", "gray"))  # fmt: skip
 def task_board(look: Look) -> Shape:
-    """A test board: a panel with a button, a slider, a knob, a door and a plugged cable."""
+    """A test board: a panel with a button, a slider, a knob, a door and a plugged-in cable."""
     color = look.color("white", "gray", "charcoal", "sky")
     k = look.between(0.85, 1.1)
     board = block(0.24, 0.17, 0.03, 0.006, 0.003)
@@ -118,7 +118,7 @@ def task_board(look: Look) -> Shape:
           aliases=("control lever", "hand lever", "lever handle"), themes=("lab",), roles=("tall",),
           colors=("red",))  # fmt: skip
 def lever(look: Look) -> Shape:
-    """A lever on a stand with a ball at its end."""
+    """A lever on a stand, with a ball at its end."""
     color = look.color("red", "black", "blue", "yellow", "green")
     k = look.between(0.85, 1.15)
     base = block(0.1, 0.06, 0.018, 0.006, 0.003)

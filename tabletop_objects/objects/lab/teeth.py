@@ -1,4 +1,4 @@
-"""Teeth (lab)."""
+"""Objects of the ``lab`` theme: teeth and dental casts."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ WHITE = surfaces.plain((244, 243, 240))
 
 
 def _tooth(gold: bool, long: float) -> Drawing:
-    """A molar: a crown with cusps on two roots, standing on its roots or lying."""
+    """A molar with cusps on its crown and two roots, standing on its roots or lying flat."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*(("gold",) if gold else ("white", "ivory", "cream")))
@@ -60,7 +60,7 @@ def _denture(full: bool) -> Drawing:
 
 def _retainer(wire: bool) -> Drawing:
     def draw(look: Look) -> Pieces:
-        """A mouth plate: a horseshoe tray, or a plate with a wire."""
+        """A mouth guard in the shape of a horseshoe tray, or a dental plate with a wire."""
         a = np.linspace(0.1, np.pi - 0.1, 26)
         color = look.color("sky", "pink", "clear", "purple", "green")
         if not wire:

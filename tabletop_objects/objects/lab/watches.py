@@ -1,4 +1,4 @@
-"""Watches (lab)."""
+"""Objects of the ``lab`` theme: watch parts."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def watch_link(look: Look) -> Pieces:
-    """Three rounded metal bars side by side, the middle one offset, joined by a thin pin."""
+    """A watch link: three rounded metal bars side by side, joined by a thin pin."""
     steel = shine(look, "silver", "gold")
     bars = [at_block(0.0055, 0.02, 0.003, 0.001, (-0.0058 + 0.0058 * k, 0.0016 * (k % 2), 0))
             for k in range(3)]  # fmt: skip
@@ -31,7 +31,7 @@ def watch_link(look: Look) -> Pieces:
           themes=("lab",), colors=("silver",))  # fmt: skip
 @from_pieces()
 def mainspring(look: Look) -> Pieces:
-    """A spring of thin metal ribbon wound flat in five turns."""
+    """A mainspring: a thin metal ribbon, wound flat in five turns."""
     a = np.linspace(0, 2 * np.pi * 5, 150)
     r = 0.003 + 0.0022 * a / (2 * np.pi)
     spiral = tube(
@@ -45,7 +45,7 @@ def mainspring(look: Look) -> Pieces:
           themes=("lab",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def watch_winder(look: Look) -> Pieces:
-    """A box with a round metal plate on its front that carries a watch on a cushion."""
+    """A watch winder: a box with a round metal plate that holds a watch on a cushion."""
     shell = plastic(look, "black", "brown", "white", "maroon")
     body = at_block(0.15, 0.14, 0.13, 0.012)
     cup = disc(0.05, 0.012).turn(0, np.pi / 2).move(0, -0.066, 0.068)

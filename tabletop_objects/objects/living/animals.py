@@ -1,4 +1,4 @@
-"""Animals (living)."""
+"""Objects of the ``living`` theme: animals."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import RGB, Look, tint_color
           "sea shell", "conch", "clam shell", "scallop shell", "sea snail shell", "whelk", "winkle",
           "periwinkle"), themes=("living",), colors=("cream", "pink"), state="lying")  # fmt: skip
 def seashell(look: Look) -> Shape:
-    """A scallop shell lying with its ribs up, or a whelk's spiral."""
+    """A scallop shell lying with its ribs up, or a spiral whelk shell."""
     color = look.color("white", "cream", "pink", "coral", "tan", "beige", "lavender")
     other = tint_color(color, 0.72)
     if look.chance(0.6):
@@ -57,7 +57,7 @@ def seashell(look: Look) -> Shape:
           aliases=("sea star", "dried starfish"), themes=("living",), colors=("orange",),
           state="lying flat")  # fmt: skip
 def starfish(look: Look) -> Shape:
-    """A five-armed starfish lying flat."""
+    """A five-armed starfish, lying flat."""
     color = look.color("orange", "coral", "red", "tan", "beige", "purple", "terracotta")
     n = 40
     a = 2 * np.pi * np.arange(n) / n
@@ -78,7 +78,7 @@ def starfish(look: Look) -> Shape:
           aliases=("piece of coral", "coral branch", "red coral"), themes=("living",),
           roles=("tall",), colors=("coral",))  # fmt: skip
 def coral(look: Look) -> Shape:
-    """A branching coral on a stone foot."""
+    """A branching coral on a stone base."""
     color = look.color("coral", "red", "white", "pink", "orange")
     branches: list[Solid] = [rod([(0, 0, 0.01), (0.004, 0, 0.05), (0, 0.004, 0.12)],
                                  [0.012, 0.009, 0.005], 8)]  # fmt: skip
@@ -100,7 +100,7 @@ DARK = surfaces.plain((34, 32, 34))
 
 
 def bird(look: Look) -> Shape:
-    """A small bird figure on its feet, looking to the left."""
+    """A bird figurine standing on its feet and facing left."""
     color = look.color("blue", "red", "yellow", "teal", "brown", "white", "sky")
     skin = surfaces.speckles(look.rng, color, 8)
     chest = surfaces.plain(look.pick([(240, 196, 140), (250, 246, 236), tint_color(color, 1.5)]))
@@ -124,7 +124,7 @@ HAMSTER_DARK: RGB = (26, 24, 26)
 
 
 def eyes(x: float, y: float, z: float, d: float) -> Solid:
-    """Return two round eyes, ``y`` to either side."""
+    """Return two round eyes at the distance ``y`` on either side."""
     return join([ball(d, d, d, (x, s * y, z), 8) for s in (-1, 1)])
 
 
@@ -135,7 +135,7 @@ def _fur(look: Look, color: RGB) -> surfaces.Tile:
 def _rodent(
     long: float, ears: float, tail: float, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a plump furry rodent that looks to the left."""
+    """Return the shape function of a plump, furry rodent facing left."""
 
     def make(look: Look) -> Shape:
         k, color = long * look.between(0.88, 1.12), look.color(*palette)
@@ -170,7 +170,7 @@ def _rodent(
 def _bird(
     tall: float, palette: tuple[str, ...], *, tail: float, crest: bool, fluffy: bool
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a small bird that stands and looks to the left."""
+    """Return the shape function of a small bird standing and facing left."""
 
     def make(look: Look) -> Shape:
         k, color = tall * look.between(0.88, 1.12), look.color(*palette)
@@ -228,7 +228,7 @@ TORTOISE_DARK: RGB = (26, 24, 26)
 
 
 def _shelled_animal(flippers: bool) -> Callable[[Look], Shape]:
-    """Return the shape function of a tortoise, or a turtle with flippers, looking to the left."""
+    """Return the shape function of a tortoise, or of a turtle with flippers, facing left."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.85, 1.2), look.color("olive", "green", "brown", "tan", "bronze")
@@ -270,7 +270,7 @@ def _shelled_animal(flippers: bool) -> Callable[[Look], Shape]:
 def _lizard(
     long: float, palette: tuple[str, ...], *, spotted: bool, fat: float
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a lizard lying, its tail in a curve to the right."""
+    """Return the shape function of a lizard lying flat, with its tail curved to the right."""
 
     def make(look: Look) -> Shape:
         k, color = long * look.between(0.88, 1.12), look.color(*palette)
@@ -305,7 +305,7 @@ def _lizard(
 @category("tarantula", size=(0.113, 0.12, 0.0376), mass=0.05, material="plastic", assembled=True,
           aliases=("pet spider",), themes=("living",), colors=("brown",))  # fmt: skip
 def tarantula(look: Look) -> Shape:
-    """A hairy spider: two round body halves, eight bent legs."""
+    """A hairy tarantula with a two-part round body and eight bent legs."""
     k, color = look.between(0.8, 1.2), look.color("brown", "black", "bronze", "maroon")
     back = ball(0.042, 0.034, 0.03, (0.03, 0, 0.02), 14)
     front = ball(0.028, 0.026, 0.018, (-0.004, 0, 0.018), 12)
@@ -335,7 +335,7 @@ def tarantula(look: Look) -> Shape:
           assembled=True, aliases=("walking stick insect", "praying mantis"), themes=("living",),
           colors=("brown",))  # fmt: skip
 def stick_insect(look: Look) -> Shape:
-    """A stick insect: a twig-thin body on six long thin legs."""
+    """A stick insect with a thin body on six long, thin legs."""
     k, color = look.between(0.85, 1.2), look.color("brown", "green", "tan", "olive")
     body = limb([(-0.06, 0, 0.02), (-0.03, 0, 0.021), (0.02, 0, 0.021), (0.06, 0, 0.018)],
                 [0.0022, 0.0026, 0.003, 0.0012], 8)  # fmt: skip
@@ -356,7 +356,7 @@ def stick_insect(look: Look) -> Shape:
           aliases=("gold fish", "koi", "toy goldfish"), themes=("living",), colors=("orange",),
           state="lying on its side")  # fmt: skip
 def goldfish(look: Look) -> Shape:
-    """A goldfish lying on its side: round body, flowing tail and fins."""
+    """A goldfish lying on its side, with a round body and flowing tail and fins."""
     k, color = (look.between(0.85, 1.2), look.color("orange", "orange", "gold", "coral", "red",
                                                     "white"))  # fmt: skip
     body = lathe([(0, 0), (0.008, 0.004), (0.016, 0.02), (0.0155, 0.034), (0.008, 0.05),
@@ -391,7 +391,7 @@ BLACK = surfaces.plain((24, 22, 26))
           aliases=("plastic spider", "rubber spider", "toy spider", "halloween spider",
           "fake spider"), themes=("living",), colors=("black",))  # fmt: skip
 def spider(look: Look) -> Shape:
-    """A plastic spider on eight bent legs."""
+    """A plastic spider standing on eight bent legs."""
     k = look.between(0.85, 1.25)
     color = look.color("black", "black", "charcoal", "purple", "orange")
     body = ellipsoid(0.036, 0.032, 0.028, 16, 10).move(0.024, 0, 0.019)
@@ -417,7 +417,7 @@ def spider(look: Look) -> Shape:
           aliases=("rubber bat", "plastic bat", "vampire bat", "halloween bat", "bat decoration"),
           themes=("living",), colors=("black",), state="lying flat")  # fmt: skip
 def toy_bat(look: Look) -> Shape:
-    """A rubber bat lying with its wings spread."""
+    """A rubber bat lying flat with its wings spread."""
     k = look.between(0.9, 1.2)
     color = look.color("black", "black", "charcoal", "purple")
     side = [(0.0, 0.012), (0.03, 0.022), (0.06, 0.034), (0.1, 0.028), (0.094, 0.002),
@@ -443,7 +443,7 @@ def toy_bat(look: Look) -> Shape:
           "raven figure", "plastic raven", "fake crow", "blackbird", "raven ornament"),
           themes=("living",), colors=("black",))  # fmt: skip
 def raven(look: Look) -> Shape:
-    """A black bird standing."""
+    """A black raven, standing."""
     thing = bird(Look(look.rng, {"color": "black", **look.attributes})).scale(1.5)
     dark = [replace(p, tile=(p.tile * 0.22 + 14).astype(np.uint8)) for p in thing.pieces[1:6]]
     return replace(thing, pieces=(thing.pieces[0], *dark, thing.pieces[6]))
@@ -453,7 +453,7 @@ def raven(look: Look) -> Shape:
           aliases=("plastic rat", "rubber rat", "toy rat", "fake rat", "mouse figurine",
           "rat figurine", "plush mouse"), themes=("living",), colors=("gray",))  # fmt: skip
 def rat(look: Look) -> Shape:
-    """A rat or toy mouse on its belly, ears up, a long tail."""
+    """A rat or toy mouse on its belly, with raised ears and a long tail."""
     k = look.between(0.85, 1.15)
     color = look.color("gray", "gray", "brown", "charcoal", "white")
     body = ellipsoid(0.09, 0.05, 0.046, 18, 10).move(0.012, 0, 0.022)
@@ -477,7 +477,7 @@ def rat(look: Look) -> Shape:
           aliases=("rubber snake", "toy snake", "plastic snake", "fake snake", "coiled snake",
           "snake figurine", "cobra"), themes=("living",), colors=("green",))  # fmt: skip
 def snake(look: Look) -> Shape:
-    """A rubber snake coiled up, head raised."""
+    """A coiled rubber snake with its head raised."""
     k = look.between(0.9, 1.2)
     color = look.color("green", "lime", "black", "brown", "orange", "red")
     t = np.linspace(0, 1, 12)

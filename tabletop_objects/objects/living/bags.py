@@ -1,4 +1,4 @@
-"""Bags (living)."""
+"""Objects of the ``living`` theme: bags."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from ..workbench.boxes import case
           "charcoal sack"), themes=("living",), roles=("tall", "big"),
           colors=("tan", "black"))  # fmt: skip
 def charcoal_bag(look: Look) -> Shape:
-    """A paper sack of charcoal standing, its top folded, a flame on its front."""
+    """An upright paper sack of charcoal with a folded top and a flame on its front."""
     k = look.between(0.94, 1.06)
     color = look.color("tan", "black", "red", "orange")
     x, y, h = 0.2 * k, 0.1 * k, 0.28 * k
@@ -57,7 +57,7 @@ def charcoal_bag(look: Look) -> Shape:
           aliases=("school satchel", "leather satchel", "messenger bag", "briefcase bag"),
           themes=("living", "office"), roles=("big",), colors=("brown",))  # fmt: skip
 def satchel(look: Look) -> Shape:
-    """A school satchel standing: a flap with two buckled straps, a handle."""
+    """An upright school satchel with a handle and a flap with two buckled straps."""
     color = look.color("brown", "tan", "maroon", "navy", "black", "mustard")
     k = look.between(0.7, 0.9)
     body = block(0.3, 0.1, 0.21, 0.015, 0.008)
@@ -80,7 +80,7 @@ def satchel(look: Look) -> Shape:
           aliases=("fanny pack", "bum bag", "hip pack", "belt bag", "waist pack"),
           themes=("living",), roles=("big",), colors=("black",))  # fmt: skip
 def waist_bag(look: Look) -> Shape:
-    """A bag for the waist lying: a zipped pouch and its belt round behind."""
+    """A waist bag lying flat: a zipped pouch with its belt looped behind."""
     color = look.color("black", "pink", "teal", "red", "navy", "orange")
     k = look.between(0.85, 1.1)
     pouch = block(0.2, 0.075, 0.1, 0.034, 0.016)
@@ -106,7 +106,7 @@ def waist_bag(look: Look) -> Shape:
           aliases=("tote", "canvas bag", "canvas tote", "cloth bag", "shopper"), themes=("living",),
           roles=("big",), colors=("cream",))  # fmt: skip
 def tote_bag(look: Look) -> Shape:
-    """A canvas tote bag standing open, with two handles and a print."""
+    """An open, upright canvas tote bag with two handles and a print."""
     color = look.color("cream", "white", "black", "navy", "mustard", "sage")
     k = look.between(0.75, 0.95)
     body = block(0.26, 0.09, 0.25, 0.02)
@@ -130,7 +130,7 @@ def tote_bag(look: Look) -> Shape:
           "bag of crisps"), themes=("living", "dining"), roles=("flat",), colors=("red", "yellow"),
           state="lying flat", common=True)  # fmt: skip
 def chips_bag(look: Look) -> Shape:
-    """A puffed bag of crisps lying on its back."""
+    """A puffed bag of crisps, lying on its back."""
     x, y, z = look.between(0.15, 0.19), look.between(0.19, 0.25), look.between(0.045, 0.06)
     color = look.color("red", "yellow", "green", "blue", "orange", "purple")
     other = look.own_color("yellow", "white", "red", "orange")
@@ -161,7 +161,7 @@ def chips_bag(look: Look) -> Shape:
           aliases=("scented sachet", "lavender bag", "potpourri sachet", "drawer sachet"),
           themes=("living",), colors=("lavender",))  # fmt: skip
 def lavender_sachet(look: Look) -> Shape:
-    """A small cloth pouch tied with a ribbon, lavender peeping out."""
+    """A small cloth pouch tied with a ribbon, with lavender sticking out."""
     r, h = look.between(0.03, 0.037), look.between(0.085, 0.1)
     color = look.color("lavender", "white", "violet", "beige", "pink")
     bag = lathe([(0, 0), (0.8 * r, 0), (r, 0.18 * h), (0.9 * r, 0.42 * h), (0.3 * r, 0.66 * h),
@@ -186,7 +186,7 @@ def lavender_sachet(look: Look) -> Shape:
           "potting soil bag", "bag of potting soil", "slug pellet tub"), themes=("living",),
           roles=("tall",), colors=("green",))  # fmt: skip
 def fertilizer_bag(look: Look) -> Shape:
-    """A small sack of fertilizer or compost standing, a plant on its front."""
+    """A small, upright sack of fertiliser or compost with a plant on its front."""
     x, y, h = look.between(0.12, 0.15), look.between(0.06, 0.075), look.between(0.17, 0.21)
     color = look.color("green", "olive", "yellow", "brown", "white", "teal")
     image = prints.canvas(112, 160, color)
@@ -252,7 +252,7 @@ def keys(look: Look) -> Shape:
           aliases=("billfold", "leather wallet"), themes=("living", "office"), roles=("flat",),
           colors=("brown", "black"), state="lying flat", common=True)  # fmt: skip
 def wallet(look: Look) -> Shape:
-    """A folded leather wallet, cards or notes showing at its edge."""
+    """A folded leather wallet with cards or notes showing at its edge."""
     x, y, h = look.between(0.1, 0.118), look.between(0.082, 0.095), look.between(0.016, 0.024)
     color = look.color("brown", "black", "tan", "navy", "maroon", "red", "olive")
     leather = surfaces.spots(look.rng, color, tint_color(color, 0.78), 0.2)
@@ -279,7 +279,7 @@ TONES = ("brown", "black", "red", "tan", "navy", "teal", "pink", "mustard", "gra
 def _body(
     x: float, y: float, h: float, levels: list[tuple[float, float, float]], corner: float
 ) -> Solid:
-    """Return a bag's body: (x factor, y factor, z share) from the bottom up."""
+    """Return a bag's body from (x factor, y factor, relative z) levels, from the bottom up."""
     outline = rectangle(1, 1, corner, 5)
     return loft(np.stack([np.column_stack([outline * [x * a, y * b], np.full(len(outline), h * z)])
                           for a, b, z in levels]), outline)  # fmt: skip
@@ -314,7 +314,7 @@ def handbag(look: Look) -> Shape:
           aliases=("coin purse", "change purse", "small purse", "kiss lock purse"),
           themes=("living",), colors=("red", "pink"))  # fmt: skip
 def purse(look: Look) -> Shape:
-    """A small round bag with a metal frame and a kiss clasp."""
+    """A small, round purse with a metal frame and a kiss-lock clasp."""
     x, h = look.between(0.09, 0.12), look.between(0.065, 0.08)
     color = look.color("red", "pink", "teal", "black", "gold", "purple", "navy", "mustard")
     y = 0.42 * x
@@ -337,7 +337,7 @@ def purse(look: Look) -> Shape:
           aliases=("clutch bag", "evening bag", "clutch purse"), themes=("living",),
           roles=("flat",), colors=("black", "gold"), state="lying flat")  # fmt: skip
 def clutch(look: Look) -> Shape:
-    """A flat evening bag lying, its flap like an envelope."""
+    """An evening bag with a flap like an envelope, lying flat."""
     x, y, h = look.between(0.22, 0.26), look.between(0.13, 0.15), look.between(0.026, 0.034)
     color = look.color("black", "gold", "silver", "red", "pink", "navy", "purple")
     body = pad(x, y, h, 0.01, soft=0.4, steps=4)
@@ -354,7 +354,7 @@ def clutch(look: Look) -> Shape:
           "schoolbag", "book bag", "pannier", "packing cube"), themes=("living",),
           roles=("big", "tall"), colors=("red", "navy"))  # fmt: skip
 def backpack(look: Look) -> Shape:
-    """A small rucksack standing: a front pocket, zips, a loop and straps behind."""
+    """A small, upright backpack with a front pocket, zips, a loop and straps behind."""
     color = look.color("red", "navy", "green", "gray", "black", "teal", "mustard", "pink")
     x, y, h = 0.2, 0.11, 0.27
     body = _body(x, y, h, [(0.95, 0.95, 0), (1, 1, 0.05), (1, 1, 0.6), (0.92, 0.9, 0.85),
@@ -432,7 +432,7 @@ def _suitcase_case(look: Look, travel: bool) -> Shape:
           themes=("living",), roles=("big",), colors=("brown", "red"),
           opened="open_suitcase")  # fmt: skip
 def suitcase(look: Look) -> Shape:
-    """A small suitcase standing: a leather one with straps, or a hard shell on wheels."""
+    """A small, upright suitcase: leather with straps, or a hard shell on wheels."""
     return _suitcase_case(look, look.chance(0.4))
 
 
@@ -440,7 +440,7 @@ def suitcase(look: Look) -> Shape:
           "gym bag", "sports bag", "travel bag", "duffle bag", "holdall", "weekend bag"),
           themes=("living",), roles=("big",), colors=("black", "navy"), state="lying")  # fmt: skip
 def duffel_bag(look: Look) -> Shape:
-    """A duffel bag lying: a long round bag with a zip, two handles and straps."""
+    """A long, round duffel bag lying flat, with a zip, two handles and straps."""
     color = look.color("black", "navy", "red", "green", "gray", "tan", "teal")
     long, r = look.between(0.26, 0.32), look.between(0.07, 0.085)
     body = cylinder(r, long, 26, bevel=0.018).move(z=-long / 2).turn(1, np.pi / 2).move(z=0.93 * r)
@@ -464,7 +464,7 @@ def duffel_bag(look: Look) -> Shape:
           "camera case", "calling card case", "contact lens case", "retainer case"),
           themes=("living",), colors=("black", "brown"), state="lying")  # fmt: skip
 def glasses_case(look: Look) -> Shape:
-    """A hard case for glasses, closed, lying."""
+    """A closed hard case for glasses, lying flat."""
     x, y, h = look.between(0.155, 0.17), look.between(0.06, 0.07), look.between(0.042, 0.052)
     color = look.color("black", "brown", "navy", "red", "tan", "teal", "pink")
     body = pad(x, y, h, 0.03, soft=0.75, steps=6)

@@ -1,4 +1,4 @@
-"""Bouquets (living)."""
+"""Objects of the ``living`` theme: bouquets."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ GREEN: RGB = (84, 126, 64)
           colors=("red", "pink"), state="lying flat")  # fmt: skip
 @keep_still
 def petal(look: Look) -> Shape:
-    """One fallen petal, slightly cupped."""
+    """One fallen, slightly cupped petal."""
     k = look.between(0.85, 1.2)
     color = look.color("red", "pink", "white", "crimson", "yellow")
     ring = [(-0.022, 0), (-0.012, -0.012), (0.006, -0.018), (0.02, -0.011), (0.0195, 0),
@@ -49,7 +49,7 @@ def petal(look: Look) -> Shape:
           aliases=("buttonhole flower", "wrist corsage"), themes=("living",),
           colors=("white", "pink"), state="lying flat")  # fmt: skip
 def corsage(look: Look) -> Shape:
-    """A small spray to pin on: a bloom, leaves, a ribbon bow."""
+    """A corsage: a bloom with leaves and a ribbon bow."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "pink", "red", "lavender")
     head = layered_head([(8, 0.024, 0.02, 0.2, 0), (7, 0.02, 0.017, 0.6, 0.002),
@@ -69,7 +69,7 @@ def corsage(look: Look) -> Shape:
           assembled=True, aliases=("flower pressing", "herbarium sheet"), themes=("living",),
           roles=("flat",), colors=("purple",), state="lying flat")  # fmt: skip
 def pressed_flower(look: Look) -> Shape:
-    """A card with a pressed flower on it, lying flat."""
+    """A card with a pressed flower, lying flat."""
     k = look.between(0.9, 1.1)
     color = look.color("purple", "pink", "yellow", "blue", "red")
     image = prints.canvas(112, 160, (246, 240, 224))
@@ -97,7 +97,7 @@ def pressed_flower(look: Look) -> Shape:
           "silk flower", "dried flower bunch"), themes=("living", "dining"), roles=("big",),
           colors=("red", "pink"), state="lying flat")  # fmt: skip
 def bouquet(look: Look) -> Shape:
-    """A bunch of flowers lying in wrapping paper, tied with a ribbon, blooms to the left."""
+    """A bunch of flowers in wrapping paper with a ribbon, lying with its blooms on the left."""
     color = look.color("red", "pink", "yellow", "white", "violet", "orange", "coral")
     other = look.own_color("white", "yellow", "violet", "pink", "cream")
     paper = surfaces.speckles(
@@ -164,7 +164,7 @@ _COUNT = 11
           colors=("red", "pink"), state="lying flat")  # fmt: skip
 @at_rest
 def posy(look: Look) -> Shape:
-    """A bundle of cut flowers lying, blossoms to the right."""
+    """A bundle of cut flowers, lying with its blossoms on the right."""
     color = look.color("red", "pink", "yellow", "white", "violet", "orange", "coral")
     other = look.own_color("white", "yellow", "violet", "pink", "cream")
     k = look.between(0.92, 1.08)
@@ -204,7 +204,7 @@ GOLD: RGB = (206, 172, 90)
           colors=("red", "white"), state="lying")  # fmt: skip
 @keep_still
 def boutonniere(look: Look) -> Shape:
-    """A flower to pin on: a rose, two leaves and small white buds on a wrapped stem, lying."""
+    """A boutonniere lying flat: a rose, two leaves and small white buds on a wrapped stem."""
     k, color = (look.between(0.88, 1.15), look.color("red", "white", "pink", "cream", "coral",
                                                      "violet"))  # fmt: skip
     rose = [

@@ -1,4 +1,4 @@
-"""Boxes (living)."""
+"""Objects of the ``living`` theme: boxes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from ..workbench.boxes import walls
           colors=("red",))  # fmt: skip
 @from_pieces(bodies=2)
 def heart_box(look: Look) -> Pieces:
-    """A heart-shaped box, a bow on its lid."""
+    """A heart-shaped box with a bow on its lid."""
     t = np.linspace(0, 2 * np.pi, 40, endpoint=False)
     outline = (np.column_stack([16 * np.sin(t) ** 3, 13 * np.cos(t) - 5 * np.cos(2 * t) - 2
                                 * np.cos(3 * t) - np.cos(4 * t)]) * 0.0052)  # fmt: skip
@@ -50,7 +50,7 @@ def heart_box(look: Look) -> Pieces:
           aliases=("egg basket", "gift basket", "basket with a handle", "flower basket"),
           themes=("living",), roles=("container", "round"), colors=("tan",))  # fmt: skip
 def easter_basket(look: Look) -> Shape:
-    """A small round basket, open above, its handle folded down behind."""
+    """A small, round, open basket with its handle folded down at the back."""
     r, h = look.between(0.07, 0.09), look.between(0.065, 0.08)
     color = look.color("tan", "brown", "white", "pink", "sky", "bronze", "mint")
     body, _ = open_vessel([(0.8 * r, 0), (0.93 * r, 0.5 * h), (r, h)], 0.006, 0.006)
@@ -72,7 +72,7 @@ def easter_basket(look: Look) -> Shape:
           aliases=("box of tissues", "tissues", "facial tissues", "kleenex", "kleenex box"),
           themes=("living", "office", "vanity"), colors=("sky", "white"), common=True)  # fmt: skip
 def tissue_box(look: Look) -> Shape:
-    """A box of tissues, one standing out of its slot."""
+    """A box of tissues with one sticking out of its slot."""
     cube = look.chance(0.35)
     x = look.between(0.11, 0.12) if cube else look.between(0.21, 0.24)
     y, h = look.between(0.108, 0.12), look.between(0.115, 0.13) if cube else look.between(0.06, 0.1)
@@ -124,7 +124,7 @@ def open_box_(look: Look) -> Shape:
           aliases=("glass case", "glass display case", "showcase", "museum case", "vitrine"),
           themes=("living",), roles=("big",), colors=("brown", "black"))  # fmt: skip
 def display_case(look: Look) -> Shape:
-    """A glass case on a dark base, for small things."""
+    """A glass case on a dark base, for small objects."""
     x, y, h = look.between(0.17, 0.23), look.between(0.13, 0.17), look.between(0.12, 0.17)
     color = look.color("brown", "black", "wooden", "white")
     base = block(x + 0.012, y + 0.012, 0.02, 0.003, 0.002)
@@ -148,7 +148,7 @@ def display_case(look: Look) -> Shape:
           aliases=("framed butterfly", "butterfly frame", "mounted butterfly", "insect case"),
           themes=("living",), roles=("flat", "big"), colors=("brown",))  # fmt: skip
 def butterfly_case(look: Look) -> Shape:
-    """A shallow framed case lying, with a pinned butterfly in it."""
+    """A shallow framed case with a pinned butterfly in it, lying flat."""
     color = look.color("brown", "black", "wooden", "white")
     k = look.between(0.85, 1.15)
     wing = look.own_color("blue", "orange", "turquoise", "yellow", "coral")
@@ -174,7 +174,7 @@ def butterfly_case(look: Look) -> Shape:
           "egg painting kit", "easter egg dye", "egg dyeing kit"), themes=("living",),
           colors=("pink",))  # fmt: skip
 def egg_dye_kit(look: Look) -> Shape:
-    """A boxed kit for dyeing eggs: painted eggs and pots of colour on its front."""
+    """A boxed egg dyeing kit with painted eggs and pots of colour on its front."""
     k, color = look.between(0.9, 1.1), look.color("pink", "yellow", "sky", "mint", "lavender")
     x, y, h = 0.15 * k, 0.045 * k, 0.18 * k
     image = prints.canvas(170, 200, color)
@@ -199,7 +199,7 @@ def egg_dye_kit(look: Look) -> Shape:
           aliases=("picnic basket", "wicker hamper"), themes=("living",), roles=("big", "support"),
           colors=("tan",))  # fmt: skip
 def picnic_hamper(look: Look) -> Shape:
-    """A picnic hamper: a wicker box with a lid, leather straps and a handle."""
+    """A wicker picnic hamper with a lid, leather straps and a handle."""
     k, color = look.between(0.88, 1.04), look.color("tan", "wooden", "brown", "bronze")
     x, y, h = 0.34 * k, 0.22 * k, 0.17 * k
     outline = rectangle(x, y, 0.02 * k)
@@ -235,7 +235,7 @@ def picnic_hamper(look: Look) -> Shape:
           "cooling pack"), themes=("living",), roles=("flat",), colors=("blue",),
           state="lying flat")  # fmt: skip
 def ice_pack(look: Look) -> Shape:
-    """An ice pack: a flat ribbed plastic block of blue gel with a cap."""
+    """A flat, ribbed plastic ice pack of blue gel with a cap."""
     k, color = look.between(0.9, 1.12), look.color("blue", "sky", "cyan", "white", "teal")
     body = pad(0.16 * k, 0.09 * k, 0.026 * k, 0.014 * k, soft=0.3)
     ribs = [
@@ -259,7 +259,7 @@ BRASS = (206, 172, 96)
           aliases=("money box", "coin bank", "pig bank", "savings bank", "money bank"),
           themes=("living",), colors=("pink",))  # fmt: skip
 def piggy_bank(look: Look) -> Shape:
-    """A pig of china with a slot in its back."""
+    """A porcelain pig with a slot in its back."""
     color = look.color("pink", "pink", "white", "sky", "gold", "red")
     skin = surfaces.speckles(look.rng, color, 4)
     body = ball(0.115, 0.092, 0.09, (0, 0, 0.056), 24)
@@ -311,7 +311,7 @@ def treasure_chest(look: Look) -> Shape:
           aliases=("wood box", "open wooden box", "timber box"), themes=("living",),
           roles=("container",), colors=("wooden",))  # fmt: skip
 def wooden_box(look: Look) -> Shape:
-    """An open wooden box, its lid off."""
+    """An open wooden box without its lid."""
     x, y, h = look.between(0.17, 0.22), look.between(0.12, 0.15), look.between(0.07, 0.095)
     color = look.color("wooden", "tan", "brown", "white", "teal")
     t = 0.007
@@ -326,7 +326,7 @@ def wooden_box(look: Look) -> Shape:
           aliases=("musical box", "musical box toy"), themes=("living",),
           colors=("wooden", "red"))  # fmt: skip
 def music_box(look: Look) -> Shape:
-    """A music box with a crank, its drum and comb seen on top."""
+    """A music box with a crank and with its drum and comb visible on top."""
     color = look.color("wooden", "red", "brown", "teal", "navy", "pink")
     k = look.between(0.85, 1.2)
     base = block(0.09, 0.07, 0.045, 0.004, 0.002)
@@ -353,7 +353,7 @@ BRIGHT = ("red", "teal", "navy", "pink", "white", "lavender", "black", "sage", "
           "birthday gift", "gift package", "pass the parcel", "pass-the-parcel parcel"),
           themes=("living",), colors=("red", "teal"), opened="open_box")  # fmt: skip
 def gift_box(look: Look) -> Shape:
-    """A wrapped present: a box and its lid, crossed by a ribbon with a bow of loops."""
+    """A wrapped present: a box and a lid, crossed by a ribbon with a looped bow."""
     x, y, h = look.between(0.11, 0.19), look.between(0.11, 0.15), look.between(0.07, 0.13)
     color = look.color(*BRIGHT)
     ribbon = surfaces.plain(look.own_color("gold", "white", "red", "green", "pink", "silver"))

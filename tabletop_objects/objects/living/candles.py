@@ -1,4 +1,4 @@
-"""Candles (living)."""
+"""Objects of the ``living`` theme: candles."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def wax_melt(look: Look) -> Shape:
           colors=("gray",), state="lying flat")  # fmt: skip
 @keep_still
 def sparkler(look: Look) -> Shape:
-    """A sparkler lying, burning at its tip."""
+    """A sparkler lying flat, burning at its tip."""
     k = look.between(0.9, 1.1)
     color = look.color("gray", "silver", "gold")
     wire = straight((-0.11, 0, 0.0025), (0.0, 0, 0.0025), 0.0011, 6)
@@ -56,7 +56,7 @@ WICK = surfaces.plain((50, 44, 40))
           aliases=("tealight", "tea candle", "tealight candle", "tea light candle",
           "floating candle"), themes=("living",), roles=("round",), colors=("white",))  # fmt: skip
 def tea_light(look: Look) -> Shape:
-    """A tea light: a thin metal cup of wax with a wick, some lit."""
+    """A tea light: a thin metal cup of wax with a wick, sometimes lit."""
     r, h = look.between(0.018, 0.021), look.between(0.014, 0.018)
     color = look.color("white", "white", "cream", "red", "green", "purple", "yellow")
     cup = lathe([(0, 0), (r, 0), (r, h), (0.93 * r, h), (0.93 * r, 0.8 * h), (0, 0.8 * h)], 28)
@@ -75,7 +75,7 @@ def tea_light(look: Look) -> Shape:
           "candle in a candlestick", "rushlight"), themes=("living", "dining"), roles=("tall",),
           colors=("white", "red"))  # fmt: skip
 def taper_candle(look: Look) -> Shape:
-    """A slim dinner candle in a small foot."""
+    """A slim taper candle in a small foot."""
     h, r = look.between(0.17, 0.24), look.between(0.009, 0.011)
     color = look.color(*WAXES)
     foot = lathe([(0, 0), (0.034, 0), (0.036, 0.005), (0.018, 0.012), (0.014, 0.03), (0, 0.03)], 24)
@@ -122,7 +122,7 @@ def candelabra(look: Look) -> Shape:
           aliases=("incense", "incense stick", "incense burner", "incense sticks", "mosquito coil"),
           themes=("living",), colors=("wooden",))  # fmt: skip
 def incense_holder(look: Look) -> Shape:
-    """A wooden boat for incense with one stick in it that glows."""
+    """A boat-shaped wooden incense holder with one glowing stick in it."""
     color = look.color("wooden", "brown", "black", "tan", "white")
     long = look.between(0.22, 0.26)
     path = smooth([(-long / 2, 0, 0.006), (0.1 * long, 0, 0.006), (0.4 * long, 0, 0.012),
@@ -145,7 +145,7 @@ def incense_holder(look: Look) -> Shape:
           "essential oil burner", "aroma diffuser", "reed diffuser", "wax burner"),
           themes=("living",), roles=("round",), colors=("white", "teal"))  # fmt: skip
 def oil_burner(look: Look) -> Shape:
-    """An oil burner: a pierced pot with a tea light inside and a dish of oil above."""
+    """An oil burner: a perforated pot with a tea light inside and a dish of oil above."""
     color = look.color("white", "teal", "terracotta", "black", "purple", "sage", "navy")
     r, h = look.between(0.04, 0.048), look.between(0.09, 0.11)
     pot = lathe([(0, 0), (0.9 * r, 0), (r, 0.3 * h), (0.8 * r, 0.8 * h), (0, 0.8 * h)], 28)
@@ -168,7 +168,7 @@ def oil_burner(look: Look) -> Shape:
           "firesteel", "blowtorch"), themes=("living",), roles=("tall",),
           colors=("red", "blue"))  # fmt: skip
 def lighter(look: Look) -> Shape:
-    """A pocket lighter standing, its metal hood with wheel and button."""
+    """A pocket lighter standing upright, with a wheel and a button below its metal hood."""
     color = look.color("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
     body = block(0.024, 0.0125, 0.056, 0.006)
     hood = block(0.022, 0.0115, 0.016, 0.005).move(z=0.0555)
@@ -186,7 +186,7 @@ def lighter(look: Look) -> Shape:
           aliases=("box of matches", "match box", "matches box", "matchbox collection"),
           themes=("living", "kitchen"), colors=("red", "blue"), state="lying")  # fmt: skip
 def matchbox(look: Look) -> Shape:
-    """A matchbox lying, its drawer pulled out to show the matches."""
+    """A matchbox lying flat with its drawer pulled out to show the matches."""
     color = look.color("red", "blue", "yellow", "green", "orange", "teal")
     x, y, h = 0.056, 0.037, 0.016
     image = prints.canvas(112, 72, color)
@@ -216,7 +216,7 @@ def matchbox(look: Look) -> Shape:
           aliases=("matchstick", "match stick", "wooden match"), themes=("living",),
           colors=("red",), state="lying")  # fmt: skip
 def match(look: Look) -> Shape:
-    """A match lying."""
+    """A match, lying flat."""
     color = look.color("red", "brown", "blue", "green", "black", "pink")
     long = look.between(0.045, 0.07)
     stick = box(long, 0.0024, 0.0024)
@@ -232,7 +232,7 @@ GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "teal")
           aliases=("cake candle", "party candle"), themes=("living",), roles=("round",),
           colors=("pink", "blue"))  # fmt: skip
 def birthday_candle(look: Look) -> Shape:
-    """A thin striped candle in a holder shaped like a flower, burning."""
+    """A thin, striped, burning candle in a flower-shaped holder."""
     h = look.between(0.05, 0.065)
     wax = surfaces.stripes([look.color(*GAY), (250, 250, 246)], 4)
     petals = lobe(cylinder(0.011, 0.008, 24, bevel=0.001), 6, 0.15)
@@ -247,7 +247,7 @@ def birthday_candle(look: Look) -> Shape:
           assembled=True, aliases=("snuffer", "candle extinguisher", "brass snuffer"),
           themes=("living",), colors=("brass",), state="lying flat")  # fmt: skip
 def candle_snuffer(look: Look) -> Shape:
-    """A candle snuffer lying: a small bell at the end of a long handle."""
+    """A candle snuffer lying flat: a small bell at the end of a long handle."""
     k = look.between(0.92, 1.08)
     color = look.color("brass", "silver", "copper", "black")
     bell = lathe([(0, 0), (0.003, 0), (0.013, 0.022), (0.0115, 0.022), (0, 0.006)], 20).turn(
@@ -266,7 +266,7 @@ def candle_snuffer(look: Look) -> Shape:
           aliases=("book of matches", "paper matches", "book matches"), themes=("living",),
           colors=("red",), state="lying flat")  # fmt: skip
 def matchbook(look: Look) -> Shape:
-    """A matchbook lying open: a folded card, a comb of paper matches."""
+    """An open matchbook lying flat: a folded card with a comb of paper matches."""
     k = look.between(0.94, 1.12)
     color = look.color("red", "navy", "green", "black", "yellow", "white")
     x, y = 0.04 * k, 0.048 * k

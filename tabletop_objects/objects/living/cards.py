@@ -1,4 +1,4 @@
-"""Cards (living)."""
+"""Objects of the ``living`` theme: cards."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def _scratch(look: Look, color: RGB) -> surfaces.Tile:
 
 def card(x: float, y: float, draw: Draw, palette: tuple[str, ...], tall: float = 0.0012
          ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return a card lying face up, or with more height a pile or deck of them."""
+    """Return a card lying face up; with a greater height, a pile or deck of cards."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.03)
@@ -130,7 +130,7 @@ def card(x: float, y: float, draw: Draw, palette: tuple[str, ...], tall: float =
           aliases=("automatic card shuffler", "card shuffling machine"), themes=("living",),
           colors=("black",))  # fmt: skip
 def card_shuffler(look: Look) -> Shape:
-    """A card shuffler: a box with a slot of cards at each side and a tray between."""
+    """A card shuffler: a box with a slot for cards on each side and a tray between them."""
     k = look.between(0.94, 1.06)
     color = look.color("black", "black", "green", "red")
     x, y, h = 0.2 * k, 0.1 * k, 0.095 * k

@@ -1,4 +1,4 @@
-"""Cleaners (living)."""
+"""Objects of the ``living`` theme: cleaning supplies."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, plain, readable_on, tint_color
           aliases=("baby potty", "child's potty", "chamber pot"), themes=("living",),
           roles=("container", "big"), colors=("blue", "pink"))  # fmt: skip
 def potty(look: Look) -> Shape:
-    """A child's potty with a raised back, open above."""
+    """A child's potty with a raised back, open at the top."""
     color = look.color("blue", "pink", "green", "white", "yellow")
     k = look.between(0.75, 0.95)
     profile = [(0.1, 0), (0.098, 0.01), (0.09, 0.09), (0.12, 0.125), (0.125, 0.13)]
@@ -33,7 +33,7 @@ def potty(look: Look) -> Shape:
           aliases=("sink plunger", "toilet plunger", "drain plunger"), themes=("living",),
           roles=("tall",), colors=("red",))  # fmt: skip
 def plunger(look: Look) -> Shape:
-    """A plunger standing on its rubber cup."""
+    """A plunger, standing on its rubber cup."""
     color = look.color("red", "black", "terracotta", "blue")
     k = look.between(0.7, 0.9)
     cup = standing((0.055, 0), (0.06, 0.006), (0.058, 0.03), (0.04, 0.062), (0.018, 0.075),
@@ -50,7 +50,7 @@ def plunger(look: Look) -> Shape:
           aliases=("window squeegee", "shower squeegee", "window wiper"), themes=("living",),
           roles=("big",), colors=("blue",))  # fmt: skip
 def squeegee(look: Look) -> Shape:
-    """A squeegee lying: a rubber blade in a bar, and a handle."""
+    """A squeegee lying flat: a rubber blade in a bar, and a handle."""
     color = look.color("blue", "green", "black", "silver", "yellow")
     k = look.between(0.8, 1.05)
     rail = at_box(0.022, 0.25, 0.014, (0.09, 0, 0.002))
@@ -68,7 +68,7 @@ def squeegee(look: Look) -> Shape:
           aliases=("sticky roller", "lint remover", "clothes roller"), themes=("living",),
           colors=("pink", "blue"))  # fmt: skip
 def lint_roller(look: Look) -> Shape:
-    """A sticky roller lying, its handle bent."""
+    """A lint roller with a bent handle, lying flat."""
     color = look.color("pink", "blue", "white", "green", "black")
     k = look.between(0.85, 1.1)
     paper = drum(0.024, 0.1, (-0.02, 0, 0.0235), 0, sides=26)
@@ -110,7 +110,7 @@ def robot_vacuum(look: Look) -> Shape:
           "handheld vacuum cleaner", "dustbuster", "hoover", "mini vacuum"), themes=("living",),
           roles=("big",), colors=("red", "gray"))  # fmt: skip
 def hand_vacuum(look: Look) -> Shape:
-    """A hand-held vacuum cleaner lying: a clear nose, a body and a handle."""
+    """A hand-held vacuum cleaner lying flat, with a clear nose, a body and a handle."""
     color = look.color("red", "gray", "blue", "white", "purple")
     k = look.between(0.75, 0.95)
     nose = side_view([(0.05, 0.0), (0.18, 0.0), (0.175, 0.025), (0.05, 0.095)], 0.085)
@@ -128,7 +128,7 @@ def hand_vacuum(look: Look) -> Shape:
           aliases=("mop", "string mop", "floor mop"), themes=("living",), roles=("big",),
           colors=("white",))  # fmt: skip
 def mop_head(look: Look) -> Shape:
-    """A mop head lying: strings spread from a socket."""
+    """A mop head lying flat: strings spread out from a socket."""
     color = look.color("white", "cream", "sky", "gray")
     k = look.between(0.8, 1.05)
     cords = []
@@ -151,7 +151,7 @@ def mop_head(look: Look) -> Shape:
           aliases=("brush head", "floor brush", "sweeping brush"), themes=("living",),
           roles=("big",), colors=("red", "blue"))  # fmt: skip
 def broom_head(look: Look) -> Shape:
-    """A broom head standing on its bristles, with the socket for a stick."""
+    """A broom head with a socket for a stick, standing on its bristles."""
     color = look.color("red", "blue", "wooden", "green", "black")
     k = look.between(0.7, 0.9)
     top = block(0.27, 0.055, 0.026, 0.02, 0.006).move(z=0.072)
@@ -169,7 +169,7 @@ def broom_head(look: Look) -> Shape:
           aliases=("dustpan brush", "banister brush", "bench brush", "crumb sweeper",
           "table brush"), themes=("living",), colors=("red", "wooden"))  # fmt: skip
 def hand_brush(look: Look) -> Shape:
-    """A hand brush lying on its bristles."""
+    """A hand brush, lying on its bristles."""
     color = look.color("red", "wooden", "blue", "green", "tan")
     k = look.between(0.8, 1.05)
     head = block(0.15, 0.05, 0.018, 0.014, 0.005).move(0.05, 0, 0.05)
@@ -188,7 +188,7 @@ def hand_brush(look: Look) -> Shape:
           aliases=("mousetrap", "rat trap", "spring trap"), themes=("living",), roles=("flat",),
           colors=("tan",))  # fmt: skip
 def mouse_trap(look: Look) -> Shape:
-    """A spring mousetrap, set, with a bit of cheese on it."""
+    """A spring mousetrap, set and baited with a bit of cheese."""
     color = look.color("tan", "wooden", "beige")
     k = look.between(0.85, 1.25)
     base = at_box(0.1, 0.048, 0.008)
@@ -214,7 +214,7 @@ def mouse_trap(look: Look) -> Shape:
           "pack of baby wipes"), themes=("living",), colors=("sky",),
           state="lying flat")  # fmt: skip
 def wet_wipes(look: Look) -> Shape:
-    """A soft packet of wet wipes lying, a flip lid on top."""
+    """A soft packet of wet wipes lying flat, with a flip lid on top."""
     k, color = look.between(0.9, 1.1), look.color("sky", "white", "mint", "pink", "lavender")
     body = pad(0.17 * k, 0.1 * k, 0.045 * k, 0.014 * k, soft=0.5)
     seams = [box(0.012 * k, 0.1 * k, 0.003).move(s * 0.088 * k, 0, 0.02 * k) for s in (-1, 1)]
@@ -241,7 +241,7 @@ STEEL = (196, 200, 206)
           "bait bucket", "ice pail"), themes=("living",), roles=("container", "round"),
           colors=("red", "blue"))  # fmt: skip
 def bucket(look: Look) -> Shape:
-    """A bucket with its bail hanging down at the back."""
+    """A bucket with its handle hanging down at the back."""
     r, h = look.between(0.075, 0.095), look.between(0.13, 0.16)
     color = look.color(*TONES, "silver")
     body, parts = open_vessel([(0.72 * r, 0), (0.86 * r, 0.5 * h), (r, h)], 0.0035, 0.004)
@@ -258,7 +258,7 @@ def bucket(look: Look) -> Shape:
           aliases=("clothes basket", "washing basket", "plastic basket", "laundry hamper"),
           themes=("living",), roles=("container", "big"), colors=("white", "blue"))  # fmt: skip
 def laundry_basket(look: Look) -> Shape:
-    """A small oblong laundry basket with slits in its walls."""
+    """A small, oblong laundry basket with slits in its walls."""
     color = look.color("white", "blue", "teal", "gray", "pink", "green")
     x, y, h = look.between(0.27, 0.32), look.between(0.19, 0.22), look.between(0.13, 0.16)
     outline = rectangle(1, 1, 0.18, 5)
@@ -293,7 +293,7 @@ def laundry_basket(look: Look) -> Shape:
           aliases=("feather duster", "dust brush", "bundle of dusters", "lint brush"),
           themes=("living",), colors=("pink", "blue"), state="lying")  # fmt: skip
 def duster(look: Look) -> Shape:
-    """A feather duster lying."""
+    """A feather duster, lying flat."""
     color = look.color("pink", "blue", "purple", "yellow", "green", "gray", "orange")
     grip = straight((0.02, 0, 0.012), (0.17, 0, 0.009), [0.008, 0.0085], 10)
     puffs: list[Solid] = [ball(0.15, 0.075, 0.07, (-0.05, 0, 0.034), 16)]
@@ -331,7 +331,7 @@ def clothes_peg(look: Look) -> Shape:
           aliases=("hanger", "coat hanger", "wooden hanger"), themes=("living",),
           roles=("big", "flat"), colors=("wooden",), state="lying flat")  # fmt: skip
 def clothes_hanger(look: Look) -> Shape:
-    """A clothes hanger lying flat."""
+    """A clothes hanger, lying flat."""
     color = look.color("wooden", "black", "white", "pink", "brown", "blue")
     k = look.between(0.75, 0.95)
     wood = look.surface(color, "wood")
@@ -348,7 +348,7 @@ def clothes_hanger(look: Look) -> Shape:
           aliases=("steam iron", "clothes iron", "flatiron", "electric iron"), themes=("living",),
           roles=("big",), colors=("white", "blue"))  # fmt: skip
 def iron(look: Look) -> Shape:
-    """A flat iron lying on its sole, its point to the left."""
+    """A clothes iron resting on its sole plate, with its tip on the left."""
     color = look.color("white", "blue", "teal", "purple", "red", "green")
     base = smooth([(-0.12, 0), (-0.08, -0.03), (-0.02, -0.05), (0.08, -0.052), (0.095, -0.04),
                    (0.095, 0.04), (0.08, 0.052), (-0.02, 0.05), (-0.08, 0.03), (-0.12, 0)],

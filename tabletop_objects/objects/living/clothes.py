@@ -1,4 +1,4 @@
-"""Clothes (living)."""
+"""Objects of the ``living`` theme: clothes."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from ...kit.surfaces import RGB, Look, Tile, plain, readable_on, tint_color
           aliases=("birthday sash", "satin sash", "pageant sash", "winner's sash"),
           themes=("living",), colors=("pink",), state="lying flat")  # fmt: skip
 def sash(look: Look) -> Shape:
-    """A satin sash lying in a loop, lettered."""
+    """A satin sash with lettering, lying in a loop."""
     k = look.between(0.94, 1.06)
     color = look.color("pink", "white", "red", "purple", "gold", "sky")
     u = np.linspace(0, 1, 26)
@@ -57,7 +57,7 @@ def sash(look: Look) -> Shape:
           aliases=("belt buckle", "brass buckle", "metal buckle"), themes=("living",),
           roles=("flat",), colors=("silver",))  # fmt: skip
 def buckle(look: Look) -> Shape:
-    """A belt buckle lying: a frame, a bar and a prong."""
+    """A belt buckle lying flat: a frame, a bar and a prong."""
     color = look.color("silver", "gold", "bronze", "copper")
     k = look.between(0.8, 1.2)
     a = rectangle(0.06, 0.05, look.pick([0.004, 0.012, 0.02]), 5)
@@ -72,7 +72,7 @@ def buckle(look: Look) -> Shape:
           aliases=("armored glove", "knight's glove", "armoured glove", "steel glove"),
           themes=("living",), roles=("big",), colors=("silver",))  # fmt: skip
 def gauntlet(look: Look) -> Shape:
-    """A plated gauntlet lying, its cuff flared."""
+    """A plate-armour gauntlet with a flared cuff, lying flat."""
     color = look.color("silver", "gray", "bronze", "charcoal")
     k = look.between(0.85, 1.1)
     cuff = [drum(0.036 + 0.006 * n, 0.04, (-0.045 - 0.036 * n, 0, 0.05), 0, top=0.034 + 0.004 * n)
@@ -108,7 +108,7 @@ CLOTH = ("navy", "red", "gray", "teal", "black", "pink", "sky", "green", "white"
 
 
 def cloth(look: Look, color: RGB) -> Tile:
-    """Return cloth: plain, striped or checked."""
+    """Return plain, striped or checked cloth."""
     kind = look.pick([0, 0, 1, 2])
     if kind == 1:
         return surfaces.stripes([color, color, tint_color(color, 1.5)], 7, upright=look.chance(0.5))
@@ -116,7 +116,7 @@ def cloth(look: Look, color: RGB) -> Tile:
 
 
 def mirror(half: list[tuple[float, float]]) -> np.ndarray:
-    """Return an outline from its right half, given from the bottom up."""
+    """Return a symmetric outline from its right half, given from the bottom up."""
     right = np.array(half, float)
     left = right[::-1] * [-1, 1]
     return np.concatenate([right, left[np.abs(left[:, 0]) > 1e-9]])
@@ -127,7 +127,7 @@ def mirror(half: list[tuple[float, float]]) -> np.ndarray:
           "swim trunks", "running shorts", "boxers"), themes=("living",), roles=("flat", "big"),
           colors=("navy", "red"))  # fmt: skip
 def shorts(look: Look) -> Shape:
-    """Shorts lying flat, with a waistband and a drawstring."""
+    """Shorts with a waistband and a drawstring, lying flat."""
     color = look.color(*CLOTH)
     k, leg = look.between(0.9, 1.1), look.between(0.9, 1.15)
     rim = mirror([(0.0, -0.03), (0.018, -0.115 * leg), (0.125, -0.1 * leg), (0.1, 0.085)])
@@ -148,7 +148,7 @@ def shorts(look: Look) -> Shape:
           aliases=("underpants", "knickers", "panties", "underwear", "pair of knickers"),
           themes=("living",), roles=("flat", "big"), colors=("white",))  # fmt: skip
 def briefs(look: Look) -> Shape:
-    """Underpants lying flat."""
+    """Underpants, lying flat."""
     color = look.color("white", "pink", "gray", "black", "sky", "red", "lavender")
     k = look.between(0.9, 1.1)
     rim = mirror([(0.0, -0.075), (0.026, -0.07), (0.05, -0.02), (0.115, 0.03), (0.105, 0.075)])
@@ -164,7 +164,7 @@ def briefs(look: Look) -> Shape:
           aliases=("brassiere", "sports bra"), themes=("living",), roles=("big",),
           colors=("white", "pink"))  # fmt: skip
 def bra(look: Look) -> Shape:
-    """A bra lying: two cups, straps and a band."""
+    """A bra with two cups, straps and a band, lying flat."""
     color = look.color("white", "black", "pink", "red", "lavender", "beige", "teal")
     k = look.between(0.9, 1.1)
     cups = [ball(0.105, 0.1, 0.075, (s * 0.056, 0, 0.002), 20) for s in (-1, 1)]
@@ -187,7 +187,7 @@ def bra(look: Look) -> Shape:
           aliases=("swimming costume", "bathing suit", "one-piece swimsuit", "leotard"),
           themes=("living",), roles=("flat", "big"), colors=("navy", "red"))  # fmt: skip
 def swimsuit(look: Look) -> Shape:
-    """A one-piece swimsuit lying flat."""
+    """A one-piece swimsuit, lying flat."""
     color = look.color("navy", "red", "teal", "pink", "black", "yellow")
     k = look.between(0.85, 1.1)
     half = [(0.0, -0.15), (0.022, -0.145), (0.05, -0.09), (0.088, -0.05), (0.068, 0.02),
@@ -204,7 +204,7 @@ def swimsuit(look: Look) -> Shape:
           aliases=("bikini top", "two-piece swimsuit"), themes=("living",), roles=("flat", "big"),
           colors=("red",))  # fmt: skip
 def bikini(look: Look) -> Shape:
-    """A bikini lying: a top with ties above a bottom."""
+    """A bikini lying flat, with its top above its bottom."""
     color = look.color("red", "yellow", "turquoise", "pink", "navy", "orange")
     k = look.between(0.9, 1.1)
     cups = [plate([(s * 0.004, 0.03), (s * 0.085, 0.03), (s * 0.05, 0.1)], 0.01) for s in (-1, 1)]
@@ -225,7 +225,7 @@ def bikini(look: Look) -> Shape:
           aliases=("suit vest", "gilet", "formal vest"), themes=("living",), roles=("flat", "big"),
           colors=("charcoal",))  # fmt: skip
 def waistcoat(look: Look) -> Shape:
-    """A buttoned waistcoat lying flat."""
+    """A buttoned waistcoat, lying flat."""
     color = look.color("charcoal", "navy", "brown", "gray", "maroon", "black", "olive")
     k = look.between(0.85, 1.05)
     half = [(0.0, -0.14), (0.03, -0.165), (0.05, -0.145), (0.12, -0.135), (0.115, 0.0),
@@ -248,7 +248,7 @@ def waistcoat(look: Look) -> Shape:
           aliases=("tank top", "vest top", "undershirt", "sleeveless shirt", "singlet"),
           themes=("living",), roles=("flat", "big"), colors=("white",))  # fmt: skip
 def vest(look: Look) -> Shape:
-    """A sleeveless vest lying flat."""
+    """A sleeveless vest, lying flat."""
     color = look.color("white", "gray", "black", "navy", "yellow", "red")
     k = look.between(0.85, 1.05)
     half = [(0.0, -0.17), (0.105, -0.17), (0.1, 0.04), (0.075, 0.08), (0.07, 0.16), (0.045, 0.16),
@@ -270,7 +270,7 @@ def vest(look: Look) -> Shape:
           "baby vest", "baby clothes"), themes=("living",), roles=("flat", "big"),
           colors=("white", "sky"))  # fmt: skip
 def bodysuit(look: Look) -> Shape:
-    """A baby's bodysuit lying flat, snaps at the bottom."""
+    """A baby's bodysuit with snaps at the bottom, lying flat."""
     color = look.color("white", "sky", "pink", "mint", "yellow", "cream", "lavender")
     k = look.between(0.85, 1.1)
     half = [(0.0, -0.115), (0.022, -0.112), (0.04, -0.07), (0.075, -0.04), (0.072, 0.05),
@@ -294,7 +294,7 @@ def bodysuit(look: Look) -> Shape:
           aliases=("suspenders", "pair of braces", "pair of suspenders", "trouser braces"),
           themes=("living",), roles=("flat", "big"), colors=("red",))  # fmt: skip
 def braces(look: Look) -> Shape:
-    """Elastic braces lying: two straps that meet behind, with clips."""
+    """Elastic braces with clips lying flat: two straps that meet at the back."""
     color = look.color("red", "navy", "black", "green", "mustard", "gray")
     k = look.between(0.85, 1.1)
     straps = []
@@ -314,7 +314,7 @@ def braces(look: Look) -> Shape:
 
 
 def hand_shape(look: Look, colors: tuple[str, ...], cuff: float, *, knit: bool) -> Shape:
-    """A glove lying flat, its fingers to the left; mittens have one wide finger."""
+    """A glove lying flat with its fingers on the left; mittens have one wide finger."""
     color = look.color(*colors)
     skin = surfaces.knitting(look.rng, color, 26) if knit else surfaces.speckles(look.rng, color, 7)
     k = look.between(0.9, 1.12)
@@ -344,7 +344,7 @@ GOLD: RGB = (206, 172, 90)
           aliases=("wedding garter", "bridal garter", "lace garter"), themes=("living",),
           colors=("sky", "white"), state="lying")  # fmt: skip
 def garter(look: Look) -> Shape:
-    """A garter: a ring of gathered lace and satin with a little bow, lying."""
+    """A garter lying flat: a ring of gathered lace and satin with a small bow."""
     k, color = look.between(0.9, 1.1), look.color("sky", "white", "blue", "pink", "red", "ivory")
     a = np.linspace(0, 2 * np.pi, 121)[:-1]
     wave = 0.006 * np.sin(30 * a)
@@ -371,7 +371,7 @@ def garter(look: Look) -> Shape:
           aliases=("bridal veil", "wedding veil", "lace veil"), themes=("living",), roles=("big",),
           colors=("white",), state="lying")  # fmt: skip
 def veil(look: Look) -> Shape:
-    """A bridal veil laid down: soft folds of white tulle gathered at a comb."""
+    """A bridal veil lying flat: soft folds of white tulle gathered at a comb."""
     k, color = look.between(0.85, 1.05), look.color("white", "ivory", "cream")
     phase = look.between(0, 6)
     n = 28
@@ -396,7 +396,7 @@ BRASS = (206, 172, 96)
           themes=("living",), roles=("flat", "big"), colors=("red",),
           state="lying open")  # fmt: skip
 def folding_fan(look: Look) -> Shape:
-    """An open folding fan lying, pleated, with sticks that meet at a rivet."""
+    """An open, pleated folding fan lying flat, with sticks that meet at a rivet."""
     color = look.color("red", "black", "pink", "blue", "white", "green", "purple")
     n = 19
     k = look.between(0.85, 1.1)
@@ -429,7 +429,7 @@ def folding_fan(look: Look) -> Shape:
           "compact umbrella", "brolly"), themes=("living",), roles=("big",),
           colors=("black", "red"), state="lying")  # fmt: skip
 def umbrella(look: Look) -> Shape:
-    """A rolled umbrella lying, its crook to the right."""
+    """A rolled umbrella lying flat with its crook handle on the right."""
     color = look.color("black", "red", "navy", "yellow", "green", "purple", "pink", "blue")
     cloth = lathe([(0, 0), (0.007, 0), (0.021, 0.05), (0.024, 0.19), (0.017, 0.24), (0.006, 0.25),
                    (0, 0.25)], 16)  # fmt: skip
@@ -454,7 +454,7 @@ def umbrella(look: Look) -> Shape:
           aliases=("folded scarf", "wool scarf", "shawl", "knitted scarf", "cummerbund"),
           themes=("living",), colors=("red", "gray"), state="lying folded")  # fmt: skip
 def scarf(look: Look) -> Shape:
-    """A scarf folded into a long bundle, its fringed ends over each other."""
+    """A scarf folded into a long bundle with its fringed ends overlapping."""
     x, y, h = look.between(0.22, 0.28), look.between(0.1, 0.13), look.between(0.04, 0.055)
     color = look.color("red", "gray", "navy", "mustard", "teal", "cream", "maroon", "green", "pink")
     other = look.own_color("white", "black", "navy", "cream", "red", "yellow")
@@ -487,7 +487,7 @@ TONES = ("white", "navy", "red", "gray", "teal", "black", "mustard", "pink", "gr
 
 
 def _pile(x: float, y: float, h: float, count: int) -> Solid:
-    """Return folded cloth: rounded layers on each other."""
+    """Return a stack of rounded layers of folded cloth."""
     t = h / count
     return join([pad(x * (1 - 0.008 * n), y * (1 - 0.012 * n), t, 0.012, soft=0.5, steps=4)
                  .move(0, 0.002 * n, n * t) for n in range(count)])  # fmt: skip
@@ -498,7 +498,7 @@ def _pile(x: float, y: float, h: float, count: int) -> Solid:
           themes=("living",), roles=("big", "support"), colors=("white", "navy"),
           state="lying folded")  # fmt: skip
 def t_shirt(look: Look) -> Shape:
-    """A folded T-shirt, its neck in front."""
+    """A folded T-shirt with its neck in front."""
     x, y, h = look.between(0.21, 0.25), look.between(0.25, 0.29), look.between(0.028, 0.04)
     color = look.color(*TONES)
     body = _pile(x, y, h, 3)
@@ -542,7 +542,7 @@ def shirt(look: Look) -> Shape:
           "knitted sweater"), themes=("living",), roles=("big", "support"),
           colors=("mustard", "gray"), state="lying folded")  # fmt: skip
 def sweater(look: Look) -> Shape:
-    """A folded knitted sweater, thick, its ribbed neck in front."""
+    """A thick, folded knitted sweater with its ribbed neck in front."""
     x, y, h = look.between(0.24, 0.29), look.between(0.26, 0.3), look.between(0.06, 0.08)
     color = look.color("mustard", "gray", "cream", "red", "navy", "green", "teal", "brown")
     knit = surfaces.knitting(look.rng, color, 30)
@@ -585,7 +585,7 @@ def jeans(look: Look) -> Shape:
           "wool sock", "knitted sock", "baby sock", "pair of socks", "trouser sock", "leg warmer"),
           themes=("living",), colors=("white", "red"), state="lying flat")  # fmt: skip
 def sock(look: Look) -> Shape:
-    """A sock lying flat, its toe to the left."""
+    """A sock lying flat with its toe on the left."""
     color = look.color(*TONES, "orange", "purple")
     other = look.own_color("white", "red", "navy", "yellow")
     side = smooth([(0.03, 0.1), (-0.03, 0.1), (-0.03, 0.0), (-0.045, -0.025), (-0.095, -0.036),
@@ -610,7 +610,7 @@ def sock(look: Look) -> Shape:
           aliases=("knitted glove", "wool glove", "winter glove", "leather glove"),
           themes=("living",), colors=("gray", "red"), state="lying flat")  # fmt: skip
 def glove(look: Look) -> Shape:
-    """A knitted glove lying flat."""
+    """A knitted glove, lying flat."""
     return hand_shape(look, ("gray", "red", "navy", "black", "teal", "mustard"), 0.05, knit=True)
 
 
@@ -618,7 +618,7 @@ def glove(look: Look) -> Shape:
           aliases=("winter mitten", "pot holder mitt", "wool mitten"), themes=("living", "kitchen"),
           colors=("red", "gray"), state="lying flat")  # fmt: skip
 def mitten(look: Look) -> Shape:
-    """A knitted mitten lying flat, or an oven mitt."""
+    """A knitted mitten, or an oven mitt, lying flat."""
     color = look.color("red", "gray", "navy", "teal", "mustard", "green", "white")
     knit = (surfaces.knitting(look.rng, color, 24) if look.chance(0.6) else
             surfaces.fabric(look.rng, color, (246, 244, 238), 20))  # fmt: skip
@@ -633,7 +633,7 @@ def mitten(look: Look) -> Shape:
           aliases=("necktie", "neck tie", "silk tie", "cravat", "groom's tie"), themes=("living",),
           roles=("big",), colors=("navy", "red"), state="lying flat")  # fmt: skip
 def tie(look: Look) -> Shape:
-    """A necktie lying flat: its knot to the right, its point to the left."""
+    """A necktie lying flat with its knot on the right and its tip on the left."""
     color = look.color("navy", "red", "green", "purple", "black", "gray", "teal")
     other = look.own_color("white", "gold", "silver", "sky")
     silk = surfaces.stripes([color, color, color, other], 9, upright=True, side=128)
@@ -654,7 +654,7 @@ def tie(look: Look) -> Shape:
           aliases=("bowtie", "dickie bow"), themes=("living",), colors=("black", "red"),
           state="lying flat")  # fmt: skip
 def bow_tie(look: Look) -> Shape:
-    """A bow tie lying flat."""
+    """A bow tie, lying flat."""
     color = look.color("black", "red", "navy", "purple", "green", "white", "gold")
     cloth = (surfaces.spots(look.rng, color, tint_color(color, 1.7), 0.12) if look.chance(0.4)
              else surfaces.fabric(look.rng, color))  # fmt: skip
@@ -674,7 +674,7 @@ def bow_tie(look: Look) -> Shape:
           "strop", "guitar strap", "anti-static wrist strap"), themes=("living",),
           colors=("brown", "black"), state="lying rolled up")  # fmt: skip
 def belt(look: Look) -> Shape:
-    """A leather belt rolled up, standing on its edge, with its buckle."""
+    """A rolled leather belt with its buckle, standing on its edge."""
     color = look.color("brown", "black", "tan", "navy", "maroon", "white")
     a = np.linspace(0, 2 * np.pi * 3.2, 90)
     r = 0.018 + 0.0052 * a / (2 * np.pi) * 1.25

@@ -1,4 +1,4 @@
-"""Decorations (living)."""
+"""Objects of the ``living`` theme: decorations."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ from .figurines import person
           aliases=("mylar balloon", "star balloon", "heart balloon", "helium balloon"),
           themes=("living",), colors=("silver", "gold"), state="lying flat")  # fmt: skip
 def foil_balloon(look: Look) -> Shape:
-    """A shiny foil balloon lying: a heart, a star or a round, its tail and ribbon out."""
+    """A shiny foil balloon lying flat: a heart, a star or a disc, with its tail and ribbon."""
     k = look.between(0.9, 1.1)
     color = look.color("silver", "gold", "pink", "red", "blue")
     kind = look.pick(["star", "heart", "star"])
@@ -170,7 +170,7 @@ def bunting(word: str, cut: bool) -> Callable[[Look], Shape]:
           state="lying flat")  # fmt: skip
 @at_rest
 def streamer(look: Look) -> Shape:
-    """A paper streamer, its coil sprung open in curls."""
+    """A paper streamer whose coil has sprung open in curls."""
     k = look.between(0.9, 1.1)
     color = look.color("pink", "yellow", "sky", "red", "lime", "purple", "orange")
     t = np.linspace(0, 1, 110)
@@ -189,7 +189,7 @@ def streamer(look: Look) -> Shape:
           "wooden snowflake"), themes=("living",), roles=("flat",), colors=("white",),
           state="lying flat")  # fmt: skip
 def snowflake(look: Look) -> Shape:
-    """A six-armed snowflake with a loop to hang it, lying."""
+    """A six-armed snowflake with a loop for hanging, lying flat."""
     k = look.between(0.85, 1.2)
     color = look.color("white", "silver", "sky", "white", "gold")
     arms = []
@@ -213,7 +213,7 @@ def snowflake(look: Look) -> Shape:
           aliases=("icicle ornament", "glass icicle", "icicle decoration"), themes=("living",),
           colors=("clear",), state="lying flat")  # fmt: skip
 def icicle(look: Look) -> Shape:
-    """A twisted glass icicle with a gold cap and loop, lying."""
+    """A twisted glass icicle with a gold cap and a loop, lying flat."""
     k = look.between(0.85, 1.15)
     color = look.color("clear", "sky", "silver", "white")
     t = np.linspace(0, 1, 40)
@@ -230,7 +230,7 @@ def icicle(look: Look) -> Shape:
           aliases=("sleigh ornament", "mini sled", "toy sleigh", "sled", "santa's sleigh",
           "toy sled", "sledge"), themes=("living",), colors=("red",))  # fmt: skip
 def sleigh(look: Look) -> Shape:
-    """A small sleigh on curved runners, its sack of presents in it."""
+    """A small sleigh on curved runners with a sack of presents."""
     k = look.between(0.85, 1.15)
     color = look.color("red", "red", "green", "wooden", "gold")
     side = smooth(np.array([(-0.06, 0.02), (0.035, 0.02), (0.06, 0.034), (0.066, 0.056),
@@ -265,7 +265,7 @@ def sleigh(look: Look) -> Shape:
           aliases=("evil eye charm", "nazar", "evil eye bead", "evil eye amulet", "nazar amulet"),
           themes=("living",), roles=("flat",), colors=("navy",), state="lying flat")  # fmt: skip
 def evil_eye(look: Look) -> Shape:
-    """An evil-eye charm: rings of blue, white and black glass, a loop."""
+    """An evil-eye charm: rings of blue, white and black glass with a loop."""
     r = look.between(0.018, 0.026)
     color = look.color("navy", "blue", "blue")
     rings = [(r, 0.006, color), (0.64 * r, 0.0068, (250, 250, 250)), (0.44 * r, 0.0074,
@@ -283,7 +283,7 @@ def evil_eye(look: Look) -> Shape:
           aliases=("party blowout", "blowout", "party whistle", "noisemaker", "party noisemaker"),
           themes=("living",), colors=("red",), state="lying flat")  # fmt: skip
 def party_blower(look: Look) -> Shape:
-    """A party blower: a mouthpiece and a curled paper tongue, lying."""
+    """A party blower lying flat: a mouthpiece and a curled paper tongue."""
     k = look.between(0.9, 1.1)
     color = look.color("red", "blue", "gold", "pink", "green", "purple")
     mouth = cylinder(0.0055, 0.04, 14, top=0.009).turn(1, np.pi / 2).move(-0.08, 0, 0.013)
@@ -306,7 +306,7 @@ def party_blower(look: Look) -> Shape:
           state="lying flat")  # fmt: skip
 @at_rest
 def party_horn(look: Look) -> Shape:
-    """A paper party horn with a fringe at its wide end, lying."""
+    """A paper party horn with a fringe at its wide end, lying flat."""
     k = look.between(0.9, 1.1)
     color = look.color("red", "gold", "blue", "pink", "silver", "green")
     cone = cylinder(0.006, 0.17, 24, top=0.031).turn(1, np.pi / 2).move(x=-0.09)
@@ -326,7 +326,7 @@ def party_horn(look: Look) -> Shape:
           assembled=True, aliases=("hand pump", "inflator", "ball pump"), themes=("living",),
           colors=("blue",), state="lying flat")  # fmt: skip
 def balloon_pump(look: Look) -> Shape:
-    """A balloon pump lying: a barrel with a nozzle and its T-shaped handle drawn out."""
+    """A balloon pump lying flat: a barrel with a nozzle and an extended T-shaped handle."""
     k = look.between(0.92, 1.08)
     color = look.color("blue", "red", "yellow", "green", "pink")
     barrel = cylinder(0.021, 0.15, 26, bevel=0.002).turn(1, np.pi / 2).move(x=-0.09)
@@ -349,7 +349,7 @@ SKIN: RGB = (232, 192, 158)
           aliases=("candle pyramid", "wooden christmas pyramid", "german christmas pyramid"),
           themes=("living",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def christmas_pyramid(look: Look) -> Shape:
-    """A wooden Christmas pyramid: two decks of figures, candles, a fan on top."""
+    """A wooden Christmas pyramid with two decks of figures, candles and a fan on top."""
     k = look.between(0.92, 1.08)
     color = look.color("wooden", "wooden", "red", "green")
     base = prism(ellipse(0.17, 0.17, 8, np.pi / 8), 0, 0.012)
@@ -393,7 +393,7 @@ def christmas_pyramid(look: Look) -> Shape:
           "desk fountain"), themes=("living",), roles=("big",), colors=("gray",))  # fmt: skip
 @from_pieces(bodies=7)
 def tabletop_fountain(look: Look) -> Pieces:
-    """A tabletop fountain: bowls at steps, water running down, pebbles."""
+    """A table-top fountain: stepped bowls with running water, and pebbles."""
     stone = look.surface(look.color("gray", "charcoal", "terracotta", "beige"), "stoneware")
     base = standing((0.07, 0), (0.09, 0.012), (0.092, 0.04), (0.084, 0.04), (0.08, 0.026), sides=30)
     water = [disc(0.081, 0.004, (0, 0, 0.028))]
@@ -419,7 +419,7 @@ def tabletop_fountain(look: Look) -> Pieces:
 
 def _table_flag_flag() -> Drawing:
     def draw(look: Look) -> Pieces:
-        """A small flag on a pole in a round foot."""
+        """A small flag on a pole in a round base."""
         tones = [look.color(*PAINTS, "white"), look.own_color("white", "yellow"),
                  look.own_color(*PAINTS)]  # fmt: skip
         cloth = surfaces.stripes(tones, 1, upright=look.chance(0.5))
@@ -448,7 +448,7 @@ def _table_flag_flag() -> Drawing:
           colors=("brown",))  # fmt: skip
 @from_pieces(foot=0.1)
 def pirate_flag(look: Look) -> Pieces:
-    """A pirate flag lying: a white skull and crossed bones on black, its pole to the left."""
+    """A pirate flag lying flat: a white skull and crossbones on black, its pole on the left."""
     image = prints.canvas(96, 64, (26, 26, 28))
     prints.disc(image, 0.5, 0.4, 0.2, (244, 242, 236))
     prints.fill(image, 0.43, 0.5, 0.14, 0.16, (244, 242, 236))
@@ -466,7 +466,7 @@ GOLD = (222, 180, 80)
 
 
 def star_outline(r: float, inner: float = 0.42, points: int = 5) -> np.ndarray:
-    """Return a star's outline (counter-clockwise), one point upwards."""
+    """Return the outline of a star (counter-clockwise) with one point up."""
     a = np.pi / 2 + np.pi * np.arange(2 * points) / points
     away = np.where(np.arange(2 * points) % 2 == 0, r, inner * r)
     return np.column_stack([away * np.cos(a), away * np.sin(a)])
@@ -477,7 +477,7 @@ def star_outline(r: float, inner: float = 0.42, points: int = 5) -> np.ndarray:
           "tabletop christmas tree", "small christmas tree"), themes=("living",), roles=("tall",),
           colors=("green",))  # fmt: skip
 def christmas_tree(look: Look) -> Shape:
-    """A small Christmas tree in a pot with balls and a star."""
+    """A small Christmas tree in a pot, with baubles and a star."""
     color = look.color("green", "green", "teal", "white", "olive")
     h = look.between(0.2, 0.26)
     tiers: list[Solid] = []
@@ -520,7 +520,7 @@ def christmas_tree(look: Look) -> Shape:
           "glass ornament"), themes=("living",), roles=("round",),
           colors=("red", "gold"))  # fmt: skip
 def bauble(look: Look) -> Shape:
-    """A glass ball for a Christmas tree with its cap and loop."""
+    """A glass Christmas bauble with a cap and a loop."""
     d = look.between(0.055, 0.08)
     color = look.color("red", "gold", "silver", "green", "blue", "purple", "pink")
     kind = look.pick(["plain", "band", "dots"])
@@ -544,7 +544,7 @@ def bauble(look: Look) -> Shape:
           aliases=("gold star", "christmas star", "tree topper", "star ornament", "paper star"),
           themes=("living",), roles=("flat",), colors=("gold",), state="lying flat")  # fmt: skip
 def star(look: Look) -> Shape:
-    """A faceted five-pointed star that lies flat."""
+    """A faceted five-pointed star, lying flat."""
     color = look.color("gold", "yellow", "silver", "red", "white", "wooden")
     r = look.between(0.05, 0.075)
     outline = star_outline(r, 0.45)
@@ -568,7 +568,7 @@ def star(look: Look) -> Shape:
           aliases=("christmas stocking", "xmas stocking", "holiday stocking"), themes=("living",),
           colors=("red",), state="lying flat")  # fmt: skip
 def stocking(look: Look) -> Shape:
-    """A Christmas stocking lying flat, its toe to the left, with a white cuff."""
+    """A Christmas stocking with a white cuff, lying flat with its toe on the left."""
     color = look.color("red", "green", "red", "crimson", "navy")
     knit = surfaces.knitting(look.rng, color, 22)
     outline = smooth([(0.035, 0.09), (-0.035, 0.09), (-0.034, 0.0), (-0.05, -0.03), (-0.1, -0.045),
@@ -595,7 +595,7 @@ def stocking(look: Look) -> Shape:
           aliases=("snowglobe", "snow dome", "christmas snow globe", "glass snow globe"),
           themes=("living",), roles=("round",), colors=("wooden", "red"))  # fmt: skip
 def snow_globe(look: Look) -> Shape:
-    """A snow globe: a pale globe of winter air with a small tree and house before it on a foot."""
+    """A snow globe on a base: a pale globe with a small tree and a house in front."""
     d = look.between(0.075, 0.095)
     color = look.color("wooden", "red", "black", "gold", "brown", "navy", "green")
     base = lathe([(0, 0), (0.46 * d, 0), (0.48 * d, 0.008), (0.4 * d, 0.02), (0.38 * d, 0.034),
@@ -631,7 +631,7 @@ BALLOON_GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "te
           aliases=("party balloon", "birthday balloon"), themes=("living",), roles=("tall",),
           colors=("red", "blue"))  # fmt: skip
 def balloon(look: Look) -> Shape:
-    """A balloon on a stick that stands in a small weight."""
+    """A balloon on a stick in a small weight."""
     color = look.color(*BALLOON_GAY, "white", "gold")
     d = look.between(0.13, 0.17)
     weight = lathe(
@@ -654,7 +654,7 @@ def balloon(look: Look) -> Shape:
           aliases=("confetti popper", "confetti cannon"), themes=("living",),
           colors=("red", "gold"))  # fmt: skip
 def party_popper(look: Look) -> Shape:
-    """A party popper standing on its cap, its string above."""
+    """A party popper standing on its cap, with its string on top."""
     color = look.color(*BALLOON_GAY, "gold")
     paper = surfaces.stripes(
         [color, tint_color(color, 1.6), look.own_color(*BALLOON_GAY)], 3, side=96
@@ -672,7 +672,7 @@ def party_popper(look: Look) -> Shape:
           aliases=("party cracker", "paper cracker", "bonbon cracker"), themes=("living",),
           colors=("red", "green"), state="lying")  # fmt: skip
 def christmas_cracker(look: Look) -> Shape:
-    """A paper cracker lying: a roll twisted at both ends with gold bands."""
+    """A Christmas cracker lying flat: a paper roll twisted at both ends, with gold bands."""
     color = look.color("red", "green", "gold", "crimson", "silver", "blue", "white")
     paper = surfaces.fit(glaze_tile(look, color), 128, 128)
     side = [(0, -0.14), (0.026, -0.14), (0.024, -0.115), (0.009, -0.078), (0.023, -0.062),
@@ -716,7 +716,7 @@ EASTER_EGG_GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", 
           "foil egg"), themes=("living",), roles=("round",), colors=("pink", "sky"),
           state="lying")  # fmt: skip
 def easter_egg(look: Look) -> Shape:
-    """A painted egg lying."""
+    """A painted egg, lying on its side."""
     color = look.color("pink", "sky", "yellow", "mint", "lavender", "orange", "red", "blue")
     d = look.between(0.042, 0.05)
     kind = look.pick(["bands", "dots", "zigzag"])
@@ -746,7 +746,7 @@ def easter_egg(look: Look) -> Shape:
           "lucky charm"), themes=("living",), roles=("flat",), colors=("gray",),
           state="lying flat")  # fmt: skip
 def horseshoe(look: Look) -> Shape:
-    """A horseshoe lying flat, nail holes along its two arms."""
+    """A horseshoe lying flat, with nail holes along its two arms."""
     k, color = look.between(0.85, 1.15), look.color("gray", "silver", "bronze", "black", "gold")
     a = np.linspace(-0.62, np.pi + 0.62, 19)
     middle = np.column_stack([0.046 * np.cos(a), 0.054 * np.sin(a)])
@@ -767,7 +767,7 @@ def horseshoe(look: Look) -> Shape:
           "flower wreath", "garland"), themes=("living",), roles=("big",), colors=("green",),
           state="lying flat")  # fmt: skip
 def wreath(look: Look) -> Shape:
-    """A wreath of fir or leaves lying flat, with berries and a bow."""
+    """A wreath of fir or leaves with berries and a bow, lying flat."""
     color = look.color("green", "green", "olive", "sage", "tan")
     big = look.between(0.085, 0.115)
     sprigs: list[Solid] = []
@@ -797,7 +797,7 @@ def wreath(look: Look) -> Shape:
           aliases=("egg tree", "twig tree", "easter egg tree"), themes=("living",), roles=("tall",),
           colors=("white",))  # fmt: skip
 def easter_tree(look: Look) -> Shape:
-    """An Easter tree: bare twigs in a pot with painted eggs hanging from them."""
+    """An Easter tree: bare twigs in a pot, hung with painted eggs."""
     k, color = look.between(0.85, 1.06), look.color("white", "sage", "pink", "terracotta", "sky")
     pot = lathe([(0, 0), (0.036, 0), (0.046, 0.06), (0.048, 0.068), (0.04, 0.068), (0.038, 0.06),
                  (0, 0.058)], 26)  # fmt: skip
@@ -830,7 +830,7 @@ def easter_tree(look: Look) -> Shape:
           "winner's rosette"), themes=("living",), roles=("flat",),
           colors=("red", "blue"))  # fmt: skip
 def rosette(look: Look) -> Shape:
-    """A pleated ribbon rosette with two tails, lying."""
+    """A pleated ribbon rosette with two tails, lying flat."""
     color = look.color("red", "blue", "green", "yellow", "purple", "pink")
     k = look.between(0.8, 1.2)
     a = np.linspace(0, 2 * np.pi, 49)[:-1]
@@ -854,7 +854,7 @@ def rosette(look: Look) -> Shape:
           aliases=("dream catcher",), themes=("living", "craft"), roles=("flat",),
           colors=("brown",))  # fmt: skip
 def dreamcatcher(look: Look) -> Shape:
-    """A hoop with a woven net, beads and hanging feathers, lying."""
+    """A dreamcatcher lying flat: a hoop with a woven net, beads and feathers."""
     color = look.color("brown", "white", "turquoise", "purple", "tan", "red")
     k = look.between(0.85, 1.15)
     hoop = torus(0.06, 0.0045, 36, 8).move(0, 0.05, 0.0044)
@@ -885,7 +885,7 @@ def dreamcatcher(look: Look) -> Shape:
           aliases=("wind chimes", "windchime", "chime"), themes=("living",), roles=("flat",),
           colors=("silver",))  # fmt: skip
 def wind_chime(look: Look) -> Shape:
-    """A wind chime lying: a round top with metal tubes on cords."""
+    """A wind chime lying flat: a round top with metal tubes on cords."""
     color = look.color("silver", "gold", "copper", "teal", "bronze")
     k = look.between(0.85, 1.15)
     top = drum(0.03, 0.008, (0, 0.09, 0), bevel=0.002)

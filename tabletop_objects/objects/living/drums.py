@@ -1,4 +1,4 @@
-"""Drums (living)."""
+"""Objects of the ``living`` theme: drums."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ HIDE = surfaces.plain((232, 216, 184))
 
 
 def _shell(profile: list[tuple[float, float]], *palette: str) -> Drawing:
-    """A standing drum: a turned body, a skin, hoops and ropes."""
+    """A drum standing upright, with a turned body, a skin, hoops and ropes."""
 
     def draw(look: Look) -> Pieces:
         tile = wood(look, *palette)
@@ -41,7 +41,7 @@ def _shell(profile: list[tuple[float, float]], *palette: str) -> Drawing:
           roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces(bodies=3)
 def bongos(look: Look) -> Pieces:
-    """Two drums, a smaller and a larger, joined by a bar: hide heads, metal hoops and rods."""
+    """Bongos: a small and a large drum joined by a bar, with hide heads, metal hoops and rods."""
     tile = wood(look, "brown", "wooden", "red", "maroon")
     pieces: Pieces = []
     rims, heads = [], []

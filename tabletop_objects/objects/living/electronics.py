@@ -1,4 +1,4 @@
-"""Electronics (living)."""
+"""Objects of the ``living`` theme: electronics."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
           "diffuser", "dehumidifier"), themes=("living",), colors=("white",))  # fmt: skip
 @from_pieces(bodies=2)
 def humidifier(look: Look) -> Pieces:
-    """A diffuser or humidifier: a soft drop with a seam and a wisp of mist."""
+    """A soft, drop-shaped diffuser or humidifier with a seam and a wisp of mist."""
     color = look.color("white", "wooden", "cream", "sky", "sage")
     low = standing((0.05, 0), (0.056, 0.01), (0.058, 0.05))
     high = standing((0.058, 0.052), (0.05, 0.09), (0.026, 0.125), (0.012, 0.135))
@@ -43,7 +43,7 @@ GAME_CONSOLE_DARK: RGB = (32, 32, 35)
           "home console"), themes=("living",), roles=("big",),
           colors=("black", "white"))  # fmt: skip
 def game_console(look: Look) -> Shape:
-    """A home game console lying: a low box with a disc slot, light and buttons."""
+    """A home game console lying flat: a low box with a disc slot, a light and buttons."""
     k = look.between(0.85, 1.02)
     x, y, h = 0.28 * k, 0.23 * k, 0.06 * k
     color = look.color("black", "white", "charcoal", "gray", "black", "red")
@@ -72,7 +72,7 @@ def game_console(look: Look) -> Shape:
           "small tv"), themes=("living",), roles=("big", "tall", "screen"),
           colors=("black",))  # fmt: skip
 def television(look: Look) -> Shape:
-    """A small flat television on two feet, a picture on it."""
+    """A small flat television on two feet, showing a picture."""
     k = look.between(0.85, 1.0)
     x, h, t = 0.5 * k, 0.29 * k, 0.03
     color = look.color("black", "black", "charcoal", "white", "silver")
@@ -106,7 +106,7 @@ def _text_page(look: Look) -> surfaces.Tile:
           "ebook", "e reader"), themes=("living",), roles=("flat", "screen"),
           colors=("black",))  # fmt: skip
 def e_reader(look: Look) -> Shape:
-    """An e-reader lying, a page of text on it."""
+    """An e-reader lying flat, showing a page of text."""
     k = look.between(0.94, 1.08)
     x, y, h = 0.118 * k, 0.165 * k, 0.0085
     color = look.color("black", "black", "white", "charcoal", "navy")
@@ -121,7 +121,7 @@ def e_reader(look: Look) -> Shape:
           aliases=("remote", "tv remote", "remote controller"), themes=("living",), roles=("flat",),
           colors=("black",), state="lying flat", common=True)  # fmt: skip
 def remote_control(look: Look) -> Shape:
-    """A television remote lying flat, buttons up, pointing away."""
+    """A television remote lying flat with its buttons up, pointing away from the viewer."""
     x, y, h = look.between(0.038, 0.052), look.between(0.145, 0.2), look.between(0.012, 0.021)
     color = look.color("black", "black", "charcoal", "white", "gray", "silver", "navy", "beige")
     body = block(x, y, h, look.pick([0.004, 0.012, 0.018]), 0.004)
@@ -151,7 +151,7 @@ def remote_control(look: Look) -> Shape:
           "film camera", "slr camera", "mirrorless camera"), themes=("living", "craft", "office"),
           colors=("black", "silver"), common=True)  # fmt: skip
 def camera(look: Look) -> Shape:
-    """A photo camera, its lens towards the viewer."""
+    """A photo camera with its lens towards the viewer."""
     x, y, z = look.between(0.118, 0.132), look.between(0.042, 0.05), look.between(0.072, 0.082)
     color = look.color("black", "black", "silver", "brown", "navy", "red", "teal", "cream", "pink")
     leather = surfaces.spots(look.rng, tint_color(color, 0.85), tint_color(color, 0.6), 0.2)
@@ -186,7 +186,7 @@ RETRO_TELEVISION_DARK: RGB = (30, 30, 33)
           aliases=("cartridge", "video game cartridge", "game card", "video game"),
           themes=("living",), roles=("flat",), colors=("gray",))  # fmt: skip
 def game_cartridge(look: Look) -> Shape:
-    """A game cartridge lying, its label up."""
+    """A game cartridge lying with its label up."""
     k = look.between(0.9, 1.15)
     color = look.color("gray", "charcoal", "black", "gold", "red", "blue")
     x, y, h = 0.062 * k, 0.068 * k, 0.0095 * k
@@ -208,7 +208,7 @@ def game_cartridge(look: Look) -> Shape:
           "film", "microfilm reel", "negative strip", "film reel", "reel of film", "music roll"),
           themes=("living",), roles=("round",), colors=("yellow",))  # fmt: skip
 def film_roll(look: Look) -> Shape:
-    """A 35 mm film canister standing, a tongue of film beside it."""
+    """An upright 35 mm film canister with a strip of film sticking out."""
     k = look.between(0.95, 1.1)
     color = look.color("yellow", "green", "red", "blue", "black", "orange")
     r, h = 0.0125 * k, 0.047 * k
@@ -231,7 +231,7 @@ def film_roll(look: Look) -> Shape:
           "vintage radio", "fm radio", "tabletop radio", "dictaphone", "pager", "baby monitor"),
           themes=("living",), roles=("tall", "big"), colors=("wooden", "red"))  # fmt: skip
 def radio(look: Look) -> Shape:
-    """A portable radio standing: grille, dial, knobs, handle, aerial."""
+    """A portable radio with a grille, a dial, knobs, a handle and an aerial."""
     k = look.between(0.88, 1.1)
     x, y, h = 0.22 * k, 0.07 * k, 0.125 * k
     color = look.color("wooden", "red", "teal", "cream", "black", "mint", "blue", "brown")
@@ -263,7 +263,7 @@ def radio(look: Look) -> Shape:
           "home assistant"), themes=("living",), roles=("round",),
           colors=("charcoal", "gray"))  # fmt: skip
 def smart_speaker(look: Look) -> Shape:
-    """A smart speaker: a fabric drum or dome with a ring of light on top."""
+    """A smart speaker: a fabric-covered drum or dome with a ring of light on top."""
     k = look.between(0.88, 1.12)
     color = look.color("charcoal", "gray", "white", "blue", "sage", "pink", "black")
     cloth = surfaces.fabric(look.rng, color)
@@ -286,7 +286,7 @@ def smart_speaker(look: Look) -> Shape:
           "vintage television"), themes=("living",), roles=("big", "screen"),
           colors=("wooden",))  # fmt: skip
 def retro_television(look: Look) -> Shape:
-    """A small old television: a deep case, a bulging screen, knobs, an aerial."""
+    """A small old television with a deep case, a bulging screen, knobs and an aerial."""
     k = look.between(0.85, 1.05)
     x, y, h = 0.3 * k, 0.2 * k, 0.23 * k
     color = look.color("wooden", "red", "brown", "cream", "black", "teal", "orange")
@@ -330,7 +330,7 @@ def _round_box(x: float, y: float) -> np.ndarray:
           aliases=("loudhailer", "bullhorn", "loud hailer"), themes=("living",), roles=("big",),
           colors=("white", "red"))  # fmt: skip
 def megaphone(look: Look) -> Shape:
-    """A megaphone lying on its grip."""
+    """A megaphone, lying on its grip."""
     color = look.color("white", "red", "yellow", "blue", "black")
     k = look.between(0.8, 1.05)
     flare = [(0.024, 0), (0.026, 0.09), (0.05, 0.16), (0.088, 0.2)]
@@ -345,7 +345,7 @@ def megaphone(look: Look) -> Shape:
 
 
 def switch(dimmer: bool) -> Callable[[Look], Shape]:
-    """Return a wall switch lying face up: a square plate, a rocker or a round knob."""
+    """Return a wall switch lying face up: a square plate with a rocker or a round knob."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
@@ -376,7 +376,7 @@ def switch(dimmer: bool) -> Callable[[Look], Shape]:
           aliases=("smoke detector", "fire alarm", "carbon monoxide alarm", "co alarm"),
           themes=("living",), roles=("round",), colors=("white",))  # fmt: skip
 def smoke_alarm(look: Look) -> Shape:
-    """A smoke alarm lying: a round case with slots, a test button and a lamp."""
+    """A smoke alarm lying flat: a round case with slots, a test button and a lamp."""
     color = look.color("white", "cream", "white", "gray")
     k = look.between(0.85, 1.15)
     base = drum(0.055, 0.008, sides=32)
@@ -398,7 +398,7 @@ def smoke_alarm(look: Look) -> Shape:
           aliases=("thermostat dial", "room thermostat"), themes=("living",), roles=("round",),
           colors=("silver", "white"))  # fmt: skip
 def thermostat(look: Look) -> Shape:
-    """A round thermostat lying, its dial lit."""
+    """A round thermostat with a lit dial, lying flat."""
     color = look.color("silver", "white", "black", "copper")
     k = look.between(0.85, 1.15)
     ring = drum(0.042, 0.026, sides=36, bevel=0.003)
@@ -419,7 +419,7 @@ def thermostat(look: Look) -> Shape:
           aliases=("door bell", "bell push", "video doorbell"), themes=("living",),
           colors=("white", "black"))  # fmt: skip
 def doorbell(look: Look) -> Shape:
-    """A doorbell lying: an oblong plate with a lit push button."""
+    """A doorbell lying flat: an oblong plate with a lit push button."""
     color = look.color("white", "black", "gold", "silver")
     k = look.between(0.85, 1.2)
     slab = block(0.036, 0.085, 0.014, 0.012, 0.003)
@@ -435,7 +435,7 @@ def doorbell(look: Look) -> Shape:
           aliases=("phonograph", "gramophone player", "wind-up gramophone"), themes=("living",),
           roles=("big",), colors=("brown",))  # fmt: skip
 def gramophone(look: Look) -> Shape:
-    """A gramophone: a wooden box, a record on its plate and a brass horn."""
+    """A gramophone: a wooden box with a record on its turntable and a brass horn."""
     color = look.color("brown", "wooden", "maroon", "black")
     k = look.between(0.85, 1.1)
     base, top = block(0.24, 0.24, 0.012, 0.008, 0.003), block(0.215, 0.215, 0.08, 0.005, 0.004)
@@ -468,7 +468,7 @@ def gramophone(look: Look) -> Shape:
           state="lying")  # fmt: skip
 @from_pieces(bodies=1)
 def walkman(look: Look) -> Pieces:
-    """A personal cassette or disc player: a window, buttons, a cord to earphones."""
+    """A personal cassette or disc player with a window, buttons and a cord to its earphones."""
     shell = plastic(look, "blue", "silver", "yellow", "red", "charcoal")
     body = at_block(0.09, 0.118, 0.03, 0.008)
     image = prints.canvas(64, 48, (32, 34, 40))
@@ -491,7 +491,7 @@ def walkman(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(bodies=1)
 def mp3_player(look: Look) -> Pieces:
-    """A music player lying: a rounded slab with a screen and a round wheel below it."""
+    """A music player lying flat: a rounded case with a screen and a round click wheel."""
     shell = plastic(look, "white", "silver", "black", "pink", "blue", "green")
     body = at_block(0.052, 0.092, 0.009, 0.007)
     face = surfaces.fit(prints.apps(look.rng), 64, 64)
@@ -509,7 +509,7 @@ BRASS = (206, 172, 96)
           "shelf clock", "grandfather clock", "grandfather clock model", "astronomical clock model",
           "ship clock"), themes=("living",), colors=("brown",))  # fmt: skip
 def mantel_clock(look: Look) -> Shape:
-    """A mantel clock of wood with an arched top, a dial and feet."""
+    """A wooden mantel clock with an arched top, a dial and feet."""
     color = look.color("brown", "wooden", "black", "red", "tan")
     k = look.between(0.85, 1.15)
     a = np.linspace(0, np.pi, 13)
@@ -531,7 +531,7 @@ def mantel_clock(look: Look) -> Shape:
           "socket adapter", "smart plug", "timer switch", "travel adaptor", "plug adaptor",
           "gender changer"), themes=("living", "office"), colors=("white", "black"))  # fmt: skip
 def travel_adapter(look: Look) -> Shape:
-    """A travel plug adapter lying on its back: a cube with sockets, pins on its side."""
+    """A travel adapter lying on its back: a cube with sockets, and pins on its side."""
     color = look.color("white", "black", "gray", "red", "teal")
     k = look.between(0.9, 1.12)
     body = block(0.052, 0.048, 0.05, 0.008, 0.003)

@@ -1,4 +1,4 @@
-"""Figurines (living)."""
+"""Objects of the ``living`` theme: figurines."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ SKIN: RGB = (232, 192, 158)
 
 
 def person(x: float, y: float, h: float, z: float = 0.0) -> tuple[Solid, Solid]:
-    """Return a robe and a head of a small wooden figure."""
+    """Return the robe and head of a small wooden figure."""
     robe = lathe(
         [(0, 0), (0.26 * h, 0), (0.22 * h, 0.3 * h), (0.13 * h, 0.7 * h), (0, 0.74 * h)], 16
     )
@@ -68,7 +68,7 @@ def person(x: float, y: float, h: float, z: float = 0.0) -> tuple[Solid, Solid]:
           colors=("wooden",))  # fmt: skip
 @vary()
 def nativity_set(look: Look) -> Shape:
-    """A stable with a star, Mary, Joseph, a king and the crib."""
+    """A nativity scene: a stable with a star, Mary, Joseph, a king and the crib."""
     k = look.between(0.92, 1.08)
     color = look.color("wooden", "wooden", "brown")
     floor = block(0.2, 0.11, 0.008, 0.004)
@@ -108,7 +108,7 @@ def nativity_set(look: Look) -> Shape:
           themes=("living",), colors=("white",))  # fmt: skip
 @vary()
 def cake_topper(look: Look) -> Shape:
-    """A bride and groom standing on a small white base."""
+    """A bride and groom on a small white base."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "white", "ivory")
     base = cylinder(0.034, 0.009, 30, bevel=0.002)
@@ -143,13 +143,13 @@ def cake_topper(look: Look) -> Shape:
 
 
 def _cast(look: Look, *palette: str) -> surfaces.Tile:
-    """Bronze, gold, stone or jade."""
+    """Return the material of a cast figure: bronze, gold, stone or jade."""
     color = look.color(*palette)
     return look.surface(color, look.pick(["metal", "stoneware"]))
 
 
 def _head(z: float, r: float) -> list[Solid]:
-    """A head with long ears, a bun and a topknot."""
+    """Return a head with long ears, a bun and a topknot."""
     ears = [ball(0.2 * r, 0.35 * r, 0.9 * r, (s * 0.9 * r, 0, z - 0.15 * r), 8) for s in (-1, 1)]
     return [ball(1.75 * r, 1.8 * r, 2.1 * r, (0, 0, z), 18), *ears,
             ball(1.85 * r, 1.8 * r, 1.5 * r, (0, 0.12 * r, z + 0.5 * r), 16),
@@ -157,7 +157,7 @@ def _head(z: float, r: float) -> list[Solid]:
 
 
 def _face(z: float, y: float, r: float) -> list[Solid]:
-    """Closed eyes, a nose and a mouth."""
+    """Return closed eyes, a nose and a mouth."""
     eyes = [ball(0.42 * r, 0.12 * r, 0.1 * r, (s * 0.38 * r, y + 0.06 * r, z + 0.08 * r), 8)
             for s in (-1, 1)]  # fmt: skip
     return [*eyes, ball(0.5 * r, 0.12 * r, 0.1 * r, (0, y + 0.06 * r, z - 0.5 * r), 8)]
@@ -169,7 +169,7 @@ def _face(z: float, y: float, r: float) -> list[Solid]:
           colors=("gold", "bronze"))  # fmt: skip
 @from_pieces(bodies=4)
 def buddha_statue(look: Look) -> Pieces:
-    """A seated figure with crossed legs, hands in its lap, on a lotus seat."""
+    """A seated Buddha with crossed legs and its hands in its lap, on a lotus seat."""
     tile = _cast(look, "gold", "bronze", "gray", "sage", "charcoal")
     seat = standing((0.055, 0), (0.06, 0.006), (0.05, 0.014), (0.056, 0.024), (0.05, 0.026))
     legs = [ball(0.062, 0.042, 0.03, (s * 0.03, -0.012, 0.036), 16) for s in (-1, 1)]
@@ -190,7 +190,7 @@ def buddha_statue(look: Look) -> Pieces:
           colors=("gray",))  # fmt: skip
 @from_pieces(bodies=4)
 def buddha_head(look: Look) -> Pieces:
-    """A head with long ears, rows of curls and closed eyes, on a neck and a base."""
+    """A Buddha head with long ears, rows of curls and closed eyes, on a neck and a base."""
     tile = _cast(look, "gray", "gold", "bronze", "cream", "charcoal")
     base = at_block(0.08, 0.07, 0.02, 0.01)
     neck = standing((0.03, 0.02), (0.026, 0.05))
@@ -203,7 +203,7 @@ def buddha_head(look: Look) -> Pieces:
 
 
 def _robed_figure(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> Drawing:
-    """A standing robed figure, hands folded, a veil over its head."""
+    """A robed figure standing with folded hands and a veil over its head."""
 
     def draw(look: Look) -> Pieces:
         gown, cover = plastic(look, *robe), dye(look, *veil)
@@ -229,7 +229,7 @@ def _robed_figure(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> D
 
 
 def _deity(many: bool, elephant: bool) -> Drawing:
-    """A seated Hindu deity with a tall crown, four arms; an elephant's head or a human one."""
+    """A seated Hindu deity with a tall crown and four arms, and a human or an elephant's head."""
 
     def draw(look: Look) -> Pieces:
         tile = _cast(look, "gold", "bronze", "copper", "blue" if not elephant else "gold")
@@ -266,7 +266,7 @@ def _deity(many: bool, elephant: bool) -> Drawing:
           colors=("brown",))  # fmt: skip
 @from_pieces()
 def totem(look: Look) -> Pieces:
-    """A carved pole of stacked faces with wings."""
+    """A carved totem pole of stacked faces with wings."""
     wood = look.surface(look.color("brown", "wooden", "tan"), "wood")
     pieces: Pieces = [(disc(0.034, 0.01), wood)]
     eyes, beaks = [], []
@@ -343,7 +343,7 @@ GOLD = (222, 180, 80)
 
 
 def _trunk(color: RGB, look: Look) -> tuple[Solid, Pieces]:
-    """Return a round figure's coat (hull) with trim, belt and buttons."""
+    """Return the round coat of a figure (a hull) with trim, a belt and buttons."""
     coat = lathe([(0, 0), (0.036, 0), (0.04, 0.014), (0.03, 0.056), (0.018, 0.078), (0, 0.082)], 22)
     trim = torus(0.037, 0.0055, 24, 8).move(z=0.0075)
     belt = torus(0.0372, 0.0045, 24, 6).scale(1, 1, 1.2).move(z=0.03)
@@ -357,7 +357,7 @@ def _trunk(color: RGB, look: Look) -> tuple[Solid, Pieces]:
           "santa claus figure", "christmas gnome", "father christmas ornament", "santa ornament",
           "chocolate santa"), themes=("living",), colors=("red",))  # fmt: skip
 def santa(look: Look) -> Shape:
-    """A Santa Claus figure: red coat, white beard, pointed hat, a sack on his back."""
+    """A Santa Claus figure with a red coat, a white beard, a pointed hat and a sack on his back."""
     color = look.color("red", "red", "crimson", "maroon")
     coat, pieces = _trunk(color, look)
     white = surfaces.spots(look.rng, (248, 246, 242), (228, 226, 222), 0.2)
@@ -390,7 +390,7 @@ def santa(look: Look) -> Shape:
           aliases=("snowman figure", "snow man", "snowman figurine", "snowman ornament"),
           themes=("living",), colors=("white",))  # fmt: skip
 def snowman(look: Look) -> Shape:
-    """A snowman of two or three balls with hat, scarf and carrot."""
+    """A snowman of two or three balls with a hat, a scarf and a carrot nose."""
     color = look.color("white", "white", "ivory", "sky")
     snow = surfaces.speckles(look.rng, color, 4)
     tint = look.own_color("red", "blue", "green", "orange", "purple")
@@ -419,7 +419,7 @@ def snowman(look: Look) -> Shape:
           "christmas nutcracker"), themes=("living",), roles=("tall",),
           colors=("red",))  # fmt: skip
 def nutcracker(look: Look) -> Shape:
-    """A nutcracker soldier: tall hat, white beard, red coat, on a round foot."""
+    """A nutcracker soldier with a tall hat, a white beard and a red coat on a round base."""
     color = look.color("red", "blue", "green", "purple")
     coat = surfaces.speckles(look.rng, color, 4)
     skin = surfaces.plain((240, 200, 170))
@@ -455,7 +455,7 @@ def nutcracker(look: Look) -> Shape:
           "scrimshaw", "plaster cast", "garden ornament"), themes=("living", "office"),
           roles=("tall",), colors=("white", "bronze"), common=True)  # fmt: skip
 def sculpture(look: Look) -> Shape:
-    """A small sculpture on a plinth: a bust, a twist, or balanced stones."""
+    """A small sculpture on a plinth: a bust, a twist or balanced stones."""
     color = look.color("white", "bronze", "black", "gray", "gold", "terracotta", "teal", "pink")
     stone = look.surface(color, look.pick(["marble", "bronze", "stone"]))
     base = block(0.085, 0.085, 0.026, 0.004, 0.002)
@@ -476,7 +476,7 @@ def sculpture(look: Look) -> Shape:
             turned = square @ np.array([[c, s], [-s, c]]) * (1 - 0.45 * t)
             rings.append(np.column_stack([turned, np.full(4, 0.025 + 0.15 * t)]))
         figure = [loft(np.stack(rings), square, profile=np.array([(0.0, t) for t in range(13)]))]
-    elif kind == "figure":  # slender, arms raised
+    elif kind == "figure":  # a slender figure with raised arms
         robe = cylinder(0.03, 0.075, 18, top=0.014, bevel=0.002).move(z=0.024)
         trunk = ellipsoid(0.04, 0.026, 0.07, 18, 10).move(z=0.118)
         head = ellipsoid(0.024, 0.026, 0.03, 16, 10).move(z=0.166)
@@ -508,7 +508,7 @@ Named = list[tuple[Solid, str]]
 
 
 def _ball(x: float, y: float, z: float, at: tuple[float, float, float]) -> Solid:
-    """Return an ellipsoid with diameters x, y, z about ``at``."""
+    """Return an ellipsoid with diameters x, y, z centred at ``at``."""
     return ellipsoid(x, y, z, 16, 10).move(*at)
 
 
@@ -653,7 +653,7 @@ FIGURES: MappingProxyType[str, Callable[[], Named]] = MappingProxyType(
           "bonnet ornament", "lladro figurine", "kissing couple figurine"),
           themes=("living", "office"), colors=("white", "brown"), common=True)  # fmt: skip
 def figurine(look: Look) -> Shape:
-    """A stylised animal or person, painted, or all of one material, often on a small base."""
+    """A stylised animal or person, painted or of one material, often on a small base."""
     made = FIGURES[look.pick(sorted(FIGURES))]()
     k, finish = look.between(0.85, 1.1), look.pick(["painted", "painted", "glazed", "one"])
     color = look.color("white", "cream", "gray", "brown", "orange", "teal", "pink", "gold", "black")
@@ -685,7 +685,7 @@ def figurine(look: Look) -> Shape:
           "russian nesting doll", "babushka doll", "babushka"), themes=("living", "toys"),
           roles=("round",), colors=("red", "blue"), common=True)  # fmt: skip
 def matryoshka(look: Look) -> Shape:
-    """A painted nesting doll: scarf, face, apron with a flower."""
+    """A painted nesting doll with a scarf, a face and an apron with a flower."""
     h = look.between(0.085, 0.14)
     r = h * look.between(0.27, 0.31)
     head = look.between(0.7, 0.78)
@@ -704,7 +704,7 @@ def matryoshka(look: Look) -> Shape:
 
 
 def _paint(look: Look, color: RGB, scarf: RGB) -> Tile:
-    """Return a doll's paint; u goes round with the face in the middle, v from foot to crown."""
+    """Return a doll's paint; u runs around with the face in the middle, v from foot to crown."""
     image = prints.canvas(256, 192, color)
     apron, petal = (look.own_color("cream", "white", "mustard", "sky"),
                     look.own_color("red", "pink", "blue"))  # fmt: skip
@@ -738,7 +738,7 @@ def _paint(look: Look, color: RGB, scarf: RGB) -> Tile:
           aliases=("scarab beetle", "egyptian scarab", "scarab amulet"), themes=("living",),
           colors=("teal",))  # fmt: skip
 def scarab(look: Look) -> Shape:
-    """A scarab carved of stone: wing cases, head and legs on a flat oval."""
+    """A carved stone scarab: wing cases, a head and legs on a flat oval."""
     color = look.color("turquoise", "teal", "green", "navy", "gold", "charcoal")
     k = look.between(0.85, 1.2)
     base = plate(ellipse(0.066, 0.046, 28), 0.006)
@@ -763,7 +763,7 @@ def scarab(look: Look) -> Shape:
           "moai statue", "moai head", "easter island head", "easter island statue"),
           themes=("living",), colors=("gray",))  # fmt: skip
 def moai(look: Look) -> Shape:
-    """A head of the Easter Island kind: long nose, heavy brow, flat top."""
+    """A moai head with a long nose, a heavy brow and a flat top."""
     k = look.between(0.85, 1.2)
     neck = block(0.052, 0.05, 0.03, 0.012)
     face = block(0.056, 0.056, 0.08, 0.014, 0.006).move(z=0.028)
@@ -784,7 +784,7 @@ def moai(look: Look) -> Shape:
           aliases=("totem pole model", "carved totem"), themes=("living",), roles=("tall",),
           colors=("wooden",))  # fmt: skip
 def totem_pole(look: Look) -> Shape:
-    """A carved pole of three painted faces under a pair of wings."""
+    """A carved totem pole of three painted faces below a pair of wings."""
     k = look.between(0.85, 1.2)
     color = look.color("wooden", "brown", "tan")
     base = drum(0.03, 0.008)
@@ -821,7 +821,7 @@ def totem_pole(look: Look) -> Shape:
           aliases=("gargoyle figurine", "gargoyle statue", "stone gargoyle"), themes=("living",),
           colors=("gray",))  # fmt: skip
 def gargoyle(look: Look) -> Shape:
-    """A figure hunched on a plinth, wings folded: a gargoyle of stone."""
+    """A stone gargoyle: a hunched figure with folded wings on a plinth."""
     k = look.between(0.9, 1.1)
     color = look.color("gray", "charcoal", "silver")
     plinth = block(0.06, 0.06, 0.022, 0.003, 0.002)

@@ -1,4 +1,4 @@
-"""Flowers (living)."""
+"""Objects of the ``living`` theme: flowers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ GREEN: RGB = (84, 126, 64)
 
 
 def layered_head(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: float = 0.1) -> Head:
-    """Return rings of petals one over the other, the inner ones deeper in colour."""
+    """Return overlapping rings of petals, with deeper colours towards the centre."""
 
     def head(look: Look, color: RGB) -> Pieces:
         made: Pieces = []
@@ -41,7 +41,7 @@ def layered_head(rows: Rows, heart: float = 0.0, eye: RGB | None = GOLD, fade: f
 
 def open_head(count: int, long: float, wide: float, lift: float, heart: float, eye: RGB,
           ring: RGB | None = None, pistil: float = 0.0) -> Head:  # fmt: skip
-    """Return a few broad petals round an eye, with a ring of another colour or a long pistil."""
+    """Return a few broad petals around an eye, with a ring in another colour or a long pistil."""
 
     def head(look: Look, color: RGB) -> Pieces:
         made: Pieces = [(join(corolla(count, long, wide, lift)),
@@ -61,7 +61,7 @@ def open_head(count: int, long: float, wide: float, lift: float, heart: float, e
 
 
 def cluster(count: int, radius: float, size: float, eye: RGB | None = None) -> Head:
-    """Return a dome of small four-petalled florets."""
+    """Return a dome of small, four-petalled florets."""
 
     def head(look: Look, color: RGB) -> Pieces:
         florets, dots = [], []
@@ -87,14 +87,14 @@ def cluster(count: int, radius: float, size: float, eye: RGB | None = None) -> H
 
 
 def bell(r: float, long: float) -> Solid:
-    """Return an open bell that opens along +z."""
+    """Return an open bell-shaped flower that faces +z."""
     return lathe([(0, 0), (0.55 * r, 0.12 * long), (0.7 * r, 0.6 * long), (1.15 * r, long),
                   (0.5 * r, 0.7 * long), (0, 0.5 * long)], 8)  # fmt: skip
 
 
 def spike(count: int, long: float, wide: float, size: float, droop: float, *, one_side: bool = False
           ) -> Head:  # fmt: skip
-    """Return bells up a stem, smaller towards the tip; ``droop`` turns them down."""
+    """Return bell-shaped flowers on a stem, smaller towards the tip; ``droop`` turns them down."""
 
     def head(look: Look, color: RGB) -> Pieces:
         bells = []
@@ -114,7 +114,7 @@ def spike(count: int, long: float, wide: float, size: float, droop: float, *, on
 
 
 def daffodil(look: Look, color: RGB) -> Pieces:
-    """Six petals and a frilled trumpet."""
+    """Return a daffodil head with six petals and a frilled trumpet."""
     horn = lathe([(0, 0), (0.008, 0.002), (0.009, 0.014), (0.0145, 0.024), (0.012, 0.0235),
                   (0.007, 0.013), (0, 0.006)], 14)  # fmt: skip
     deep = look.pick([(238, 130, 30), (246, 170, 30)])
@@ -123,7 +123,7 @@ def daffodil(look: Look, color: RGB) -> Pieces:
 
 
 def iris(look: Look, color: RGB) -> Pieces:
-    """Three petals that fall, three that stand, yellow tongues."""
+    """Return an iris head with three falling petals, three upright ones and yellow tongues."""
     fall, stand, tongue = [], [], []
     for k in range(3):
         a = 2 * np.pi * k / 3
@@ -139,7 +139,7 @@ def iris(look: Look, color: RGB) -> Pieces:
 
 
 def cup(count: int, long: float, wide: float, lift: float) -> Head:
-    """Return upright petals that close to a cup, with gold stamens."""
+    """Return a cup of upright petals with gold stamens."""
 
     def head(look: Look, color: RGB) -> Pieces:
         ring = [p.move(z=0.001) for p in corolla(count, long, wide, lift)]
@@ -152,7 +152,7 @@ def cup(count: int, long: float, wide: float, lift: float) -> Head:
 
 
 def pansy(look: Look, color: RGB) -> Pieces:
-    """Five overlapping round petals, the lower ones with a dark face."""
+    """Return a pansy head: five overlapping round petals, the lower ones with a dark face."""
     other = look.own_color("yellow", "white", "purple", "orange")
     up = [ellipsoid(0.026, 0.026, 0.003, 12, 4).move(s * 0.01, 0.013, 0) for s in (-1, 1)]
     side = [ellipsoid(0.024, 0.022, 0.003, 12, 4).move(s * 0.013, -0.004, 0.0015) for s in (-1, 1)]
@@ -166,7 +166,7 @@ def pansy(look: Look, color: RGB) -> Pieces:
 
 
 def crane(look: Look, color: RGB) -> Pieces:
-    """A green beak with orange flames and a blue arrow: the bird of paradise flower."""
+    """Return a bird of paradise flower: a green beak, orange petals and a blue arrow."""
     beak = rod([(0, 0, -0.01), (0.02, 0, 0.012), (0.075, 0, 0.03)], [0.006, 0.0085, 0.001], 8)
     flames = [blade([(0.016, 0, 0.01), (0.03 - 0.014 * n, 0.004 * (-1) ** n, 0.045),
                      (0.045 - 0.028 * n, 0.008 * (-1) ** n, 0.085 - 0.004 * n)], 0.017, thick=0.25)
@@ -178,7 +178,7 @@ def crane(look: Look, color: RGB) -> Pieces:
 
 
 def protea(look: Look, color: RGB) -> Pieces:
-    """A cone of pale down in a bowl of pointed bracts."""
+    """Return a protea head: a cone of pale down in a bowl of pointed bracts."""
     bracts: list[Solid] = []
     for n, (count, long, out) in enumerate(((12, 0.05, 0.026), (10, 0.044, 0.02))):
         leaf = blade(
@@ -197,7 +197,7 @@ def protea(look: Look, color: RGB) -> Pieces:
           aliases=("lotus flower", "water lily", "waterlily", "lotus blossom", "water lily flower"),
           themes=("living",), roles=("round",), colors=("pink",))  # fmt: skip
 def lotus(look: Look) -> Shape:
-    """An open water lily on its round leaf."""
+    """Return an open water lily on its round leaf."""
     k = look.between(0.9, 1.15)
     color = look.color("pink", "white", "pink", "lavender")
     leaf = cylinder(0.062, 0.004, 26)
@@ -318,9 +318,10 @@ def on_stem(
     head: Head, colors: tuple[str, ...], long: float, *, leaves: int = 2, nod: float = 0.5,
     leaf: tuple[float, float] = (0.06, 0.018), stem: RGB = (84, 126, 64),
 ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return the shape of a cut flower that lies on the table, its blossom to the right.
+    """Return the shape of a cut flower lying on the table with its blossom on the right.
 
-    With the attribute "stands" it is one for a vase: long and straight, with leaves only high up.
+    With the attribute "stands", the flower fits a vase: it is long and straight, with leaves only
+    near its top.
     """
 
     def make(look: Look) -> Shape:
@@ -362,7 +363,7 @@ def _straight(
     look: Look, head: Head, colors: tuple[str, ...], long: float, nod: float,
     leaf: tuple[float, float], stem: RGB,
 ) -> Shape:  # fmt: skip
-    """Return a cut flower with a straight bare stem along x, its blossom to the right."""
+    """Return a cut flower with a straight, bare stem along x and its blossom on the right."""
     color, length = look.color(*colors), 1.25 * long * look.between(0.92, 1.08)
     bloom = [(s.scale(1.1, 1.1, 1.1).turn(1, np.pi / 2 - nod), t) for s, t in head(look, color)]
     back = min(float(s.bounds[0, 0]) for s, _ in bloom)

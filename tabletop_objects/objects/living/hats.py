@@ -1,4 +1,4 @@
-"""Hats (living)."""
+"""Objects of the ``living`` theme: hats."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import Look, plain, readable_on, tint_color
           themes=("living",), colors=("red",))  # fmt: skip
 @vary()
 def santa_hat(look: Look) -> Shape:
-    """A red cap with a white fur brim, its tip fallen over, a bobble."""
+    """A red cap with a white fur brim, a folded tip and a bobble."""
     k = look.between(0.92, 1.08)
     color = look.color("red", "red", "crimson")
     cone = limb([(0, 0, 0.02), (0, 0, 0.07), (0.015, 0, 0.125), (0.065, 0, 0.135),
@@ -35,7 +35,7 @@ def santa_hat(look: Look) -> Shape:
           aliases=("elf's hat", "pixie hat", "gnome hat", "christmas elf hat"), themes=("living",),
           roles=("tall",), colors=("green",))  # fmt: skip
 def elf_hat(look: Look) -> Shape:
-    """A pointed cap with a zigzag collar and a bell at its tip."""
+    """A pointed elf cap with a zigzag collar and a bell at its tip."""
     k = look.between(0.92, 1.08)
     color = look.color("green", "green", "red")
     cone = limb([(0, 0, 0.004), (0, 0, 0.06), (0.01, 0, 0.13), (0.04, 0, 0.18)],
@@ -55,7 +55,7 @@ def elf_hat(look: Look) -> Shape:
           aliases=("cracker crown", "christmas cracker hat", "tissue paper crown", "cracker hat",
           "cardboard crown"), themes=("living",), roles=("round",), colors=("yellow",))  # fmt: skip
 def paper_crown(look: Look) -> Shape:
-    """A thin paper crown out of a cracker, standing: a ring with points."""
+    """A thin paper crown from a cracker: a ring with points, standing upright."""
     k = look.between(0.92, 1.08)
     color = look.color("yellow", "red", "green", "purple", "orange", "blue")
     r, h, t = 0.085, 0.075, 0.0022
@@ -134,7 +134,7 @@ def fez(look: Look) -> Shape:
           aliases=("graduation cap", "graduation hat", "academic cap", "square academic cap"),
           themes=("living",), roles=("big",), colors=("black",))  # fmt: skip
 def mortarboard(look: Look) -> Shape:
-    """A graduation cap: a flat square board on a skull cap, with a tassel."""
+    """A mortarboard: a flat, square board on a skull cap, with a tassel."""
     color = look.color("black", "navy", "maroon", "green")
     k = look.between(0.85, 1.05)
     skull = standing((0.088, 0), (0.09, 0.02), (0.085, 0.06), sides=28)
@@ -153,7 +153,7 @@ def mortarboard(look: Look) -> Shape:
           aliases=("tennis visor", "visor cap"), themes=("living",), roles=("big",),
           colors=("white",))  # fmt: skip
 def sun_visor(look: Look) -> Shape:
-    """A sun visor: a peak on a band, open above."""
+    """A sun visor: a peak on a band, open at the top."""
     color = look.color("white", "red", "navy", "pink", "green", "yellow")
     k = look.between(0.9, 1.1)
     a = np.linspace(0, 2 * np.pi, 33)[:-1]
@@ -232,7 +232,7 @@ def party_hat(look: Look) -> Shape:
           aliases=("wizard hat", "halloween hat", "pointed hat"), themes=("living",),
           colors=("black",))  # fmt: skip
 def witch_hat(look: Look) -> Shape:
-    """A witch's hat: a wide brim, a bent cone, a band with a buckle."""
+    """A witch's hat with a wide brim, a bent cone and a band with a buckle."""
     color = look.color("black", "black", "purple", "charcoal")
     cloth = surfaces.fabric(look.rng, color)
     k = look.between(0.85, 1.15)
@@ -253,7 +253,7 @@ def witch_hat(look: Look) -> Shape:
           "visor", "beret", "peaked cap", "shower cap", "swimming cap"), themes=("living",),
           roles=("big",), colors=("navy", "red"), common=True)  # fmt: skip
 def cap(look: Look) -> Shape:
-    """A baseball cap, its visor towards the viewer."""
+    """A baseball cap with its visor towards the viewer."""
     r, h = look.between(0.085, 0.095), look.between(0.105, 0.125)
     color = look.color("navy", "red", "black", "tan", "green", "white", "pink")
     cloth = surfaces.fabric(look.rng, color)
@@ -288,7 +288,7 @@ def cap(look: Look) -> Shape:
           "fedora", "sun hat", "cowboy hat", "panama hat", "easter bonnet", "fascinator", "bonnet",
           "trilby"), themes=("living",), roles=("big",), colors=("tan", "black"))  # fmt: skip
 def hat(look: Look) -> Shape:
-    """A brimmed hat: straw, fedora or sun hat, with a ribbon round its crown."""
+    """A straw hat, fedora or sun hat with a brim and a ribbon around its crown."""
     k = look.between(0.9, 1.05)
     color = look.color("tan", "beige", "brown", "black", "white", "gray", "navy", "cream")
     kind = look.pick(["fedora", "sun", "bowler"])
@@ -329,7 +329,7 @@ def hat(look: Look) -> Shape:
           "watch cap", "snood", "hair net"), themes=("living",), roles=("big",),
           colors=("red", "navy"))  # fmt: skip
 def beanie(look: Look) -> Shape:
-    """A knitted hat lying on its rim: a turned-up brim, a pompom."""
+    """A knitted beanie with a turned-up brim and a pompom, lying on its rim."""
     color = look.color("red", "navy", "gray", "mustard", "teal", "black", "orange", "green")
     k = look.between(0.9, 1.1)
     crown = lathe([(0, 0), (0.088, 0), (0.09, 0.05), (0.07, 0.1), (0.03, 0.126), (0, 0.13)], 30)

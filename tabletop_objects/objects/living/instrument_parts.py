@@ -1,4 +1,4 @@
-"""Instrument parts (living)."""
+"""Objects of the ``living`` theme: instrument parts."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("wooden metronome",), themes=("living",), roles=("tall",),
           colors=("wooden", "black"))  # fmt: skip
 def metronome(look: Look) -> Shape:
-    """A pyramid metronome with a scale, its pendulum swung to one side."""
+    """A pyramid-shaped metronome with a scale and its pendulum swung to one side."""
     k = look.between(0.9, 1.1)
     color = look.color("wooden", "brown", "black", "maroon", "red", "ivory", "teal")
     wood = look.surface(color, "wood")
@@ -63,7 +63,7 @@ def metronome(look: Look) -> Shape:
           state="lying")  # fmt: skip
 @from_pieces()
 def capo(look: Look) -> Pieces:
-    """A capo lying: two bars with a soft pad between them and two curved arms."""
+    """A capo lying flat: two bars with a soft pad between them and two curved arms."""
     tile = metal(look, "black", "silver", "gold", "red")
     bar = at_block(0.07, 0.012, 0.008, 0.003, (0.01, 0.02, 0.004))
     under = at_block(0.055, 0.012, 0.007, 0.003, (0.012, -0.012, 0.004))
@@ -79,7 +79,7 @@ def capo(look: Look) -> Pieces:
           colors=("amber",))  # fmt: skip
 @from_pieces()
 def rosin(look: Look) -> Pieces:
-    """A round cake of rosin on a square pad of cloth."""
+    """A round cake of rosin on a square piece of cloth."""
     cloth = dye(look, "navy", "maroon", "green")
     pad = at_block(0.06, 0.06, 0.01, 0.012)
     cake = disc(0.024, 0.014, (0, 0, 0.009))
@@ -95,7 +95,7 @@ def rosin(look: Look) -> Pieces:
           themes=("living",), colors=("black",))  # fmt: skip
 @from_pieces()
 def guitar_tuner(look: Look) -> Pieces:
-    """A clip-on tuner: a round screen on a joint over a padded clip."""
+    """A clip-on guitar tuner: a round screen on a joint above a padded clip."""
     tile = plastic(look, "black", "charcoal", "red", "blue")
     jaw = [at_block(0.05, 0.02, 0.006, 0.003), at_block(0.046, 0.02, 0.006, 0.003,
                                                         (0.002, 0, 0.012))]  # fmt: skip
@@ -117,7 +117,7 @@ def guitar_tuner(look: Look) -> Pieces:
           roles=("flat",), colors=("beige",), state="lying")  # fmt: skip
 @from_pieces()
 def clarinet_reed(look: Look) -> Pieces:
-    """A flat strip of cane lying, thinner towards its right end."""
+    """A clarinet reed lying flat: a strip of cane that is thinner towards its right end."""
     tile = wood(look, "beige", "cream", "tan")
     body = at_block(0.067, 0.013, 0.003, 0.003).bend(
         lambda p: p * np.column_stack([np.ones((len(p), 2)), np.clip(0.75 - 11 * p[:, 0], 0.2,
@@ -131,7 +131,7 @@ def clarinet_reed(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces()
 def guitar_string(look: Look) -> Pieces:
-    """A string coiled up in rings."""
+    """A guitar string, coiled up in rings."""
     tile = metal(look, "silver", "bronze", "gold")
     a = np.linspace(0, 2 * np.pi * 6, 200)
     r = 0.05 + 0.0016 * np.sin(1.7 * a)
@@ -147,7 +147,7 @@ def guitar_string(look: Look) -> Pieces:
           "loop pedal", "foot pedal"), themes=("living",), colors=("orange", "green"))  # fmt: skip
 @from_pieces()
 def guitar_pedal(look: Look) -> Pieces:
-    """An effects pedal: knobs, a light and a foot switch on a metal box."""
+    """An effects pedal: a metal box with knobs, a light and a foot switch."""
     color = look.color("orange", "green", "yellow", "blue", "silver", "purple")
     body = at_block(0.075, 0.125, 0.045, 0.006)
     name = prints.canvas(64, 32, color)
@@ -171,7 +171,7 @@ def guitar_pedal(look: Look) -> Pieces:
           "combo amp"), themes=("living",), roles=("big",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def amplifier(look: Look) -> Pieces:
-    """A guitar amplifier: a cloth front, a row of knobs, a handle."""
+    """A guitar amplifier with a cloth front, a row of knobs and a handle."""
     shell = plastic(look, "black", "cream", "brown", "charcoal", "red")
     body = at_block(0.26, 0.14, 0.24, 0.012)
     grille = surfaces.fabric(look.rng, look.own_color("charcoal", "gray", "tan", "black"),
@@ -196,7 +196,7 @@ def amplifier(look: Look) -> Pieces:
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(foot=0.15)
 def baton(look: Look) -> Pieces:
-    """A conductor's baton lying: a rounded wooden grip to the left, a thin tapered stick."""
+    """A conductor's baton lying flat: a rounded wooden grip on the left and a tapered stick."""
     grip = spindle((-0.16, 0.004), (-0.155, 0.008), (-0.14, 0.009), (-0.12, 0.004), z=0.0085)
     stick = spindle((-0.122, 0.0022), (0.19, 0.0012), z=0.0085).turn(1, 0.022).move(z=0.0)
     rest = ball(0.02, 0.02, 0.017, (-0.145, 0, 0.0085), 12)
@@ -221,7 +221,7 @@ def triangle_beater(look: Look) -> Pieces:
           "brass mouthpiece"), themes=("living",), colors=("silver",))  # fmt: skip
 @from_pieces()
 def mouthpiece(look: Look) -> Pieces:
-    """A brass mouthpiece standing on its cup."""
+    """A brass mouthpiece, standing on its cup."""
     tile = metal(look, "silver", "silver", "gold")
     return [(lathe([(0, 0), (0.0125, 0), (0.0135, 0.004), (0.012, 0.014), (0.006, 0.022),
                     (0.0042, 0.03), (0.005, 0.08), (0, 0.08)], 24), tile)]  # fmt: skip
@@ -232,7 +232,7 @@ def mouthpiece(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def trumpet_mute(look: Look) -> Pieces:
-    """A metal cone standing on its wide end, three strips of cork near its narrow top."""
+    """A metal mute standing on its wide end, with three strips of cork near its narrow top."""
     tile = metal(look, "silver", "gold", "red", "black")
     cone = lathe([(0, 0), (0.06, 0), (0.06, 0.008), (0.05, 0.02), (0.02, 0.11), (0.02, 0.13),
                   (0, 0.13)], 28)  # fmt: skip

@@ -1,4 +1,4 @@
-"""Instruments (living)."""
+"""Objects of the ``living`` theme: instruments."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ from ...values import ConvexPart
           aliases=("kazoo toy", "toy kazoo", "metal kazoo"), themes=("living",),
           colors=("red", "blue"), state="lying flat")  # fmt: skip
 def kazoo(look: Look) -> Shape:
-    """A kazoo lying: a flattened tube with a round turret."""
+    """A kazoo lying flat: a flattened tube with a round turret."""
     k = look.between(0.94, 1.08)
     color = look.color("red", "blue", "yellow", "silver", "green", "gold")
     body = limb([(-0.06, 0, 0), (-0.02, 0, 0), (0.03, 0, 0), (0.06, 0, 0)],
@@ -75,7 +75,7 @@ STRING = (206, 208, 212)
 
 
 def _waist_outline(half: list[tuple[float, float]], k: float) -> np.ndarray:
-    """Return a closed outline along x from its side ``half`` (x, half width), left to right."""
+    """Return a closed outline along x from one of its sides, ``half``: (x, half width) points."""
     curve = smooth(half, 4)
     lower = curve * [1, -1]
     upper = curve[::-1]
@@ -83,7 +83,7 @@ def _waist_outline(half: list[tuple[float, float]], k: float) -> np.ndarray:
 
 
 def _slabs(outline: np.ndarray, low: float, high: float, cuts: list[float]) -> list[ConvexPart]:
-    """Return convex parts of a plate of an outline, cut across at the given x."""
+    """Return convex parts of a plate of the given outline, cut at the given x values."""
     found = []
     for a, b in itertools.pairwise(cuts):
         inside = outline[(outline[:, 0] >= a - 1e-9) & (outline[:, 0] <= b + 1e-9)]
@@ -93,7 +93,7 @@ def _slabs(outline: np.ndarray, low: float, high: float, cuts: list[float]) -> l
 
 
 def _wood_face(look: Look, color: RGB) -> surfaces.Tile:
-    """Return varnished wood that darkens towards its rim."""
+    """Return varnished wood that is darker towards its edge."""
     image = surfaces.fit(surfaces.wood(look.rng, color), 128, 128).astype(float)
     v, u = np.mgrid[0:128, 0:128] / 63.5 - 1
     shade = 1 - 0.35 * np.clip(np.abs(v) ** 3 + np.abs(u) ** 6, 0, 1)
@@ -104,7 +104,7 @@ def _wood_face(look: Look, color: RGB) -> surfaces.Tile:
           aliases=("fiddle", "viola"), themes=("living",), roles=("big",), colors=("bronze",),
           state="lying flat")  # fmt: skip
 def violin(look: Look) -> Shape:
-    """A violin lying on its back, its neck to the right; some with a bow beside it."""
+    """A violin lying on its back with its neck on the right, sometimes with a bow beside it."""
     k = look.between(0.86, 1.0)
     color = look.color("bronze", "copper", "terracotta", "brown", "maroon")
     varnish, side = _wood_face(look, color), surfaces.wood(look.rng, tint_color(color, 0.8))
@@ -156,7 +156,7 @@ def violin(look: Look) -> Shape:
           aliases=("uke",), themes=("living",), roles=("big",), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def ukulele(look: Look) -> Shape:
-    """A ukulele or small guitar lying on its back, its neck to the right."""
+    """A ukulele or small guitar lying on its back with its neck on the right."""
     k = look.between(0.82, 1.1)
     color = look.color("wooden", "tan", "bronze", "teal", "red", "sky", "brown", "yellow", "pink")
     wood = surfaces.wood(look.rng, color)
@@ -198,7 +198,7 @@ def ukulele(look: Look) -> Shape:
           aliases=("cow bell", "agogo bell"), themes=("living",), colors=("black",))  # fmt: skip
 @from_pieces()
 def cowbell(look: Look) -> Pieces:
-    """A four-sided metal bell standing on its wider mouth, a loop on top."""
+    """A four-sided metal cowbell standing on its mouth, with a loop on top."""
     tile = metal(look, "black", "silver", "copper", "brass")
     body = at_box(0.06, 0.035, 0.11).bend(
         lambda p: p * np.column_stack([1.25 - 4.5 * p[:, 2], 1.25 - 4.5 * p[:, 2],
@@ -212,7 +212,7 @@ def cowbell(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.04, bodies=2)
 def castanets(look: Look) -> Pieces:
-    """Two wooden shells, one lying on the other and slightly ajar, with a red cord."""
+    """Two slightly open wooden shells on top of each other, with a red cord."""
     tile = wood(look, "black", "brown", "maroon", "wooden")
     shells = [ball(0.062, 0.07, 0.026, (0, 0, 0.01), 20),
               ball(0.062, 0.07, 0.02, (0, 0, 0), 20).turn(0, 0.22).move(z=0.028)]  # fmt: skip
@@ -226,7 +226,7 @@ def castanets(look: Look) -> Pieces:
           roles=("tall",), colors=("bronze",))  # fmt: skip
 @from_pieces()
 def gong(look: Look) -> Pieces:
-    """A bronze gong hung in a wooden frame, its beater against it."""
+    """A bronze gong in a wooden frame, with its beater leaning on it."""
     bronze = metal(look, "bronze", "brass", "gold")
     tile = wood(look, "brown", "black", "maroon")
     feet = [at_block(0.02, 0.09, 0.014, 0.004, (s * 0.1, 0, 0)) for s in (-1, 1)]
@@ -310,7 +310,7 @@ def _bellows(sides: int | None, wide: float) -> Drawing:
           roles=("flat", "big"), colors=("sky", "red"))  # fmt: skip
 @from_pieces(bodies=2)
 def melodica(look: Look) -> Pieces:
-    """A rounded case with white and black keys on top and a mouthpiece to the left."""
+    """A rounded melodica with white and black keys on top and a mouthpiece on the left."""
     tile = plastic(look, "sky", "red", "pink", "black", "green")
     body = at_block(0.34, 0.075, 0.035, 0.015)
     keys = [at_box(0.0135, 0.05, 0.006, (-0.14 + 0.0148 * k, -0.012, 0.034)) for k in range(19)]
@@ -328,7 +328,7 @@ def melodica(look: Look) -> Pieces:
           roles=("big",), colors=("red", "green"), state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def bagpipes(look: Look) -> Pieces:
-    """A tartan bag with three drones and a chanter, lying."""
+    """A tartan bag with three drones and a chanter, lying flat."""
     bag = ball(0.26, 0.14, 0.1, (0, 0, 0.045), 24)
     a, b = look.color("red", "green", "navy", "maroon"), look.own_color("navy", "green", "black")
     plaid = surfaces.fabric(look.rng, a, b)
@@ -355,7 +355,7 @@ def bagpipes(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.08, bodies=1)
 def didgeridoo(look: Look) -> Pieces:
-    """A long tube lying, ringed with painted bands and flared towards its right end."""
+    """A didgeridoo lying flat: a long tube with painted bands, flared at its right end."""
     color = look.color("brown", "terracotta", "wooden")
     bands = surfaces.stripes(
         [color, (226, 206, 160), color, color, (70, 36, 26), color, (196, 120, 60)], 3
@@ -371,7 +371,7 @@ def didgeridoo(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.06, bodies=1)
 def vuvuzela(look: Look) -> Pieces:
-    """A long plastic horn lying, its mouthpiece to the left and its bell to the right."""
+    """A long plastic horn lying flat with its mouthpiece on the left and its bell on the right."""
     tile = plastic(look, "red", "yellow", "green", "blue", "orange")
     horn = spindle((-0.26, 0.012), (-0.25, 0.008), (-0.1, 0.011), (0.12, 0.02), (0.22, 0.034),
                   (0.27, 0.052), z=0.05)  # fmt: skip
@@ -384,7 +384,7 @@ def vuvuzela(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.1)
 def jaw_harp(look: Look) -> Pieces:
-    """A jaw harp lying: a looped frame with two long arms, a thin tongue bent up at its tip."""
+    """A jaw harp lying flat: a frame with two long arms, and a thin tongue with a bent tip."""
     tile = metal(look, "silver", "brass", "charcoal")
     way = [(0.06, 0.006), (0.0, 0.009), (-0.03, 0.02), (-0.05, 0.0), (-0.03, -0.02), (0.0, -0.009),
            (0.06, -0.006)]  # fmt: skip
@@ -397,7 +397,7 @@ def jaw_harp(look: Look) -> Pieces:
           themes=("living",), roles=("tall", "big"), colors=("brown",))  # fmt: skip
 @from_pieces()
 def theremin(look: Look) -> Pieces:
-    """A wooden case with four knobs, an upright rod to the right and a flat loop to the left."""
+    """A theremin: a wooden case with four knobs, an upright rod and a loop on the left."""
     tile = wood(look, "brown", "wooden", "black")
     body = at_block(0.22, 0.11, 0.06, 0.012)
     rodded = straight((0.095, 0, 0.055), (0.095, 0, 0.28), 0.0035, 8)
@@ -415,18 +415,18 @@ CREAM = surfaces.plain((236, 226, 200))
 
 @dataclass(frozen=True)
 class Lute:
-    """The proportions of a plucked instrument, metres.
+    """The proportions of a plucked string instrument, in metres.
 
     Attributes:
-        body: points (x, half width) of its body's outline from the tail to the neck.
-        neck: the neck's length.
-        wide: the neck's width.
-        head: the head's length.
-        strings: how many strings it has.
-        deep: its body's depth.
-        face: the colours of its face; empty for that of its back.
-        hole: the sound hole's radius; 0 for none.
-        round_back: whether its back is bulged like half a pear.
+        body: points (x, half width) of the body's outline from the tail to the neck.
+        neck: length of the neck.
+        wide: width of the neck.
+        head: length of the head.
+        strings: number of strings.
+        deep: depth of the body.
+        face: colours of the face; if empty, it has the colour of the back.
+        hole: radius of the sound hole; 0 for none.
+        round_back: whether the back bulges like half a pear.
     """
 
     body: tuple[tuple[float, float], ...]
@@ -515,7 +515,7 @@ _DOUBLE = ((-0.13, 0.0), (-0.125, 0.045), (-0.09, 0.085), (-0.03, 0.06), (0.03, 
           state="lying flat")  # fmt: skip
 @from_pieces(bodies=4)
 def electric_guitar(look: Look) -> Pieces:
-    """A solid electric guitar with horns, pickups and knobs."""
+    """A solid-body electric guitar with horns, pickups and knobs."""
     body = _DOUBLE
     lute = Lute(body, 0.26, 0.032, 0.075, 6, 0.026, (), 0.0)
     pieces = _plucked_strings(lute, ("red", "black", "sky", "white", "mustard", "teal"))(look)
@@ -537,7 +537,7 @@ def electric_guitar(look: Look) -> Pieces:
           state="lying flat")  # fmt: skip
 @from_pieces(bodies=3)
 def banjo(look: Look) -> Pieces:
-    """A banjo: a drum with a skin and brackets, a long neck."""
+    """A banjo: a drum with a skin and brackets, and a long neck."""
     lute = Lute(((-0.13, 0.0), (-0.12, 0.05), (-0.03, 0.05), (0.0, 0.0)), 0.26, 0.032, 0.07, 5,
                 0.05, (), 0.0)  # fmt: skip
     parts = _plucked_strings(lute, ("brown", "wooden"))(look)
@@ -557,7 +557,7 @@ def banjo(look: Look) -> Pieces:
           themes=("living",), roles=("tall",), colors=("brown", "gold"))  # fmt: skip
 @from_pieces()
 def harp(look: Look) -> Pieces:
-    """A small harp standing: a sound box, a curved neck, a pillar, strings between."""
+    """A small, upright harp with a sound box, a curved neck, a pillar and strings."""
     tile = wood(look, "brown", "wooden", "gold", "tan")
     base = at_box(0.12, 0.07, 0.016, (0.0, 0, 0))
     box = straight((-0.045, 0, 0.014), (0.085, 0, 0.22), (0.03, 0.014), 4)
@@ -580,7 +580,7 @@ def harp(look: Look) -> Pieces:
           state="lying flat")  # fmt: skip
 @from_pieces(foot=0.06)
 def lyre(look: Look) -> Pieces:
-    """A lyre lying: a bowl, two curved arms, a yoke, strings."""
+    """A lyre lying flat: a bowl, two curved arms, a yoke and strings."""
     tile = wood(look, "brown", "wooden", "tan", "gold")
     bowl = plate(_outline(((-0.1, 0.0), (-0.095, 0.045), (-0.05, 0.065), (-0.02, 0.06), (0.0,
              0.0))),
@@ -601,7 +601,7 @@ def lyre(look: Look) -> Pieces:
           themes=("living",), roles=("big",), colors=("wooden",), state="lying flat")  # fmt: skip
 @from_pieces(bodies=1)
 def dulcimer(look: Look) -> Pieces:
-    """A flat box with slanting ends and many strings."""
+    """A dulcimer: a flat box with slanted ends and many strings."""
     tile = wood(look, "wooden", "brown", "tan")
     body = plate([(-0.17, -0.09), (0.17, -0.09), (0.11, 0.09), (-0.11, 0.09)], 0.035)
     lines = [tube([(-0.16 + 0.0033 * k, -0.08 + 0.0095 * k, 0.041),
@@ -625,7 +625,7 @@ BRASSY = ("gold", "gold", "brass", "silver")
 
 
 def _bell(x: float, y: float, z: float, r: float, long: float) -> Solid:
-    """A flared bell opening towards +x from ``x``."""
+    """Return a flared bell that starts at ``x`` and opens towards +x."""
     outer = [(0.0065, 0), (0.009, 0.5 * long), (0.4 * r, 0.8 * long), (r, long)]
     inner = [(0.96 * r, long), (0.36 * r, 0.8 * long), (0.006, 0.4 * long)]
     return lathe([*outer, *inner], 24, loop=True).turn(1, np.pi / 2).move(x, y, z)
@@ -637,7 +637,7 @@ def _bell(x: float, y: float, z: float, r: float, long: float) -> Solid:
 @at_rest
 @from_pieces(foot=0.0)
 def trombone(look: Look) -> Pieces:
-    """A trombone lying: a long slide, a bow, a wide bell."""
+    """A trombone lying flat: a long slide, a bow and a wide bell."""
     tile = metal(look, *BRASSY)
     z, r = 0.055, 0.0055
     slide = [straight((-0.1, y, z), (0.34, y, z), r) for y in (-0.075, -0.03)]
@@ -662,7 +662,7 @@ def trombone(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.0)
 def french_horn(look: Look) -> Pieces:
-    """A French horn lying: tubes coiled in a ring, a broad bell beside them."""
+    """A French horn lying flat: tubes coiled into a ring with a broad bell."""
     tile = metal(look, *BRASSY)
     rings = [torus(r, 0.0065, 36, 8).move(0, 0, z) for r, z in ((0.085, 0.03), (0.072, 0.034),
                                                                 (0.058, 0.03))]  # fmt: skip
@@ -686,7 +686,7 @@ def french_horn(look: Look) -> Pieces:
           roles=("tall", "big"), colors=("gold",))  # fmt: skip
 @from_pieces(foot=0.0)
 def tuba(look: Look) -> Pieces:
-    """A tuba standing on its bell, tubes wound round."""
+    """A tuba standing on its bell with its tubes wound around it."""
     tile = metal(look, *BRASSY)
     bell = lathe([(0.0, 0), (0.085, 0), (0.05, 0.03), (0.03, 0.08), (0.024, 0.2), (0, 0.2)], 28)
     loop = tube([(0.05 * np.cos(a) + 0.045, 0.0, 0.14 + 0.1 * np.sin(a))
@@ -703,7 +703,7 @@ def tuba(look: Look) -> Pieces:
           state="lying flat")  # fmt: skip
 @from_pieces(foot=0.08)
 def bassoon(look: Look) -> Pieces:
-    """A long double pipe with a thin bent crook, lying."""
+    """A bassoon lying flat: a long double pipe with a thin, bent crook."""
     tile = wood(look, "maroon", "brown", "black")
     body = spindle((-0.27, 0.016), (-0.26, 0.02), (-0.1, 0.02), (-0.09, 0.014), (0.2, 0.0125),
                   (0.205, 0.017), (0.23, 0.017), z=0.02)  # fmt: skip
@@ -724,7 +724,7 @@ def bassoon(look: Look) -> Pieces:
           roles=("flat",), colors=("wooden",), state="lying")  # fmt: skip
 @from_pieces(foot=0.08)
 def pan_pipes(look: Look) -> Pieces:
-    """Pan pipes lying: reeds from short to long, bound together."""
+    """Pan pipes lying flat: bound reeds of increasing length."""
     tile = wood(look, "wooden", "tan", "beige")
     pipes = []
     for k in range(9):
@@ -746,7 +746,7 @@ def pan_pipes(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.05, bodies=2)
 def ocarina(look: Look) -> Pieces:
-    """A glazed egg-shaped ocarina lying, seven holes on top and a mouthpiece at the back."""
+    """A glazed, egg-shaped ocarina lying flat, with seven holes on top and a mouthpiece behind."""
     color = look.color("blue", "teal", "terracotta", "brown", "green")
     tile = surfaces.gradient(tuple(0.75 * c for c in color), color, look.rng)  # type: ignore[arg-type]
     body = ball(0.11, 0.065, 0.045, (0, 0, 0.021), 22).bend(

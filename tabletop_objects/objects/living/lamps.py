@@ -1,4 +1,4 @@
-"""Lamps (living)."""
+"""Objects of the ``living`` theme: lamps."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .decorations import GAY
           "led string lights"), themes=("living",), colors=("green",),
           state="lying flat")  # fmt: skip
 def string_lights(look: Look) -> Shape:
-    """A string of small coloured lights on a green wire, in loops."""
+    """A string of small coloured lights on a green wire, lying in loops."""
     k = look.between(0.9, 1.1)
     color = look.color("green", "green", "black", "white")
     warm = look.chance(0.35)
@@ -59,7 +59,7 @@ FLAME = surfaces.gradient((250, 160, 40), (255, 236, 140), np.random.default_rng
           "hurricane lamp", "roman oil lamp"), themes=("living",), roles=("tall",),
           colors=("black", "white"))  # fmt: skip
 def lantern(look: Look) -> Shape:
-    """A square lantern: a roof on four posts over a candle, a ring to carry it."""
+    """A square lantern: a roof on four posts over a candle, with a carrying ring."""
     color = look.color("black", "white", "copper", "red", "teal", "silver", "bronze", "green")
     w, h = look.between(0.08, 0.1), look.between(0.12, 0.16)
     base = block(w + 0.016, w + 0.016, 0.014, 0.004, 0.002)
@@ -86,7 +86,7 @@ GLASS: RGB = (218, 228, 230)
           aliases=("lamp shade", "fabric lampshade", "shade of a lamp"), themes=("living",),
           roles=("round", "big"), colors=("cream",))  # fmt: skip
 def lampshade(look: Look) -> Shape:
-    """A fabric lampshade standing: a cone open above and below."""
+    """A cone-shaped fabric lampshade, open at the top and bottom."""
     k = look.between(0.9, 1.1)
     color = look.color("cream", "white", "tan", "red", "teal", "navy", "green")
     low, top, h = 0.12 * k, look.between(0.06, 0.1) * k, 0.15 * k
@@ -109,7 +109,7 @@ def lampshade(look: Look) -> Shape:
           aliases=("kerosene lamp", "paraffin lamp", "antique oil lamp", "hurricane oil lamp"),
           themes=("living",), roles=("tall",), colors=("brass",))  # fmt: skip
 def oil_lamp(look: Look) -> Shape:
-    """An oil lamp: a bellied fount on a foot, a burner with its key, a glass chimney, a flame."""
+    """A burning oil lamp: a bulbous fount on a foot, a burner with a key and a glass chimney."""
     k = look.between(0.92, 1.08)
     color = look.color("brass", "green", "blue", "red", "clear", "copper")
     fount = lathe(np.maximum(smooth([(0, 0), (0.05, 0), (0.048, 0.01), (0.024, 0.03), (0.022, 0.05),
@@ -143,7 +143,7 @@ def oil_lamp(look: Look) -> Shape:
           aliases=("base of a lamp", "table lamp base", "lamp stand", "lamp without a shade"),
           themes=("living",), roles=("tall",), colors=("white",))  # fmt: skip
 def lamp_base(look: Look) -> Shape:
-    """The foot of a table lamp without its shade: a turned or bellied column and a socket."""
+    """A table lamp without its shade: a turned or bulbous column with a socket."""
     k = look.between(0.92, 1.08)
     color = look.color("white", "teal", "wooden", "navy", "green", "gray")
     side = look.pick([[(0, 0), (0.06, 0), (0.06, 0.012), (0.03, 0.022), (0.062, 0.08),
@@ -165,7 +165,7 @@ def lamp_base(look: Look) -> Shape:
           aliases=("spot light", "stage light", "floodlight", "work light"), themes=("living",),
           colors=("black",))  # fmt: skip
 def spotlight(look: Look) -> Shape:
-    """A small spotlight: a round can tilted in a yoke on a foot."""
+    """A small spotlight: a tilted round can in a yoke on a foot."""
     k = look.between(0.92, 1.08)
     color = look.color("black", "black", "white", "silver")
     foot = cylinder(0.05, 0.01, 30, bevel=0.002)
@@ -189,7 +189,7 @@ def spotlight(look: Look) -> Shape:
           aliases=("sconce", "wall lamp", "wall light"), themes=("living",), colors=("brass",),
           state="lying flat")  # fmt: skip
 def wall_sconce(look: Look) -> Shape:
-    """A wall light lying on its back plate: a curved arm, a cup, a shade."""
+    """A wall light lying on its back plate: a curved arm, a cup and a shade."""
     k = look.between(0.92, 1.08)
     color = look.color("brass", "black", "silver", "copper")
     plate = block(0.075, 0.12, 0.012, 0.03, 0.003)
@@ -214,7 +214,7 @@ STEEL: RGB = (188, 191, 196)
           "strip light", "fluorescent light"), themes=("living",), roles=("big",),
           colors=("white",), state="lying flat")  # fmt: skip
 def fluorescent_tube(look: Look) -> Shape:
-    """A fluorescent tube lying: white glass, metal caps with two pins."""
+    """A fluorescent tube lying flat: white glass and metal caps with two pins."""
     long, r = look.between(0.3, 0.4), look.between(0.0075, 0.012)
     color = look.color("white", "white", "ivory")
     glass = cylinder(r, long, 20).turn(1, np.pi / 2).move(x=-long / 2)
@@ -232,7 +232,7 @@ def fluorescent_tube(look: Look) -> Shape:
           aliases=("led strip light", "light strip", "led light strip", "led tape",
           "strip of leds"), themes=("living",), colors=("white",), state="lying flat")  # fmt: skip
 def led_strip(look: Look) -> Shape:
-    """A strip of small lights wound in a flat coil, its end with a plug."""
+    """A strip of small lights wound into a flat coil, with a plug at its end."""
     k = look.between(0.92, 1.08)
     color = look.color("white", "white", "black")
     t = np.linspace(0, 1, 90)
@@ -256,7 +256,7 @@ def led_strip(look: Look) -> Shape:
           aliases=("lamp holder", "lamp socket", "bulb socket", "light socket", "light bulb holder",
           "light fitting"), themes=("living",), colors=("black",))  # fmt: skip
 def bulb_holder(look: Look) -> Shape:
-    """A lamp socket standing on its cap, threads inside its open end, wires out."""
+    """A lamp socket standing on its cap, with wires and with threads inside its open end."""
     k = look.between(0.94, 1.06)
     color = look.color("black", "white", "brass", "brown")
     body = lathe([(0, 0), (0.019, 0), (0.021, 0.004), (0.021, 0.02), (0.0185, 0.024),
@@ -276,7 +276,7 @@ def bulb_holder(look: Look) -> Shape:
           aliases=("nightlight", "glow lamp"), themes=("living", "vanity", "play"),
           roles=("round",), colors=("yellow", "cream"), common=True)  # fmt: skip
 def night_light(look: Look) -> Shape:
-    """A small glowing lamp: a mushroom, or a globe on a ring."""
+    """A small glowing night light: a mushroom, or a globe on a ring."""
     glow = look.color("yellow", "amber", "cream", "pink", "sky", "mint", "lavender", "red")
     warm = surfaces.gradient(tint_color(glow, 1.55), tint_color(glow, 1.2), look.rng, 2)
     base_color = look.own_color("white", "wooden", "gray", "black", "brown")

@@ -1,4 +1,4 @@
-"""Leaves (living)."""
+"""Objects of the ``living`` theme: leaves."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from .flowers import corolla
           themes=("living",), colors=("green",), state="lying flat")  # fmt: skip
 @keep_still
 def holly(look: Look) -> Shape:
-    """A sprig of holly: prickly leaves and red berries."""
+    """A sprig of holly with prickly leaves and red berries."""
     k = look.between(0.9, 1.15)
     side = [(0, 0.0), (0.1, 0.14), (0.22, 0.1), (0.36, 0.22), (0.5, 0.12), (0.64, 0.2), (0.8, 0.08)]
     edge = [*[(x, -y) for x, y in side], (1.0, 0.0), *side[:0:-1]]
@@ -56,7 +56,7 @@ def tint(tile: surfaces.Tile) -> surfaces.Tile:
           aliases=("frond", "fern leaf", "palm frond", "palm leaf"), themes=("living",),
           colors=("green",), state="lying flat")  # fmt: skip
 def fern_frond(look: Look) -> Shape:
-    """A fern frond or palm frond lying flat: leaflets on both sides of a rib."""
+    """A fern or palm frond lying flat, with leaflets on both sides of a rib."""
     k = look.between(0.85, 1.15)
     color = look.color("green", "green", "lime", "olive")
     long = 0.26
@@ -79,7 +79,7 @@ def fern_frond(look: Look) -> Shape:
           "apple blossom", "blossom twig", "cherry blossom twig"), themes=("living",),
           colors=("pink",), state="lying flat")  # fmt: skip
 def blossom_branch(look: Look) -> Shape:
-    """A twig with pink blossoms along it."""
+    """A twig with pink blossoms."""
     k = look.between(0.9, 1.1)
     color = look.color("pink", "pink", "white", "coral")
     sticks = [rod([(-0.13, 0, 0.003), (-0.03, 0.012, 0.008), (0.06, -0.004, 0.006),
@@ -105,7 +105,7 @@ def blossom_branch(look: Look) -> Shape:
           aliases=("sprig of mistletoe", "mistletoe sprig"), themes=("living",), colors=("green",),
           state="lying flat")  # fmt: skip
 def mistletoe(look: Look) -> Shape:
-    """A sprig of mistletoe: paired leaves and white berries, tied with a ribbon."""
+    """A sprig of mistletoe with paired leaves and white berries, tied with a ribbon."""
     k = look.between(0.9, 1.1)
     color = look.color("olive", "green", "lime")
     leaves, stems, berries = [], [], []
@@ -150,7 +150,7 @@ def pampas_grass(look: Look) -> Pieces:
 
 
 def bundle(palette: tuple[str, ...], fluff: float) -> Callable[[Look], Shape]:
-    """Return the shape function of herbs tied in a bundle, lying."""
+    """Return the shape function of a tied bundle of herbs, lying flat."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(0.12, 0.16), look.color(*palette)
@@ -182,7 +182,7 @@ def bundle(palette: tuple[str, ...], fluff: float) -> Callable[[Look], Shape]:
           assembled=True, aliases=("clover", "shamrock", "clover leaf", "lucky clover"),
           themes=("living",), roles=("flat",), colors=("green",), state="lying flat")  # fmt: skip
 def four_leaf_clover(look: Look) -> Shape:
-    """A four-leaf clover lying: heart-shaped leaflets on a stalk."""
+    """A four-leaf clover lying flat: heart-shaped leaflets on a stalk."""
     k = look.between(0.85, 1.2)
     color = look.color("green", "green", "lime")
     parts = []
@@ -202,7 +202,7 @@ def four_leaf_clover(look: Look) -> Shape:
           aliases=("pampas grass stem", "pampas", "stem of pampas grass", "pampas plume"),
           themes=("living",), colors=("cream",), state="lying")  # fmt: skip
 def pampas_stem(look: Look) -> Shape:
-    """A stem of pampas grass lying: a long fluffy plume on a dry stalk."""
+    """A stem of pampas grass lying flat: a long, fluffy plume on a dry stalk."""
     long = look.between(0.42, 0.5)
     color = look.color("cream", "beige", "tan", "pink", "ivory")
     stalk = limb([(-0.5 * long, 0, 0.004), (0, 0, 0.007), (0.44 * long, 0.01, 0.009)],
@@ -224,7 +224,7 @@ def pampas_stem(look: Look) -> Shape:
 @category("acorn", size=(0.0397, 0.0215, 0.0187), mass=0.005, material="food", assembled=True,
           themes=("living",), colors=("copper",), state="lying flat")  # fmt: skip
 def acorn(look: Look) -> Shape:
-    """An acorn lying in its scaly cup."""
+    """An acorn in its scaly cup, lying flat."""
     r = look.between(0.0085, 0.0105)
     color = look.color("copper", "tan", "bronze")
     nut = lathe([(0, 0), (0.9 * r, 0), (r, 0.6 * r), (0.9 * r, 1.7 * r), (0.5 * r, 2.3 * r),
@@ -243,7 +243,7 @@ def acorn(look: Look) -> Shape:
           aliases=("pinecone", "fir cone", "conifer cone", "pinecone ornament",
           "pine cone ornament"), themes=("living",), colors=("brown",))  # fmt: skip
 def pine_cone(look: Look) -> Shape:
-    """A pine cone standing on its broad end, its scales open."""
+    """A pine cone with open scales, standing on its broad end."""
     color = look.color("brown", "tan", "bronze", "terracotta")
     tall, wide = look.between(0.06, 0.09), look.between(0.042, 0.055)
     scales: list[Solid] = []
@@ -267,7 +267,7 @@ def pine_cone(look: Look) -> Shape:
           "green leaf"), themes=("living",), colors=("orange", "red"),
           state="lying flat")  # fmt: skip
 def leaf(look: Look) -> Shape:
-    """A fallen leaf lying a little curled: oval, maple or oak."""
+    """A slightly curled fallen leaf: oval, maple or oak."""
     color = look.color("orange", "red", "yellow", "green", "brown", "amber")
     kind = look.pick(["oval", "maple", "oak"])
     half = {
@@ -302,7 +302,7 @@ def leaf(look: Look) -> Shape:
           aliases=("branch", "small branch", "olive branch", "eucalyptus branch", "sprig"),
           themes=("living",), colors=("brown",), state="lying flat")  # fmt: skip
 def twig(look: Look) -> Shape:
-    """A forked twig lying on the table, bare or with a few leaves."""
+    """A forked twig lying flat, bare or with a few leaves."""
     long = look.between(0.22, 0.32)
     color = look.color("brown", "tan", "gray", "bronze", "charcoal")
     bark = surfaces.scratches(look.rng, color, tint_color(color, 0.65), 60)
@@ -329,7 +329,7 @@ def twig(look: Look) -> Shape:
           aliases=("bird feather", "quill", "plume"), themes=("living",), colors=("white", "gray"),
           state="lying flat")  # fmt: skip
 def feather(look: Look) -> Shape:
-    """A feather lying flat on its quill."""
+    """A feather with its quill, lying flat."""
     color = look.color("white", "gray", "blue", "brown", "black", "red", "green")
     long = look.between(0.14, 0.2)
     half = np.array(
@@ -372,7 +372,7 @@ def driftwood(look: Look) -> Shape:
           aliases=("bird nest", "birds nest", "bird's nest", "easter nest"), themes=("living",),
           roles=("container", "round"), colors=("brown",))  # fmt: skip
 def nest(look: Look) -> Shape:
-    """A bird's nest of straw, open above; some hold three eggs."""
+    """An open bird's nest of straw, sometimes with three eggs."""
     color = look.color("brown", "tan", "bronze", "beige", "terracotta")
     r = look.between(0.06, 0.075)
     body, parts = open_vessel([(0.6 * r, 0), (0.92 * r, 0.014), (r, 0.032), (0.92 * r, 0.042)],

@@ -1,4 +1,4 @@
-"""Models (living)."""
+"""Objects of the ``living`` theme: models and miniatures."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from ...kit.surfaces import RGB, Look, Tile, tint_color
           "lighthouse figurine"), themes=("living",), roles=("tall",), colors=("red",))  # fmt: skip
 @from_pieces()
 def model_lighthouse(look: Look) -> Pieces:
-    """A lighthouse on a rock: a tapered striped tower, a deck, a lit room, a pointed roof."""
+    """A lighthouse on a rock: a tapered striped tower, a deck, a lit room and a pointed roof."""
     color: RGB = look.color("red", "navy", "white")
     rock = standing((0.045, 0), (0.04, 0.012), (0.03, 0.02), sides=9)
     body = disc(0.024, 0.12, (0, 0, 0.018), top=0.015)
@@ -49,7 +49,7 @@ def model_lighthouse(look: Look) -> Pieces:
           roles=("tall",), colors=("white",))  # fmt: skip
 @from_pieces()
 def model_windmill(look: Look) -> Pieces:
-    """A windmill on a green base: an eight-sided tower, a pointed cap, four sails, a door."""
+    """A windmill on a green base: an eight-sided tower with a cap, four sails and a door."""
     wall = plastic(look, "white", "cream", "brown", "beige")
     roof = dye(look, "terracotta", "brown", "charcoal")
     body = disc(0.035, 0.11, (0, 0, 0.006), top=0.022, sides=8)
@@ -72,7 +72,7 @@ WHITE = surfaces.plain((244, 242, 238))
           themes=("living",), roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces(bodies=6)
 def ship_in_a_bottle(look: Look) -> Pieces:
-    """A bottle on its side on a stand; inside, seen through its glass, a sailing ship."""
+    """A sailing ship in a bottle on a stand; the bottle is drawn as a frame of glass rods."""
     stand = [at_box(0.014, 0.09, 0.022, (x, 0, 0)) for x in (-0.06, 0.05)]
     z = 0.06
     floor = plate(rectangle(0.14, 0.07, 0.03), 0.012, z - 0.026)
@@ -111,7 +111,7 @@ def ship_in_a_bottle(look: Look) -> Pieces:
           themes=("living",), colors=("cream", "pink"))  # fmt: skip
 @from_pieces(bodies=4)
 def miniature_house(look: Look) -> Pieces:
-    """A little house: walls with windows and a door, a tiled roof, a chimney."""
+    """A small house: walls with windows and a door, a tiled roof and a chimney."""
     color = look.color("cream", "pink", "sky", "yellow", "white", "terracotta")
     front = prints.canvas(96, 80, color)
     for x in (0.12, 0.66):
@@ -135,7 +135,7 @@ def miniature_house(look: Look) -> Pieces:
           roles=("big", "tall"), colors=("pink",))  # fmt: skip
 @from_pieces(bodies=8)
 def dollhouse(look: Look) -> Pieces:
-    """A doll's house with an open front: two floors, four rooms, a pitched roof."""
+    """A doll's house with an open front, two floors, four rooms and a pitched roof."""
     tile = plastic(look, "pink", "white", "sky", "cream", "mint")
     x, y, h = 0.26, 0.13, 0.2
     walls = [at_box(0.006, y, h, (s * (x / 2 - 0.003), 0, 0.006)) for s in (-1, 1)]
@@ -170,7 +170,7 @@ def dollhouse(look: Look) -> Pieces:
           themes=("living",), roles=("big",), colors=("gray",))  # fmt: skip
 @from_pieces(bodies=10)
 def toy_castle(look: Look) -> Pieces:
-    """A castle: four round towers with cones, walls with battlements, a gate."""
+    """A castle with four round towers, battlements and a gate."""
     stone = plastic(look, "gray", "beige", "tan", "pink")
     base = at_block(0.19, 0.19, 0.006, 0.01)
     towers, roofs = [], []
@@ -203,7 +203,7 @@ def toy_castle(look: Look) -> Pieces:
           colors=("cream",))  # fmt: skip
 @from_pieces(foot=0.03, bodies=4)
 def message_in_a_bottle(look: Look) -> Pieces:
-    """A corked bottle lying with a rolled paper inside."""
+    """A corked bottle lying flat, with a rolled paper inside."""
     z = 0.034
     glass = surfaces.plain((168, 206, 190))
     hoops = [torus(r, 0.0016, 28, 5).turn(1, np.pi / 2).move(x, 0, z) for x,
@@ -231,7 +231,7 @@ def message_in_a_bottle(look: Look) -> Pieces:
           "puppet stage"), themes=("living",), roles=("big",), colors=("gold",))  # fmt: skip
 @from_pieces()
 def toy_theatre(look: Look) -> Pieces:
-    """A toy theatre: a frame with red curtains, a painted backdrop, a floor."""
+    """A toy theatre: a frame with red curtains, a painted backdrop and a floor."""
     frame = wood(look, "gold", "brown", "wooden")
     floor = at_box(0.22, 0.14, 0.012)
     posts = [at_box(0.022, 0.014, 0.16, (s * 0.099, -0.05, 0.012)) for s in (-1, 1)]
@@ -257,7 +257,7 @@ def toy_theatre(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=5)
 def zen_garden(look: Look) -> Pieces:
-    """A tray of raked sand with three stones and a little rake."""
+    """A tray of raked sand with three stones and a small rake."""
     tile = wood(look, "brown", "black", "wooden")
     sides = [at_box(0.24, 0.012, 0.03, (0, s * 0.084, 0)) for s in (-1, 1)] + [
         at_box(0.012, 0.156, 0.03, (s * 0.114, 0, 0)) for s in (-1, 1)
@@ -288,7 +288,7 @@ def zen_garden(look: Look) -> Pieces:
           themes=("living",), colors=("olive",))  # fmt: skip
 @from_pieces(bodies=6)
 def model_tank(look: Look) -> Pieces:
-    """A model tank: tracks, a hull, a turret with a gun."""
+    """A model tank with tracks, a hull and a turret with a gun."""
     tile = plastic(look, "olive", "sage", "tan", "gray")
     tracks = [at_block(0.15, 0.026, 0.036, 0.008).move(y=s * 0.036) for s in (-1, 1)]
     wheels = [disc(0.011, 0.003).turn(0, np.pi / 2).move(x, -0.0485 if s < 0 else 0.0515, 0.015)
@@ -309,7 +309,7 @@ def model_tank(look: Look) -> Pieces:
 
 
 def _stone(look: Look, *colors: str) -> Tile:
-    """Return stone in a colour asked for or of ``colors``, plain or veined."""
+    """Return plain or veined stone in the requested colour, or in one of ``colors``."""
     color = look.color(*colors)
     if look.material:
         return look.surface(color, "stone")
@@ -336,7 +336,7 @@ def obelisk(look: Look) -> Shape:
           "eiffel tower figurine"), themes=("living",), roles=("tall",),
           colors=("bronze", "black"))  # fmt: skip
 def eiffel_tower(look: Look) -> Shape:
-    """A small metal model of the Eiffel tower."""
+    """A small metal model of the Eiffel Tower."""
     color = look.color("bronze", "black", "gold", "silver", "copper", "brown")
     k = look.between(0.85, 1.2)
     levels = [(0.05, 0.0), (0.034, 0.035), (0.026, 0.06), (0.014, 0.1), (0.006, 0.16),

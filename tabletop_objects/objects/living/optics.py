@@ -1,4 +1,4 @@
-"""Optics (living)."""
+"""Objects of the ``living`` theme: optical instruments."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DARK: RGB = (38, 36, 38)
           aliases=("binocular", "field glasses", "pair of binoculars", "opera glasses"),
           themes=("living",), roles=("tall",), colors=("black", "olive"))  # fmt: skip
 def binoculars(look: Look) -> Shape:
-    """Binoculars standing on their objectives' ends or lying, eyepieces up."""
+    """Binoculars standing on their objective lenses with the eyepieces up, or lying flat."""
     k = look.between(0.85, 1.08)
     color = look.color("black", "olive", "charcoal", "green", "navy", "black")
     rubber = surfaces.spots(look.rng, color, tint_color(color, 0.75), 0.2)
@@ -56,7 +56,7 @@ def binoculars(look: Look) -> Shape:
           themes=("living", "office"), roles=("tall", "big"),
           colors=("white", "brass"))  # fmt: skip
 def telescope(look: Look) -> Shape:
-    """A small telescope on a tripod, pointing up to the left."""
+    """A small telescope on a tripod, pointing up and to the left."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "brass", "black", "navy", "red", "silver", "blue")
     tube_tile = look.surface(color, "metal")
@@ -104,7 +104,7 @@ def _half_leg(n: int, k: float, high: float) -> tuple[float, float, float]:
           "sighting compass"), themes=("living", "office"), roles=("flat",),
           colors=("brass", "silver"), state="lying flat")  # fmt: skip
 def compass(look: Look) -> Shape:
-    """A pocket compass lying: its rose and needle up, sometimes with a lid, or on a base plate."""
+    """A pocket compass lying flat with its needle up, sometimes with a lid or a base plate."""
     r, h = look.between(0.026, 0.034), look.between(0.011, 0.015)
     color = look.color("brass", "silver", "black", "copper", "gold", "red", "teal")
     metal = look.surface(color, "metal")
@@ -154,7 +154,7 @@ def compass(look: Look) -> Shape:
           aliases=("astrolabe replica", "brass astrolabe"), themes=("living",), roles=("flat",),
           colors=("gold",))  # fmt: skip
 def astrolabe(look: Look) -> Shape:
-    """A brass disc of rings and a pointer, lying, its ring for hanging above."""
+    """An astrolabe lying flat: a brass disc with rings, a pointer and a hanging ring."""
     k = look.between(0.85, 1.2)
     color = look.color("gold", "bronze", "copper", "brass")
     disk = drum(0.06, 0.005, sides=36, bevel=0.001)
@@ -179,7 +179,7 @@ def astrolabe(look: Look) -> Shape:
           aliases=("stereo viewer", "stereoscopic viewer"), themes=("living",),
           colors=("brown",))  # fmt: skip
 def stereoscope(look: Look) -> Shape:
-    """A hand viewer for paired photographs: a hooded lens board, a bar and a picture card."""
+    """A stereoscope: a hooded lens board, a bar and a card with two photographs."""
     color = look.color("brown", "wooden", "maroon")
     k = look.between(0.85, 1.15)
     rail = at_box(0.03, 0.26, 0.014, (0, 0.05, 0.03))

@@ -1,4 +1,4 @@
-"""Papers (living)."""
+"""Objects of the ``living`` theme: paper goods."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def _pentagram(image: prints.Canvas) -> None:
           "roll of gift wrap", "gift wrap roll"), themes=("living",), colors=("red", "gold"),
           state="lying")  # fmt: skip
 def wrapping_paper(look: Look) -> Shape:
-    """A roll of wrapping paper lying, its loose end on the table."""
+    """A roll of wrapping paper lying flat, with its loose end on the table."""
     long, r = look.between(0.26, 0.34), look.between(0.02, 0.026)
     color = look.color("red", "green", "blue", "gold", "pink", "teal", "white")
     paper = surfaces.fit(glaze_tile(look, color), 128, 128)
@@ -52,7 +52,7 @@ def wrapping_paper(look: Look) -> Shape:
           "label tag", "present tag", "paper tag", "do not disturb sign", "museum label"),
           themes=("living",), roles=("flat",), colors=("tan",), state="lying flat")  # fmt: skip
 def gift_tag(look: Look) -> Shape:
-    """A gift tag lying flat with a hole and a string."""
+    """A gift tag with a hole and a string, lying flat."""
     color = look.color("tan", "red", "white", "green", "gold", "pink")
     outline = [(-0.036, -0.008), (-0.024, -0.02), (0.036, -0.02), (0.036, 0.02), (-0.024, 0.02),
                (-0.036, 0.008)]  # fmt: skip
@@ -81,7 +81,7 @@ WIDE, TALL = 336, 232
           "subway map", "spread map"), themes=("living", "toys"), roles=("flat", "big"),
           colors=("cream",), state="lying flat", common=True)  # fmt: skip
 def map_(look: Look) -> Shape:
-    """A large map spread out, its panels still rising and sinking at the creases."""
+    """A large map spread out, with panels that rise and sink at the creases."""
     x, y = look.between(0.42, 0.56), look.between(0.3, 0.4)
     columns, rows = int(look.pick([4, 6, 8])), int(look.pick([2, 3, 4]))
     lift = look.between(0.002, 0.006)
@@ -104,7 +104,7 @@ def map_(look: Look) -> Shape:
 
 
 def _trim(image: Canvas, look: Look, land: RGB) -> None:
-    """Add a margin, a title and a legend."""
+    """Add a margin, a title and a legend to a map."""
     ink = look.own_color("crimson", "navy", "green", "charcoal", "orange")
     margin = tint_color(land, 1.6)
     for edge in ((0, 0, 1, 0.025), (0, 0.975, 1, 0.025), (0, 0, 0.018, 1), (0.982, 0, 0.018, 1)):
@@ -121,7 +121,7 @@ def _trim(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _crease(image: Canvas, columns: int, rows: int) -> None:
-    """Draw the creases: worn pale in the middle, in shadow beside it."""
+    """Draw creases that are pale in the middle and shaded at the sides."""
     for k in range(1, columns):
         at = k * WIDE // columns
         image[:, at] = image[:, at] * 0.35 + 0.65 * 252
@@ -141,7 +141,7 @@ def _wander(look: Look, across: bool, rough: float = 0.16) -> list[tuple[float, 
 
 
 def _city(image: Canvas, look: Look, land: RGB) -> None:
-    """Blocks and streets, a river, parks."""
+    """Return a city map with blocks and streets, a river and parks."""
     angle = look.between(-0.5, 0.5)
     c, s = np.cos(angle), np.sin(angle)
     for _ in range(4):
@@ -161,7 +161,7 @@ def _city(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _relief(image: Canvas, look: Look, land: RGB) -> None:
-    """Hills in bands of height with contour lines, lakes, a trail."""
+    """Return a relief map: hills with contour lines, lakes and a trail."""
     height = surfaces.noise(look.rng, TALL, WIDE, (3, 4), 3)
     green = np.array(look.pick([(150, 186, 120), (190, 200, 140), (214, 178, 126)]), float)
     mix = np.clip(0.5 + height, 0, 1)[..., None]
@@ -173,7 +173,7 @@ def _relief(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _roads(image: Canvas, look: Look, land: RGB) -> None:
-    """A country between seas: forests, towns, roads of three kinds."""
+    """Return a road map of a country between seas, with forests, towns and three kinds of roads."""
     ground = surfaces.noise(look.rng, TALL, WIDE, (3, 4), 4)
     image[ground > 0.3] = (182, 210, 150)
     sea = ground < -0.28
@@ -189,7 +189,7 @@ def _roads(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _world(image: Canvas, look: Look, land: RGB) -> None:
-    """Continents in many colours on a sea with meridians."""
+    """Return a world map: continents in many colours on a sea with meridians."""
     sea = look.pick([(120, 176, 214), (176, 208, 226), (40, 84, 130)])
     image[:] = np.array(sea, np.uint8)
     ground = surfaces.noise(look.rng, TALL, WIDE, (3, 5), 4)
@@ -205,7 +205,7 @@ def _world(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _old(image: Canvas, look: Look, land: RGB) -> None:
-    """A parchment chart: an island, a dashed course to a cross, a compass."""
+    """Return an old parchment chart: an island, a dashed course to a cross and a compass."""
     stain = surfaces.noise(look.rng, TALL, WIDE, (4, 5), 4)[..., None]
     parchment = np.array(look.pick([(222, 192, 140), (206, 170, 116), (232, 210, 164)]), float)
     image[:] = np.clip(parchment + 22 * stain, 0, 255)
@@ -230,7 +230,7 @@ def _old(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _lines(image: Canvas, look: Look, land: RGB) -> None:
-    """A network of underground lines with stations."""
+    """Return the map of an underground network with lines and stations."""
     image[:] = np.array(tint_color(land, 1.5), np.uint8)
     prints.stroke(image, _wander(look, True), 0.05, (180, 212, 236))
     inks = ((206, 44, 50), (40, 98, 180), (50, 150, 80), (240, 180, 40), (130, 70, 150))
@@ -259,7 +259,7 @@ DRAWN: MappingProxyType[str, Callable[[Canvas, Look, RGB], None]] = MappingProxy
           aliases=("papyrus scroll", "parchment scroll", "papyrus", "paper scroll",
           "ancient scroll"), themes=("living", "office"), colors=("cream",))  # fmt: skip
 def scroll(look: Look) -> Shape:
-    """A parchment scroll, half unrolled, written on."""
+    """A half-unrolled parchment scroll with writing."""
     color = look.color("cream", "beige", "tan", "ivory")
     k, w = look.between(0.85, 1.15), look.between(0.1, 0.14)
     long = look.between(0.11, 0.17)
@@ -285,7 +285,7 @@ def scroll(look: Look) -> Shape:
           "knitting pattern", "sewing pattern"), themes=("living", "toys"), roles=("flat", "big"),
           colors=("cream",), state="lying flat", common=True)  # fmt: skip
 def folded_map(look: Look) -> Shape:
-    """A map, unfolded, its creases standing up a little."""
+    """An unfolded map with slightly raised creases."""
     x, y = look.between(0.3, 0.42), look.between(0.22, 0.3)
     land = look.color("cream", "sage", "beige", "mint", "tan")
     relief = surfaces.noise(look.rng, 160, 224, (4, 5), 4)[..., None]
@@ -321,7 +321,7 @@ def folded_map(look: Look) -> Shape:
 
 
 def _sheet(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> Solid:
-    """Return a sheet 0.2 mm thick over four corners, the picture upright from edge a-b."""
+    """Return a sheet 0.2 mm thick over four corners, with its picture upright from edge a-b."""
     low = np.stack([a, b, c, d])
     faces = [(4, 5, 6), (4, 6, 7), (0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5),
              (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7)]  # fmt: skip
@@ -336,7 +336,7 @@ def _sheet(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> Solid:
           "slide transparency"), themes=("living", "office", "craft"), roles=("flat",),
           colors=("white",), state="lying flat", common=True)  # fmt: skip
 def photo_print(look: Look) -> Shape:
-    """Loose photographs, slightly curled: one or a few, glossy with a margin or instant."""
+    """Loose, slightly curled photographs: glossy prints with a margin, or instant photographs."""
     instant = look.chance(0.4)
     x, y = (0.088, 0.107) if instant else look.pick([(0.15, 0.1), (0.1, 0.15), (0.13, 0.13)])
     frame = look.color("white", "white", "white", "cream", "black")
@@ -355,7 +355,7 @@ def photo_print(look: Look) -> Shape:
 
 
 def _photo(look: Look, x: float, y: float, frame: RGB, instant: bool, tone: str) -> Tile:
-    """Return the face of a photograph: a picture in its margin."""
+    """Return the face of a photograph: a picture with a margin."""
     width, height = round(1300 * x), round(1300 * y)
     image = prints.canvas(width, height, frame)
     margin = round(0.055 * width) if instant else look.pick([0, round(0.05 * min(width, height))])
@@ -377,7 +377,7 @@ def _photo(look: Look, x: float, y: float, frame: RGB, instant: bool, tone: str)
           "match programme", "theatre programme"), themes=("living", "coffee"),
           roles=("flat", "support"), colors=("red", "white"), state="lying flat")  # fmt: skip
 def magazine(look: Look) -> Shape:
-    """A magazine lying flat: a full-page picture, a large name, headlines beside it."""
+    """A magazine lying flat: a full-page picture with a large title and headlines beside it."""
     x, y, h = look.between(0.2, 0.22), look.between(0.265, 0.29), look.between(0.004, 0.009)
     color = look.color("red", "yellow", "white", "teal", "pink", "black", "sky", "orange")
     image = surfaces.fit(prints.artwork(look.rng, 160, 208), 208, 160).copy()
@@ -416,7 +416,7 @@ def magazine(look: Look) -> Shape:
           themes=("living", "coffee"), roles=("flat", "support", "big"), colors=("white",),
           state="lying flat")  # fmt: skip
 def newspaper(look: Look) -> Shape:
-    """A folded newspaper lying flat: its name, headlines, columns and a picture."""
+    """A folded newspaper lying flat: its title, headlines, columns and a picture."""
     x, y, h = look.between(0.28, 0.32), look.between(0.2, 0.24), look.between(0.007, 0.013)
     color = look.color("white", "cream", "ivory", "beige", "gray", "pink", spread=10)
     paper: RGB = tint_color(color, 0.97)
@@ -454,7 +454,7 @@ BRASS = (206, 172, 96)
           "stamp album", "coin album", "sticker album"), themes=("living",),
           roles=("support", "big"), colors=("brown", "red"), state="lying flat")  # fmt: skip
 def photo_album(look: Look) -> Shape:
-    """A photo album lying: a cover with a framed picture, a ribbon at its spine."""
+    """A photo album lying flat: a cover with a framed picture and a ribbon at its spine."""
     x, y, h = look.between(0.22, 0.26), look.between(0.19, 0.23), look.between(0.028, 0.04)
     color = look.color("brown", "red", "navy", "black", "teal", "cream", "pink")
     pages = box(x - 0.014, y - 0.012, h - 0.006).move(0.004, 0, 0.003)
@@ -476,7 +476,7 @@ def photo_album(look: Look) -> Shape:
           themes=("living", "office"), roles=("flat",), colors=("maroon", "navy"),
           state="lying flat")  # fmt: skip
 def passport(look: Look) -> Shape:
-    """A passport lying: a coat of arms and a word in gold on its cover."""
+    """A passport lying flat with a gold coat of arms and a gold word on its cover."""
     color = look.color("maroon", "navy", "green", "crimson", "black", "teal")
     k = look.between(0.92, 1.15)
     image = prints.canvas(88, 125, color)
@@ -497,7 +497,7 @@ def passport(look: Look) -> Shape:
 def _slip(
     look: Look, x: float, y: float, image: surfaces.Tile, color: tuple[float, float, float]
 ) -> Shape:
-    """Return a flat card with a picture on it, not quite flat in its body's colour."""
+    """Return a slightly curved card with a picture and a body in another colour."""
     k = look.between(0.9, 1.15)
     card = box(x, y, 0.0012)
     face = box(x - 0.0006, y - 0.0006, 0.0003).move(z=0.0011)
@@ -509,7 +509,7 @@ def _slip(
           themes=("living", "office"), roles=("flat",), colors=("blue",),
           state="lying flat")  # fmt: skip
 def boarding_pass(look: Look) -> Shape:
-    """A boarding pass: a coloured band, a plane's route, a bar code, a stub."""
+    """A boarding pass with a coloured band, a flight route, a barcode and a stub."""
     color = look.color("blue", "red", "teal", "orange", "purple", "green")
     image = prints.canvas(200, 80, (246, 246, 244))
     prints.fill(image, 0, 0, 1, 0.24, color)
@@ -534,7 +534,7 @@ def boarding_pass(look: Look) -> Shape:
           themes=("living",), roles=("flat",), colors=("red", "yellow"),
           state="lying flat")  # fmt: skip
 def ticket(look: Look) -> Shape:
-    """An entrance ticket with notched ends and a star."""
+    """An admission ticket with notched ends and a star."""
     color = look.color("red", "yellow", "blue", "green", "orange", "pink", "purple")
     image = prints.canvas(128, 60, color)
     ink = readable_on(color)
@@ -561,7 +561,7 @@ def ticket(look: Look) -> Shape:
           themes=("living",), roles=("flat",), colors=("brown", "red"),
           state="lying flat")  # fmt: skip
 def luggage_tag(look: Look) -> Shape:
-    """A luggage tag lying with its strap."""
+    """A luggage tag with a strap, lying flat."""
     color = look.color("brown", "red", "black", "teal", "tan", "navy", "pink")
     k = look.between(0.9, 1.15)
     body = prism([(-0.05, -0.018), (-0.034, -0.03), (0.05, -0.03), (0.05, 0.03), (-0.034, 0.03),

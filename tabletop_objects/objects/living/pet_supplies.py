@@ -1,4 +1,4 @@
-"""Pet supplies (living)."""
+"""Objects of the ``living`` theme: pet supplies."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def birdhouse(look: Look) -> Shape:
           aliases=("birdfeeder", "feeder"), themes=("living",), roles=("tall",),
           colors=("green", "wooden"))  # fmt: skip
 def bird_feeder(look: Look) -> Shape:
-    """A bird feeder to stand: a tray with seeds, a tube and a roof."""
+    """A bird feeder on a stand: a tray with seeds, a tube and a roof."""
     color = look.color("wooden", "green", "red", "black", "copper", "teal")
     r = look.between(0.062, 0.075)
     tray = cylinder(r, 0.014, 28, bevel=0.002)
@@ -81,7 +81,7 @@ def bird_feeder(look: Look) -> Shape:
           aliases=("birdcage", "cage", "small bird cage", "bird in a cage"), themes=("living",),
           roles=("tall",), colors=("white", "gold"))  # fmt: skip
 def bird_cage(look: Look) -> Shape:
-    """A small bird cage: a round tray, bars that meet in a dome, a bird on its perch."""
+    """A small bird cage: a round tray, bars that meet in a dome and a bird on its perch."""
     color = look.color("white", "black", "gold", "brass", "mint", "silver")
     r, h = look.between(0.075, 0.09), look.between(0.2, 0.25)
     wire = look.surface(color, "metal")
@@ -106,7 +106,7 @@ def bird_cage(look: Look) -> Shape:
           aliases=("aquarium", "small aquarium", "goldfish tank", "aquarium tank", "fishtank"),
           themes=("living",), roles=("big",), colors=("sky",))  # fmt: skip
 def fish_tank(look: Look) -> Shape:
-    """An aquarium: water with fish, weed and gravel behind glass, a dark lid and base."""
+    """An aquarium with fish, plants and gravel behind glass, and a dark lid and base."""
     k, color = look.between(0.85, 1.05), look.color("sky", "cyan", "teal", "blue")
     x, y, h = 0.32 * k, 0.18 * k, 0.21 * k
     pale = tint_color(color, 1.35)
@@ -160,7 +160,7 @@ def fish_tank(look: Look) -> Shape:
           themes=("living",), colors=("green",), state="lying")  # fmt: skip
 @keep_still
 def fish_net(look: Look) -> Shape:
-    """A small aquarium net: a wire handle, a square hoop, a sagging net, lying."""
+    """A small aquarium net lying flat: a wire handle and a square hoop with a sagging net."""
     k, color = look.between(0.85, 1.15), look.color("green", "blue", "white", "black")
     hoop = tube(smooth([(-0.05, -0.04, 0.03), (-0.05, 0.04, 0.03), (0.04, 0.045, 0.03),
                         (0.05, 0.0, 0.03), (0.04, -0.045, 0.03),
@@ -182,7 +182,7 @@ def fish_net(look: Look) -> Shape:
           "fish tank ornament", "miniature castle", "model castle"), themes=("living",),
           colors=("gray",))  # fmt: skip
 def aquarium_castle(look: Look) -> Shape:
-    """A castle for an aquarium: two round towers and a gate of grey stone, moss on it."""
+    """An aquarium castle of grey, mossy stone: two round towers and a gate."""
     k, color = look.between(0.85, 1.15), look.color("gray", "tan", "charcoal", "beige")
     towers, teeth = [], []
     for x, r, h in ((-0.034, 0.02, 0.1), (0.036, 0.018, 0.08)):
@@ -218,7 +218,7 @@ def aquarium_castle(look: Look) -> Shape:
           aliases=("fish tank heater", "submersible heater"), themes=("living",), colors=("black",),
           state="lying")  # fmt: skip
 def aquarium_heater(look: Look) -> Shape:
-    """An aquarium heater: a glass tube with a coil inside, a black head, a cord, lying."""
+    """An aquarium heater lying flat: a glass tube with a coil inside, a black head and a cord."""
     k, color = look.between(0.85, 1.1), look.color("black", "charcoal", "gray", "white")
     tube_ = cylinder(0.012, 0.16, 18, bevel=0.004).turn(1, np.pi / 2).move(-0.12, 0, 0.012)
     image = prints.canvas(96, 160, (206, 220, 226))
@@ -239,7 +239,7 @@ def aquarium_heater(look: Look) -> Shape:
           aliases=("aquarium pump", "aquarium air pump", "fish tank pump", "aquarium filter"),
           themes=("living",), colors=("blue",))  # fmt: skip
 def air_pump(look: Look) -> Shape:
-    """An aquarium air pump: a rounded box on rubber feet, a dial, a clear hose."""
+    """An aquarium air pump: a rounded box on rubber feet with a dial and a clear hose."""
     k, color = look.between(0.85, 1.15), look.color("blue", "black", "gray", "white", "teal")
     body = block(0.1, 0.06, 0.045, 0.018, 0.008).move(z=0.005)
     feet = [
@@ -260,7 +260,7 @@ def air_pump(look: Look) -> Shape:
           aliases=("plastic aquarium plant", "water plant", "fake aquarium plant", "seaweed plant"),
           themes=("living",), colors=("green",))  # fmt: skip
 def aquarium_plant(look: Look) -> Shape:
-    """A plastic plant for an aquarium: waving leaves on a flat stone foot."""
+    """A plastic aquarium plant: wavy leaves on a flat stone base."""
     k, color = look.between(0.85, 1.15), look.color("green", "lime", "crimson", "purple")
     leaves = []
     for n in range(11):
@@ -285,7 +285,7 @@ STEEL: RGB = (190, 194, 200)
           "animal carrier", "pet cage"), themes=("living",), roles=("big",),
           colors=("gray",))  # fmt: skip
 def pet_carrier(look: Look) -> Shape:
-    """A pet carrier: a plastic shell with slits, a barred door in front, a handle on top."""
+    """A pet carrier: a plastic shell with slits, a barred door in front and a handle on top."""
     k, color = look.between(0.9, 1.1), look.color("gray", "beige", "blue", "pink", "teal")
     x, y, h = 0.24 * k, 0.34 * k, 0.22 * k
     low = block(x, y, 0.5 * h, 0.04 * k, 0.008)
@@ -319,7 +319,7 @@ def pet_carrier(look: Look) -> Shape:
           aliases=("dog bed", "cat bed", "puppy bed", "pet basket", "dog basket", "cat basket"),
           themes=("living",), roles=("container", "big"), colors=("gray",))  # fmt: skip
 def pet_bed(look: Look) -> Shape:
-    """A round or oval pet bed: a thick soft rim round a cushion, lower in front."""
+    """A round or oval pet bed: a thick, soft rim, lower in front, around a cushion."""
     k, color = (look.between(0.85, 1.05), look.color("gray", "beige", "brown", "blue", "pink",
                                                      "teal"))  # fmt: skip
     r, t, wide = 0.15 * k, 0.042 * k, look.between(1.0, 1.2)
@@ -341,7 +341,7 @@ def pet_bed(look: Look) -> Shape:
           aliases=("running wheel", "exercise wheel", "pet wheel"), themes=("living",),
           colors=("blue",))  # fmt: skip
 def hamster_wheel(look: Look) -> Shape:
-    """A running wheel: a ribbed drum between two rims on an upright stand."""
+    """A hamster wheel: a ribbed drum between two rims on an upright stand."""
     k, color = (look.between(0.85, 1.1), look.color("blue", "pink", "green", "yellow", "purple",
                                                     "orange"))  # fmt: skip
     r, w = 0.07 * k, 0.05 * k
@@ -374,7 +374,7 @@ def hamster_wheel(look: Look) -> Shape:
           aliases=("cat scratching post", "scratch post", "cat tree", "cat post", "cat scratcher"),
           themes=("living",), roles=("tall",), colors=("beige",))  # fmt: skip
 def scratching_post(look: Look) -> Shape:
-    """A scratching post: a sisal-wound post on a plush base, a plush top, a hanging ball."""
+    """A scratching post: a sisal post with a plush base and top and a hanging ball."""
     k, color = look.between(0.85, 1.05), look.color("beige", "gray", "brown", "cream", "pink")
     r, h, side = 0.028 * k, 0.3 * k, 0.2 * k
     base, top = (block(side, side, 0.022, 0.02, 0.004),
@@ -394,7 +394,7 @@ def scratching_post(look: Look) -> Shape:
           aliases=("dog muzzle", "basket muzzle"), themes=("living",),
           colors=("black",))  # fmt: skip
 def muzzle(look: Look) -> Shape:
-    """A dog's basket muzzle: bars round a snout, a strap behind, standing on its rim."""
+    """A dog muzzle standing on its rim: bars around the snout and a strap behind."""
     k, color = look.between(0.85, 1.15), look.color("black", "brown", "tan", "red")
     hoops = [torus(r, 0.0026, 26, 6).scale(1, 1.2, 1).move(z=z) for r, z in
              ((0.05, 0.003), (0.049, 0.03), (0.045, 0.058), (0.032, 0.084))]  # fmt: skip
@@ -415,7 +415,7 @@ def muzzle(look: Look) -> Shape:
           aliases=("puppy training pad", "pee pad", "training pad", "pet pad"), themes=("living",),
           roles=("flat",), colors=("blue",), state="lying folded")  # fmt: skip
 def puppy_pad(look: Look) -> Shape:
-    """A puppy pad lying folded: white quilted layers with a coloured edge."""
+    """A folded puppy pad lying flat: white quilted layers with a coloured edge."""
     x, y, t = look.between(0.2, 0.24), look.between(0.15, 0.18), look.between(0.01, 0.02)
     color = look.color("blue", "sky", "pink", "green")
     image = surfaces.fit(surfaces.grid((222, 226, 230), (250, 250, 250), 9, 12), 128, 176).copy()
@@ -432,7 +432,7 @@ def puppy_pad(look: Look) -> Shape:
           aliases=("bird stand", "parrot stand", "parrot perch"), themes=("living",),
           roles=("tall",), colors=("wooden",))  # fmt: skip
 def bird_perch(look: Look) -> Shape:
-    """A bird's stand: a wooden bar on a post with two cups, on a tray."""
+    """A bird perch: a wooden bar on a post with two cups on a tray."""
     k, color = look.between(0.85, 1.1), look.color("wooden", "brown", "tan")
     tray = block(0.18 * k, 0.13 * k, 0.012, 0.02, 0.002)
     post = cylinder(0.009 * k, 0.19 * k, 14).move(z=0.01)
@@ -450,7 +450,7 @@ def bird_perch(look: Look) -> Shape:
 def tin(
     words: tuple[str, ...], r: float, h: float, palette: tuple[str, ...], sign: str
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a tin with a ring pull, its label naming what is in it."""
+    """Return the shape function of a tin with a ring pull and a label that names its contents."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.93, 1.07), look.color(*palette)
@@ -498,7 +498,7 @@ SLICKER_BRUSH_STEEL: RGB = (190, 194, 200)
           "pin brush", "pet comb"), themes=("living",), colors=("blue",),
           state="lying")  # fmt: skip
 def slicker_brush(look: Look) -> Shape:
-    """A pet brush: a flat head full of wire pins on a handle, lying pins up."""
+    """A pet brush with its pins up: a flat head full of wire pins on a handle."""
     k, color = (look.between(0.9, 1.1), look.color("blue", "pink", "green", "purple", "orange",
                                                    "red"))  # fmt: skip
     grip = limb([(0.03, 0, 0.011), (0.07, 0, 0.011), (0.12, 0, 0.011), (0.135, 0, 0.011)],
@@ -521,7 +521,7 @@ def slicker_brush(look: Look) -> Shape:
           "chuckit"), themes=("living",), roles=("big",), colors=("blue",),
           state="lying")  # fmt: skip
 def ball_thrower(look: Look) -> Shape:
-    """A dog's ball thrower: a long curved stick with a cup that holds a tennis ball, lying."""
+    """A dog ball thrower lying flat: a long, curved stick with a cup that holds a tennis ball."""
     k, color = look.between(0.85, 1.0), look.color("blue", "orange", "red", "purple", "green")
     stick = limb([(-0.24, 0, 0.012), (-0.1, 0.01, 0.012), (0.06, 0.02, 0.014), (0.14, 0.01, 0.018)],
                  [0.012, 0.008, 0.0075, 0.009], 10, 0.7)  # fmt: skip
@@ -541,7 +541,7 @@ def ball_thrower(look: Look) -> Shape:
           state="lying")  # fmt: skip
 @keep_still
 def cat_wand(look: Look) -> Shape:
-    """A cat's wand: a thin rod, a cord, feathers and a bell at its end, lying."""
+    """A cat wand lying flat: a thin rod with a cord, feathers and a bell at its end."""
     k, color = (look.between(0.85, 1.0), look.color("pink", "blue", "green", "orange", "purple",
                                                     "red"))  # fmt: skip
     rod = tube([(-0.24, 0, 0.004), (0.08, 0, 0.004)], [0.004, 0.0026], 8)
@@ -566,7 +566,7 @@ def cat_wand(look: Look) -> Shape:
           aliases=("dog rope", "rope chew", "dog rope toy", "tug toy", "dog toy", "rope dog toy"),
           themes=("living",), colors=("blue",), state="lying")  # fmt: skip
 def rope_toy(look: Look) -> Shape:
-    """A dog's rope toy: a thick twisted rope knotted at both ends, frayed."""
+    """A dog's rope toy: a thick, twisted rope with knotted and frayed ends."""
     k, color = look.between(0.85, 1.15), look.color("blue", "red", "green", "orange", "teal")
     bend = look.between(0.0, 0.03)
     u = np.linspace(-1, 1, 13)
@@ -591,7 +591,7 @@ def rope_toy(look: Look) -> Shape:
           aliases=("cuttle bone", "cuttlefish bone"), themes=("living",), colors=("white",),
           state="lying")  # fmt: skip
 def cuttlebone(look: Look) -> Shape:
-    """A cuttlebone: a flat white oval with a harder rim, lying."""
+    """A cuttlebone lying flat: a white oval with a harder rim."""
     k, color = look.between(0.85, 1.2), look.color("white", "ivory", "cream")
     body = ellipsoid(0.14, 0.052, 0.022, 26, 12).bend(lambda p: p * np.column_stack([
         np.ones(len(p)), 1 - 1.8 * p[:, 0], np.ones(len(p))]))  # fmt: skip
@@ -606,7 +606,7 @@ def cuttlebone(look: Look) -> Shape:
           "poo bag", "roll of poop bags", "roll of poo bags"), themes=("living",),
           colors=("black",), state="lying")  # fmt: skip
 def bag_roll(look: Look) -> Shape:
-    """A small roll of bags in a dispenser shaped like a bone or a tube, a bag hanging out."""
+    """A small roll of bags in a bone-shaped or tubular dispenser, with a bag hanging out."""
     k, color = look.between(0.9, 1.15), look.color("black", "blue", "green", "pink", "red")
     roll = cylinder(0.016, 0.06, 22, bevel=0.002).turn(1, np.pi / 2).move(-0.03, 0, 0.016)
     core = cylinder(0.007, 0.064, 14).turn(1, np.pi / 2).move(-0.032, 0, 0.016)
@@ -626,7 +626,7 @@ def bag_roll(look: Look) -> Shape:
           aliases=("training clicker", "dog clicker", "dog training clicker"), themes=("living",),
           colors=("blue",))  # fmt: skip
 def clicker(look: Look) -> Shape:
-    """A training clicker: a small rounded box with a button and a wrist loop."""
+    """A training clicker: a small, rounded box with a button and a wrist loop."""
     k, color = (look.between(0.9, 1.15), look.color("blue", "red", "yellow", "green", "black",
                                                     "purple"))  # fmt: skip
     body = pad(0.06, 0.036, 0.018, 0.014)
@@ -663,7 +663,7 @@ def dog_bone(look: Look) -> Shape:
           aliases=("collar", "cat collar", "pet collar", "dog harness", "harness", "cat harness"),
           themes=("living",), colors=("red", "blue"), state="lying")  # fmt: skip
 def dog_collar(look: Look) -> Shape:
-    """A pet's collar lying in a ring: a strap, a buckle, a tag."""
+    """A pet collar lying in a ring: a strap with a buckle and a tag."""
     color = look.color("red", "blue", "brown", "black", "pink", "green", "teal")
     r, w = look.between(0.045, 0.062), 0.018
     strap = lathe(
@@ -684,7 +684,7 @@ def dog_collar(look: Look) -> Shape:
           aliases=("dog leash", "dog lead", "pet leash"), themes=("living",),
           colors=("red", "blue"), state="lying coiled")  # fmt: skip
 def leash(look: Look) -> Shape:
-    """A dog's lead coiled on the table, its clip at one end, its loop at the other."""
+    """A coiled dog lead with a clip at one end and a loop at the other."""
     color = look.color("red", "blue", "black", "brown", "green", "orange", "pink")
     a = np.linspace(0, 2 * np.pi * 3, 80)
     r = 0.045 + 0.009 * a / (2 * np.pi)
@@ -708,7 +708,7 @@ def leash(look: Look) -> Shape:
           aliases=("toy mouse", "cat toy mouse", "pet toy", "cloth mouse", "pet mouse"),
           themes=("living", "toys"), colors=("gray",))  # fmt: skip
 def cat_toy(look: Look) -> Shape:
-    """A cat's toy mouse of cloth, its tail a cord."""
+    """A cat toy: a cloth mouse with a cord as its tail."""
     color = look.color("gray", "white", "pink", "blue", "brown", "red")
     k = look.between(0.9, 1.3)
     body = ball(0.07, 0.036, 0.034, (0, 0, 0.0155), 18)
@@ -730,7 +730,7 @@ def cat_toy(look: Look) -> Shape:
           aliases=("fishbowl", "goldfish bowl"), themes=("living",), roles=("round",),
           colors=("sky",))  # fmt: skip
 def fish_bowl(look: Look) -> Shape:
-    """A fish bowl: water between two glass rings over gravel, goldfish and a weed."""
+    """A fish bowl: water over gravel between two glass rings, with goldfish and a plant."""
     color = look.color("sky", "blue", "teal", "cyan", "turquoise")
     r = look.between(0.07, 0.09)
     water = lathe([(0, 0), (0.55 * r, 0), (0.9 * r, 0.4 * r), (r, 0.85 * r), (0.9 * r, 1.3 * r),

@@ -1,4 +1,4 @@
-"""Plants (living)."""
+"""Objects of the ``living`` theme: plants."""
 
 from __future__ import annotations
 
@@ -49,11 +49,11 @@ Point = tuple[float, float, float]
 class PlantForm:
     """A potted plant, in metres.
 
-    ``form`` names how it grows: "rosette" from the soil, "stems" with a leaf on each, "cane" with
-    tufts on trunks, "tree" with a crown, "frond" with feathered leaves, "trap" with jaws.
-    ``leaf`` is a leaf's length and width, ``count`` how many there are, ``rise`` the height of
-    stems or trunks, ``green`` its colours and ``mark`` a second colour in the pattern ``skin``.
-    ``bloom`` names flowers or fruit in ``hues``.
+    ``form`` names its growth: "rosette" from the soil, "stems" with a leaf on each, "cane" with
+    tufts on trunks, "tree" with a crown, "frond" with feathered leaves, or "trap" with jaws.
+    ``leaf`` is the length and width of a leaf, ``count`` the number of leaves, ``rise`` the height
+    of stems or trunks, ``green`` its colours, and ``mark`` a second colour in the pattern ``skin``.
+    ``bloom`` names flowers or fruit in the colours ``hues``.
     """
 
     form: str
@@ -87,7 +87,7 @@ def _skin(look: Look, kind: PlantForm, green: RGB) -> surfaces.Tile:
 
 
 def _split(length: float, width: float) -> Solid:
-    """Return a monstera's leaf along +x: a heart with slits."""
+    """Return a monstera leaf along +x: a heart shape with slits."""
     right = [(0.0, 0.06), (-0.08, 0.3), (0.1, 0.5), (0.3, 0.5), (0.22, 0.2), (0.42, 0.47),
              (0.56, 0.4), (0.42, 0.15),
              (0.64, 0.34), (0.76, 0.26), (0.6, 0.1), (0.84, 0.18), (1.0, 0.0)]  # fmt: skip
@@ -98,7 +98,7 @@ def _split(length: float, width: float) -> Solid:
 
 
 def _stem(top: Point, base: float, start: float) -> Solid:
-    """Return a thin stem from near the middle of the soil to ``top``."""
+    """Return a thin stem from near the centre of the soil to ``top``."""
     x, y, z = top
     bend = 0.5 + 0.5 * start
     return tube([(start * x, start * y, base), (bend * x, bend * y, base + 0.65 * (z - base)), top],
@@ -108,7 +108,7 @@ def _stem(top: Point, base: float, start: float) -> Solid:
 def _foliage(
     look: Look, kind: PlantForm, base: float, r: float
 ) -> tuple[list[Solid], list[Solid], list[Point]]:
-    """Return leaves, stems, and places where flowers may sit."""
+    """Return leaves, stems and possible positions of flowers."""
     leaves: list[Solid] = []
     stems: list[Solid] = []
     tips: list[Point] = []
@@ -287,7 +287,7 @@ def plant(kind: PlantForm) -> Callable[[Look], Shape]:
           aliases=("cacti", "potted cactus", "small cactus", "cactus plant", "cactus pot"),
           themes=("living", "office"), roles=("tall",), colors=("green",))  # fmt: skip
 def cactus(look: Look) -> Shape:
-    """A cactus in a pot: a column with arms, a ball, or paddles, with spines and a bloom."""
+    """A potted cactus: a column with arms, a ball or paddles, with spines and a bloom."""
     r, h = look.between(0.04, 0.055), look.between(0.055, 0.08)
     pieces = planter(look, r, h)
     green = look.color("green", "green", "olive", "sage", "teal", spread=16)
@@ -320,7 +320,7 @@ def succulent(look: Look) -> Shape:
 
 
 def leaf_blade(length: float, width: float, angle: float, lift: float) -> Solid:
-    """Return a thin curved leaf that starts at the origin and points along ``angle``."""
+    """Return a thin, curved leaf that starts at the origin and points along ``angle``."""
     t = np.linspace(0, 1, 7)
     half = width / 2 * np.sin(np.pi * np.clip(t * 0.94 + 0.03, 0, 1)) ** 0.75
     rise = length * (np.sin(lift) * t - 0.35 * np.cos(lift) * t**2)
@@ -334,7 +334,7 @@ def leaf_blade(length: float, width: float, angle: float, lift: float) -> Solid:
 
 
 def cactus_plant(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a column, a ball, or paddles, with ribs, spines and a bloom."""
+    """Return a cactus: a column, a ball or paddles, with ribs, spines and a bloom."""
     ribs = surfaces.stripes([green, tint_color(green, 0.7)], 9, upright=True, side=128).copy()
     for row in range(4, 128, 12):
         ribs[row : row + 2, 3::14] = (240, 236, 210)
@@ -369,7 +369,7 @@ def cactus_plant(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, li
           aliases=("plant seedling", "plug plant", "young plant"), themes=("living",),
           colors=("green",), common=True)  # fmt: skip
 def seedling(look: Look) -> Shape:
-    """A seedling with the soil around its roots, out of its pot."""
+    """A seedling without a pot, with soil around its roots."""
     r, h, tall = look.between(0.019, 0.024), look.between(0.03, 0.036), look.between(0.085, 0.105)
     soil = cylinder(r, h, 14, top=1.15 * r, bevel=0.002)
     stem = tube([(0, 0, h - 0.004), (0.002, 0, 0.6 * tall), (0, 0, 0.9 * tall)], 0.0022, 7)
@@ -385,7 +385,7 @@ def seedling(look: Look) -> Shape:
 @category("bare_cactus", size=(0.045, 0.045, 0.12), mass=0.08, material="food", themes=("living",),
           colors=("green",), common=True)  # fmt: skip
 def bare_cactus(look: Look) -> Shape:
-    """A ribbed cactus with the soil around its roots, out of its pot."""
+    """A ribbed cactus without a pot, with soil around its roots."""
     r, h, tall = look.between(0.02, 0.024), look.between(0.03, 0.036), look.between(0.07, 0.1)
     soil = cylinder(r, h, 14, top=1.1 * r, bevel=0.002)
     turn = np.linspace(0, 2 * np.pi, 33)[:-1]
@@ -405,7 +405,7 @@ def bare_cactus(look: Look) -> Shape:
           aliases=("tulip bulb", "daffodil bulb", "plant bulb"), themes=("living",),
           colors=("brown",))  # fmt: skip
 def flower_bulb(look: Look) -> Shape:
-    """A flower bulb with its papery skin, roots and a green tip."""
+    """A flower bulb with papery skin, roots and a green tip."""
     color = look.color("brown", "tan", "terracotta", "bronze", "amber", "beige")
     body = lathe([(0, 0), (0.01, 0), (0.021, 0.01), (0.023, 0.02), (0.013, 0.036), (0.004, 0.048),
                   (0, 0.05)], 20)  # fmt: skip
@@ -419,7 +419,7 @@ def flower_bulb(look: Look) -> Shape:
 
 
 def in_pot(look: Look, plant: Pieces, r: float, h: float) -> Shape:
-    """Return a plant in a pot of radius ``r`` and height ``h``; plants grow from z = 0.88 h."""
+    """Return a plant in a pot of radius ``r`` and height ``h``; the soil is at z = 0.88 h."""
     pieces = planter(look, r, h)
     crown = join([solid for solid, _ in plant])
     near = crown.vertices[np.hypot(*crown.vertices[:, :2].T) < 1.3 * r]
@@ -430,7 +430,7 @@ def in_pot(look: Look, plant: Pieces, r: float, h: float) -> Shape:
           aliases=("potted fern", "fern plant", "boston fern"), themes=("living",), roles=("tall",),
           colors=("green",))  # fmt: skip
 def fern(look: Look) -> Shape:
-    """A fern in a pot: arching fronds with leaflets on both sides."""
+    """A potted fern: arching fronds with leaflets on both sides."""
     r, h = look.between(0.042, 0.055), look.between(0.06, 0.085)
     green = look.own_color("green", "lime", "sage", spread=14)
     leaves: list[Solid] = []
@@ -453,7 +453,7 @@ def fern(look: Look) -> Shape:
           aliases=("potted ivy", "ivy plant", "trailing plant", "hanging plant", "string of hearts",
           "pothos", "philodendron"), themes=("living",), colors=("green",))  # fmt: skip
 def ivy(look: Look) -> Shape:
-    """Ivy in a pot, its vines hanging over the rim."""
+    """A potted ivy with vines that hang over the rim."""
     r, h = look.between(0.045, 0.055), look.between(0.085, 0.11)
     green = look.own_color("green", "olive", "sage", spread=14)
     vines: list[Solid] = []
@@ -511,7 +511,7 @@ def bonsai(look: Look) -> Shape:
           aliases=("plant terrarium", "glass terrarium", "glass dome"), themes=("living",),
           roles=("tall", "round"), colors=("wooden",))  # fmt: skip
 def terrarium(look: Look) -> Shape:
-    """Plants, moss and stones under glass, drawn as a clear dome's contents on a wooden foot."""
+    """A terrarium: plants, moss and stones on a wooden base, under a dome drawn as its frame."""
     color = look.color("wooden", "brown", "black", "white", "tan")
     r, h = look.between(0.06, 0.075), look.between(0.13, 0.17)
     foot = cylinder(r, 0.018, 30, bevel=0.003)

@@ -1,4 +1,4 @@
-"""Props (living)."""
+"""Objects of the ``living`` theme: props."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
           colors=("red",), state="lying flat")  # fmt: skip
 @vary()
 def devil_horns(look: Look) -> Shape:
-    """A headband lying with two red horns."""
+    """A headband with two red horns, lying flat."""
     k = look.between(0.94, 1.06)
     color = look.color("red", "red", "black", "purple")
     band = limb([(-0.065, 0.05, 0.004), (-0.07, 0, 0.004), (-0.04, -0.055, 0.004),
@@ -59,7 +59,7 @@ def devil_horns(look: Look) -> Shape:
           roles=("flat",), colors=("black",), state="lying flat")  # fmt: skip
 @vary()
 def eye_patch(look: Look) -> Shape:
-    """A black eye patch lying with its elastic; a skull or plain."""
+    """A black eye patch with an elastic band, plain or with a skull, lying flat."""
     k = look.between(0.94, 1.08)
     color = look.color("black", "black", "brown")
     half = smooth([(0.0, -0.036), (0.024, -0.022), (0.034, 0.008), (0.03, 0.026), (0.0, 0.028)], 4)
@@ -82,7 +82,7 @@ def eye_patch(look: Look) -> Shape:
           colors=("black",), state="lying flat")  # fmt: skip
 @at_rest
 def hook_hand(look: Look) -> Shape:
-    """A pirate's hook lying: a cuff and a bent steel hook."""
+    """A pirate's hook lying flat: a cuff with a bent steel hook."""
     k = look.between(0.94, 1.06)
     color = look.color("black", "brown", "red")
     cuff = lathe([(0, 0), (0.04, 0), (0.034, 0.07), (0, 0.07)], 26).turn(1, np.pi / 2)
@@ -99,7 +99,7 @@ def hook_hand(look: Look) -> Shape:
           "selfie prop", "fake moustaches"), themes=("living",), colors=("black",),
           state="lying flat")  # fmt: skip
 def photo_prop(look: Look) -> Shape:
-    """A photo prop on a stick: a moustache, lips, glasses or a top hat of card."""
+    """A photo prop on a stick: a cardboard moustache, lips, glasses or top hat."""
     k = look.between(0.9, 1.1)
     kind = look.pick(["moustache", "lips", "hat", "moustache"])
     color = look.color("black", "red", "black", "purple")
@@ -127,7 +127,7 @@ def photo_prop(look: Look) -> Shape:
           aliases=("clapper board", "film slate", "movie clapper", "clapboard", "film clapper"),
           themes=("living",), roles=("flat", "big"), colors=("black",))  # fmt: skip
 def clapperboard(look: Look) -> Shape:
-    """A film clapperboard lying, its striped clapper a little open."""
+    """A film clapperboard lying flat, with its striped clapper slightly open."""
     k = look.between(0.75, 0.95)
     color = look.color("black", "charcoal", "white")
     board = block(0.26, 0.18, 0.008, 0.003)
@@ -161,7 +161,7 @@ def jack_o_lantern(look: Look) -> Shape:
     r = 0.53 * d
 
     def carve(points: list[tuple[float, float]]) -> Solid:
-        """Return a dark patch (x, z in units of the width) laid on the front."""
+        """Return a dark patch on the front (x, z relative to the width)."""
         plate = refine(refine(standing_plate(np.array(points) * d, 0.1 * d)))
 
         def wrap(p: np.ndarray) -> np.ndarray:
@@ -189,7 +189,7 @@ def jack_o_lantern(look: Look) -> Shape:
           "skull decoration", "halloween skull", "decorative skull", "plastic skull",
           "skull model"), themes=("living",), colors=("ivory",))  # fmt: skip
 def skull(look: Look) -> Shape:
-    """A skull with dark eye holes and teeth, its face to the front."""
+    """A skull with dark eye sockets and teeth, facing the front."""
     color = look.color("ivory", "white", "cream", "black", "silver", "gold")
     bone = surfaces.speckles(look.rng, color, 8)
     hollow = surfaces.plain((28, 24, 24) if sum(color) > 250 else (190, 40, 40))
@@ -214,7 +214,7 @@ def skull(look: Look) -> Shape:
           aliases=("rabbit's foot", "lucky rabbit foot", "rabbits foot keychain"),
           themes=("living",), colors=("white",), state="lying")  # fmt: skip
 def rabbit_foot(look: Look) -> Shape:
-    """A rabbit's foot on a key chain: a furry paw, a metal cap, a ring."""
+    """A rabbit's foot on a key chain: a furry paw with a metal cap and a ring."""
     k, color = look.between(0.9, 1.15), look.color("white", "tan", "gray", "brown", "pink")
     paw = limb([(-0.034, 0, 0), (-0.026, 0, 0), (0, 0.003, 0), (0.022, 0, 0), (0.03, 0, 0)],
                [0.002, 0.0085, 0.0098, 0.0075, 0.006], 14)  # fmt: skip
@@ -231,7 +231,7 @@ def rabbit_foot(look: Look) -> Shape:
           aliases=("iron shackle", "pair of shackles", "handcuffs", "pair of handcuffs", "manacle"),
           themes=("living",), roles=("flat",), colors=("gray",))  # fmt: skip
 def shackle(look: Look) -> Shape:
-    """Two iron cuffs joined by a short chain, lying."""
+    """A pair of iron shackles joined by a short chain, lying flat."""
     k = look.between(0.85, 1.15)
     color = look.color("charcoal", "gray", "brown", "black")
     cuffs = [torus(0.034, 0.0065, 30, 8).move(s * 0.085, 0, 0.0062) for s in (-1, 1)]
@@ -276,7 +276,7 @@ def bunny_ears(look: Look) -> Shape:
           aliases=("gravestone", "gravestone prop", "headstone", "fake gravestone", "grave stone"),
           themes=("living",), roles=("tall",), colors=("gray",))  # fmt: skip
 def tombstone(look: Look) -> Shape:
-    """A round-headed gravestone on a base, RIP carved in it."""
+    """A round-topped gravestone on a base, engraved with RIP."""
     k = look.between(0.85, 1.15)
     color = look.color("gray", "gray", "silver", "charcoal")
     x, h, t = 0.09 * k, 0.12 * k, 0.02 * k
@@ -302,7 +302,7 @@ def tombstone(look: Look) -> Shape:
           aliases=("toy coffin", "coffin prop", "mini coffin", "coffin box"), themes=("living",),
           roles=("support",), colors=("brown",))  # fmt: skip
 def coffin(look: Look) -> Shape:
-    """A small six-sided coffin lying, a cross on its lid."""
+    """A small six-sided coffin lying flat, with a cross on its lid."""
     k = look.between(0.85, 1.15)
     color = look.color("brown", "black", "wooden", "purple")
     outline = (np.array([(-0.1, -0.022), (0.045, -0.045), (0.1, -0.026), (0.1, 0.026),
@@ -320,7 +320,7 @@ def coffin(look: Look) -> Shape:
           aliases=("ouija board", "ouija", "talking board", "witch board"), themes=("living",),
           roles=("big", "support"), colors=("tan",), state="lying flat")  # fmt: skip
 def spirit_board(look: Look) -> Shape:
-    """A board of letters and numbers, YES and NO, with its heart-shaped pointer."""
+    """A board with letters, numbers, YES and NO, and a heart-shaped pointer."""
     k = look.between(0.94, 1.06)
     color = look.color("tan", "beige", "wooden", "brown")
     x, y = 0.36 * k, 0.25 * k
@@ -363,7 +363,7 @@ def pointer_solid(k: float) -> Solid:
           aliases=("ouija planchette", "ouija pointer"), themes=("living",),
           colors=("wooden",))  # fmt: skip
 def planchette(look: Look) -> Shape:
-    """A heart-shaped pointer with a window, on three small feet."""
+    """A planchette: a heart-shaped pointer with a window on three small feet."""
     k = look.between(0.95, 1.2)
     color = look.color("wooden", "ivory", "brown", "black")
     plate = pointer_solid(k).move(z=0.006)
@@ -384,7 +384,7 @@ STRAW: RGB = (206, 164, 96)
           state="lying flat")  # fmt: skip
 @at_rest
 def witch_broom(look: Look) -> Shape:
-    """A small witch's broom lying: a crooked stick and a bound bundle of twigs."""
+    """A small witch's broom lying flat: a crooked stick with a bound bundle of twigs."""
     k = look.between(0.9, 1.1)
     color = look.color("brown", "brown", "black", "wooden")
     stick = limb([(-0.2, 0.004, 0.02), (-0.08, -0.005, 0.022), (0.06, 0.004, 0.022)],
@@ -408,7 +408,7 @@ def witch_broom(look: Look) -> Shape:
           aliases=("devil's pitchfork", "pitchfork prop", "toy pitchfork", "trident", "devil fork"),
           themes=("living",), colors=("red",), state="lying flat")  # fmt: skip
 def pitchfork(look: Look) -> Shape:
-    """A devil's pitchfork lying: a shaft and three barbed prongs."""
+    """A devil's pitchfork lying flat: a shaft with three barbed prongs."""
     k = look.between(0.9, 1.1)
     color = look.color("red", "red", "black")
     shaft = straight((-0.2, 0, 0.006), (0.08, 0, 0.006), 0.0055)
@@ -427,7 +427,7 @@ def pitchfork(look: Look) -> Shape:
           "black cauldron"), themes=("living",), roles=("container", "round"),
           colors=("black",))  # fmt: skip
 def cauldron(look: Look) -> Shape:
-    """A round black pot on three feet with a ring at each side, open above."""
+    """A round, open black cauldron on three feet with a ring on each side."""
     r, h = look.between(0.06, 0.08), look.between(0.1, 0.12)
     color = look.color("black", "black", "charcoal", "green")
     foot = 0.016
@@ -451,7 +451,7 @@ def cauldron(look: Look) -> Shape:
           aliases=("vampire teeth", "fangs", "plastic fangs", "fake teeth", "plastic teeth"),
           themes=("living",), colors=("white",))  # fmt: skip
 def vampire_fangs(look: Look) -> Shape:
-    """A set of plastic vampire teeth: two arches of gums, teeth, two long fangs."""
+    """A set of plastic vampire teeth: two arches of gums and teeth with two long fangs."""
     k = look.between(0.95, 1.2)
     color = look.color("white", "white", "lime", "ivory")
     gums, teeth = [], []
@@ -477,7 +477,7 @@ def vampire_fangs(look: Look) -> Shape:
           aliases=("red nose", "foam nose", "clown's nose"), themes=("living",), roles=("round",),
           colors=("red",))  # fmt: skip
 def clown_nose(look: Look) -> Shape:
-    """A red foam ball with a slit."""
+    """A red foam clown nose with a slit."""
     r = look.between(0.023, 0.027)
     color = look.color("red", "red", "red")
     body = ball(2 * r, 2 * r, 2 * r, (0, 0, 0), 24)
@@ -490,7 +490,7 @@ def clown_nose(look: Look) -> Shape:
           aliases=("spider web", "spider's web", "fake cobweb", "spiderweb"), themes=("living",),
           roles=("flat",), colors=("white",), state="lying flat")  # fmt: skip
 def cobweb(look: Look) -> Shape:
-    """A spun web lying flat: spokes and sagging rings, a small spider on it."""
+    """A cobweb lying flat: spokes and sagging rings with a small spider."""
     k = look.between(0.85, 1.2)
     color = look.color("white", "white", "silver", "black")
     spokes, rings = [], []
@@ -520,7 +520,7 @@ BLACK = surfaces.plain((24, 22, 26))
           "skeleton figure", "mini skeleton", "halloween skeleton"), themes=("living",),
           colors=("ivory",), state="lying flat")  # fmt: skip
 def skeleton(look: Look) -> Shape:
-    """A toy skeleton lying on its back."""
+    """A toy skeleton, lying on its back."""
     k = look.between(0.9, 1.15)
     color = look.color("ivory", "white", "lime", "cream")
     bone = surfaces.speckles(look.rng, color, 6)
@@ -578,7 +578,7 @@ def ghost(look: Look) -> Shape:
           aliases=("mummy figure", "mummy figurine", "toy mummy", "zombie figure", "zombie",
           "zombies"), themes=("living",), colors=("cream",))  # fmt: skip
 def mummy(look: Look) -> Shape:
-    """A mummy standing, wrapped in bandages, eyes between them."""
+    """A mummy wrapped in bandages, standing, with visible eyes."""
     k = look.between(0.85, 1.15)
     color = look.color("cream", "ivory", "beige", "tan")
     body = lathe(np.maximum(smooth([(0, 0), (0.02, 0), (0.02, 0.01), (0.026, 0.045), (0.03, 0.075),
@@ -602,7 +602,7 @@ def mummy(look: Look) -> Shape:
           "hand prop"), themes=("living",), state="lying flat")  # fmt: skip
 @vary()
 def severed_hand(look: Look) -> Shape:
-    """A cut-off hand lying palm down, spread fingers, a red stump."""
+    """A severed hand lying palm down with spread fingers and a red stump."""
     k = look.between(0.85, 1.05)
     color = look.color("beige", "lime", "tan", "ivory")
     flesh = tint_color((222.0, 184.0, 150.0), 1.0) if "color" not in look.attributes else color
@@ -630,7 +630,7 @@ def severed_hand(look: Look) -> Shape:
           themes=("living",), state="lying flat")  # fmt: skip
 @vary()
 def severed_finger(look: Look) -> Shape:
-    """A cut-off finger lying, with its nail and a red end."""
+    """A severed finger lying flat, with a nail and a red end."""
     k = look.between(0.9, 1.15)
     color = look.color("beige", "tan", "lime")
     flesh: RGB = (222, 184, 150) if "color" not in look.attributes else color
@@ -650,7 +650,7 @@ def severed_finger(look: Look) -> Shape:
           aliases=("fake eyeball", "glass eye", "plastic eyeball", "rubber eyeball",
           "candy eyeball"), themes=("living",), roles=("round",), colors=("blue",))  # fmt: skip
 def eyeball(look: Look) -> Shape:
-    """A staring eyeball with red veins, looking up to the front."""
+    """A staring eyeball with red veins, looking up and to the front."""
     r = look.between(0.013, 0.019)
     color = look.color("blue", "green", "brown", "teal")
     globe = ball(2 * r, 2 * r, 2 * r, (0, 0, 0), 22)

@@ -1,4 +1,4 @@
-"""Religious items (living)."""
+"""Objects of the ``living`` theme: religious items."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ from ..toys.shapes import body
 
 
 def _cross(figure: bool, stepped: bool) -> Drawing:
-    """A standing cross on a base, with a figure on it or without."""
+    """A cross standing on a base, with or without a figure."""
 
     def draw(look: Look) -> Pieces:
         tile = look.surface(look.color("brown", "gold", "wooden", "silver"), look.pick(
@@ -67,7 +67,7 @@ def _cross(figure: bool, stepped: bool) -> Drawing:
 
 
 def _beads(cross: bool) -> Drawing:
-    """A loop of beads lying, with a cross or a tassel."""
+    """A loop of beads with a cross or a tassel, lying flat."""
 
     def draw(look: Look) -> Pieces:
         bead = look.surface(
@@ -96,7 +96,7 @@ def _beads(cross: bool) -> Drawing:
 
 def _cup(lid: bool) -> Callable[[Look], Shape]:
     def make(look: Look) -> Shape:
-        """A metal cup on a stem with a knob; with ``lid`` covered and a cross on top."""
+        """A metal chalice: a cup on a stem with a knob, with ``lid`` also a cover with a cross."""
         k = look.between(0.9, 1.1)
         tile = metal(look, "gold", "gold", "silver")
         stem = lathe([(0, 0), (0.045, 0), (0.046, 0.006), (0.03, 0.014), (0.009, 0.03),
@@ -127,7 +127,7 @@ def _cup(lid: bool) -> Callable[[Look], Shape]:
           colors=("brass",))  # fmt: skip
 @from_pieces(foot=0.02)
 def thurible(look: Look) -> Pieces:
-    """A censer: a footed bowl with a pierced lid, its chains laid round it."""
+    """A censer: a footed bowl with a perforated lid and its chains around it."""
     tile = metal(look, "gold", "brass", "silver")
     bowl = standing((0.028, 0), (0.03, 0.006), (0.016, 0.014), (0.042, 0.035), (0.046, 0.055))
     lid = standing((0.046, 0.056), (0.038, 0.075), (0.018, 0.092), (0.014, 0.1), (0.004, 0.112))
@@ -147,7 +147,7 @@ def thurible(look: Look) -> Pieces:
           colors=("gold",))  # fmt: skip
 @from_pieces()
 def monstrance(look: Look) -> Pieces:
-    """A golden sun with a glass middle on a stem."""
+    """A monstrance: a golden sun with a glass centre on a stem."""
     tile = metal(look, "gold", "gold", "silver")
     stem = standing((0.05, 0), (0.05, 0.008), (0.02, 0.02), (0.008, 0.04), (0.016, 0.06),
                     (0.008, 0.075), (0.006, 0.12))  # fmt: skip
@@ -165,7 +165,7 @@ def monstrance(look: Look) -> Pieces:
           "orthodox icon"), themes=("living",), colors=("gold",))  # fmt: skip
 @from_pieces()
 def icon(look: Look) -> Pieces:
-    """A painted icon standing: a saint with a halo on gold, leaning on a foot."""
+    """An upright painted icon: a saint with a halo on gold, leaning on a foot."""
     image = prints.canvas(96, 128, (206, 168, 88))
     robe = look.color("crimson", "navy", "green", "maroon")
     prints.polygon(image, [(0.12, 1), (0.2, 0.62), (0.5, 0.5), (0.8, 0.62), (0.88, 1)], robe)
@@ -188,7 +188,7 @@ def icon(look: Look) -> Pieces:
 
 
 def _horn(curve: float, r: float, palette: tuple[str, ...]) -> Drawing:
-    """A horn lying: curved, widening towards its mouth."""
+    """A curved horn lying flat, wider towards its mouth."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*palette)
@@ -213,7 +213,7 @@ def _horn(curve: float, r: float, palette: tuple[str, ...]) -> Drawing:
           colors=("brass",))  # fmt: skip
 @from_pieces()
 def prayer_wheel(look: Look) -> Pieces:
-    """A prayer wheel: a turned handle under an ornate drum with a tip."""
+    """A prayer wheel: an ornate drum with a tip on a turned handle."""
     gold = metal(look, "brass", "gold", "copper")
     base = disc(0.04, 0.014)
     stem = standing((0.008, 0.014), (0.01, 0.05), (0.007, 0.075), sides=14)
@@ -233,7 +233,7 @@ def prayer_wheel(look: Look) -> Pieces:
           themes=("living",), colors=("brass",), state="lying")  # fmt: skip
 @from_pieces(foot=0.1)
 def vajra(look: Look) -> Pieces:
-    """A vajra lying: two crowns of bent prongs on a round grip."""
+    """A vajra lying flat: two crowns of bent prongs on a round grip."""
     tile = metal(look, "brass", "bronze", "gold")
     grip = spindle((-0.03, 0.009), (-0.022, 0.0115), (-0.014, 0.008), (-0.008, 0.011), (0, 0.013),
                   (0.008, 0.011), (0.014, 0.008), (0.022, 0.0115), (0.03, 0.009),
@@ -255,7 +255,7 @@ def vajra(look: Look) -> Pieces:
           roles=("flat",), colors=("brass",))  # fmt: skip
 @from_pieces()
 def puja_thali(look: Look) -> Pieces:
-    """A brass plate with an oil lamp, a bell, red powder and petals."""
+    """A brass puja plate with an oil lamp, a bell, red powder and petals."""
     tile = metal(look, "brass", "silver", "copper")
     dish = standing((0.085, 0), (0.1, 0.012), (0.098, 0.012), (0.084, 0.004), sides=36)
     pots = [disc(0.018, 0.014, (x, y, 0.003), top=0.021) for x, y in ((-0.04, 0.03), (0.04, 0.03))]
@@ -274,7 +274,7 @@ def puja_thali(look: Look) -> Pieces:
           colors=("gold",), state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def ankh(look: Look) -> Pieces:
-    """An ankh lying: a metal cross whose upper arm is a loop."""
+    """An ankh lying flat: a metal cross with a loop as its upper arm."""
     tile = metal(look, "gold", "silver", "bronze")
     a = np.linspace(-1.2, 2 * np.pi - 1.94, 26)
     ring = tube(
@@ -289,7 +289,7 @@ def ankh(look: Look) -> Pieces:
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def pentacle(look: Look) -> Pieces:
-    """A five-pointed star in a ring, lying flat."""
+    """A pentacle lying flat: a five-pointed star in a ring."""
     tile = metal(look, "silver", "gold", "bronze")
     a = np.pi / 2 + np.arange(6) * 4 * np.pi / 5
     star = [rod([(0.032 * np.cos(p), 0.032 * np.sin(p), 0.003),
@@ -303,7 +303,7 @@ def pentacle(look: Look) -> Pieces:
           colors=("ivory",))  # fmt: skip
 @from_pieces()
 def communion_wafer(look: Look) -> Pieces:
-    """A thin round wafer marked with a cross."""
+    """A thin, round wafer marked with a cross."""
     color = look.color("ivory", "cream")
     top = surfaces.plain(color).repeat(8, 0).repeat(8, 1)
     dark = tuple(0.9 * c for c in color)
@@ -317,7 +317,7 @@ def communion_wafer(look: Look) -> Pieces:
           colors=("gold",))  # fmt: skip
 @from_pieces()
 def reliquary(look: Look) -> Pieces:
-    """A golden box like a small house: gems, a cross on its roof."""
+    """A reliquary: a golden box like a small house, with gems and a cross on its roof."""
     gold = metal(look, "gold", "gold", "silver")
     body = at_box(0.12, 0.07, 0.06, (0, 0, 0.012))
     foot = at_block(0.13, 0.08, 0.012, 0.004)
@@ -349,7 +349,7 @@ def _crescent(image: prints.Canvas) -> None:
 
 
 def tome(mark: object, *colors: str) -> Drawing:
-    """A thick bound book lying, a golden mark on its cover."""
+    """A thick bound book with a golden symbol on its cover, lying flat."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*colors)
@@ -376,7 +376,7 @@ def tome(mark: object, *colors: str) -> Drawing:
           colors=("navy",), state="lying")  # fmt: skip
 @from_pieces()
 def torah_scroll(look: Look) -> Pieces:
-    """A scroll in an embroidered mantle, lying, its wooden rollers at both ends."""
+    """A scroll in an embroidered mantle lying flat, with wooden rollers at both ends."""
     velvet = look.color("navy", "crimson", "cream")
     stick = wood(look, "brown", "wooden")
     coat = at_block(0.24, 0.1, 0.052, 0.03)
@@ -401,7 +401,7 @@ def torah_scroll(look: Look) -> Pieces:
           colors=("black", "navy"))  # fmt: skip
 @from_pieces(bodies=2)
 def kippah(look: Look) -> Pieces:
-    """A skullcap lying dome up."""
+    """A kippah lying with its dome up."""
     color = look.color("black", "navy", "white", "blue", "maroon")
     rim = disc(0.08, 0.009, top=0.078, sides=32)
     dome = ball(0.156, 0.156, 0.11, (0, 0, 0.003), 28)
@@ -414,7 +414,7 @@ def kippah(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def mezuzah(look: Look) -> Pieces:
-    """A slender case for a doorpost, a letter on its front, lying."""
+    """A mezuzah lying flat: a slender case with a letter on its front."""
     tile = metal(look, "silver", "brass", "bronze")
     body = at_block(0.1, 0.02, 0.012, 0.006)
     ends = [ball(0.016, 0.018, 0.011, (x, 0, 0.006), 12) for x in (-0.052, 0.052)]
@@ -428,7 +428,7 @@ def mezuzah(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.1)
 def yad(look: Look) -> Pieces:
-    """A silver pointer ending in a small hand, a chain at its head."""
+    """A silver Torah pointer that ends in a small hand, with a chain at its head."""
     tile = metal(look, "silver", "silver", "gold")
     body = spindle((-0.09, 0.004), (-0.085, 0.008), (-0.078, 0.004), (-0.05, 0.0045), (-0.045,
              0.007),
@@ -446,7 +446,7 @@ def yad(look: Look) -> Pieces:
           aliases=("phylactery",), themes=("living",), colors=("black",))  # fmt: skip
 @from_pieces()
 def tefillin(look: Look) -> Pieces:
-    """A black leather cube on a base, its strap coiled beside it."""
+    """A tefillin: a black leather cube on a base with its strap coiled beside it."""
     black = surfaces.speckles(look.rng, look.color("black", "charcoal"), 6)
     base, top = at_box(0.045, 0.06, 0.008), at_box(0.032, 0.032, 0.03, (0, 0.006, 0.008))
     path = [(0.02, -0.02, 0.004), (0.05, -0.035, 0.004), (0.07, 0, 0.004), (0.05, 0.03, 0.004),
@@ -459,7 +459,7 @@ def tefillin(look: Look) -> Pieces:
           themes=("living",), colors=("brown",))  # fmt: skip
 @from_pieces()
 def book_rest(look: Look) -> Pieces:
-    """A folding book stand: two crossed boards with pierced ends."""
+    """A folding book stand: two crossed boards with perforated ends."""
     tile = wood(look, "brown", "wooden", "tan")
     one = at_box(0.19, 0.008, 0.2, (0, 0, -0.06))
     pair = [one.turn(0, a) for a in (0.6, -0.6)]
@@ -490,7 +490,7 @@ def prayer_flags(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces()
 def palm_cross(look: Look) -> Pieces:
-    """A cross of two strips of palm leaf lying, a square knot where they meet."""
+    """A cross of two palm leaf strips lying flat, with a square knot where they meet."""
     color = look.color("sage", "olive", "mustard")
     tile = surfaces.scratches(look.rng, color, tuple(0.8 * c for c in color))  # type: ignore[arg-type]
     return [(at_box(0.012, 0.13, 0.003), tile), (at_box(0.075, 0.012, 0.003, (0, 0.025, 0.002)),
@@ -504,7 +504,7 @@ def palm_cross(look: Look) -> Pieces:
 @vary()
 @from_pieces()
 def prayer_shawl(look: Look) -> Pieces:
-    """A folded pale shawl with dark blue stripes and tassels at its front corners."""
+    """A folded pale shawl with dark blue stripes, and tassels at its front corners."""
     color = look.color("white", "ivory", "cream")
     stripe = surfaces.stripes([color, color, (40, 52, 104), color, (40, 52, 104), color, color], 2,
                               upright=True)  # fmt: skip
@@ -518,7 +518,7 @@ def prayer_shawl(look: Look) -> Pieces:
           "offering plate"), themes=("living",), roles=("container", "flat"),
           colors=("gold",))  # fmt: skip
 def paten(look: Look) -> Shape:
-    """A metal dish for wafers, shallow with a rim."""
+    """A paten: a shallow metal dish with a rim, for communion wafers."""
     tile = metal(look, "gold", "gold", "silver")
     side = [(0.05, 0.0), (0.07, 0.006), (0.085, 0.012)]
     body, parts = open_vessel(side, 0.0025, 0.003)
@@ -529,7 +529,7 @@ FLAME = surfaces.gradient((250, 160, 40), (255, 236, 140), np.random.default_rng
 
 
 def branch(look: Look, arms: int, candles: bool) -> Shape:
-    """A stand with ``arms`` lights in one plane, the middle one on the stem."""
+    """A stand with ``arms`` candles in one plane, the middle one on the stem."""
     color = look.color("gold", "silver", "black", "brass", "bronze")
     metal = look.surface(color, "metal")
     half, top = (arms - 1) // 2, 0.13
@@ -574,7 +574,7 @@ def menorah(look: Look) -> Shape:
           aliases=("wooden dreidel", "hanukkah top"), themes=("living",), colors=("wooden", "blue"),
           state="lying")  # fmt: skip
 def dreidel(look: Look) -> Shape:
-    """A dreidel leaning on its side: a square top with a letter on each face."""
+    """A dreidel leaning on its side: a square spinning top with a letter on each face."""
     color = look.color("wooden", "blue", "red", "gold", "purple", "teal")
     cube = block(0.03, 0.03, 0.03, 0.003, 0.0015)
     tip = cylinder(0.019, 0.018, 4, top=0.001).turn(0, np.pi).turn(2, np.pi / 4)

@@ -1,4 +1,4 @@
-"""Shoes (living)."""
+"""Objects of the ``living`` theme: shoes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FOOT = np.array([(-0.12, -0.03), (-0.06, -0.034), (0.0, -0.03), (0.07, -0.046), 
           aliases=("shoe lace", "boot lace", "bootlace", "pair of shoelaces"), themes=("living",),
           roles=("flat",), colors=("white",))  # fmt: skip
 def shoelace(look: Look) -> Shape:
-    """A pair of laces lying in loops, their ends capped."""
+    """A pair of laces with capped ends, lying in loops."""
     color = look.color("white", "black", "red", "yellow", "brown", "blue")
     k = look.between(0.85, 1.15)
     t = np.linspace(0, 2 * np.pi, 70)
@@ -47,7 +47,7 @@ def shoelace(look: Look) -> Shape:
           aliases=("shoe insole", "inner sole", "shoe insert"), themes=("living",), roles=("flat",),
           colors=("blue",))  # fmt: skip
 def insole(look: Look) -> Shape:
-    """An insole lying."""
+    """An insole, lying flat."""
     color = look.color("blue", "tan", "gray", "green", "black", "cream")
     k, s = look.between(0.85, 1.08), look.pick([-1, 1])
     rim = smooth(np.concatenate([FOOT, FOOT[:1]]) * [1, s], 4)[:-1]
@@ -62,7 +62,7 @@ def insole(look: Look) -> Shape:
           aliases=("shoe stretcher", "boot tree", "glove stretcher"), themes=("living",),
           colors=("tan",))  # fmt: skip
 def shoe_tree(look: Look) -> Shape:
-    """A wooden shoe tree lying: a split toe, a spring tube and a heel with a knob."""
+    """A wooden shoe tree lying flat: a split toe, a spring tube and a heel with a knob."""
     color = look.color("tan", "wooden", "brown")
     k = look.between(0.85, 1.05)
     toes = [ball(0.12, 0.04, 0.05, (0.075, s * 0.023, 0.022), 16) for s in (-1, 1)]
@@ -99,7 +99,7 @@ def clog(look: Look) -> Shape:
           aliases=("shoehorn",), themes=("living",), roles=("flat",),
           colors=("silver",))  # fmt: skip
 def shoe_horn(look: Look) -> Shape:
-    """A shoehorn lying: a curved blade with a hole in its handle."""
+    """A shoehorn lying flat: a curved blade with a hole in its handle."""
     color = look.color("silver", "brown", "black", "gold", "tan")
     k = look.between(0.8, 1.2)
     n = 15
@@ -125,7 +125,7 @@ def shoe_horn(look: Look) -> Shape:
           "moccasin", "espadrille", "ballet flat", "plimsoll", "miniature shoe"),
           themes=("living",), colors=("white", "black"))  # fmt: skip
 def shoe(look: Look) -> Shape:
-    """A trainer with laces, its toe to the left; some are a pair."""
+    """A trainer with laces and its toe on the left, sometimes a pair."""
     k = look.between(0.9, 1.05)
     color = look.color("white", "black", "red", "blue", "gray", "navy", "green", "pink", "tan")
     other: RGB = look.own_color("white", "black", "orange", "lime", "navy", "red")
@@ -172,7 +172,7 @@ def shoe(look: Look) -> Shape:
 
 
 def _sole(grow: float = 1.0) -> np.ndarray:
-    """Return the outline of a sole, its toe to the left, 0.26 m long."""
+    """Return the outline of a sole, 0.26 m long, with its toe on the left."""
     half = smooth([(-0.13, 0.0), (-0.115, 0.03), (-0.07, 0.046), (-0.01, 0.038), (0.05, 0.032),
                    (0.1, 0.034), (0.125, 0.02), (0.13, 0.0)], 2)  # fmt: skip
     curve = half * [1, 1] * grow
@@ -180,7 +180,7 @@ def _sole(grow: float = 1.0) -> np.ndarray:
 
 
 def _upper(levels: list[tuple[float, float, float, float]]) -> Solid:
-    """Return a body over the sole: (growth x, growth y, shift x, z) from the bottom up."""
+    """Return a body over the sole from (growth x, growth y, shift x, z) levels, bottom to top."""
     base = _sole()
     return loft(np.stack([np.column_stack([base * [a, b] + [x, 0], np.full(len(base), z)])
                           for a, b, x, z in levels]), base)  # fmt: skip
@@ -191,7 +191,7 @@ def _upper(levels: list[tuple[float, float, float, float]]) -> Solid:
           "cowboy boot", "work boot", "wellie", "welly", "gumboot"), themes=("living",),
           colors=("brown", "black"))  # fmt: skip
 def boot(look: Look) -> Shape:
-    """An ankle boot with a heel and laces, its toe to the left."""
+    """An ankle boot with a heel and laces and its toe on the left."""
     color = look.color("brown", "black", "tan", "red", "olive", "navy", "yellow")
     k = look.between(0.75, 0.9)
     hide = leather(look.rng, color)
@@ -218,12 +218,12 @@ def boot(look: Look) -> Shape:
           aliases=("flip flop", "flip-flop", "leather sandal", "beach sandal", "thong sandal",
           "flip-flops"), themes=("living",), colors=("brown", "red"))  # fmt: skip
 def sandal(look: Look) -> Shape:
-    """A sandal or flip-flop, its toe to the left."""
+    """A sandal or flip-flop with its toe on the left."""
     color = look.color("brown", "tan", "red", "blue", "black", "teal", "pink", "yellow")
     sole = _upper([(0.98, 0.98, 0, 0), (1.0, 1.0, 0, 0.012), (0.99, 0.99, 0, 0.018)])
     bed = _upper([(0.93, 0.9, 0, 0.0175), (0.93, 0.9, 0, 0.0195)])
     strap = surfaces.plain(tint_color(color, 0.6) if sum(color) > 300 else (230, 210, 180))
-    if look.chance(0.5):  # a flip-flop
+    if look.chance(0.5):  # flip-flop
         bands = [rod([(-0.07, 0, 0.02), (-0.045, s * 0.012, 0.036), (0.0, s * 0.034, 0.032),
                       (0.03, s * 0.034, 0.016)], [0.0045, 0.006, 0.0065, 0.005], 8)
                  for s in (-1, 1)]  # fmt: skip
@@ -243,7 +243,7 @@ def sandal(look: Look) -> Shape:
           aliases=("house slipper", "house shoe", "bedroom slipper", "fluffy slipper",
           "glass slipper"), themes=("living",), colors=("pink", "gray"))  # fmt: skip
 def slipper(look: Look) -> Shape:
-    """A soft slipper, open at its heel."""
+    """A soft slipper, open at the heel."""
     color = look.color("pink", "gray", "navy", "red", "cream", "teal", "brown")
     plush = surfaces.scratches(look.rng, color, tint_color(color, 0.8), 120)
     sole = _upper([(0.97, 0.97, 0, 0), (1.0, 1.0, 0, 0.008), (0.98, 0.98, 0, 0.02)])
@@ -268,7 +268,7 @@ def slipper(look: Look) -> Shape:
           "ladies shoe", "high heel shoe"), themes=("living",),
           colors=("red", "black"))  # fmt: skip
 def high_heel(look: Look) -> Shape:
-    """A lady's shoe with a high heel, its toe to the left."""
+    """A woman's high-heeled shoe with its toe on the left."""
     color = look.color("red", "black", "gold", "silver", "pink", "navy", "white")
     base = _sole()
     n = len(base)

@@ -1,4 +1,4 @@
-"""Signs (living)."""
+"""Objects of the ``living`` theme: signs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BLACK = surfaces.plain((34, 34, 37))
 
 
 def _sign(texts: tuple[str, ...], palette: tuple[str, ...], kind: str) -> Drawing:
-    """A sign with a word: of wood on a foot, of tin lying, of letters on felt, of light."""
+    """A sign with a word: wood on a foot, tin lying flat, letters on felt, or illuminated."""
 
     def draw(look: Look) -> Pieces:
         text = look.pick(texts)
@@ -89,7 +89,7 @@ GOLD: RGB = (206, 172, 90)
 def sign(
     words: tuple[str, ...], x: float, h: float, kind: str, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a lettered sign: on a stake and foot, an easel, or a tent."""
+    """Return the shape function of a lettered sign: on a stake and foot, on an easel, or a tent."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.9, 1.1), look.color(*palette)
@@ -140,7 +140,7 @@ def sign(
 
 
 def sheet_of(titles: tuple[str, ...], x: float, y: float, kind: str) -> Callable[[Look], Shape]:
-    """Return the shape function of a printed sheet lying: a certificate, menu or booklet."""
+    """Return the shape function of a printed sheet lying flat: a certificate, menu or booklet."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.93, 1.07), look.color("cream", "white", "ivory", "pink", "sage")

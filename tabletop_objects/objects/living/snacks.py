@@ -1,4 +1,4 @@
-"""Snacks (living)."""
+"""Objects of the ``living`` theme: snacks."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ STICK: RGB = (244, 240, 230)
           aliases=("lolly", "swirl lollipop"), themes=("living",), roles=("edible",),
           colors=("red", "pink"), state="lying flat")  # fmt: skip
 def lollipop(look: Look) -> Shape:
-    """A swirled flat lollipop or a round one, lying, on its stick."""
+    """A round or flat, swirled lollipop on its stick, lying flat."""
     r, long = look.between(0.017, 0.026), look.between(0.075, 0.1)
     color = look.color(*BRIGHT)
     rows, columns = np.mgrid[0:128, 0:128] / 127 - 0.5
@@ -45,7 +45,7 @@ def lollipop(look: Look) -> Shape:
           themes=("living",), roles=("edible", "flat"), colors=("red",),
           state="lying flat")  # fmt: skip
 def candy_cane(look: Look) -> Shape:
-    """A striped cane with a hook, lying flat."""
+    """A striped candy cane with a hook, lying flat."""
     long, r = look.between(0.11, 0.14), look.between(0.0045, 0.006)
     a = np.linspace(0, np.pi, 9)
     hook = 0.2 * long
@@ -67,7 +67,7 @@ def candy_cane(look: Look) -> Shape:
           themes=("living",), roles=("edible",), colors=("red", "green"),
           state="lying flat")  # fmt: skip
 def gummy_bear(look: Look) -> Shape:
-    """A small gummy bear lying on its back."""
+    """A small gummy bear, lying on its back."""
     k = look.between(0.9, 1.25)
     color = look.color(*BRIGHT)
     blobs = [ellipsoid(0.011, 0.009, 0.014, 14, 8).move(z=0.0075),
@@ -87,7 +87,7 @@ def gummy_bear(look: Look) -> Shape:
           aliases=("liquorice", "licorice wheel", "liquorice wheel"), themes=("living",),
           roles=("edible", "flat"), colors=("black",), state="lying flat")  # fmt: skip
 def licorice(look: Look) -> Shape:
-    """A wheel of liquorice lace."""
+    """A coiled wheel of liquorice lace."""
     r, t = look.between(0.02, 0.025), look.between(0.006, 0.008)
     turn = np.linspace(0, 6 * np.pi, 70)
     away = 0.15 * r + 0.78 * r * turn / turn[-1]
@@ -141,7 +141,7 @@ GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "teal")
           aliases=("cake with candles", "candle cake"), themes=("living", "dining"),
           roles=("edible",), colors=("pink", "white"))  # fmt: skip
 def birthday_cake(look: Look) -> Shape:
-    """A frosted cake on a plate with candles burning on it and piped drops."""
+    """A frosted cake on a plate, with burning candles and piped decorations."""
     color = look.color("pink", "white", "brown", "yellow", "mint", "sky", "lavender")
     r, h = look.between(0.075, 0.095), look.between(0.055, 0.075)
     plate = cylinder(1.25 * r, 0.007, 32, bevel=0.002)
@@ -200,7 +200,7 @@ def popcorn(look: Look) -> Shape:
           "tube of potato crisps"), themes=("living", "food"), roles=("round", "tall"),
           colors=("red", "green"))  # fmt: skip
 def chips_can(look: Look) -> Shape:
-    """A tall paper tube of stacked crisps with a see-through lid."""
+    """A tall paper tube of stacked crisps with a transparent lid."""
     r, h = look.between(0.036, 0.039), look.between(0.22, 0.255)
     color = look.color("red", "green", "purple", "orange", "blue", "yellow", "teal")
     image = prints.canvas(320, 256, color)

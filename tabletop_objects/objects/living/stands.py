@@ -1,4 +1,4 @@
-"""Stands (living)."""
+"""Objects of the ``living`` theme: stands."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WOODS = ("wooden", "brown", "tan")
           "display shelf", "little shelf", "small wooden shelf"), themes=("living",),
           roles=("support", "big"), colors=("wooden", "brown"))  # fmt: skip
 def small_shelf(look: Look) -> Shape:
-    """A low shelf of boards between two sides, its top free."""
+    """A low shelf of boards between two sides, with a clear top."""
     wide, deep, high = look.between(0.32, 0.38), look.between(0.16, 0.19), look.between(0.22, 0.27)
     thick, tiers = 0.012, look.pick([2, 2, 3])
     levels = [0.03 + k * (high - thick - 0.03) / (tiers - 1) for k in range(tiers)]
@@ -36,7 +36,7 @@ def small_shelf(look: Look) -> Shape:
           aliases=("sphere stand", "crystal ball stand"), themes=("living",),
           roles=("support", "round"), colors=("wooden", "black"))  # fmt: skip
 def ball_stand(look: Look) -> Shape:
-    """A turned foot with a shallow cup in which a ball or an egg rests."""
+    """A turned foot with a shallow cup for a ball or an egg."""
     r = look.between(0.02, 0.026)
     side = [(1.3 * r, 0.0), (1.25 * r, 0.006), (0.75 * r, 0.012), (1.1 * r, 0.03)]
     body, parts = open_vessel(side, 0.004, 0.012, 24)
@@ -47,7 +47,7 @@ def ball_stand(look: Look) -> Shape:
           aliases=("sword stand", "pen rest", "brush stand"), themes=("living",),
           roles=("support",), colors=("wooden", "black"))  # fmt: skip
 def cradle_stand(look: Look) -> Shape:
-    """A base with two forks on which something long lies."""
+    """A base with two forks that hold a long object."""
     long, thick = look.between(0.13, 0.16), 0.01
     bodies = [(long, 0.056, thick, (0.0, 0.0, 0.0))]
     bodies += [
@@ -64,7 +64,7 @@ def cradle_stand(look: Look) -> Shape:
           "statue base", "museum plinth"), themes=("living",), roles=("support", "big"),
           colors=("white", "gray"))  # fmt: skip
 def plinth(look: Look) -> Shape:
-    """A low square plinth: a foot, a shaft and a top plate."""
+    """A low square plinth with a foot, a shaft and a top plate."""
     s, h = look.between(0.1, 0.14), look.between(0.045, 0.075)
     parts = [at_box(s, s, 0.2 * h), at_box(0.86 * s, 0.86 * s, 0.66 * h, (0, 0, 0.17 * h)),
              at_box(s, s, 0.2 * h, (0, 0, 0.8 * h))]  # fmt: skip
@@ -75,7 +75,7 @@ def plinth(look: Look) -> Shape:
           aliases=("cake stand pillar", "cake column", "wedding cake pillar"), themes=("living",),
           roles=("tall",), colors=("white",))  # fmt: skip
 def cake_pillar(look: Look) -> Shape:
-    """A small column that carries a tier of a cake."""
+    """A small column that supports a tier of a cake."""
     r, h = look.between(0.011, 0.015), look.between(0.07, 0.1)
     color = look.color("white", "ivory", "gold", "silver", "pink")
     body = lathe([(0, 0), (1.5 * r, 0), (1.5 * r, 0.06 * h), (1.1 * r, 0.1 * h),

@@ -1,4 +1,4 @@
-"""Stones (living)."""
+"""Objects of the ``living`` theme: stones."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .models import _stone
           roles=("flat",), colors=("blue", "purple"))  # fmt: skip
 @from_pieces(bodies=1)
 def agate_slice(look: Look) -> Pieces:
-    """A slice of agate: coloured rings, a crystal middle, a brown rind."""
+    """A slice of agate with coloured rings, a crystalline centre and a brown rind."""
     color = look.color("blue", "purple", "teal", "orange", "pink", "brown")
     swell = look.rng.uniform(0, 6.28, 2)
     a = 2 * np.pi * np.arange(40) / 40
@@ -41,7 +41,7 @@ def agate_slice(look: Look) -> Pieces:
           themes=("living",), colors=("purple",))  # fmt: skip
 @from_pieces(bodies=2)
 def geode(look: Look) -> Pieces:
-    """Half a geode: a grey rind round a hollow of crystals."""
+    """Half a geode: a grey rind around a hollow of crystals."""
     color = look.color("purple", "purple", "white", "blue", "amber")
     rind = lump(look, 0.1, 0.085, 0.075, 40)
     top = float(rind.bounds[1, 2])
@@ -77,7 +77,7 @@ def slab(look: Look) -> Shape:
           "rosetta stone replica", "rune stone", "inscribed stone"), themes=("living",),
           roles=("flat",), colors=("tan",))  # fmt: skip
 def clay_tablet(look: Look) -> Shape:
-    """A tablet covered with rows of wedge-shaped signs."""
+    """A clay tablet with rows of wedge-shaped characters."""
     color = look.color("tan", "terracotta", "brown", "gray", "charcoal", spread=14)
     x, y = look.between(0.08, 0.11), look.between(0.11, 0.14)
     made = pad(x, y, 0.02, 0.012, soft=0.6)
@@ -97,7 +97,7 @@ def clay_tablet(look: Look) -> Shape:
           "shard of pottery", "broken pottery"), themes=("living",), roles=("flat",),
           colors=("terracotta",))  # fmt: skip
 def pottery_shard(look: Look) -> Shape:
-    """A broken piece of a painted pot, slightly curved, lying."""
+    """A broken, slightly curved piece of a painted pot, lying flat."""
     color = look.color("terracotta", "tan", "cream", "brown", "white")
     n, k = 9, look.between(0.75, 1.3)
     a = 2 * np.pi * (np.arange(n) + 0.35 * look.rng.uniform(-1, 1, n)) / n
@@ -134,7 +134,7 @@ def fossil(look: Look) -> Shape:
           "small stone", "smooth stone", "river stone", "zen stone", "flat stone"),
           themes=("living",), colors=("gray", "beige"))  # fmt: skip
 def pebble(look: Look) -> Shape:
-    """A smooth pebble, some with a vein."""
+    """A smooth pebble, sometimes with a vein."""
     color = look.color("gray", "charcoal", "beige", "white", "brown", "tan", "terracotta")
     x, y, h = look.between(0.035, 0.06), look.between(0.03, 0.045), look.between(0.016, 0.028)
     bumps = look.rng.uniform(0, 6.28, 3)
@@ -154,7 +154,7 @@ def pebble(look: Look) -> Shape:
           aliases=("big stone", "boulder", "rough stone", "piece of rock"), themes=("living",),
           colors=("gray",))  # fmt: skip
 def rock(look: Look) -> Shape:
-    """A rough broken stone with edges."""
+    """A rough, broken stone with edges."""
     color = look.color("gray", "charcoal", "brown", "tan", "terracotta", "beige")
     x, y, h = look.between(0.07, 0.11), look.between(0.06, 0.08), look.between(0.045, 0.07)
     rough = look.rng.uniform(0.78, 1.12, (6, 9))
@@ -177,7 +177,7 @@ def rock(look: Look) -> Shape:
           "smoky quartz", "calcite", "amethyst cluster", "selenite wand"), themes=("living",),
           colors=("purple", "pink"))  # fmt: skip
 def crystal(look: Look) -> Shape:
-    """A cluster of six-sided crystal points on a rough foot."""
+    """A cluster of six-sided crystals on a rough base."""
     color = look.color("purple", "lavender", "pink", "white", "teal", "blue", "green")
     k = look.between(0.8, 1.2)
     points: list[Solid] = []

@@ -1,4 +1,4 @@
-"""Textiles (living)."""
+"""Objects of the ``living`` theme: textiles."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TONES = ("red", "teal", "navy", "mustard", "sage", "pink", "gray", "cream", "whi
 
 
 def _cloth(look: Look, color: RGB) -> Tile:
-    """Return woven cloth: plain, checked, striped or printed."""
+    """Return plain, checked, striped or printed woven cloth."""
     other = look.own_color("white", "cream", "navy", "red", "mustard", "teal")
     kind = int(look.rng.integers(4))
     if kind == 0:
@@ -34,7 +34,7 @@ def _cloth(look: Look, color: RGB) -> Tile:
           "shoulder pad", "sanitary pad"), themes=("living",), roles=("big", "support"),
           colors=("teal", "mustard"))  # fmt: skip
 def cushion(look: Look) -> Shape:
-    """A square or oblong cushion lying, plump in the middle, with a piped seam."""
+    """A square or oblong cushion lying flat, plump in the middle, with a piped seam."""
     x = look.between(0.24, 0.32)
     y = x * look.pick([1.0, 1.0, 0.66])
     h = look.between(0.075, 0.1)
@@ -62,7 +62,7 @@ def cushion(look: Look) -> Shape:
           aliases=("bed pillow", "small pillow", "head pillow", "white pillow"), themes=("living",),
           roles=("big", "support"), colors=("white",))  # fmt: skip
 def pillow_(look: Look) -> Shape:
-    """A white or striped bed pillow, long and plump."""
+    """A long, plump bed pillow, white or striped."""
     x, y, h = look.between(0.34, 0.42), look.between(0.22, 0.26), look.between(0.08, 0.11)
     color = look.color("white", "white", "sky", "cream", "pink", "gray", "lavender")
     n = 15
@@ -80,7 +80,7 @@ def pillow_(look: Look) -> Shape:
 
 
 def flat(x: float, y: float, thick: float, tile: Tile, fringe: float, color: RGB) -> Shape:
-    """Return a flat cloth, threads hanging from its short ends where ``fringe`` is positive."""
+    """Return a flat cloth, with threads hanging from its short ends if ``fringe`` is positive."""
     sheet = block(x, y, thick, 0.004)
     pieces: Pieces = [(sheet, tile)]
     if fringe:
@@ -117,7 +117,7 @@ def rug(look: Look) -> Shape:
           aliases=("lace doily", "crochet doily", "paper doily"), themes=("living",),
           roles=("flat", "support"), colors=("white",), state="lying flat")  # fmt: skip
 def doily(look: Look) -> Shape:
-    """A round lace doily with a scalloped rim."""
+    """A round lace doily with a scalloped edge."""
     r = look.between(0.09, 0.13)
     color = look.color("white", "white", "cream", "ivory", "pink")
     n = 96
@@ -160,7 +160,7 @@ def quilt(look: Look) -> Shape:
           aliases=("neck pillow", "neck cushion", "travel cushion"), themes=("living",),
           roles=("big",), colors=("gray", "navy"), state="lying flat")  # fmt: skip
 def travel_pillow(look: Look) -> Shape:
-    """A horseshoe-shaped neck pillow lying, open to the front."""
+    """A horseshoe-shaped neck pillow lying flat, open to the front."""
     color = look.color("gray", "navy", "teal", "pink", "mustard", "purple", "black")
     k = look.between(0.85, 1.05)
     a = np.linspace(-0.28 * np.pi, 1.28 * np.pi, 26)
@@ -180,7 +180,7 @@ def travel_pillow(look: Look) -> Shape:
           aliases=("sleep mask", "sleeping mask", "blindfold"), themes=("living",), roles=("flat",),
           colors=("black", "navy"), state="lying flat")  # fmt: skip
 def eye_mask(look: Look) -> Shape:
-    """A padded sleeping mask lying with its elastic band."""
+    """A padded sleeping mask with an elastic band, lying flat."""
     color = look.color("black", "navy", "pink", "lavender", "gray", "teal")
     k = look.between(0.9, 1.1)
     side = smooth([(-0.1, 0.006), (-0.07, 0.042), (0, 0.034), (0.07, 0.042), (0.1, 0.006),
@@ -206,7 +206,7 @@ def eye_mask(look: Look) -> Shape:
           themes=("living",), roles=("big", "support"), colors=("gray", "cream"),
           state="lying folded")  # fmt: skip
 def blanket(look: Look) -> Shape:
-    """A folded blanket or scarf: layers with rounded folds, a pattern, fringes at its edge."""
+    """A folded, patterned blanket or scarf with rounded folds and a fringed edge."""
     x, y, h = look.between(0.26, 0.34), look.between(0.2, 0.26), look.between(0.07, 0.11)
     color = look.color("gray", "cream", "teal", "red", "mustard", "navy", "sage", "pink", "brown")
     other = look.own_color("white", "cream", "navy", "red", "charcoal")

@@ -1,4 +1,4 @@
-"""Tiles (living)."""
+"""Objects of the ``living`` theme: tiles."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _tile(sides: int) -> Drawing:
           aliases=("mirrored tile", "square mirror", "mirror plate", "flat mirror"),
           themes=("living",), roles=("support", "flat"), colors=("silver",))  # fmt: skip
 def mirror_tile(look: Look) -> Shape:
-    """A square mirror lying, its edge ground."""
+    """A square mirror tile with a ground edge, lying flat."""
     s = look.between(0.13, 0.19)
     glass = block(s, s, 0.005, 0.003, 0.001)
     face = at_box(0.94 * s, 0.94 * s, 0.0006, (0, 0, 0.0047))

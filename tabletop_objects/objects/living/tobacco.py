@@ -1,4 +1,4 @@
-"""Tobacco (living)."""
+"""Objects of the ``living`` theme: tobacco products."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _thirds(count: int) -> list[tuple[int, int]]:
           aliases=("shisha", "water pipe", "shisha pipe", "nargile"), themes=("living",),
           roles=("tall",), colors=("blue",))  # fmt: skip
 def hookah(look: Look) -> Shape:
-    """A water pipe: a glass vase, a brass stem, a clay bowl and a hose."""
+    """A hookah: a glass vase, a brass stem, a clay bowl and a hose."""
     k = look.between(0.92, 1.08)
     color = look.color("blue", "green", "purple", "red", "amber")
     vase = lathe(np.maximum(smooth([(0, 0), (0.055, 0), (0.064, 0.012), (0.06, 0.05), (0.03, 0.1),
@@ -68,7 +68,7 @@ def cigar_cutter(look: Look) -> Shape:
           aliases=("pack of cigarettes", "packet of cigarettes", "cigarette pack", "cigarette box",
           "box of cigarettes", "cigarettes"), themes=("living",), colors=("red",))  # fmt: skip
 def cigarette_packet(look: Look) -> Shape:
-    """A packet of cigarettes with a flip top, closed or open with filters showing."""
+    """A packet of cigarettes with a flip top, closed, or open with visible filters."""
     color = look.color("red", "blue", "gold", "green", "white", "navy")
     x, y, h = 0.055, look.between(0.021, 0.024), look.between(0.084, 0.09)
     image = prints.canvas(96, 150, (248, 246, 242) if sum(color) < 600 else (40, 60, 120))
@@ -98,7 +98,7 @@ def cigarette_packet(look: Look) -> Shape:
           aliases=("cigar case", "metal card case", "card case"), themes=("living",),
           roles=("flat",), colors=("silver",), state="lying flat")  # fmt: skip
 def cigarette_case(look: Look) -> Shape:
-    """A flat metal case with rounded corners and an engraved band, lying."""
+    """A slim metal cigarette case with rounded corners and an engraved band, lying flat."""
     k, color = look.between(0.92, 1.08), look.color("silver", "gold", "black", "bronze")
     body = block(0.1 * k, 0.08 * k, 0.016, 0.01, 0.003)
     image = surfaces.fit(surfaces.brushed_metal(look.rng, color), 128, 160).copy()
@@ -145,7 +145,7 @@ def ashtray(look: Look) -> Shape:
           aliases=("cigarette end", "cigarette stub", "fag end"), themes=("living",),
           colors=("orange",))  # fmt: skip
 def cigarette_butt(look: Look) -> Shape:
-    """A stubbed-out cigarette end, bent."""
+    """A bent, stubbed-out cigarette end."""
     k = look.between(0.85, 1.2)
     color = look.color("orange", "tan", "white")
     z = 0.0038
@@ -163,7 +163,7 @@ def cigarette_butt(look: Look) -> Shape:
           aliases=("filter cigarette",), themes=("living",), colors=("white",),
           state="lying")  # fmt: skip
 def cigarette(look: Look) -> Shape:
-    """A cigarette lying, its filter to the right."""
+    """A cigarette lying flat with its filter on the right."""
     long = look.between(0.076, 0.095)
     color = look.color("white", "cream", "brown", "tan")
     r = 0.004 * look.between(0.9, 1.15)
@@ -178,7 +178,7 @@ def cigarette(look: Look) -> Shape:
 @category("cigar", size=(0.14, 0.018, 0.017), mass=0.012, material="food", aliases=("cuban cigar",),
           themes=("living",), colors=("brown",), state="lying")  # fmt: skip
 def cigar(look: Look) -> Shape:
-    """A cigar lying with its band."""
+    """A cigar with a band, lying flat."""
     color = look.color("brown", "bronze", "tan", "terracotta")
     body = rod([(-0.07, 0, 0.0083), (-0.03, 0, 0.0083), (0.05, 0, 0.0083), (0.07, 0, 0.0083)],
                [0.0075, 0.0088, 0.0086, 0.0035], 14)  # fmt: skip
@@ -195,7 +195,7 @@ def cigar(look: Look) -> Shape:
           aliases=("tobacco pipe", "wooden pipe"), themes=("living",),
           colors=("brown",))  # fmt: skip
 def smoking_pipe(look: Look) -> Shape:
-    """A tobacco pipe lying on its side against its bowl."""
+    """A tobacco pipe lying on the side of its bowl."""
     color = look.color("brown", "wooden", "bronze", "black", "terracotta")
     bowl, _ = open_vessel([(0.008, 0), (0.017, 0.004), (0.02, 0.02), (0.018, 0.045)], 0.005, 0.012)
     ash = cylinder(0.0125, 0.002, 16).move(z=0.034)

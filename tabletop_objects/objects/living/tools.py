@@ -1,4 +1,4 @@
-"""Tools (living)."""
+"""Objects of the ``living`` theme: tools."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("garden can", "plant waterer", "small watering can"), themes=("living",),
           roles=("tall",), colors=("green", "silver"))  # fmt: skip
 def watering_can(look: Look) -> Shape:
-    """A watering can: its spout with a rose to the left, a handle to the right and above."""
+    """A watering can with a rose on its spout on the left and handles on the right and on top."""
     k = look.between(0.85, 1.1)
     color = look.color("green", "teal", "silver", "copper", "red", "yellow", "sky", "white", "pink")
     skin = look.surface(color, look.pick(["metal", "plastic"]))
@@ -64,7 +64,7 @@ def watering_can(look: Look) -> Shape:
           "trowel set"), themes=("living",), colors=("green", "wooden"),
           state="lying flat")  # fmt: skip
 def garden_trowel(look: Look) -> Shape:
-    """A garden trowel lying, its hollow blade to the left."""
+    """A garden trowel lying flat with its hollow blade on the left."""
     k = look.between(0.9, 1.1)
     color = look.color("green", "red", "wooden", "black", "orange", "teal", "yellow")
     steel = surfaces.scratches(look.rng, (170, 174, 180), (196, 198, 202), 30)
@@ -95,7 +95,7 @@ def garden_trowel(look: Look) -> Shape:
           "seed bag"), themes=("living",), roles=("flat",), colors=("green",),
           state="lying flat")  # fmt: skip
 def seed_packet(look: Look) -> Shape:
-    """A paper packet of seeds lying flat, a flower or vegetable on its front."""
+    """A paper packet of seeds lying flat, with a flower or vegetable on its front."""
     x, y = look.between(0.078, 0.095), look.between(0.11, 0.135)
     color = look.color("green", "yellow", "red", "orange", "violet", "sky", "pink")
     image = prints.canvas(96, 144, (248, 244, 230))
@@ -121,7 +121,7 @@ STEEL = (150, 154, 160)
 
 
 def _hand_tool(look: Look, kind: str) -> Shape:
-    """A garden hand fork or rake lying, its tines to the left."""
+    """A garden hand fork or rake lying flat with its tines on the left."""
     color = look.color("green", "wooden", "red", "orange", "teal", "brown", "black")
     handle = look.surface(color, look.pick(["wood", "plastic"]) if color[0] > 150 else "plastic")
     steel = surfaces.brushed_metal(look.rng, STEEL)
@@ -164,7 +164,7 @@ def hand_rake(look: Look) -> Shape:
           "clippers", "garden clippers", "pair of secateurs", "pair of pruning shears"),
           themes=("living",), colors=("red", "green"), state="lying flat")  # fmt: skip
 def secateurs(look: Look) -> Shape:
-    """Pruning shears lying flat, a little open: curved blades to the left, coloured grips."""
+    """Slightly open secateurs lying flat, with curved blades on the left and coloured grips."""
     color = look.color("red", "orange", "green", "yellow", "black", "teal")
     skin = surfaces.speckles(look.rng, color, 4)
     blade = prism([(0.012, -0.008), (0.012, 0.008), (-0.004, 0.014), (-0.03, 0.016), (-0.06, 0.007),
@@ -212,7 +212,7 @@ def plant_label(look: Look) -> Shape:
           aliases=("seedling tray", "tray of seedlings", "seedling pot", "propagator",
           "starter tray", "coir pellet"), themes=("living",), colors=("black",))  # fmt: skip
 def seed_tray(look: Look) -> Shape:
-    """A tray of seedlings: six cells of soil, two leaves in each."""
+    """A tray of seedlings: six cells of soil with two leaves in each."""
     color = look.color("black", "green", "brown", "terracotta", "charcoal")
     x, y, h = look.between(0.16, 0.2), look.between(0.11, 0.13), 0.05
     walls = open_box(x, y, h, 0.004, 0.004)
@@ -242,7 +242,7 @@ def seed_tray(look: Look) -> Shape:
           "hose sprayer", "sprinkler"), themes=("living",), colors=("green", "yellow"),
           state="lying")  # fmt: skip
 def hose_nozzle(look: Look) -> Shape:
-    """A hose's spray gun lying on its side."""
+    """A hose spray gun, lying on its side."""
     color = look.color("green", "yellow", "blue", "orange", "red")
     barrel = (
         cylinder(0.014, 0.1, 18, top=0.018, bevel=0.002).turn(1, -np.pi / 2).move(0.03, 0, 0.02)

@@ -1,4 +1,4 @@
-"""Vases (living)."""
+"""Objects of the ``living`` theme: vases."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ...values import ConvexPart
           themes=("living",), roles=("tall",), colors=("brown", "navy"))  # fmt: skip
 @from_pieces(bodies=2)
 def urn(look: Look) -> Pieces:
-    """A lidded urn on a foot with two handles."""
+    """An urn with a lid and two handles on a foot."""
     color = look.color("brown", "navy", "gold", "teal", "white", "charcoal")
     tile = (materials.glaze_tile(look, color) if look.chance(0.5)
             else metal(look, "brass", "bronze", "silver"))  # fmt: skip
@@ -71,7 +71,7 @@ def _stem(base: np.ndarray, tip: np.ndarray, thick: float = 0.0022) -> Solid:
           roles=("container", "tall", "round"), colors=("white", "teal", "navy"),
           opened="empty_vase", common=True)  # fmt: skip
 def vase(look: Look) -> Shape:
-    """A curved vase, open at the top; some hold flowers."""
+    """A curved vase, open at the top, sometimes with flowers."""
     r, h = look.between(0.042, 0.064), look.between(0.16, 0.25)
     color = look.color(*("white", "white", "teal", "terracotta", "navy", "cream", "sage", "mustard",
                          "black"), *("pink", "gray", "sky"))  # fmt: skip
@@ -100,7 +100,7 @@ def vase(look: Look) -> Shape:
 
 
 def _flowers(look: Look, mouth: float, h: float) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return stems with blossoms and leaves that come out of a mouth at height ``h``."""
+    """Return stems with blossoms and leaves that emerge from a mouth at height ``h``."""
     green = surfaces.plain((74, 122, 62))
     petal = surfaces.speckles(
         look.rng, look.own_color("red", "pink", "yellow", "violet", "white"), 8
@@ -124,7 +124,7 @@ def _flowers(look: Look, mouth: float, h: float) -> list[tuple[Solid, surfaces.T
           "empty pot", "empty flowerpot", "flower planter"), themes=("living",),
           roles=("container", "round"), colors=("terracotta",))  # fmt: skip
 def plant_pot(look: Look) -> Shape:
-    """An empty flower pot of clay or glaze, maybe on a saucer."""
+    """An empty flower pot of clay or glazed ceramic, sometimes on a saucer."""
     r, h = look.between(0.055, 0.075), look.between(0.09, 0.125)
     color = look.color(
         "terracotta", "terracotta", "terracotta", "white", "gray", "teal", "black", "cream"
@@ -155,7 +155,7 @@ def plant_pot(look: Look) -> Shape:
           aliases=("vase for flowers",), themes=("living",), roles=("container", "round", "tall"),
           colors=("white", "teal"))  # fmt: skip
 def empty_vase(look: Look) -> Shape:
-    """A vase with nothing in it."""
+    """An empty vase."""
     r, h = look.between(0.05, 0.057), look.between(0.155, 0.175)
     t = np.linspace(0, 1, 8)
     swell = 0.62 + 0.38 * np.sin(np.pi * (0.12 + 0.72 * t))

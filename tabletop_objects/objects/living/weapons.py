@@ -1,4 +1,4 @@
-"""Weapons (living)."""
+"""Objects of the ``living`` theme: weapons."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, plain, tint_color
           "rifle cartridge"), themes=("living",), colors=("brass",))  # fmt: skip
 @from_pieces()
 def bullet_casing(look: Look) -> Pieces:
-    """An empty brass cartridge case standing: a rim at its foot, a narrower open neck."""
+    """An empty brass cartridge case standing upright, with a rimmed base and a narrower neck."""
     brass = metal(look, "brass", "gold", "copper")
     body = lathe([(0, 0), (0.006, 0), (0.006, 0.002), (0.0052, 0.003), (0.0058, 0.004),
                   (0.0056, 0.036), (0.0042, 0.042), (0.0042, 0.05), (0.0036, 0.05), (0.0036, 0.03),
@@ -30,7 +30,7 @@ def bullet_casing(look: Look) -> Pieces:
           aliases=("bronze dagger", "dirk", "poniard", "ceremonial dagger", "sword hilt",
           "short sword"), themes=("living",), roles=("flat",), colors=("brown",))  # fmt: skip
 def dagger(look: Look) -> Shape:
-    """A dagger lying: a pointed blade with a ridge, guard, grip and pommel."""
+    """A dagger lying flat: a pointed blade with a ridge, a guard, a grip and a pommel."""
     k = look.between(0.85, 1.2)
     color = look.color("brown", "black", "maroon", "wooden", "navy")
     rim = [(0.02, -0.014), (0.13, -0.011), (0.19, 0), (0.13, 0.011), (0.02, 0.014)]
@@ -55,7 +55,7 @@ def dagger(look: Look) -> Shape:
           "pirate pistol", "starting pistol", "starter pistol"), themes=("living",),
           roles=("flat",), colors=("brown",))  # fmt: skip
 def flintlock_pistol(look: Look) -> Shape:
-    """A muzzle-loading pistol lying on its side."""
+    """A muzzle-loading pistol, lying on its side."""
     k = look.between(0.85, 1.15)
     color = look.color("brown", "wooden", "maroon")
     stock = plate([(-0.11, -0.045), (-0.085, -0.052), (-0.055, -0.018), (0.0, -0.006), (0.1, 0.0),
@@ -80,7 +80,7 @@ def flintlock_pistol(look: Look) -> Shape:
           "arrow head", "spear head", "bronze spearhead"), themes=("living",), roles=("flat",),
           colors=("gray",))  # fmt: skip
 def arrowhead(look: Look) -> Shape:
-    """A knapped point of flint, barbed, lying."""
+    """A barbed arrowhead of knapped flint, lying flat."""
     color = look.color("charcoal", "gray", "brown", "tan", "cream")
     k, w = look.between(0.8, 1.4), look.between(0.8, 1.2)
     half = [(0.032, 0), (0.012, 0.008), (-0.006, 0.0135), (-0.02, 0.016), (-0.015, 0.008),

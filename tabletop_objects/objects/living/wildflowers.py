@@ -1,4 +1,4 @@
-"""Wildflowers (living)."""
+"""Objects of the ``living`` theme: wildflowers."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ GREEN: RGB = (84, 126, 64)
 
 
 def thistle(look: Look, color: RGB) -> Pieces:
-    """A spiny green ball with a purple tuft."""
+    """Return a thistle head: a spiny green ball with a purple tuft."""
     burr = ellipsoid(0.022, 0.022, 0.024, 12, 8).move(z=0.006)
     spines = [rod([(0.008 * np.cos(2.4 * k), 0.008 * np.sin(2.4 * k), 0.0012 * k - 0.004),
                    (0.017 * np.cos(2.4 * k), 0.017 * np.sin(2.4 * k), 0.0012 * k)],
@@ -28,7 +28,7 @@ def thistle(look: Look, color: RGB) -> Pieces:
 
 
 def snowdrop(look: Look, color: RGB) -> Pieces:
-    """Three white petals round a small cup, hanging from a green knob."""
+    """Return a snowdrop head: three white petals around a small cup, hanging from a green knob."""
     outer = corolla(3, 0.024, 0.012, 1.15)
     inner = lathe([(0, 0.002), (0.005, 0.006), (0.0055, 0.014), (0, 0.013)], 8)
     return [(join(outer), surfaces.speckles(look.rng, color, 4)),

@@ -1,4 +1,4 @@
-"""Bandages (medical)."""
+"""Objects of the ``medical`` theme: bandages."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def first_aid_kit(look: Look) -> Shape:
           "sam splint", "sling"), themes=("medical",), roles=("round",), colors=("white", "tan"),
           common=True)  # fmt: skip
 def bandage_roll(look: Look) -> Shape:
-    """A roll of gauze or elastic bandage on its end, its tail loose or held by clips or tape."""
+    """An upright roll of gauze or elastic bandage, loose or held by clips or tape."""
     r, h = look.between(0.02, 0.032), look.between(0.05, 0.09)
     color = look.color("white", "white", "cream", "tan", "beige", "blue", "pink", "green", "red")
     ridged = look.chance(0.5)
@@ -102,7 +102,7 @@ def bandage_roll(look: Look) -> Shape:
           "nicotine patch", "heat patch", "plaster strip", "whitening strip", "ecg electrode"),
           themes=("medical",), roles=("flat",), colors=("tan",))  # fmt: skip
 def band_aid(look: Look) -> Shape:
-    """A sticking plaster lying, its pad up."""
+    """A sticking plaster lying with its pad up."""
     k = look.between(0.95, 1.2)
     color = look.color("tan", "beige", "coral", "blue", "pink", "tan")
     strip = prism(rectangle(0.072 * k, 0.019 * k, 0.0094 * k, 6), 0, 0.0012)
@@ -132,7 +132,7 @@ def gauze_pad(look: Look) -> Shape:
           "disposable mask", "cpr mask"), themes=("medical",), roles=("flat",),
           colors=("blue", "white"))  # fmt: skip
 def face_mask(look: Look) -> Shape:
-    """A pleated face mask lying, its ear loops at its sides."""
+    """A pleated face mask lying flat, with ear loops at its sides."""
     k = look.between(0.92, 1.05)
     color = look.color("blue", "sky", "white", "black", "mint", "pink")
     tone = tint_color(color, 1.3) if sum(color) < 380 and color[2] > 90 else color
@@ -161,7 +161,7 @@ def face_mask(look: Look) -> Shape:
           aliases=("box of gloves", "box of disposable gloves", "box of latex gloves",
           "glove dispenser"), themes=("medical",), roles=("big",), colors=("blue",))  # fmt: skip
 def glove_box(look: Look) -> Shape:
-    """A box of disposable gloves, one sticking out."""
+    """A box of disposable gloves with one sticking out."""
     k = look.between(0.9, 1.05)
     color = look.color("blue", "purple", "white", "green", "teal")
     x, y, h = 0.22 * k, 0.12 * k, 0.07 * k

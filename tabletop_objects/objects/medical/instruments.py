@@ -1,4 +1,4 @@
-"""Instruments (medical)."""
+"""Objects of the ``medical`` theme: instruments."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from ...kit.surfaces import RGB, Look, tint_color
           aliases=("doctor stethoscope",), themes=("medical",), roles=("big",),
           colors=("black", "blue"), state="lying flat")  # fmt: skip
 def stethoscope(look: Look) -> Shape:
-    """A stethoscope lying: two ear tubes to the left, a loop of tube, the chest piece in front."""
+    """A stethoscope lying flat: two ear tubes on the left, a loop of tube and the chest piece."""
     k = look.between(0.85, 1.05)
     color = look.color("black", "blue", "red", "teal", "maroon", "navy", "green", "purple")
     rubber = surfaces.plain(color)
@@ -77,7 +77,7 @@ def stethoscope(look: Look) -> Shape:
           "blood pressure gauge", "blood pressure machine", "bp monitor"), themes=("medical",),
           roles=("big",), colors=("white",))  # fmt: skip
 def blood_pressure_monitor(look: Look) -> Shape:
-    """A blood pressure monitor: its display on a slope, a button, a hose to its rolled cuff."""
+    """A blood pressure monitor with a sloped display, a button and a hose to its rolled cuff."""
     x, y, h = look.between(0.115, 0.14), look.between(0.1, 0.12), look.between(0.05, 0.065)
     color = look.color("white", "white", "gray", "sky", "charcoal", "silver")
     body = loft(np.stack([np.column_stack([rectangle(1, 1, 0.14, 4) * [a, b] + [0, d],
@@ -121,7 +121,7 @@ def blood_pressure_monitor(look: Look) -> Shape:
           "amalgam gun"), themes=("medical", "lab"), roles=("flat",), colors=("sky", "orange"),
           state="lying flat", common=True)  # fmt: skip
 def syringe(look: Look) -> Shape:
-    """A syringe lying with its tip to the left: scale, plunger, wings, a needle or its cap."""
+    """A syringe lying with its tip on the left: a scale, a plunger, wings and a needle or cap."""
     r, long = look.between(0.0075, 0.012), look.between(0.068, 0.086)
     color = look.color("sky", "orange", "green", "pink", "purple", "blue", "yellow")
     pull, filled = look.between(0.2, 0.55), look.chance(0.6)
@@ -167,7 +167,7 @@ def syringe(look: Look) -> Shape:
           "galileo thermometer", "barometer tube"), themes=("medical",), roles=("flat",),
           colors=("white", "sky"), state="lying flat", common=True)  # fmt: skip
 def thermometer(look: Look) -> Shape:
-    """A digital fever thermometer: slim tip to the left, display, button."""
+    """A digital fever thermometer with a slim tip on the left, a display and a button."""
     k, wide = look.between(0.92, 1.08), look.between(0.008, 0.0115)
     color = look.color("white", "white", "sky", "mint", "pink", "teal", "yellow")
     accent = look.own_color("blue", "teal", "pink", "orange", "green", "gray", "violet")
@@ -213,7 +213,7 @@ def _steel(look: Look) -> surfaces.Tile:
           "dental scaler", "lino cutter", "cuticle pusher"), themes=("medical",), roles=("flat",),
           colors=("silver",), state="lying flat")  # fmt: skip
 def scalpel(look: Look) -> Shape:
-    """A scalpel lying: flat handle, small curved blade."""
+    """A scalpel lying flat: a flat handle and a small curved blade."""
     k = look.between(0.92, 1.08)
     metal = _steel(look)
     handle = prism(np.array([(-0.075, -0.003), (0.02, -0.0045), (0.035, -0.002), (0.035, 0.002),
@@ -232,7 +232,7 @@ def scalpel(look: Look) -> Shape:
           "medical tray"), themes=("medical",), roles=("container", "big"),
           colors=("silver",))  # fmt: skip
 def kidney_dish(look: Look) -> Shape:
-    """A kidney-shaped steel dish, open."""
+    """An open, kidney-shaped steel dish."""
     k = look.between(0.88, 1.06)
     metal = _steel(look)
     t = np.linspace(0, 2 * np.pi, 40, endpoint=False)
@@ -266,7 +266,7 @@ def kidney_dish(look: Look) -> Shape:
           aliases=("neurological hammer", "tendon hammer", "medical hammer"), themes=("medical",),
           colors=("terracotta",), state="lying flat")  # fmt: skip
 def reflex_hammer(look: Look) -> Shape:
-    """A reflex hammer lying: a rubber triangle on a slim handle."""
+    """A reflex hammer lying flat: a rubber triangle on a slim handle."""
     k = look.between(0.9, 1.08)
     color = look.color("terracotta", "black", "green", "blue", "orange")
     z = 0.008 * k
@@ -292,7 +292,7 @@ def reflex_hammer(look: Look) -> Shape:
           "temperature gun", "contactless thermometer", "non contact thermometer"),
           themes=("medical",), colors=("white",), state="lying flat")  # fmt: skip
 def forehead_thermometer(look: Look) -> Shape:
-    """An infrared thermometer lying on its side: pistol grip, screen, lens."""
+    """An infrared thermometer lying on its side: a pistol grip, a screen and a lens."""
     k = look.between(0.9, 1.05)
     color = look.color("white", "white", "sky", "gray", "mint")
     accent = look.own_color("blue", "teal", "green", "purple", "orange")
@@ -316,7 +316,7 @@ def forehead_thermometer(look: Look) -> Shape:
           aliases=("pulse oximeter", "finger oximeter", "pulse meter"), themes=("medical",),
           colors=("white", "blue"))  # fmt: skip
 def oximeter(look: Look) -> Shape:
-    """A pulse oximeter lying: a clip with a lit screen."""
+    """A pulse oximeter lying flat: a clip with a lit screen."""
     k = look.between(0.95, 1.1)
     color = look.color("white", "blue", "black", "gray", "pink")
     x, y = 0.06 * k, 0.034 * k

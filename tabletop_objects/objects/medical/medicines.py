@@ -1,4 +1,4 @@
-"""Medicines (medical)."""
+"""Objects of the ``medical`` theme: medicines."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ...kit.surfaces import RGB, Look, tint_color
           "bottle of supplements"), themes=("medical", "vanity"), colors=("orange", "white"),
           common=True)  # fmt: skip
 def pill_bottle(look: Look) -> Shape:
-    """A bottle of pills with a white cap, some tablets lying by it."""
+    """A bottle of pills with a white cap and some tablets beside it."""
     r, h = look.between(0.019, 0.028), look.between(0.06, 0.085)
     color = look.color("orange", "amber", "white", "orange", "green")
     label = wrap(look, look.pick(["RX", "PILLS", "VITA C", "ZINC", "MEDS"]),
@@ -50,7 +50,7 @@ def pill_bottle(look: Look) -> Shape:
           "medicine capsule", "suppository", "pessary", "cough sweet", "throat lozenge",
           "cough drop"), themes=("medical",), colors=("white", "red"))  # fmt: skip
 def pill(look: Look) -> Shape:
-    """One capsule or tablet, a little larger than life."""
+    """One capsule or tablet, slightly larger than life."""
     k = look.between(1.0, 1.3)
     color = look.color("white", "red", "yellow", "blue", "orange", "green", "pink")
     if look.chance(0.6):
@@ -78,7 +78,7 @@ def pill(look: Look) -> Shape:
           "ibuprofen", "aspirin pack", "packet of aspirin", "nicotine gum"), themes=("medical",),
           roles=("flat",), colors=("silver",))  # fmt: skip
 def blister_pack(look: Look) -> Shape:
-    """A foil of tablets lying, its blisters up."""
+    """A blister pack of tablets lying with its blisters up."""
     k = look.between(0.92, 1.1)
     color = look.color("silver", "silver", "white", "gold")
     pill_tone = look.own_color("white", "pink", "yellow", "sky", "orange", "red")
@@ -103,7 +103,7 @@ def blister_pack(look: Look) -> Shape:
           aliases=("pill box", "pillbox", "pill organiser", "weekly pill box", "tablet box",
           "medicine organizer"), themes=("medical",), colors=("blue",))  # fmt: skip
 def pill_organizer(look: Look) -> Shape:
-    """A row of seven lidded boxes with the letters of the week."""
+    """A row of seven boxes with lids, marked with the initials of the weekdays."""
     k = look.between(0.92, 1.08)
     color = look.color("blue", "clear", "purple", "pink", "green", "white")
     wide, y, h = 0.024 * k, 0.034 * k, 0.024 * k
@@ -120,7 +120,7 @@ def pill_organizer(look: Look) -> Shape:
 def _bottle(
     titles: tuple[str, ...], glass: tuple[str, ...], radius: float, height: float, cap: str
 ) -> Callable[[Look], Shape]:
-    """A medicine bottle with a label; its cap is a "screw" one, or a "drop"per or "swab" lid."""
+    """A medicine bottle with a label and a "screw" cap, a "drop"per or a "swab" lid."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.1)

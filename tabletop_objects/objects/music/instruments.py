@@ -1,4 +1,4 @@
-"""Instruments (music)."""
+"""Objects of the ``music`` theme: instruments."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BRASS = ("gold", "gold", "brass", "silver")
           "classical guitar"), themes=("music",), roles=("big",), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def guitar(look: Look) -> Shape:
-    """A small guitar lying on its back, its neck to the right."""
+    """A small guitar lying on its back with its neck on the right."""
     k = look.between(0.9, 1.05)
     color = look.color("wooden", "tan", "amber", "brown", "black", "red", "wooden", "sky")
     half = smooth([(-0.2, 0), (-0.195, 0.045), (-0.15, 0.088), (-0.1, 0.09), (-0.045, 0.062),
@@ -106,7 +106,7 @@ def _pipe(
           roles=("big",), colors=("gold",), state="lying flat")  # fmt: skip
 @keep_still
 def trumpet(look: Look) -> Shape:
-    """A trumpet lying on its side: bell, loop of pipe, three valves, mouthpiece."""
+    """A trumpet lying on its side: a bell, a loop of pipe, three valves and a mouthpiece."""
     k = look.between(0.72, 0.85)
     metal = look.surface(look.color(*BRASS), "metal")
     z = 0.026
@@ -148,7 +148,7 @@ def trumpet(look: Look) -> Shape:
           aliases=("sax", "alto saxophone"), themes=("music",), roles=("big",), colors=("gold",),
           state="lying flat")  # fmt: skip
 def saxophone(look: Look) -> Shape:
-    """A small saxophone lying: a curved conical pipe, an upturned bell, keys."""
+    """A small saxophone lying flat: a curved conical pipe, an upturned bell and keys."""
     k = look.between(0.6, 0.72)
     metal = look.surface(look.color("gold", "gold", "brass", "silver", "black"), "metal")
     z = 0.0
@@ -189,7 +189,7 @@ def saxophone(look: Look) -> Shape:
           aliases=("mouth organ", "mouth harp", "blues harp"), themes=("music",),
           colors=("silver",))  # fmt: skip
 def harmonica(look: Look) -> Shape:
-    """A harmonica lying: metal covers over a comb with holes."""
+    """A harmonica lying flat: metal covers over a comb with holes."""
     k = look.between(0.92, 1.08)
     color = look.color("silver", "silver", "black", "red", "blue", "gold")
     x, y, h = 0.102 * k, 0.027 * k, 0.02 * k
@@ -210,7 +210,7 @@ def harmonica(look: Look) -> Shape:
           aliases=("music sheet", "music score", "score", "sheet of music", "music book"),
           themes=("music",), roles=("flat", "support", "big"), colors=("white",))  # fmt: skip
 def sheet_music(look: Look) -> Shape:
-    """A few sheets of music lying."""
+    """A few sheets of music, lying flat."""
     x, y, h = 0.21, look.between(0.27, 0.3), look.between(0.001, 0.004)
     image = prints.canvas(160, 216, look.color("white", "cream", "ivory"))
     ink = (40, 40, 44)
@@ -233,7 +233,7 @@ def sheet_music(look: Look) -> Shape:
           aliases=("plectrum", "guitar plectrum", "pick"), themes=("music",), roles=("flat",),
           colors=("red", "black"))  # fmt: skip
 def guitar_pick(look: Look) -> Shape:
-    """A plectrum lying flat."""
+    """A plectrum, lying flat."""
     k = look.between(0.95, 1.15)
     color = look.color("red", "black", "amber", "white", "blue", "green", "purple")
     outline = rounded_polygon(np.array([(-0.016, 0.012), (0, -0.02), (0.016, 0.012)]) * k, 0.004, 5)
@@ -246,7 +246,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "teal", "pink")
 
 
 def _drum(r0: float, h0: float, jingles: bool) -> Callable[[Look], Shape]:
-    """A drum standing, skin up; a tambourine with pairs of jingles in its hoop."""
+    """A drum standing with its skin up, or a tambourine with jingles in its hoop."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.1)
@@ -283,7 +283,7 @@ def _drum(r0: float, h0: float, jingles: bool) -> Callable[[Look], Shape]:
           aliases=("drum stick",), themes=("music",), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def drumstick(look: Look) -> Shape:
-    """One wooden drumstick lying."""
+    """One wooden drumstick, lying flat."""
     k = look.between(0.75, 0.9)
     color = look.color("wooden", "tan", "beige", "wooden", "black", "red")
     body = lathe(np.array([(0, 0), (0.0055, 0.001), (0.0072, 0.006), (0.0072, 0.28),
@@ -297,7 +297,7 @@ def drumstick(look: Look) -> Shape:
           aliases=("rumba shaker", "maracas shaker", "maracas"), themes=("music",),
           colors=("red", "yellow"))  # fmt: skip
 def maraca(look: Look) -> Shape:
-    """A maraca lying: a painted gourd on a handle."""
+    """A maraca lying flat: a painted gourd on a handle."""
     k = look.between(0.85, 1.02)
     color = look.color(*BRIGHT)
     image = prints.canvas(128, 96, color)
@@ -326,7 +326,7 @@ def maraca(look: Look) -> Shape:
           aliases=("glockenspiel", "toy xylophone", "metallophone"), themes=("music",),
           roles=("big",))  # fmt: skip
 def xylophone(look: Look) -> Shape:
-    """A toy xylophone: bars of rainbow colours on two rails, a mallet on them."""
+    """A toy xylophone: rainbow-coloured bars on two rails with a mallet on top."""
     k = look.between(0.9, 1.08)
     wood = look.surface(look.color("wooden", "tan", "white"), "wood")
     tones = ((206, 48, 50), (238, 132, 38), (244, 206, 62), (110, 180, 70), (60, 150, 160),
@@ -355,7 +355,7 @@ def xylophone(look: Look) -> Shape:
           aliases=("musical triangle", "triangle instrument", "steel triangle"), themes=("music",),
           roles=("flat",), colors=("silver",))  # fmt: skip
 def triangle(look: Look) -> Shape:
-    """A steel triangle lying, its beater across it."""
+    """A steel triangle lying flat with its beater across it."""
     k = look.between(0.85, 1.1)
     r = 0.0045 * k
     corners = rounded_polygon(np.array([(-0.075, -0.055), (0.075, -0.055), (0.0, 0.075)]), 0.012, 4)
@@ -395,7 +395,7 @@ def hand_bell(look: Look) -> Shape:
           aliases=("crash cymbal",), themes=("music",), roles=("round", "flat"),
           colors=("gold",))  # fmt: skip
 def cymbal(look: Look) -> Shape:
-    """A brass cymbal lying, dome up."""
+    """A brass cymbal lying with its dome up."""
     k = look.between(0.85, 1.1)
     metal = look.surface(look.color("gold", "brass", "gold", "bronze"), "metal")
     body = lathe(np.array([(0, 0.018), (0.022, 0.014), (0.03, 0.005), (0.098, 0.0), (0.1, 0.0008),
@@ -409,7 +409,7 @@ def cymbal(look: Look) -> Shape:
 
 
 def _keys(octaves: int, panel: bool) -> Callable[[Look], Shape]:
-    """A keyboard with black and white keys, a panel of buttons behind them if asked."""
+    """A keyboard with black and white keys, optionally with a panel of buttons behind them."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
@@ -448,7 +448,7 @@ def _keys(octaves: int, panel: bool) -> Callable[[Look], Shape]:
           "midi controller", "pad controller", "drum machine", "beat pad", "launchpad",
           "groovebox"), themes=("music",), colors=("black",))  # fmt: skip
 def drum_pad(look: Look) -> Shape:
-    """A pad controller: sixteen lit rubber pads and knobs."""
+    """A pad controller with sixteen lit rubber pads and knobs."""
     k = look.between(0.92, 1.08)
     color = look.color("black", "charcoal", "white", "black", "gray")
     x, y, h = 0.19 * k, 0.2 * k, 0.03 * k

@@ -1,4 +1,4 @@
-"""Records (music)."""
+"""Objects of the ``music`` theme: recordings and music players."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _disc(
     radius: float, hole: float, thick: float, draw: Callable[[Look, RGB], surfaces.Tile],
     palette: tuple[str, ...],
 ) -> Callable[[Look], Shape]:  # fmt: skip
-    """A disc with a hole lying flat, a print on it."""
+    """A disc with a hole and a print, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.99, 1.01)
@@ -41,7 +41,7 @@ def _disc(
 
 
 def grooves(look: Look, color: RGB) -> surfaces.Tile:
-    """Return the top of a record: grooves, a shine, a label."""
+    """Return the top of a record: grooves, a highlight and a label."""
     y, x = np.mgrid[0:192, 0:192] / 95.5 - 1
     away = np.hypot(x, y)
     shine = 26 * np.maximum(np.cos(2 * (np.arctan2(y, x) - 0.7)), 0) ** 6
@@ -70,7 +70,7 @@ def _rainbow(look: Look, color: RGB) -> surfaces.Tile:
           "tape cassette", "vhs tape", "eight-track tape", "video cassette", "vhs"),
           themes=("music",), roles=("flat",), colors=("black",))  # fmt: skip
 def cassette(look: Look) -> Shape:
-    """An audio cassette lying, its label and two reels up."""
+    """An audio cassette lying with its label and two reels up."""
     k = look.between(0.98, 1.02)
     color = look.color("black", "charcoal", "white", "clear", "orange", "pink", "blue")
     x, y, h = 0.1 * k, 0.0635 * k, 0.012
@@ -95,7 +95,7 @@ def cassette(look: Look) -> Shape:
 
 
 def _sleeve(x: float, y: float, h: float, spine: bool) -> Callable[[Look], Shape]:
-    """A flat case or sleeve with a printed front, lying."""
+    """A thin case or sleeve with a printed front, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.02)
@@ -118,7 +118,7 @@ def _sleeve(x: float, y: float, h: float, spine: bool) -> Callable[[Look], Shape
           aliases=("turntable", "vinyl player", "vinyl turntable"), themes=("music",),
           roles=("big",), colors=("wooden", "black"))  # fmt: skip
 def record_player(look: Look) -> Shape:
-    """A turntable: plinth, platter with a record, tone arm, knobs."""
+    """A turntable: a plinth, a platter with a record, a tone arm and knobs."""
     k = look.between(0.9, 1.02)
     x, y, h = 0.4 * k, 0.33 * k, 0.06 * k
     color = look.color("wooden", "black", "brown", "white", "red", "teal")
@@ -152,7 +152,7 @@ def record_player(look: Look) -> Shape:
           "cassette recorder", "cd player"), themes=("music",), roles=("big",),
           colors=("silver",))  # fmt: skip
 def boombox(look: Look) -> Shape:
-    """A boombox standing: two round speakers, a tape deck, a handle."""
+    """A boombox with two round speakers, a tape deck and a handle."""
     k = look.between(0.85, 1.0)
     x, y, h = 0.36 * k, 0.11 * k, 0.19 * k
     color = look.color("silver", "black", "red", "gray", "blue", "pink")
@@ -183,7 +183,7 @@ def boombox(look: Look) -> Shape:
           aliases=("sound card", "audio mixer box", "sound interface", "usb audio interface"),
           themes=("music",), colors=("red", "black"))  # fmt: skip
 def audio_interface(look: Look) -> Shape:
-    """An audio interface: a flat box with sockets and knobs at its front."""
+    """An audio interface: a flat box with sockets and knobs on its front."""
     color = look.color("red", "black", "silver", "charcoal")
     k = look.between(0.85, 1.1)
     body = block(0.18, 0.1, 0.045, 0.006, 0.003)

@@ -1,4 +1,4 @@
-"""Books (office)."""
+"""Objects of the ``office`` theme: books."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ...kit.surfaces import RGB, Look, Tile, tint_color
 @vary(0.08)
 @from_pieces(spread=0.06)
 def memo_pad(look: Look) -> Pieces:
-    """A pad lying: a lined top sheet with three lines of writing, a coloured band at its head."""
+    """A memo pad lying flat: a lined top sheet with three lines of writing and a coloured band."""
     pad = at_box(0.1, 0.145, 0.008)
     page = prints.canvas(96, 144, (252, 246, 214))
     for k in range(11):
@@ -35,7 +35,7 @@ def memo_pad(look: Look) -> Pieces:
 
 
 def _booklet(title: tuple[str, ...], *colors: str) -> Drawing:
-    """A small booklet: slips between covers."""
+    """A small booklet of slips between covers."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*colors)
@@ -65,7 +65,7 @@ INKS = ("red", "navy", "teal", "mustard", "crimson", "green", "blue", "charcoal"
           "teal", "mustard", "crimson", "green", "blue", "charcoal", "purple"), state="lying flat",
           common=True)  # fmt: skip
 def book(look: Look) -> Shape:
-    """A hardback lying flat, title up, spine to the left."""
+    """A hardback lying flat with its title up and its spine on the left."""
     x, y = look.between(0.12, 0.175), look.between(0.185, 0.24)
     h, board = look.between(0.016, 0.042), look.pick([0.0008, 0.0028])
     color, accent = look.color(*INKS), look.own_color("cream", "gold", "coral", "sky", "white")
@@ -124,7 +124,7 @@ def notebook(look: Look) -> Shape:
           "post-it pad", "sticky note pad", "page flag"), themes=("office",), roles=("flat",),
           colors=("yellow", "pink"), state="lying flat", common=True)  # fmt: skip
 def sticky_notes(look: Look) -> Shape:
-    """A square pad of notes, the top sheet lifting at its front edge."""
+    """A square pad of sticky notes with the front edge of its top sheet lifted."""
     side, h = 0.076, look.between(0.012, 0.022)
     color = look.color("yellow", "pink", "lime", "sky", "orange", "lavender", "mint", spread=4)
     image = prints.canvas(96, 96, color)
@@ -148,7 +148,7 @@ BOARD = 0.0025
           themes=("office", "living", "coffee"), roles=("flat", "support", "big"),
           colors=("navy", "red"), state="lying open", common=True)  # fmt: skip
 def open_book(look: Look) -> Shape:
-    """A book lying open: two blocks of pages arched up from the spine, printed or written on."""
+    """An open book lying flat: two arched blocks of pages, printed or written on."""
     kind = look.pick(PAGES)
     w, y = look.between(0.125, 0.175), look.between(0.185, 0.245)
     thick, read = look.between(0.014, 0.034), look.between(0.25, 0.75)
@@ -182,7 +182,7 @@ def open_book(look: Look) -> Shape:
 
 
 def _arch(reach: float, edge: float) -> Float[np.ndarray, "k 2"]:
-    """Return a page from the spine (x = 0) to x = ``reach``: up, over, and down to ``edge``."""
+    """Return the curve of a page from the spine (x = 0) to x = ``reach`` and down to ``edge``."""
     t = np.array([0, 0.05, 0.12, 0.2, 0.3, 0.45, 0.65, 0.85, 1])
     rise = np.sin(np.pi / 2 * np.minimum(t / 0.3, 1))
     fall = np.maximum(t - 0.3, 0) ** 2 / 0.49
@@ -199,7 +199,7 @@ def _floor(row: Float[np.ndarray, "k 3"]) -> Float[np.ndarray, "2 3"]:
 
 
 def _page(look: Look, kind: str, paper: RGB, side: int) -> Tile:
-    """Return the page left (-1) or right (1) of the spine, darker towards it."""
+    """Return the page left (-1) or right (1) of the spine, darker towards the spine."""
     image = prints.canvas(136, 192, paper)
     {"novel": _novel, "textbook": _textbook, "picture": _picture, "recipe": _recipe,
      "ruled": _rule, "music": _music}[kind](image, look, side)  # fmt: skip

@@ -1,4 +1,4 @@
-"""Boxes (office)."""
+"""Objects of the ``office`` theme: boxes."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import Look, tint_color
           roles=("big", "support"), colors=("charcoal",))  # fmt: skip
 @from_pieces()
 def safe(look: Look) -> Pieces:
-    """A small safe: a thick door with a dial and a handle."""
+    """A small safe with a thick door, a dial and a handle."""
     tile = metal(look, "charcoal", "gray", "black", "green")
     body = at_block(0.22, 0.18, 0.2, 0.008)
     door = at_block(0.17, 0.15, 0.012, 0.006).turn(0, np.pi / 2).move(0, -0.089, 0.102)
@@ -65,7 +65,7 @@ def lunch_box(look: Look) -> Shape:
           aliases=("small drawer", "open drawer", "wooden drawer", "component drawer"),
           themes=("office",), roles=("container", "big"), colors=("wooden",))  # fmt: skip
 def single_drawer(look: Look) -> Shape:
-    """A single drawer, open above, with a knob at its front."""
+    """A single open drawer with a knob on its front."""
     x, y, h = look.between(0.2, 0.26), look.between(0.15, 0.19), look.between(0.06, 0.08)
     color = look.color("wooden", "white", "brown", "gray", "tan")
     t = 0.009
@@ -83,7 +83,7 @@ def single_drawer(look: Look) -> Shape:
           "charity collection tin", "collection box"), themes=("office",), roles=("round", "tall"),
           colors=("red",))  # fmt: skip
 def collection_tin(look: Look) -> Shape:
-    """A round collecting tin: a slot in its lid, a handle, a label."""
+    """A round collection tin with a slot in its lid, a handle and a label."""
     r, h = look.between(0.04, 0.046), look.between(0.12, 0.14)
     color = look.color("red", "blue", "yellow", "green", "purple")
     label = prints.label(look.rng, look.pick(["DONATE", "CHARITY", "HELP", "THANK YOU"]), color,
@@ -126,7 +126,7 @@ def cash_tin(look: Look) -> Shape:
           themes=("office", "living", "workbench"), roles=("support",), opened="open_box",
           common=True)  # fmt: skip
 def box_(look: Look) -> Shape:
-    """A closed parcel with tape, or a gift box with ribbon when a colour is asked for."""
+    """A closed parcel with tape, or a gift box with a ribbon if a colour is requested."""
     x, y, h = look.between(0.14, 0.2), look.between(0.1, 0.15), look.between(0.08, 0.12)
     asked = look.attributes.get("color", "")
     gift = look.chance(0.34) if not asked else asked not in ("brown", "tan", "beige")
@@ -155,7 +155,7 @@ WOODS = ("wooden", "brown", "tan", "white", "black", "maroon", "teal")
 def _drawer(
     look: Look, wide: float, tall: float, at: tuple[float, float, float], knob: str
 ) -> tuple[Solid, Solid]:
-    """Return a drawer's front and its pull, ``at`` the middle of its lower edge."""
+    """Return a drawer's front and its handle; ``at`` is the middle of its lower edge."""
     front = box(wide, 0.012, tall).move(*at)
     x, y, z = at
     if knob == "bar":
@@ -173,7 +173,7 @@ def _drawer(
           "tabletop cabinet", "filing cabinet"), themes=("office", "living"),
           roles=("big", "support", "tall"), colors=("wooden", "white"))  # fmt: skip
 def cabinet(look: Look) -> Shape:
-    """A small cabinet that stands on a desk: drawers, or drawers under a pair of doors."""
+    """A small desk cabinet with drawers, or with drawers below a pair of doors."""
     x, y, h = look.between(0.22, 0.29), look.between(0.18, 0.22), look.between(0.24, 0.32)
     color = look.color(*WOODS)
     skin = look.surface(color, "wood")
@@ -214,7 +214,7 @@ def cabinet(look: Look) -> Shape:
           themes=("office", "craft", "vanity"), roles=("support", "big"),
           colors=("wooden", "white"))  # fmt: skip
 def drawer_box(look: Look) -> Shape:
-    """A small box of drawers: one or two wide ones or a grid of little ones, one pulled out."""
+    """A small box with one or two wide drawers or a grid of small ones, one of them pulled out."""
     columns, rows = look.pick([(1, 1), (1, 2), (2, 2), (3, 2)])
     x, y, h = look.between(0.2, 0.25), look.between(0.13, 0.17), 0.065 * rows + 0.012
     color = look.color("wooden", "white", "black", "tan", "sky", "pink", "gray", "mint")

@@ -1,4 +1,4 @@
-"""Cards (office)."""
+"""Objects of the ``office`` theme: cards."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import RGB, Look, readable_on, tint_color
           aliases=("score card", "bridge scorecard", "score sheet", "golf scorecard", "scoresheet"),
           themes=("office",), roles=("flat",), colors=("white",), state="lying flat")  # fmt: skip
 def scorecard(look: Look) -> Shape:
-    """A ruled card for scores with a few figures."""
+    """A ruled scorecard with a few numbers."""
     k = look.between(0.92, 1.08)
     color = look.color("white", "cream", "mint", "pink")
     image = surfaces.fit(surfaces.grid((120, 130, 150), color, 12, 5, 160), 170, 120).copy()
@@ -37,7 +37,7 @@ Draw = Callable[[Look, RGB], surfaces.Tile]
 def _card(
     x: float, y: float, h: float, draw: Draw, palette: tuple[str, ...], count: int = 1
 ) -> Callable[[Look], Shape]:
-    """A flat card lying, or a small pile of them; ``draw`` prints its face."""
+    """A card, or a small pile of cards, lying flat; ``draw`` prints the face."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.03)
@@ -117,7 +117,7 @@ def _postcard(look: Look, color: RGB) -> surfaces.Tile:
           "table tent", "tent card", "menu card stand"), themes=("office",), roles=("tall",),
           colors=("pink", "sky"))  # fmt: skip
 def greeting_card(look: Look) -> Shape:
-    """A folded greeting card standing like a tent, its picture to the front."""
+    """A folded greeting card standing like a tent with its picture in front."""
     k = look.between(0.9, 1.08)
     color = look.color("pink", "sky", "yellow", "mint", "cream", "red", "lavender")
     x, h, t, lean = 0.12 * k, 0.155 * k, 0.0016, 0.24

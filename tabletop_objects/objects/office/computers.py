@@ -1,4 +1,4 @@
-"""Computers (office)."""
+"""Objects of the ``office`` theme: computers."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ STEEL: RGB = (196, 198, 202)
           aliases=("usb splitter", "usb port hub", "usb multiport", "hub", "splitter",
           "cable splitter"), themes=("office",), roles=("flat",), colors=("black",))  # fmt: skip
 def usb_hub(look: Look) -> Shape:
-    """A USB hub lying: a bar with four sockets and a short lead with a plug."""
+    """A USB hub lying flat: a bar with four sockets and a short cable with a plug."""
     k = look.between(0.9, 1.1)
     x, y, h = 0.1 * k, 0.03 * k, 0.012 * k
     color = look.color("black", "silver", "white", "gray", "blue")
@@ -49,7 +49,7 @@ def usb_hub(look: Look) -> Shape:
           aliases=("drawing tablet", "pen tablet", "graphic tablet", "digital drawing tablet"),
           themes=("office",), roles=("flat", "big"), colors=("black",))  # fmt: skip
 def graphics_tablet(look: Look) -> Shape:
-    """A drawing tablet with keys at its side and a pen on it."""
+    """A drawing tablet with keys on its side and a pen on top."""
     k = look.between(0.88, 1.05)
     x, y, h = 0.29 * k, 0.19 * k, 0.0085
     color = look.color("black", "charcoal", "black", "white")
@@ -76,7 +76,7 @@ def graphics_tablet(look: Look) -> Shape:
           "wifi extender"), themes=("office", "gaming"), colors=("black", "white"),
           common=True)  # fmt: skip
 def router(look: Look) -> Shape:
-    """A wireless router with upright antennas and a row of lamps."""
+    """A wireless router with upright antennas and a row of lights."""
     x, y, h = look.between(0.18, 0.24), look.between(0.12, 0.15), look.between(0.028, 0.036)
     color = look.color("black", "white", "charcoal", "white")
     shell, dark = surfaces.speckles(look.rng, color, 3, 32), tint_color(color, 0.7)
@@ -109,7 +109,7 @@ LAPTOP_DARK = (40, 41, 45)
 def key_caps(
     rows: Sequence[Sequence[float]], x: float, y: float, rise: float, gap: float = 0.0022
 ) -> Solid:
-    """Return a field of tapered caps, x by y on z = 0; together they show one whole texture."""
+    """Return a block of tapered key caps on z = 0, x by y, that together show one texture."""
     caps, deep = [], y / len(rows)
     for j, row in enumerate(rows):
         edges = x * np.cumsum([0.0, *row]) / sum(row) - x / 2
@@ -128,9 +128,9 @@ def key_caps(
           roles=("big", "screen"), colors=("silver", "charcoal"), state="open",
           common=True)  # fmt: skip
 def laptop(look: Look) -> Shape:
-    """A laptop, keyboard towards the viewer, screen leaning back; one in eight is closed.
+    """A laptop with its keyboard towards the viewer and a tilted screen; one in eight is closed.
 
-    The attribute "state" ("open", "closed") decides where it is given.
+    The attribute "state" ("open" or "closed") overrides this choice.
     """
     x, y = look.between(0.29, 0.36), look.between(0.2, 0.24)
     t, thin = look.between(0.011, 0.019), look.between(0.005, 0.008)
@@ -180,7 +180,7 @@ def laptop(look: Look) -> Shape:
 
 
 def _lid_print(look: Look, color: RGB) -> surfaces.Tile:
-    """Return a lid's outside: brushed, with a logo, a strip, or stickers."""
+    """Return the outside of a lid: brushed, with a logo, a strip or stickers."""
     image = prints.canvas(192, 128, color)
     image[:] = surfaces.fit(surfaces.brushed_metal(look.rng, color), 128, 192)
     shade = tint_color(color, 1.6 if sum(color) < 500 else 0.6)
@@ -206,7 +206,7 @@ def _lid_print(look: Look, color: RGB) -> surfaces.Tile:
           aliases=("computer monitor", "display", "screen", "computer"), themes=("office",),
           roles=("big", "tall", "screen"), colors=("black", "silver"), common=True)  # fmt: skip
 def monitor(look: Look) -> Shape:
-    """A flat screen on a foot, facing the viewer: thin or chunky, on a disc, a slab or legs."""
+    """A thin or chunky flat screen facing the viewer, on a disc, a slab or legs."""
     x = look.between(0.46, 0.62)
     y, z, lift = look.between(0.17, 0.21), look.between(0.5, 0.62) * x, look.between(0.07, 0.13)
     color = look.color("black", "black", "charcoal", "silver", "white", "navy", "cream")
@@ -249,7 +249,7 @@ SMALL = prints.QWERTY[1:]
           aliases=("computer keyboard",), themes=("office",), roles=("big", "flat"),
           colors=("black", "white"), state="lying flat", common=True)  # fmt: skip
 def keyboard(look: Look) -> Shape:
-    """A computer keyboard, a little higher at the back: full size, without number pad, or small."""
+    """A computer keyboard, slightly higher at the back: full size, without number pad, or small."""
     rows, x = look.pick(
         [(prints.QWERTY, 0.37), (prints.QWERTY, 0.37), (NUMPAD, 0.44), (SMALL, 0.34)]
     )
@@ -287,7 +287,7 @@ def keyboard(look: Look) -> Shape:
           aliases=("mouse", "wireless mouse", "trackball"), themes=("office",),
           colors=("black", "white"), common=True)  # fmt: skip
 def computer_mouse(look: Look) -> Shape:
-    """A computer mouse, buttons away from the viewer: plain, flat, two-tone or for games."""
+    """A plain, flat, two-tone or gaming mouse with its buttons away from the viewer."""
     x, y, z = look.between(0.056, 0.068), look.between(0.098, 0.12), look.between(0.03, 0.042)
     color = look.color(
         "black", "black", "white", "gray", "red", "charcoal", "sky", "pink", "navy", "lime"
@@ -329,7 +329,7 @@ def computer_mouse(look: Look) -> Shape:
 
 
 def _slab(look: Look, x: float, y: float, h: float, rim: float, screen: surfaces.Tile) -> Shape:
-    """A thin slab with a screen on top, lying flat; some lie face down, or in a coloured cover."""
+    """A thin slab with a screen, lying face up or face down, sometimes in a coloured cover."""
     color = look.color(
         *("black", "silver", "white", "navy", "gold", "mint", "red", "pink", "lavender", "teal")
     )
@@ -364,7 +364,7 @@ def _slab(look: Look, x: float, y: float, h: float, rim: float, screen: surfaces
           roles=("flat", "screen"), colors=("black", "silver"), state="lying flat",
           common=True)  # fmt: skip
 def tablet(look: Look) -> Shape:
-    """A tablet or e-reader lying flat."""
+    """A tablet or e-reader, lying flat."""
     reader = look.chance(0.4)
     x, y = (0.118, 0.165) if reader else (look.between(0.165, 0.18), look.between(0.235, 0.25))
     page = prints.sheet(look.rng, picture=look.chance(0.3))
@@ -377,7 +377,7 @@ def tablet(look: Look) -> Shape:
           colors=("black", "blue"))  # fmt: skip
 @vary()
 def floppy_disk(look: Look) -> Shape:
-    """A 3.5 inch floppy disk lying."""
+    """A 3.5 inch floppy disk, lying flat."""
     k = look.between(0.98, 1.02)
     color = look.color("black", "blue", "navy", "red", "yellow", "gray", "green")
     x, y, h = 0.09 * k, 0.094 * k, 0.0035
@@ -401,7 +401,7 @@ USB_STICK_DARK: RGB = (36, 37, 41)
           themes=("office", "gaming"), roles=("flat",), colors=("black", "red"),
           state="lying flat")  # fmt: skip
 def usb_stick(look: Look) -> Shape:
-    """A USB stick: capped, swivelling in a metal bow, or all of metal."""
+    """A USB stick: capped, with a swivelling metal cover, or all metal."""
     x, y, h = look.between(0.038, 0.046), look.between(0.015, 0.019), look.between(0.007, 0.009)
     color = look.color("black", "red", "blue", "silver", "white", "green", "orange", "purple")
     steel = surfaces.plain((198, 200, 206))
@@ -428,7 +428,7 @@ def usb_stick(look: Look) -> Shape:
           aliases=("web camera", "web cam", "usb camera", "pc camera", "gimbal camera"),
           themes=("office", "gaming"), roles=("tall",), colors=("black",))  # fmt: skip
 def webcam(look: Look) -> Shape:
-    """A webcam on a small stand or clip, its lens to the viewer."""
+    """A webcam on a small stand or clip with its lens towards the viewer."""
     color = look.color("black", "black", "charcoal", "white", "silver")
     shell = surfaces.speckles(look.rng, color, 3, 32)
     h = look.between(0.055, 0.075)
@@ -459,7 +459,7 @@ def webcam(look: Look) -> Shape:
           aliases=("touchpad", "magic trackpad", "touch pad"), themes=("office",), roles=("flat",),
           colors=("white", "silver"), state="lying flat")  # fmt: skip
 def trackpad(look: Look) -> Shape:
-    """A flat touch pad of glass on a slanted metal wedge, or one with two keys."""
+    """A flat glass touch pad on a slanted metal wedge, or one with two keys."""
     x, y = look.between(0.13, 0.16), look.between(0.11, 0.12)
     color = look.color("white", "silver", "gray", "charcoal", "black")
     low, high = 0.0045, look.between(0.009, 0.013)
@@ -486,7 +486,7 @@ def trackpad(look: Look) -> Shape:
           "desktop pc", "vcr"), themes=("office", "gaming"), roles=("big",),
           colors=("black", "silver"))  # fmt: skip
 def mini_pc(look: Look) -> Shape:
-    """A small desktop computer: a flat square or upright case with sockets and a power button."""
+    """A small desktop computer: a flat or upright square case with sockets and a power button."""
     s = look.between(0.115, 0.15)
     h = look.pick([look.between(0.036, 0.052), look.between(0.19, 0.24)])
     color = look.color("black", "silver", "charcoal", "white", "gray")
@@ -521,7 +521,7 @@ def mini_pc(look: Look) -> Shape:
           aliases=("wrist pad", "palm rest", "keyboard rest", "wrist support"), themes=("office",),
           roles=("flat",), colors=("black", "gray"), state="lying flat")  # fmt: skip
 def wrist_rest(look: Look) -> Shape:
-    """A soft bar for the wrists, its top rounded."""
+    """A soft wrist rest with a rounded top."""
     x, y, h = look.between(0.36, 0.44), look.between(0.07, 0.085), look.between(0.018, 0.022)
     bar = block(x, y, h, 0.45 * y, 0.4 * h, 8)
     base = block(x * 0.985, y * 0.94, 0.004, 0.42 * y)
@@ -538,7 +538,7 @@ HARD_DRIVE_DARK = (40, 42, 46)
           "hdd", "server blade"), themes=("office", "gaming"), roles=("flat",),
           colors=("black", "silver"), state="lying flat", common=True)  # fmt: skip
 def hard_drive(look: Look) -> Shape:
-    """A portable hard drive lying flat with its short cable."""
+    """A portable hard drive with its short cable, lying flat."""
     x, y, h = look.between(0.075, 0.085), look.between(0.11, 0.125), look.between(0.012, 0.02)
     color = look.color("black", "silver", "red", "blue", "charcoal", "orange")
     face = prints.canvas(96, 144, color)
@@ -599,7 +599,7 @@ def docking_station(look: Look) -> Shape:
           roles=("flat", "support", "big"), colors=("black", "blue"), state="lying flat",
           common=True)  # fmt: skip
 def mousepad(look: Look) -> Shape:
-    """A mouse pad: plain, printed or edged."""
+    """A plain, printed or edged mouse pad."""
     x, y = look.between(0.2, 0.27), look.between(0.17, 0.22)
     color = look.color("black", "charcoal", "blue", "red", "teal", "pink", "purple")
     other = look.own_color("red", "cyan", "lime", "violet", "orange", "white")

@@ -1,4 +1,4 @@
-"""Cups (office)."""
+"""Objects of the ``office`` theme: cups."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ...values import ConvexPart
           themes=("office", "coffee"), roles=("tall", "round"), colors=("white", "brown"),
           common=True)  # fmt: skip
 def paper_cup(look: Look) -> Shape:
-    """A paper cup for coffee to go, with its lid and sleeve, or open."""
+    """A paper coffee cup with a lid and a sleeve, or an open one."""
     r, h = look.between(0.039, 0.045), look.between(0.095, 0.13)
     base = 0.7 * r
     color = look.color("white", "brown", "tan", "red", "green", "black", "cream")
@@ -60,7 +60,7 @@ def paper_cup(look: Look) -> Shape:
           "thermos mug", "water filter", "dewar flask"), themes=("office", "coffee", "tea"),
           roles=("tall", "round"), colors=("green", "navy"), common=True)  # fmt: skip
 def thermos(look: Look) -> Shape:
-    """A vacuum flask with its cup for a lid."""
+    """A vacuum flask with a cup as its lid."""
     r, h = look.between(0.034, 0.042), look.between(0.22, 0.29)
     color = look.color("green", "navy", "silver", "red", "black", "teal", "white")
     metal = surfaces.brushed_metal(look.rng, (178, 182, 188))
@@ -102,9 +102,9 @@ def handle(
     thick: float,
     kind: str = "ear",
 ) -> Solid:
-    """Return an ear-shaped, squarish or ring handle on the +x side of a wall.
+    """Return an ear-shaped, square or ring-shaped handle on the +x side of a wall.
 
-    ``radii`` are the wall's at heights ``low`` and ``high``.
+    ``radii`` are the radii of the wall at the heights ``low`` and ``high``.
     """
     ways = {
         "ear": [(0, 1.0), (0.6, 1.04), (1, 0.62), (0.72, 0.22), (0, 0)],
@@ -117,12 +117,12 @@ def handle(
 
 
 def handle_part(radius: float, low: float, high: float, reach: float, thick: float) -> ConvexPart:
-    """Return a handle's collision box."""
+    """Return the collision box of a handle."""
     return box_part(reach, 2 * thick, high - low, (radius + reach / 2, 0, low))
 
 
 def drink(look: Look, radius: float, height: float) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return the surface of a drink, or nothing: most cups are empty where nothing is said."""
+    """Return the surface of a drink, or nothing; cups are usually empty by default."""
     full, color = look.chance(0.3), look.pick(DRINKS)
     said = contents(look, radius, height)
     if said is not None:
@@ -138,7 +138,7 @@ def drink(look: Look, radius: float, height: float) -> list[tuple[Solid, surface
           roles=("container", "round"), colors=("white", "red", "blue", "teal", "black"),
           common=True)  # fmt: skip
 def mug(look: Look) -> Shape:
-    """A mug with an ear, straight, flaring, bellied or of enamel; a ball falls into it."""
+    """A straight, flaring, bulbous or enamel mug with a handle; a ball can fall into it."""
     r, h, wall = look.between(0.037, 0.044), look.between(0.082, 0.108), 0.0045
     kind = look.pick(["straight", "straight", "flared", "belly", "enamel", "round"])
     color = look.color(

@@ -1,4 +1,4 @@
-"""Electronics (office)."""
+"""Objects of the ``office`` theme: electronics."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ POWER_BANK_DARK: RGB = (32, 32, 35)
           "jump starter", "car jump starter"), themes=("office",), roles=("flat",),
           colors=("black", "white"))  # fmt: skip
 def power_bank(look: Look) -> Shape:
-    """A power bank lying: rounded slab, ports, four lights."""
+    """A power bank lying flat: a rounded case with ports and four lights."""
     k = look.between(0.88, 1.1)
     x, y, h = 0.135 * k, 0.068 * k, 0.018 * k
     color = look.color("black", "white", "silver", "blue", "pink", "charcoal", "red")
@@ -70,7 +70,7 @@ def power_bank(look: Look) -> Shape:
           themes=("office", "living"), roles=("tall", "big"), colors=("white", "black"),
           common=True)  # fmt: skip
 def desk_fan(look: Look) -> Shape:
-    """A small fan: wire cage, blades, foot."""
+    """A small desk fan with a wire cage, blades and a foot."""
     r = look.between(0.075, 0.105)
     color = look.color("white", "black", "teal", "pink", "sky", "silver")
     mid, deep = 1.55 * r, 0.42 * r
@@ -113,7 +113,7 @@ def desk_fan(look: Look) -> Shape:
           themes=("office", "workbench"), colors=("white", "black"), state="lying flat",
           common=True)  # fmt: skip
 def power_strip(look: Look) -> Shape:
-    """A power strip with sockets, a lit switch and a stub of cable."""
+    """A power strip with sockets, a lit switch and a short piece of cable."""
     count = int(look.rng.integers(3, 6))
     pitch, y, h = 0.05, look.between(0.05, 0.06), look.between(0.032, 0.04)
     x = pitch * count + 0.05
@@ -146,7 +146,7 @@ SPEAKER_DARK = (40, 41, 45)
           aliases=("headphone", "earphones", "ear defenders"), themes=("office", "living"),
           colors=("black", "white"), state="lying down", common=True)  # fmt: skip
 def headphones(look: Look) -> Shape:
-    """Over-ear headphones lying on their cups and the back of their band."""
+    """Over-ear headphones, lying on their cups and the back of their headband."""
     color = look.color("black", "black", "white", "navy", "red", "silver", "pink", "teal", "cream")
     pad = look.own_color("black", "brown", "gray", "white", "tan")
     other = look.pick([color, color, tint_color(color, 0.5), tint_color(color, 1.5)])
@@ -163,7 +163,7 @@ def headphones(look: Look) -> Shape:
         cups.append(cylinder(r, 0.018, 24, bevel=0.005).move(z=-0.009).turn(1, way))
         cushions.append(torus(r - 0.011, 0.0105, 24, 8).move(z=0.014).turn(1, way))
     lift = -min(solid.bounds[0, 2] for solid in cups + cushions)
-    drop = (lift - 0.013) / curve[:, 1].max()  # the band's far end touches the table
+    drop = (lift - 0.013) / curve[:, 1].max()  # the far end of the headband touches the table
     path = np.column_stack([curve, lift - drop * curve[:, 1]])
     band = sweep(path, rectangle(thick, wide, 0.4 * thick, 2))
     band = band.move(z=max(0.0, -band.bounds[0, 2]))
@@ -184,7 +184,7 @@ def headphones(look: Look) -> Shape:
           aliases=("loudspeaker", "bluetooth speaker"), themes=("office", "living"),
           roles=("tall",), colors=("black", "white"), common=True)  # fmt: skip
 def speaker(look: Look) -> Shape:
-    """A small loudspeaker box with two drivers facing the viewer."""
+    """A small loudspeaker box with two drivers that face the viewer."""
     x, y, z = look.between(0.1, 0.12), look.between(0.1, 0.125), look.between(0.17, 0.2)
     color = look.color("black", "walnut brown", "white", "charcoal", "teal", "red", "cream", "sage")
     if look.chance(0.35):
@@ -207,7 +207,7 @@ def speaker(look: Look) -> Shape:
 
 
 def _mesh_speaker(look: Look, color: RGB, x: float, y: float, z: float) -> Shape:
-    """Return a portable speaker: a rounded body in cloth or grille, a strip of buttons on top."""
+    """Return a rounded portable speaker with cloth or a grille and a strip of buttons on top."""
     skin = surfaces.fabric(look.rng, color)
     if look.chance(0.4):
         skin = prints.mesh_holes(color, tint_color(color, 0.5), 16, 32)
@@ -227,7 +227,7 @@ def _mesh_speaker(look: Look, color: RGB, x: float, y: float, z: float) -> Shape
 
 
 def _mark(color: RGB, y: float, z: float, shown: bool) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return a maker's mark on the front, if shown."""
+    """Return a logo on the front, or nothing."""
     mark = box(0.012, 0.0008, 0.005).move(y=-y / 2, z=0.74 * z)
     return [(mark, surfaces.plain(tint_color(color, 0.5)))] if shown else []
 
@@ -255,7 +255,7 @@ def earbuds_case(look: Look) -> Shape:
           themes=("office", "coffee", "living", "vanity"), roles=("flat", "screen"),
           colors=("black", "silver"), state="lying flat", common=True)  # fmt: skip
 def smartphone(look: Look) -> Shape:
-    """A phone lying on its back, or on its face."""
+    """A smartphone lying on its back or on its face."""
     return _slab(look, look.between(0.066, 0.079), look.between(0.14, 0.166),
                  look.between(0.0072, 0.0088), look.between(0.002, 0.006),
                  prints.apps(look.rng))  # fmt: skip
@@ -270,7 +270,7 @@ CHARGER_DARK: RGB = (36, 37, 41)
           "charging plug", "power brick", "plug", "wireless charger"), themes=("office",),
           colors=("white", "black"), state="lying flat")  # fmt: skip
 def charger(look: Look) -> Shape:
-    """A plug-in charger lying on its back: a block with two pins to the left, a socket, a cable."""
+    """A charger lying on its back: a block with two pins on the left, a socket and a cable."""
     x, y, h = look.between(0.04, 0.055), look.between(0.04, 0.06), look.between(0.027, 0.033)
     color = look.color("white", "white", "black", "gray", "charcoal", "sky")
     body = block(x, y, h, 0.008, 0.004)
@@ -301,7 +301,7 @@ def charger(look: Look) -> Shape:
           "film projector", "fog machine", "smoke machine", "slide viewer"), themes=("office",),
           roles=("big",), colors=("white",))  # fmt: skip
 def projector(look: Look) -> Shape:
-    """A small video projector: lens at the front, vents, buttons."""
+    """A small video projector with a lens in front, vents and buttons."""
     k = look.between(0.88, 1.08)
     x, y, h = 0.23 * k, 0.19 * k, 0.085 * k
     color = look.color("white", "white", "black", "gray", "charcoal")
@@ -335,7 +335,7 @@ ACTION_CAMERA_DARK = (40, 42, 46)
           aliases=("gopro", "action cam", "sports camera", "dashcam", "dash cam"),
           themes=("office", "gaming"), colors=("black",), common=True)  # fmt: skip
 def action_camera(look: Look) -> Shape:
-    """A small action camera, its square lens towards the viewer."""
+    """A small action camera with its square lens towards the viewer."""
     k = look.between(0.92, 1.12)
     x, y, z = 0.066 * k, 0.03 * k, 0.048 * k
     color = look.color("black", "charcoal", "gray", "white", "blue")
@@ -403,7 +403,7 @@ def ring_light(look: Look) -> Shape:
           "presentation remote"), themes=("office",), colors=("silver", "black"),
           state="lying flat")  # fmt: skip
 def laser_pointer(look: Look) -> Shape:
-    """A laser pointer lying: a slim tube with a button, a red glint at its tip."""
+    """A laser pointer lying flat: a slim tube with a button and a red tip."""
     k = look.between(0.92, 1.08)
     color = look.color("silver", "black", "black", "gold", "red", "blue")
     body = lathe(np.array([(0, 0), (0.0045, 0), (0.0062, 0.006), (0.0066, 0.03), (0.0066, 0.128),
@@ -419,7 +419,7 @@ def laser_pointer(look: Look) -> Shape:
 
 
 def _handset(length: float, z: float) -> Solid:
-    """Return a telephone's handset along x, its ear and mouth pieces downwards, at height ``z``."""
+    """Return a telephone handset along x at height ``z``, with its ear and mouth pieces down."""
     t = np.linspace(-1, 1, 9)
     path = np.column_stack([0.42 * length * t, 0 * t, z + 0.012 - 0.012 * np.abs(t) ** 2.5])
     grip = sweep(path, rectangle(0.034, 0.022, 0.008, 3))
@@ -512,7 +512,7 @@ def camcorder(look: Look) -> Shape:
           "screen protector"), themes=("office",), roles=("flat",),
           colors=("pink", "black"))  # fmt: skip
 def phone_case(look: Look) -> Shape:
-    """A phone case lying on its rims, its back up, with a cut-out for the cameras."""
+    """A phone case lying on its rims with its back up and a cut-out for the cameras."""
     color = look.color("pink", "black", "sky", "mint", "red", "lavender", "clear")
     k = look.between(0.92, 1.08)
     back = block(0.148, 0.073, 0.01, 0.01, 0.003)
@@ -536,7 +536,7 @@ def phone_case(look: Look) -> Shape:
           aliases=("wireless earbud", "earphone", "airpod", "in-ear headphone"), themes=("office",),
           colors=("white",))  # fmt: skip
 def earbud(look: Look) -> Shape:
-    """A wireless earbud lying: a bud with a soft tip and a stem."""
+    """A wireless earbud lying flat: a bud with a soft tip and a stem."""
     color = look.color("white", "black", "white", "pink", "silver")
     k = look.between(0.9, 1.25)
     bud = ball(0.018, 0.016, 0.016, (0.012, 0, 0.0075), 16)
@@ -553,7 +553,7 @@ def earbud(look: Look) -> Shape:
           aliases=("conference speaker", "speakerphone", "conference telephone", "meeting phone"),
           themes=("office",), roles=("big",), colors=("charcoal",))  # fmt: skip
 def conference_phone(look: Look) -> Shape:
-    """A conference phone: a three-armed body with a speaker, keys and a small screen."""
+    """A three-armed conference phone with a speaker, keys and a small screen."""
     color = look.color("charcoal", "black", "gray", "white")
     k = look.between(0.8, 1.0)
     a = np.linspace(0, 2 * np.pi, 61)[:-1]
@@ -581,7 +581,7 @@ BLACK = surfaces.plain((34, 34, 37))
           "bluetooth adapter"), themes=("office",), colors=("black",))  # fmt: skip
 @from_pieces()
 def headset_receiver(look: Look) -> Pieces:
-    """A flat rounded box with an upright aerial and a green lamp."""
+    """A headset receiver: a flat, rounded box with an upright antenna and a green light."""
     tile = plastic(look, "black", "charcoal", "white")
     body = at_block(0.09, 0.06, 0.02, 0.008)
     mast = straight((0.032, 0.02, 0.016), (0.032, 0.03, 0.1), 0.0035, 8)
@@ -593,7 +593,7 @@ def headset_receiver(look: Look) -> Pieces:
           aliases=("clock", "table clock"), themes=("office", "living"),
           colors=("red", "teal", "black"), common=True)  # fmt: skip
 def alarm_clock(look: Look) -> Shape:
-    """A round twin-bell clock, or a digital one; its face to the viewer."""
+    """A round twin-bell alarm clock or a digital one, facing the viewer."""
     color = look.color("red", "teal", "black", "gold", "white", "pink", "mint", "navy", "orange")
     skin = surfaces.speckles(look.rng, color, 3, 32)
     if look.chance(0.3):
@@ -632,7 +632,7 @@ def alarm_clock(look: Look) -> Shape:
           themes=("office", "living", "craft"), roles=("tall", "big"),
           colors=("black", "white", "brass"), common=True)  # fmt: skip
 def desk_lamp(look: Look) -> Shape:
-    """A lamp: a jointed arm with a tilted shade or a bar of light, or a shade on a foot."""
+    """A desk lamp: a jointed arm with a tilted shade or a light bar, or a shade on a foot."""
     color = look.color(*("black", "black", "white", "teal", "red", "brass", "mustard", "silver",
                          "sage", "navy"), *("pink", "copper"))  # fmt: skip
     if look.chance(0.6):
@@ -641,7 +641,7 @@ def desk_lamp(look: Look) -> Shape:
 
 
 def _arm_lamp(look: Look, color: RGB) -> Shape:
-    """Return a lamp of two arms, or one bow, on a heavy base."""
+    """Return a lamp with two arms, or with one bow, on a heavy base."""
     skin = surfaces.speckles(look.rng, color, 3, 32)
     metal = look.pick(
         [skin, surfaces.brushed_metal(look.rng, look.own_color("brass", "silver", "copper"))]
@@ -681,7 +681,7 @@ def _arm_lamp(look: Look, color: RGB) -> Shape:
 
 
 def _shade_lamp(look: Look, color: RGB) -> Shape:
-    """Return a table lamp: a fabric shade, plain, banded or pleated, on a turned foot."""
+    """Return a table lamp with a plain, banded or pleated fabric shade on a turned foot."""
     feet = [
         [(0.06, 0), (0.06, 0.01), (0.018, 0.03), (0.03, 0.08), (0.012, 0.15), (0.008, 0.22)],
         [(0.05, 0), (0.062, 0.04), (0.055, 0.09), (0.02, 0.13), (0.012, 0.16), (0.008, 0.22)],
@@ -718,7 +718,7 @@ def _shade_lamp(look: Look, color: RGB) -> Shape:
           "lens cap"), themes=("office", "living"), roles=("round",),
           colors=("black",))  # fmt: skip
 def camera_lens(look: Look) -> Shape:
-    """A camera lens standing on its mount, its glass up or capped."""
+    """A camera lens standing on its mount, capped or with its glass up."""
     r, h = look.between(0.033, 0.04), look.between(0.06, 0.11)
     color = look.color("black", "black", "charcoal", "white", "silver")
     skin = surfaces.speckles(look.rng, color, 3, 32)
@@ -764,7 +764,7 @@ def camera_lens(look: Look) -> Shape:
           "phone lead"), themes=("office", "gaming"), roles=("flat",), colors=("black", "white"),
           state="lying coiled")  # fmt: skip
 def cable(look: Look) -> Shape:
-    """A coiled cable tied in the middle, its plug lying beside."""
+    """A coiled cable tied in the middle, with its plug beside it."""
     color = look.color("black", "white", "gray", "red", "blue", "charcoal")
     r, thick = look.between(0.045, 0.06), look.between(0.0022, 0.0032)
     t = np.linspace(0, 5 * 2 * np.pi, 150)

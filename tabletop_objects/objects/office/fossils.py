@@ -1,4 +1,4 @@
-"""Fossils (office)."""
+"""Objects of the ``office`` theme: fossils."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def _skin(look: Look, *palette: str) -> surfaces.Tile:
 
 
 def _coil(scale: float) -> Solid:
-    """A ribbed spiral shell lying flat."""
+    """A ribbed spiral shell, lying flat."""
     t = np.linspace(0, 1, 130)
     a = 2 * np.pi * 2.9 * t
     r = 0.006 * np.exp(1.95 * t)
@@ -45,7 +45,7 @@ def ammonite(look: Look) -> Pieces:
           colors=("charcoal",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def trilobite(look: Look) -> Pieces:
-    """A trilobite: a broad head, ribs over three lobes, a narrow tail."""
+    """A trilobite with a broad head, ribs over three lobes and a narrow tail."""
     dark = _skin(look, "charcoal", "brown", "black")
     base = plate(np.column_stack([0.027 * np.cos(a := np.linspace(0, 2 * np.pi, 32)[:-1]),
                                   0.04 * np.sin(a)]), 0.006)  # fmt: skip
@@ -66,7 +66,7 @@ def trilobite(look: Look) -> Pieces:
 
 
 def _tooth(long: float, serrated: bool) -> np.ndarray:
-    """A triangular tooth with two roots, in the plane."""
+    """Return the outline of a triangular tooth with two roots, in the plane."""
     w = 0.78 * long
     left = smooth([(-0.5 * w, 0), (-0.36 * w, 0.35 * long), (-0.08 * w, 0.85 * long), (0, long)], 6)
     right = left[::-1] * [-1, 1]
@@ -78,7 +78,7 @@ def _tooth(long: float, serrated: bool) -> np.ndarray:
 
 def _shark(long: float) -> Drawing:
     def draw(look: Look) -> Pieces:
-        """A shark's tooth lying."""
+        """A shark tooth, lying flat."""
         color = look.color("gray", "charcoal", "cream", "tan")
         outline = _tooth(long, True)
         body = plate(outline, 0.14 * long)
@@ -96,7 +96,7 @@ def _shark(long: float) -> Drawing:
 
 def _fang(bend: float, r: float) -> Drawing:
     def draw(look: Look) -> Pieces:
-        """A curved tooth or claw lying."""
+        """A curved tooth or claw, lying flat."""
         color = look.color("tan", "brown", "charcoal", "cream")
         path = smooth([(-0.035, -bend, r), (-0.012, 0.2 * bend, r), (0.015, 0.1 * bend, 0.8 * r),
                        (0.042, -bend, 0.35 * r)], 6)  # fmt: skip
@@ -111,7 +111,7 @@ def _fang(bend: float, r: float) -> Drawing:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.15)
 def belemnite(look: Look) -> Pieces:
-    """A smooth stone bullet lying, blunt to the left and pointed to the right."""
+    """A smooth, bullet-shaped fossil lying flat, blunt on the left and pointed on the right."""
     return [(spindle((-0.04, 0.005), (-0.038, 0.0062), (0.01, 0.0066), (0.032, 0.0035),
                     (0.041, 0.0006), sides=14), _skin(look, "brown", "amber", "gray"))]  # fmt: skip
 
@@ -121,7 +121,7 @@ def belemnite(look: Look) -> Pieces:
           colors=("beige",), state="lying")  # fmt: skip
 @from_pieces(foot=0.15)
 def crinoid(look: Look) -> Pieces:
-    """A stem of sea lily: stacked rings, lying."""
+    """A crinoid fossil lying flat: the stem of a sea lily with stacked rings."""
     tile = _skin(look, "beige", "gray", "tan")
     points: list[tuple[float, float]] = []
     for k in range(11):
@@ -152,7 +152,7 @@ def brachiopod(look: Look) -> Pieces:
           aliases=("mammoth molar",), themes=("office",), colors=("brown",))  # fmt: skip
 @from_pieces(bodies=1)
 def mammoth_tooth(look: Look) -> Pieces:
-    """A mammoth's tooth: a long block with ridges across."""
+    """A mammoth tooth: a long block with ridges across it."""
     color = look.color("brown", "tan", "charcoal")
     base = at_block(0.15, 0.06, 0.05, 0.025)
     dark, pale = (surfaces.speckles(look.rng, tint_color(color, f), 8) for f in (0.8, 1.5))
@@ -169,7 +169,7 @@ def mammoth_tooth(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(bodies=1)
 def fish_fossil(look: Look) -> Pieces:
-    """A slab with the skeleton of a fish pressed into it."""
+    """A slab with the imprint of a fish skeleton."""
     color = look.color("beige", "tan", "gray")
     base = at_block(0.13, 0.085, 0.012, 0.01)
     dark = surfaces.plain(tint_color(color, 0.38))

@@ -1,4 +1,4 @@
-"""Holders (office)."""
+"""Objects of the ``office`` theme: holders."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ from ..kitchen.racks import _boards, centres, choose_slots, read_request
           "playing card holder", "place card holder", "sim card holder"), themes=("office",),
           colors=("wooden",))  # fmt: skip
 def card_holder(look: Look) -> Shape:
-    """A stand of wood or acrylic that holds a stack of cards leaning back."""
+    """A stand of wood or acrylic that holds a tilted stack of cards."""
     k = look.between(0.94, 1.06)
     color = look.color("wooden", "black", "silver", "white", "brown")
     x, y = 0.105 * k, 0.05 * k
@@ -71,7 +71,7 @@ DARK: RGB = (32, 32, 35)
           "headphones holder", "headset holder"), themes=("office",), roles=("tall",),
           colors=("black", "wooden"))  # fmt: skip
 def headphone_stand(look: Look) -> Shape:
-    """A stand for headphones: a foot, a post, a curved saddle on top."""
+    """A headphone stand with a foot, a post and a curved saddle on top."""
     k = look.between(0.88, 1.04)
     color = look.color("black", "wooden", "silver", "white", "charcoal", "wooden")
     tile = look.surface(color, look.pick(["wood", "metal", "plastic"]))
@@ -92,7 +92,7 @@ def headphone_stand(look: Look) -> Shape:
           "computer stand", "monitor stand", "laptop platform"), themes=("office",),
           roles=("support", "big"), colors=("silver",))  # fmt: skip
 def laptop_stand(look: Look) -> Shape:
-    """A raised stand for a laptop: a level plate on a bent back, open to the front."""
+    """A raised laptop stand: a level plate on a bent back, open to the front."""
     k = look.between(0.9, 1.04)
     color = look.color("silver", "silver", "black", "white", "wooden", "gray")
     tile = look.surface(color, "metal")
@@ -117,7 +117,7 @@ PHONE_STAND_DARK: RGB = (38, 39, 43)
           "display stand", "mobile phone stand", "tablet holder", "phone dock", "ipad stand"),
           themes=("office",), roles=("tall",), colors=("black", "silver"))  # fmt: skip
 def phone_stand(look: Look) -> Shape:
-    """A stand for a phone or tablet: a leaning plate with a lip; some hold a phone."""
+    """A stand for a phone or tablet: a leaning plate with a lip, sometimes with a phone."""
     x, h = look.between(0.07, 0.09), look.between(0.09, 0.12)
     color = look.color("black", "silver", "wooden", "white", "gold", "gray", "teal")
     skin = look.surface(color, look.pick(["metal", "plastic", "wood"]))
@@ -175,7 +175,7 @@ def rolodex(look: Look) -> Pieces:
           themes=("office",), roles=("big", "tall"), colors=("gray",))  # fmt: skip
 @from_pieces()
 def magazine_file(look: Look) -> Pieces:
-    """A magazine file: a slanting open box with magazines in it."""
+    """A magazine file: an open, slanted box with magazines in it."""
     tile = plastic(look, "gray", "white", "blue", "red", "black", "beige")
     side = [(-0.12, 0.0), (0.12, 0.0), (0.12, 0.3), (0.06, 0.3), (-0.12, 0.13)]
     walls = [plate(side, 0.003).turn(0, np.pi / 2).move(0, s * 0.045 + 0.0015, 0) for s in (-1, 1)]
@@ -191,7 +191,7 @@ def magazine_file(look: Look) -> Pieces:
           themes=("office",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def docket_spike(look: Look) -> Pieces:
-    """A round metal base with an upright spike through four sheets of paper."""
+    """A docket spike: a metal base with an upright spike through four sheets of paper."""
     base = disc(0.045, 0.012)
     pin = standing((0.0018, 0.01), (0.0016, 0.12), (0.0003, 0.135), sides=8)
     notes = [at_box(0.07, 0.1, 0.0012).turn(2, a).move(0.004 * np.cos(3 * a), 0, 0.014 + 0.006 * k)
@@ -205,7 +205,7 @@ def docket_spike(look: Look) -> Pieces:
           "table lectern"), themes=("office",), roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces()
 def lectern(look: Look) -> Pieces:
-    """A tabletop lectern: a slanting top with a lip on a closed base."""
+    """A table-top lectern: a slanted top with a lip on a closed base."""
     tile = wood(look, "brown", "wooden", "black", "maroon")
     base = at_block(0.3, 0.22, 0.02, 0.006)
     body = hull_solid([(x, y, z) for x in (-0.12, 0.12) for y, z in ((-0.08, 0.02), (0.09, 0.02),
@@ -264,7 +264,7 @@ def _leaflet(look: Look, color: RGB, wide: int, tall: int) -> surfaces.Tile:
           aliases=("bill spike", "paper spike", "spindle of receipts", "order spike", "spike file"),
           themes=("office",), colors=("black",))  # fmt: skip
 def receipt_spike(look: Look) -> Shape:
-    """A spike on a round foot with receipts on it."""
+    """A spike with receipts on a round foot."""
     k = look.between(0.9, 1.1)
     color = look.color("black", "wooden", "silver", "red")
     foot = cylinder(0.04, 0.012, 28, bevel=0.002)
@@ -283,7 +283,7 @@ def receipt_spike(look: Look) -> Shape:
           hollow=True, aliases=("empty pen holder", "empty pen cup"), themes=("office", "craft"),
           roles=("container", "round"), colors=("black", "white"))  # fmt: skip
 def empty_pencil_holder(look: Look) -> Shape:
-    """A cup for pens, empty."""
+    """An empty cup for pens."""
     r, h = look.between(0.038, 0.043), look.between(0.09, 0.105)
     color = look.color("black", "white", "teal", "wooden", "coral", "silver", "navy", "mustard")
     body, parts = open_vessel([(r, 0), (r, h)], 0.003, 0.005)
@@ -338,7 +338,7 @@ def tripod(look: Look) -> Shape:
           aliases=("book end", "book stop", "book stand"), themes=("office", "living"),
           roles=("tall",), colors=("black", "silver"))  # fmt: skip
 def bookend(look: Look) -> Shape:
-    """A book end: an angle of sheet steel or wood, or an L with a solid block or a ball."""
+    """A book end: an angle of sheet steel or wood, or an L shape with a solid block or a ball."""
     x, y, h = look.between(0.1, 0.13), look.between(0.1, 0.13), look.between(0.13, 0.17)
     color = look.color("black", "silver", "red", "white", "teal", "gold", "wooden")
     kind = look.pick(["sheet", "wood", "ball"])
@@ -371,7 +371,7 @@ def bookend(look: Look) -> Shape:
           "writing slope", "drawer", "in tray", "in-tray", "out tray"), themes=("office",),
           roles=("container",), colors=("wooden", "white", "black"), common=True)  # fmt: skip
 def desk_tray(look: Look) -> Shape:
-    """A letter tray or drawer organiser: a low open box."""
+    """A letter tray or drawer organiser: a low, open box."""
     x, y, h, wall = look.between(0.24, 0.28), look.between(0.17, 0.2), 0.045, 0.005
     tile = look.surface(look.color("wooden", "white", "black", "gray"), "wood")
     walls = open_box(x, y, h, wall, wall)
@@ -384,7 +384,7 @@ def desk_tray(look: Look) -> Shape:
           "drawer organiser", "cutlery organiser", "drawer organizer tray"), themes=("office",),
           roles=("container",), colors=("wooden", "white"))  # fmt: skip
 def desk_caddy(look: Look) -> Shape:
-    """A caddy with compartments of two heights; books or pens go into it."""
+    """A desk caddy with compartments of two heights for books or pens."""
     x, y = look.between(0.2, 0.25), look.between(0.12, 0.15)
     low, high, t = look.between(0.055, 0.07), look.between(0.1, 0.125), 0.005
     color = look.color("wooden", "tan", "white", "black", "gray", "sky", "mint", "pink")
@@ -444,7 +444,7 @@ def _leaning(
     return loft(np.stack(rings), hexagon)
 
 
-_PLAY = 0.003  # metres of room in a place beside the thing
+_PLAY = 0.003  # clearance in a slot beside the object, metres
 
 
 @category("letter_rack", size=(0.072, 0.158, 0.108), mass=0.4, material="wood",
@@ -453,7 +453,7 @@ _PLAY = 0.003  # metres of room in a place beside the thing
           "letter stand"), themes=("office",), colors=("wooden", "white"),
           holder=Holder("edge", (0.06, 0.36, 0.32)))  # fmt: skip
 def letter_rack(look: Look) -> Shape:
-    """A rack of upright boards, rising to the back, for letters and magazines."""
+    """A rack of upright boards, higher towards the back, for letters and magazines."""
     count, (a, b, c) = read_request(look, 3, (0.012, 0.19, 0.12))
     color = look.color("wooden", "brown", "white", "black", "gold", "wooden", "teal")
     skin = look.surface(color, look.pick(["wood", "metal"]))

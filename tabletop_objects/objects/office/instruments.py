@@ -1,4 +1,4 @@
-"""Instruments (office)."""
+"""Objects of the ``office`` theme: instruments."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, tint_color
           colors=("black",))  # fmt: skip
 @from_pieces()
 def weather_vane(look: Look) -> Pieces:
-    """A weather vane: a cockerel and an arrow over crossed letters on a foot."""
+    """A weather vane: a cockerel and an arrow above compass letters on a foot."""
     tile = metal(look, "black", "copper", "charcoal", "bronze")
     foot, post = (standing((0.05, 0), (0.048, 0.008), (0.012, 0.016)),
                   straight((0, 0, 0.01), (0, 0, 0.2), 0.004, 10))  # fmt: skip
@@ -66,7 +66,7 @@ def weather_vane(look: Look) -> Pieces:
           colors=("bronze",))  # fmt: skip
 @from_pieces(bodies=2)
 def sundial(look: Look) -> Pieces:
-    """A round dial with hour lines and figures on a turned foot, a three-cornered fin on it."""
+    """A sundial: a round dial with hour lines, numbers and a triangular fin on a turned foot."""
     color = look.color("bronze", "gray", "brass", "beige", "copper")
     image = prints.canvas(128, 128, color)
     dark = tint_color(color, 0.45)
@@ -115,7 +115,7 @@ BLACK = surfaces.plain((34, 34, 37))
           "dumpy level"), themes=("office",), colors=("yellow",))  # fmt: skip
 @from_pieces(bodies=7)
 def theodolite(look: Look) -> Pieces:
-    """A surveyor's instrument: a yoke with a telescope on a round base."""
+    """A theodolite: a telescope in a yoke on a round base."""
     tile = plastic(look, "yellow", "green", "orange")
     base = [disc(0.06, 0.012), disc(0.045, 0.03, (0, 0, 0.018))]
     screws = [disc(0.011, 0.014, (0.045 * np.cos(a), 0.045 * np.sin(a), 0.01)) for a in np.arange(3)
@@ -136,7 +136,7 @@ BRASS = ("brass", "gold", "bronze")
 
 
 def _dial(look: Look, title: str, hands: int = 1) -> surfaces.Tile:
-    """The face of a meter: marks, a word, a hand."""
+    """Return the face of a meter: marks, a word and a hand."""
     image = prints.canvas(96, 96, (246, 242, 228))
     for k in range(25):
         a = np.pi * 1.25 - k * np.pi * 1.5 / 24
@@ -171,7 +171,7 @@ def _meter(title: str) -> Drawing:
           colors=("brass",))  # fmt: skip
 @from_pieces(bodies=9)
 def sextant(look: Look) -> Pieces:
-    """A sextant lying: a sector frame with a scale, an arm, a telescope, mirrors."""
+    """A sextant lying flat: a frame with a scale, an arm, a telescope and mirrors."""
     tile = metal(look, *BRASS)
     curve = tube([(*p, 0.012) for p in arc((0, 0.09), 0.17, -np.pi / 2 - 0.55, -np.pi / 2 + 0.55,
                                            18)], 0.008, 8)  # fmt: skip
@@ -196,7 +196,7 @@ def sextant(look: Look) -> Pieces:
           roles=("tall",), colors=("black",))  # fmt: skip
 @from_pieces()
 def anemometer(look: Look) -> Pieces:
-    """An anemometer: three cups turning on a post over a foot."""
+    """An anemometer: three cups on a rotor above a post with a foot."""
     foot, post = disc(0.05, 0.014), standing((0.008, 0.014), (0.007, 0.17), sides=12)
     arms, bowls = [], []
     for a in np.arange(3) * 2.0944 + 0.4:
@@ -217,7 +217,7 @@ def anemometer(look: Look) -> Pieces:
           colors=("green",))  # fmt: skip
 @from_pieces()
 def rain_gauge(look: Look) -> Pieces:
-    """A rain gauge: a marked clear tube, some water in it, a funnel rim."""
+    """A rain gauge: a marked clear tube with some water and a funnel rim."""
     tubes = surfaces.stack(
         (surfaces.plain((120, 178, 220)), 3),
         (surfaces.grid((90, 100, 110), (222, 232, 236), 12, 0), 7),
@@ -239,7 +239,7 @@ VAN_DE_GRAAFF_GENERATOR_BLACK = surfaces.plain((34, 34, 37))
           themes=("office",), colors=("red",))  # fmt: skip
 @from_pieces(foot=0.06, bodies=3)
 def newton_meter(look: Look) -> Pieces:
-    """A spring balance lying: a clear tube with a scale, a ring and a hook."""
+    """A spring balance lying flat: a clear tube with a scale, a ring and a hook."""
     z = 0.013
     scale = surfaces.grid((60, 60, 66), (232, 238, 240), 0, 20)
     body = spindle((-0.09, 0.0125), (0.07, 0.0125), z=z)
@@ -256,7 +256,7 @@ def newton_meter(look: Look) -> Pieces:
           "plasma ball"), themes=("office",), roles=("tall",), colors=("navy",))  # fmt: skip
 @from_pieces()
 def van_de_graaff_generator(look: Look) -> Pieces:
-    """A shiny dome on a pale column with a belt, over a box with a black knob."""
+    """A Van de Graaff generator: a shiny dome on a pale column above a box with a black knob."""
     dome = ball(0.16, 0.16, 0.14, (0, 0, 0.31), 28)
     column = standing((0.026, 0.06), (0.026, 0.25))
     base = at_block(0.14, 0.12, 0.06, 0.012)
@@ -274,7 +274,7 @@ def van_de_graaff_generator(look: Look) -> Pieces:
 @vary(0.08)
 @from_pieces()
 def radiometer(look: Look) -> Pieces:
-    """A light mill: a glass bulb on a foot with four vanes inside, seen as a cage."""
+    """A light mill: a glass bulb on a foot, drawn as a cage, with four vanes inside."""
     foot = standing((0.035, 0), (0.034, 0.006), (0.012, 0.014), (0.01, 0.035), (0.016, 0.045))
     glass = surfaces.plain((206, 224, 232))
     hoops = [torus(0.04, 0.0012, 32, 5).turn(0, np.pi / 2).turn(2, a).move(z=0.085)
@@ -294,7 +294,7 @@ def radiometer(look: Look) -> Pieces:
           colors=("brown",))  # fmt: skip
 @from_pieces(bodies=5)
 def seismograph(look: Look) -> Pieces:
-    """A seismograph: a paper drum, a pen on a weighted arm, a base."""
+    """A seismograph with a paper drum, a pen on a weighted arm and a base."""
     image = prints.canvas(160, 64, (246, 244, 232))
     x = np.linspace(0, 1, 120)
     wave = (
@@ -319,7 +319,7 @@ def seismograph(look: Look) -> Pieces:
           colors=("yellow",))  # fmt: skip
 @from_pieces()
 def trundle_wheel(look: Look) -> Pieces:
-    """A measuring wheel lying: a spoked wheel, a long stick to the right, a black grip."""
+    """A measuring wheel lying flat: a spoked wheel, a long stick to the right and a black grip."""
     wheel = torus(0.11, 0.008, 40, 8).move(z=0.008)
     spokes = [straight((0.11 * np.cos(a), 0.11 * np.sin(a), 0.008),
                        (-0.11 * np.cos(a), -0.11 * np.sin(a), 0.008), 0.004, 6)

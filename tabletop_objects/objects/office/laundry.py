@@ -1,4 +1,4 @@
-"""Laundry (office)."""
+"""Objects of the ``office`` theme: laundry supplies."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look
           themes=("office",), colors=("blue",))  # fmt: skip
 @from_pieces(bodies=(0, 1, 2, 3))
 def laundry_pod(look: Look) -> Pieces:
-    """A soft pod of washing liquid in two or three colours."""
+    """A soft laundry pod in two or three colours."""
     tones = [look.color("blue", "purple", "green", "orange"), look.own_color("white", "sky",
                                                                              "green"),
              look.own_color("orange", "blue", "purple")]  # fmt: skip
@@ -32,7 +32,7 @@ def laundry_pod(look: Look) -> Pieces:
 
 
 def _ironing(wide: float, long: float) -> Drawing:
-    """A low ironing board: a padded pointed top on folding legs."""
+    """A low ironing board: a padded, pointed top on folding legs."""
 
     def draw(look: Look) -> Pieces:
         t = np.linspace(0, np.pi, 16)
@@ -61,7 +61,7 @@ def _ironing(wide: float, long: float) -> Drawing:
           roles=("flat", "big"), colors=("wooden",))  # fmt: skip
 @from_pieces()
 def washboard(look: Look) -> Pieces:
-    """A washboard lying: a wooden frame round a ribbed metal sheet."""
+    """A washboard lying flat: a wooden frame around a ribbed metal sheet."""
     tile = wood(look, "wooden", "tan", "brown")
     sides = [at_box(0.018, 0.42, 0.022, (s * 0.1, 0, 0)) for s in (-1, 1)]
     bars = [at_box(0.2, 0.06, 0.018, (0, 0.14, 0.002)), at_box(0.2, 0.02, 0.018, (0, -0.13, 0.002))]
@@ -78,7 +78,7 @@ def washboard(look: Look) -> Pieces:
           themes=("office",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def washing_line_reel(look: Look) -> Pieces:
-    """A round reel upright on a foot, its line pulled out to the right, a ring at the end."""
+    """An upright round reel on a foot, with its line and an end ring pulled out to the right."""
     tile = plastic(look, "white", "gray", "green", "blue")
     body = disc(0.07, 0.05).turn(0, np.pi / 2).move(0, 0.025, 0.07)
     base = at_block(0.07, 0.06, 0.012, 0.006)
@@ -96,7 +96,7 @@ def washing_line_reel(look: Look) -> Pieces:
           roles=("flat",), colors=("white",))  # fmt: skip
 @from_pieces()
 def collar_stiffener(look: Look) -> Pieces:
-    """A thin flat strip lying, square to the left and pointed to the right."""
+    """A thin collar stiffener lying flat, square on the left and pointed on the right."""
     return [(plate([(-0.032, -0.0055), (0.024, -0.0055), (0.034, 0), (0.024, 0.0055),
                     (-0.032, 0.0055)], 0.001), plastic(look, "white", "clear",
                                                        "silver"))]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Machines (office)."""
+"""Objects of the ``office`` theme: machines."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import RGB, Look, plain, tint_color
           themes=("office",), roles=("big",), colors=("gray",))  # fmt: skip
 @from_pieces()
 def note_counter(look: Look) -> Pieces:
-    """A machine that counts notes: a hopper with notes, a screen, a tray."""
+    """A banknote counter with a hopper of notes, a screen and a tray."""
     shell = plastic(look, "gray", "white", "charcoal")
     body = at_block(0.24, 0.2, 0.15, 0.02)
     hopper = at_box(0.18, 0.07, 0.03, (0, 0.04, 0.148))
@@ -43,7 +43,7 @@ def note_counter(look: Look) -> Pieces:
           roles=("big",), colors=("black",))  # fmt: skip
 @from_pieces()
 def coin_sorter(look: Look) -> Pieces:
-    """A coin sorter: a bowl on top, tubes with stacked coins in front."""
+    """A coin sorter with a bowl on top and tubes of stacked coins in front."""
     shell = plastic(look, "black", "charcoal", "blue", "gray")
     body = at_block(0.2, 0.12, 0.12, 0.02, (0, 0.03, 0))
     shelf = at_block(0.2, 0.07, 0.014, 0.01, (0, -0.05, 0))
@@ -69,7 +69,7 @@ def coin_sorter(look: Look) -> Pieces:
           colors=("red",))  # fmt: skip
 @vary()
 def ticket_dispenser(look: Look) -> Shape:
-    """A rounded dispenser of queue tickets on a foot, a numbered ticket hanging out."""
+    """A rounded dispenser on a foot with a numbered queue ticket hanging out."""
     k = look.between(0.94, 1.06)
     color = look.color("red", "red", "blue", "green")
     foot = block(0.12, 0.09, 0.012, 0.015, 0.002)
@@ -96,7 +96,7 @@ BARCODE_SCANNER_DARK: RGB = (38, 39, 43)
           "code scanner", "price scanner", "barcode gun", "microchip reader"), themes=("office",),
           roles=("tall",), colors=("black", "gray"))  # fmt: skip
 def barcode_scanner(look: Look) -> Shape:
-    """A hand-held bar-code scanner standing in its foot, its window to the viewer."""
+    """A hand-held barcode scanner in its stand with its window towards the viewer."""
     color = look.color("black", "gray", "white", "charcoal", "yellow", "red")
     k = look.between(0.92, 1.08)
     shell, trim = (surfaces.speckles(look.rng, color, 3, 32),
@@ -122,7 +122,7 @@ def barcode_scanner(look: Look) -> Shape:
           aliases=("cash till", "toy cash register", "cashier machine", "lottery terminal"),
           themes=("office",), roles=("big", "tall"), colors=("gray", "black"))  # fmt: skip
 def cash_register(look: Look) -> Shape:
-    """A cash register: keys on a slope, a display, a till drawer and a receipt."""
+    """A cash register with sloped keys, a display, a till drawer and a receipt."""
     x, y, h = look.between(0.3, 0.36), look.between(0.3, 0.35), look.between(0.1, 0.12)
     color = look.color("gray", "black", "white", "beige", "red", "sky", "charcoal")
     shell = surfaces.speckles(look.rng, color, 3, 32)
@@ -166,7 +166,7 @@ def cash_register(look: Look) -> Shape:
           "chip and pin machine"), themes=("office",), roles=("flat",), colors=("black", "white"),
           state="lying flat")  # fmt: skip
 def card_reader(look: Look) -> Shape:
-    """A payment terminal lying, its keys and display up, sometimes with a card or a receipt."""
+    """A payment terminal lying with its keys and display up, sometimes with a card or receipt."""
     x, y, h = look.between(0.07, 0.085), look.between(0.14, 0.18), look.between(0.025, 0.035)
     color = look.color("black", "charcoal", "white", "gray", "navy")
     face = prints.canvas(96, 176, tint_color(color, 1.15 if sum(color) < 250 else 0.94))
@@ -204,7 +204,7 @@ def card_reader(look: Look) -> Shape:
           aliases=("flatbed scanner", "document scanner", "photo scanner"), themes=("office",),
           roles=("big", "support", "flat"), colors=("white",))  # fmt: skip
 def scanner(look: Look) -> Shape:
-    """A flatbed scanner, its lid closed."""
+    """A flatbed scanner with its lid closed."""
     k = look.between(0.85, 1.0)
     x, y, h = 0.28 * k, 0.38 * k, 0.055 * k
     color = look.color("white", "gray", "black", "charcoal")
@@ -229,7 +229,7 @@ PRINTER_DARK = (40, 42, 46)
           aliases=("inkjet printer", "copier", "fax machine", "laminator", "franking machine"),
           themes=("office",), roles=("big",), colors=("white", "black"), common=True)  # fmt: skip
 def printer(look: Look) -> Shape:
-    """An ink-jet printer: lid, small screen, paper behind and a printed sheet in front."""
+    """An ink-jet printer with a small screen, paper behind and a printed sheet in front."""
     x, y, h = look.between(0.36, 0.44), look.between(0.26, 0.32), look.between(0.13, 0.17)
     color = look.color("white", "black", "gray", "charcoal", "white")
     shell = surfaces.speckles(look.rng, color, 3, 32)
@@ -260,7 +260,7 @@ def printer(look: Look) -> Shape:
           aliases=("label printer", "labelmaker", "labeler", "labeller", "label writer",
           "label machine"), themes=("office",), colors=("white",))  # fmt: skip
 def label_maker(look: Look) -> Shape:
-    """A hand-held label printer lying: screen, keys, a label coming out."""
+    """A hand-held label printer lying flat, with a screen, keys and a label coming out."""
     k = look.between(0.9, 1.06)
     color = look.color("white", "blue", "black", "gray", "teal")
     x, y, h = 0.1 * k, 0.17 * k, 0.045 * k
@@ -317,7 +317,7 @@ def typewriter(look: Look) -> Shape:
           roles=("flat",), colors=("charcoal", "white"), state="lying flat",
           common=True)  # fmt: skip
 def calculator(look: Look) -> Shape:
-    """A pocket calculator lying flat, display at the far end."""
+    """A pocket calculator lying flat with its display at the far end."""
     x, y, h = look.between(0.078, 0.09), look.between(0.13, 0.15), 0.013
     color = look.color("charcoal", "white", "navy", "gray", "pink", "teal", "yellow", "black")
     cap, mark = (look.pick([(232, 232, 230), (60, 62, 68), (250, 236, 200)]),

@@ -1,4 +1,4 @@
-"""Minerals (office)."""
+"""Objects of the ``office`` theme: minerals."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Skin = Callable[[Look, RGB], surfaces.Tile]
 
 
 def lump(look: Look, x: float, y: float, z: float, corners: int) -> Solid:
-    """A broken stone with flat faces, the fewer ``corners`` the sharper, set down flat."""
+    """A broken stone resting on one of its flat faces; fewer ``corners`` make it sharper."""
     n = np.arange(corners) + 0.5
     up = 1 - 2 * n / corners
     around = np.pi * (1 + 5**0.5) * n
@@ -53,7 +53,7 @@ def _metallic(look: Look, color: RGB) -> surfaces.Tile:
 
 def _rough(colors: tuple[str, ...], skin: Skin, size: tuple[float, float, float], corners: int
            ) -> Drawing:  # fmt: skip
-    """A stone of one kind."""
+    """A rough stone of one kind."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*colors)
@@ -63,7 +63,7 @@ def _rough(colors: tuple[str, ...], skin: Skin, size: tuple[float, float, float]
 
 
 def _cubes(palette: tuple[str, ...]) -> Drawing:
-    """Cubic crystals grown into each other."""
+    """Cubic crystals that grow into each other."""
 
     def draw(look: Look) -> Pieces:
         tile = shine(look, *palette)
@@ -82,7 +82,7 @@ def _cubes(palette: tuple[str, ...]) -> Drawing:
 @at_rest
 @from_pieces(foot=0.15)
 def stalactite(look: Look) -> Pieces:
-    """A dripstone lying: an uneven stone cone, thin to the left and thick to the right."""
+    """A stalactite lying flat: an uneven stone cone, thin on the left and thick on the right."""
     color = look.color("cream", "tan", "beige")
     body = spindle((-0.07, 0.003), (-0.05, 0.006), (-0.02, 0.0095), (0.01, 0.0105), (0.03, 0.015),
                   (0.06, 0.019), (0.066, 0.017), sides=14)  # fmt: skip
@@ -94,7 +94,7 @@ def stalactite(look: Look) -> Pieces:
           colors=("brown",), state="lying")  # fmt: skip
 @from_pieces(foot=0.12)
 def petrified_wood(look: Look) -> Pieces:
-    """A short log of stone lying: dark mottled bark, rings on its ends."""
+    """A short log of petrified wood lying flat, with dark mottled bark and rings on its ends."""
     color = look.color("brown", "terracotta", "tan")
     body = spindle((-0.04, 0.028), (0.04, 0.026), sides=11)
     rings = np.zeros((64, 64, 3))

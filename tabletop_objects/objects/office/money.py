@@ -1,4 +1,4 @@
-"""Money (office)."""
+"""Objects of the ``office`` theme: money."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...kit.surfaces import RGB, Look, tint_color
 
 
 def _face(look: Look, color: RGB) -> surfaces.Tile:
-    """The face of a coin: a rim, a head or a number."""
+    """Return the face of a coin: a rim and a head or a number."""
     image = prints.canvas(96, 96, color)
     dark, pale = tint_color(color, 0.62), tint_color(color, 1.3)
     prints.disc(image, 0.5, 0.5, 0.46, pale, 0.43)
@@ -50,7 +50,7 @@ def _coin(r: float, h: float, sides: int, *colors: str) -> Drawing:
           state="lying flat")  # fmt: skip
 @from_pieces(spread=0.06)
 def bank_note(look: Look) -> Pieces:
-    """One banknote, slightly curved."""
+    """One slightly curved banknote."""
     color = look.color("green", "blue", "orange", "purple", "red", "gray")
     pale = tint_color(color, 1.72)
     image = prints.canvas(192, 92, pale)
@@ -73,7 +73,7 @@ def bank_note(look: Look) -> Pieces:
           colors=("gold",))  # fmt: skip
 @from_pieces()
 def gold_ingot(look: Look) -> Pieces:
-    """A bar of bullion with slanting sides, a stamp on its top."""
+    """A bar of bullion with slanted sides and a stamp on its top."""
     color = look.color("gold", "gold", "silver")
     rings = np.concatenate([lift(rectangle(0.115, 0.052), 0), lift(rectangle(0.1, 0.038), 0.032)])
     mark = prints.canvas(96, 32, tint_color(color, 0.92))
@@ -91,7 +91,7 @@ def gold_ingot(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def money_clip(look: Look) -> Pieces:
-    """Folded notes in a metal clip."""
+    """Folded banknotes in a metal clip."""
     steel = metal(look, "silver", "gold")
     color = look.own_color("green", "blue", "orange")
     notes = at_block(0.078, 0.064, 0.009, 0.004)
@@ -106,7 +106,7 @@ def money_clip(look: Look) -> Pieces:
           "sack of money", "swag bag"), themes=("office",), colors=("tan",))  # fmt: skip
 @from_pieces(bodies=1)
 def money_bag(look: Look) -> Pieces:
-    """A sack tied at its neck, coins showing or a mark on its front."""
+    """A sack tied at its neck, with visible coins or a symbol on its front."""
     color = look.color("tan", "brown", "beige")
     body = standing((0.04, 0), (0.055, 0.012), (0.058, 0.04), (0.045, 0.075), (0.018, 0.095),
                     (0.024, 0.112), (0.03, 0.118), sides=22)  # fmt: skip
@@ -122,7 +122,7 @@ def money_bag(look: Look) -> Pieces:
 
 
 def _bar(palette: tuple[str, ...], metal: str, long: tuple[float, float]):
-    """Return the shape function of a cast bar, narrower above, its worth stamped on top."""
+    """Return the shape function of a cast bar, narrower at the top, with its value on top."""
 
     def make(look: Look) -> Shape:
         x = look.between(*long)
@@ -171,7 +171,7 @@ def _note(look: Look, color: RGB, value: str) -> surfaces.Tile:
           "stack of bills"), themes=("office", "living"), roles=("flat",), colors=("green",),
           state="lying flat")  # fmt: skip
 def banknotes(look: Look) -> Shape:
-    """A few banknotes fanned out, or a bundle with a paper band."""
+    """A few fanned banknotes, or a bundle with a paper band."""
     x, y = look.between(0.14, 0.16), look.between(0.064, 0.074)
     color = look.color("green", "sage", "olive", "teal", "orange", "sky", "pink", "violet")
     value = look.pick(["5", "10", "20", "50", "100"])
@@ -203,7 +203,7 @@ def banknotes(look: Look) -> Shape:
           themes=("office", "living"), roles=("flat",), colors=("gold", "silver"),
           state="lying flat", noun="pile of coins")  # fmt: skip
 def coins(look: Look) -> Shape:
-    """Coins: one or two small stacks and a few lying about."""
+    """One or two small stacks of coins with a few coins beside them."""
     color = look.color("gold", "silver", "copper", "bronze", "gold", "silver")
     tones = [color, look.own_color("silver", "gold", "copper")]
     pieces: list[tuple[Solid, surfaces.Tile]] = []

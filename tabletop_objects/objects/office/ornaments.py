@@ -1,4 +1,4 @@
-"""Ornaments (office)."""
+"""Objects of the ``office`` theme: ornaments."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from ..living.plants import cactus_plant, leaf_blade
           themes=("office", "living", "vanity"), colors=("wooden", "black"),
           state="standing, leaning back", common=True)  # fmt: skip
 def picture_frame(look: Look) -> Shape:
-    """A framed picture leaning back on its stand, facing the viewer."""
+    """A framed picture leaning on its stand, facing the viewer."""
     x, z = look.between(0.11, 0.16), look.between(0.15, 0.2)
     if look.chance(0.35):
         x, z = z, x
@@ -59,7 +59,7 @@ def picture_frame(look: Look) -> Shape:
           aliases=("world globe", "desk globe"), themes=("office", "living"), roles=("tall",),
           colors=("blue",), common=True)  # fmt: skip
 def globe(look: Look) -> Shape:
-    """A terrestrial globe on a foot, its axis leaning."""
+    """A terrestrial globe on a foot with a tilted axis."""
     r = look.between(0.065, 0.08)
     sea: RGB = look.color("blue", "sky", "teal", "tan", "charcoal", "cream", "navy")
     land = surfaces.noise(look.rng, 96, 192, (4, 7), 3)
@@ -92,7 +92,7 @@ def globe(look: Look) -> Shape:
           "swimming goggles", "face shield"), themes=("office", "living", "coffee"),
           colors=("black", "brown"), state="lying open", common=True)  # fmt: skip
 def eyeglasses(look: Look) -> Shape:
-    """Spectacles lying with their arms folded out behind, lenses to the viewer."""
+    """Spectacles lying with their arms folded out at the back and lenses towards the viewer."""
     color = look.color("black", "black", "brown", "red", "gold", "navy", "silver", "teal", "pink")
     wire = look.chance(0.3)
     skin = surfaces.speckles(look.rng, color, 3, 16)
@@ -159,7 +159,7 @@ def hourglass(look: Look) -> Shape:
           aliases=("prize cup", "cup trophy", "award", "trophy cup"), themes=("office", "living"),
           roles=("tall",), colors=("gold", "silver"), common=True)  # fmt: skip
 def trophy(look: Look) -> Shape:
-    """A prize cup with two handles on a plinth with a plate."""
+    """A trophy cup with two handles on a plinth with a plate."""
     r, h = look.between(0.045, 0.06), look.between(0.2, 0.27)
     metal = surfaces.brushed_metal(look.rng, look.color("gold", "gold", "silver", "bronze"))
     base = look.between(0.24, 0.32) * h
@@ -202,7 +202,7 @@ KINDS = ("leafy", "leafy", "broad", "succulent", "cactus", "blades", "bonsai", "
           themes=("office", "living", "coffee"), roles=("tall",), colors=("terracotta", "white"),
           common=True)  # fmt: skip
 def potted_plant(look: Look) -> Shape:
-    """A pot with a plant: leafy, broad-leaved, bladed, flowering, a succulent, cactus or bonsai."""
+    """A potted plant: leafy, broad-leaved, grassy or flowering, a succulent, cactus or bonsai."""
     r, h = look.between(0.042, 0.062), look.between(0.065, 0.095)
     pieces = planter(look, r, h)
     green = look.own_color("green", "green", "green", "olive", "sage", spread=16)
@@ -217,7 +217,7 @@ def potted_plant(look: Look) -> Shape:
 def _leaves(
     look: Look, green: RGB, h: float, r: float, kind: str
 ) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a crown of leaves round a short trunk, or a rosette."""
+    """Return a crown of leaves around a short trunk, or a rosette."""
     rosette = kind == "succulent"
     count = {"succulent": 24, "broad": 12}.get(kind, 22)
     tile = surfaces.leaf(look.rng, green).transpose(1, 0, 2)
@@ -308,7 +308,7 @@ def _bonsai(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[Co
           aliases=("glass paperweight", "paper weight", "dome paperweight"),
           themes=("office", "living"), colors=("blue", "purple"))  # fmt: skip
 def paperweight(look: Look) -> Shape:
-    """A glass dome with coloured swirls and flowers in it."""
+    """A glass dome with coloured swirls and flowers inside."""
     color = look.color("blue", "purple", "green", "red", "amber", "teal", "pink")
     k = look.between(0.85, 1.15)
     dome = standing((0.03, 0), (0.036, 0.008), (0.037, 0.02), (0.032, 0.034), (0.02, 0.044),
@@ -330,7 +330,7 @@ def paperweight(look: Look) -> Shape:
           "hotel bell"), themes=("office", "dining"), roles=("round",),
           colors=("silver", "gold"))  # fmt: skip
 def desk_bell(look: Look) -> Shape:
-    """A reception bell: a metal dome with a button on a round base; or a hand bell."""
+    """A reception bell (a metal dome with a button on a round base), or a hand bell."""
     r = look.between(0.037, 0.045)
     color = look.color("silver", "silver", "gold", "brass", "copper", "red", "black")
     metal = look.surface(color, "metal")

@@ -1,4 +1,4 @@
-"""Papers (office)."""
+"""Objects of the ``office`` theme: paper goods."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def _poster(look: Look, image: prints.Canvas, accent: RGB) -> None:
           colors=("white",), state="lying flat")  # fmt: skip
 @from_pieces(spread=0.06)
 def report(look: Look) -> Pieces:
-    """A bound report lying: a comb along its edge, a clear print on its cover."""
+    """A bound report lying flat, with a comb binding along its edge and a printed cover."""
     color = look.color("white", "sky", "navy", "cream", "gray")
     cover = prints.canvas(128, 176, color)
     ink = (250, 250, 246) if sum(color) < 380 else (34, 40, 60)
@@ -253,7 +253,7 @@ def _floor(look: Look, image: prints.Canvas, accent: RGB) -> None:
 @vary(0.08)
 @from_pieces(spread=0.06)
 def blueprint(look: Look) -> Pieces:
-    """A plan half rolled up."""
+    """A half-rolled blueprint."""
     image = prints.canvas(176, 128, (34, 78, 150))
     _blueprint(look, image, INK)
     sheet = at_box(0.36, 0.27, 0.0011)
@@ -273,7 +273,7 @@ Print = Callable[[Look, prints.Canvas, RGB], None]
 def paper(
     x: float, y: float, mark: Print, *grounds: str, sheets: int = 1, accents: tuple[str, ...] = ()
 ) -> Drawing:
-    """A sheet, or a few askew, of ``x`` by ``y`` metres, printed by ``mark``."""
+    """A printed sheet of ``x`` by ``y`` metres, or several askew; ``mark`` prints them."""
 
     def draw(look: Look) -> Pieces:
         ground = look.color(*grounds)
@@ -298,7 +298,7 @@ def paper(
           themes=("office",), roles=("flat",), colors=("beige",), state="lying flat")  # fmt: skip
 @from_pieces(foot=0.05)
 def parchment(look: Look) -> Pieces:
-    """A written sheet of parchment lying half unrolled between two rolls."""
+    """A sheet of parchment with writing, half unrolled between two rolls."""
     paper = look.color("beige", "cream", "tan")
     image = prints.canvas(96, 128, paper)
     prints.lines(image, look.rng, (0.12, 0.16, 0.76, 0.66), 15, (98, 74, 52), 0.3)
@@ -314,7 +314,7 @@ def parchment(look: Look) -> Pieces:
           "sign", "name plaque", "house sign"), themes=("office",), roles=("flat",),
           colors=("red", "green"), state="lying flat")  # fmt: skip
 def shop_sign(look: Look) -> Shape:
-    """A hanging sign with its cord, lying: OPEN or CLOSED."""
+    """A hanging sign with its cord lying flat, lettered OPEN or CLOSED."""
     k = look.between(0.92, 1.08)
     word = look.pick(["OPEN", "OPEN", "CLOSED"])
     color = look.color("red", "green", "navy", "black", "white", "wooden")
@@ -342,7 +342,7 @@ RECEIPT_INK: RGB = (46, 46, 52)
           "thermal paper roll", "roll of till paper"), themes=("office",), roles=("round",),
           colors=("white",))  # fmt: skip
 def till_roll(look: Look) -> Shape:
-    """A narrow roll of till paper lying on its flat side, its end loose."""
+    """A narrow roll of till paper lying on its flat side, with a loose end."""
     r, h = look.between(0.03, 0.038), look.between(0.057, 0.08)
     color = look.color("white", "white", "yellow", "pink")
     roll = lathe([(0.3 * r, 0), (r, 0), (r, h), (0.3 * r, h)], 34, loop=True)
@@ -358,7 +358,7 @@ def till_roll(look: Look) -> Shape:
           "paper receipt", "invoice slip", "bill slip"), themes=("office",), roles=("flat",),
           colors=("white",), state="lying flat")  # fmt: skip
 def receipt(look: Look) -> Shape:
-    """A till receipt, slightly curled."""
+    """A slightly curled till receipt."""
     k = look.between(0.9, 1.1)
     image = prints.canvas(96, 220, look.color("white", "ivory", "white"))
     prints.write(image, look.pick(["SHOP", "CAFE", "MARKET", "STORE"]), 0.5, 0.07, 0.06,
@@ -381,7 +381,7 @@ def receipt(look: Look) -> Shape:
           "smiley sticker", "decal"), themes=("office",), roles=("flat",), colors=("red", "yellow"),
           state="lying flat")  # fmt: skip
 def sticker(look: Look) -> Shape:
-    """A round, bright sticker lying."""
+    """A round, bright sticker, lying flat."""
     r = look.between(0.02, 0.028)
     color = look.color("red", "yellow", "orange", "green", "blue", "pink")
     image = prints.canvas(96, 96, color)
@@ -400,7 +400,7 @@ def sticker(look: Look) -> Shape:
           "bubblegum wrapper"), themes=("office",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def wrapper(look: Look) -> Shape:
-    """An empty, crumpled foil wrapper of gum or a sweet."""
+    """An empty, crumpled foil wrapper."""
     k = look.between(0.9, 1.2)
     color = look.color("silver", "red", "green", "gold", "purple", "pink", "blue")
     u, v = np.meshgrid(np.linspace(-1, 1, 15), np.linspace(-1, 1, 13))
@@ -421,7 +421,7 @@ def wrapper(look: Look) -> Shape:
           themes=("office",), roles=("flat",), colors=("red", "gold"),
           state="lying flat")  # fmt: skip
 def voucher(look: Look) -> Shape:
-    """A gift voucher: a decorated slip of card."""
+    """A decorated gift voucher."""
     k = look.between(0.94, 1.08)
     color = look.color("red", "gold", "purple", "teal", "pink", "navy")
     image = prints.canvas(190, 90, color)
@@ -442,7 +442,7 @@ def voucher(look: Look) -> Shape:
           "perpetual calendar"), themes=("office",), roles=("tall",),
           colors=("white", "red"))  # fmt: skip
 def calendar(look: Look) -> Shape:
-    """A desk calendar: a tent with a month and a picture, ring-bound, or a pair of date blocks."""
+    """A ring-bound desk calendar with a month and a picture, or a pair of date blocks."""
     color = look.color("white", "red", "navy", "teal", "black", "wooden", "mustard")
     if look.chance(0.25):
         wood = look.surface(color, "wood")
@@ -496,7 +496,7 @@ def calendar(look: Look) -> Shape:
           themes=("office",), roles=("flat",), colors=("white", "cream"), state="lying flat",
           common=True)  # fmt: skip
 def envelope(look: Look) -> Shape:
-    """An envelope, its face with stamp and address or its flap up."""
+    """An envelope with a stamp and an address, or with its flap up."""
     x, y = look.between(0.16, 0.225), look.between(0.11, 0.125)
     color = look.color("white", "cream", "tan", "sky", "pink", "sage")
     image = prints.canvas(224, 128, color)
@@ -536,7 +536,7 @@ def envelope(look: Look) -> Shape:
           "agenda", "application form", "leaflet", "flyer"), themes=("office",),
           roles=("support", "flat"), state="lying flat", common=True)  # fmt: skip
 def paper_stack(look: Look) -> Shape:
-    """A few printed sheets lying on each other, a little askew."""
+    """A few printed sheets in a slightly uneven stack."""
     x, y, t = 0.21, 0.297, 0.0012
     pieces = []
     count = int(look.rng.integers(3, 6))
@@ -552,7 +552,7 @@ def paper_stack(look: Look) -> Shape:
           "letter to santa", "letter to father christmas"), themes=("office",), roles=("flat",),
           colors=("white", "cream"), state="lying flat")  # fmt: skip
 def letter(look: Look) -> Shape:
-    """A handwritten or typed letter, folded in three and open again."""
+    """A handwritten or typed letter with creases from folding in three."""
     x, y = look.between(0.15, 0.21), look.between(0.21, 0.28)
     color = look.color("white", "white", "cream", "ivory", "pink", "sky", spread=10)
     image = prints.canvas(144, 192, color)
@@ -588,7 +588,7 @@ def letter(look: Look) -> Shape:
           aliases=("price label", "price card", "price sign", "sale tag"), themes=("office",),
           roles=("flat",), colors=("white", "yellow"))  # fmt: skip
 def price_tag(look: Look) -> Shape:
-    """A price tag: a card with a hole and a string lying flat, or one on a small stand."""
+    """A price tag with a hole and a string lying flat, or a price tag on a small stand."""
     color = look.color("white", "yellow", "tan", "red", "orange", "lime", "sky")
     price = f"{int(look.rng.integers(1, 99))}.{look.pick(['99', '50', '00', '95'])}"
     ink = readable_on(color)

@@ -1,4 +1,4 @@
-"""Snacks (office)."""
+"""Objects of the ``office`` theme: snacks."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def energy_drink(look: Look) -> Shape:
           "pack of chewing gum"), themes=("office",), roles=("flat",), colors=("green", "blue"),
           state="lying flat")  # fmt: skip
 def chewing_gum(look: Look) -> Shape:
-    """A slim packet of chewing gum sticks, one pulled out."""
+    """A slim packet of chewing gum with one stick pulled out."""
     x, y, h = look.between(0.068, 0.08), look.between(0.02, 0.026), look.between(0.011, 0.014)
     color = look.color("green", "blue", "teal", "red", "yellow", "pink")
     face = prints.canvas(160, 56, color)
@@ -48,7 +48,7 @@ def _bar(x: float, y: float, h: float, radius: float) -> Solid:
           themes=("office",), roles=("edible",), colors=("green", "orange"),
           state="lying flat")  # fmt: skip
 def granola_bar(look: Look) -> Shape:
-    """A bar of oats and nuts, half out of its wrapper."""
+    """A bar of oats and nuts, half unwrapped."""
     x, y, h = look.between(0.1, 0.12), look.between(0.032, 0.038), look.between(0.018, 0.022)
     color = look.color("green", "orange", "blue", "red", "teal", "purple")
     bar = _bar(0.5 * x, y - 0.004, h - 0.004, 0.005).move(x=-0.24 * x, z=0.001)
@@ -70,7 +70,7 @@ def granola_bar(look: Look) -> Shape:
           "cup noodle", "noodle cup", "pot noodle", "instant noodles cup"), themes=("office",),
           roles=("round",), colors=("red",))  # fmt: skip
 def instant_noodles(look: Look) -> Shape:
-    """A cup of instant noodles with its lid peeled half back, or shut."""
+    """A cup of instant noodles with its lid half peeled off, or closed."""
     r, h = look.between(0.046, 0.054), look.between(0.1, 0.115)
     color = look.color("red", "orange", "green", "yellow", "purple")
     image = prints.label(look.rng, look.pick(["NOODLES", "RAMEN", "CUP"]), color, (248, 246, 240))

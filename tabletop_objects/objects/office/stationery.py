@@ -1,4 +1,4 @@
-"""Stationery (office)."""
+"""Objects of the ``office`` theme: stationery."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ BLACK = surfaces.plain((34, 34, 37))
           themes=("office",), roles=("big",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=4)
 def guillotine(look: Look) -> Pieces:
-    """A paper cutter: a ruled board with a long arm blade."""
+    """A paper cutter: a ruled board with a long arm and blade."""
     board = at_block(0.32, 0.26, 0.018, 0.008)
     image = surfaces.grid((140, 160, 170), (206, 216, 214), 14, 18)
     tile = plastic(look, "black", "gray", "blue", "green")
@@ -69,7 +69,7 @@ def plastic_sleeve(look: Look) -> Pieces:
           roles=("flat",), colors=("gold",))  # fmt: skip
 @from_pieces()
 def pen_nib(look: Look) -> Pieces:
-    """A metal nib lying, its point to the right, with a dark slit and a small hole."""
+    """A metal nib lying flat with its point on the right, a dark slit and a small hole."""
     steel = metal(look, "gold", "silver", "bronze")
     body = plate([(-0.016, -0.0035), (0.0, -0.0042), (0.018, -0.0002), (0.018, 0.0002),
                   (0.0, 0.0042), (-0.016, 0.0035)], 0.0016)  # fmt: skip
@@ -98,7 +98,7 @@ def blotter(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces(foot=0.1, bodies=1)
 def pencil_grip(look: Look) -> Pieces:
-    """A short plastic sleeve lying, narrower in the middle, a dark hole at its right end."""
+    """A short plastic grip lying flat, narrower in the middle, with a dark hole on the right."""
     return [(spindle((-0.02, 0.0058), (-0.016, 0.0075), (0.0, 0.0062), (0.016, 0.0075),
                      (0.02, 0.0058), sides=12, z=0.0073), plastic(look, *PAINTS)),
             (spindle((0.0199, 0.0036), (0.0205, 0.0036), z=0.0073), BLACK)]  # fmt: skip
@@ -110,7 +110,7 @@ def pencil_grip(look: Look) -> Pieces:
 @at_rest
 @from_pieces()
 def staple_remover(look: Look) -> Pieces:
-    """A staple remover: two jaws with fangs on a hinge."""
+    """A staple remover: two hinged jaws with teeth."""
     shell = plastic(look, "black", "red", "blue", "gray")
     pads = [at_block(0.045, 0.026, 0.008, 0.008).turn(1, s * 0.28).move(0, 0, 0.013 - s * 0.013)
             for s in (-1, 1)]  # fmt: skip
@@ -128,7 +128,7 @@ def staple_remover(look: Look) -> Pieces:
           "card of needles"), themes=("office",), roles=("flat",), colors=("sky",))  # fmt: skip
 @from_pieces(bodies=1)
 def safety_pin_card(look: Look) -> Pieces:
-    """A card headed PINS with six metal pins in a column."""
+    """A card titled PINS with six metal pins in a column."""
     card = at_box(0.07, 0.1, 0.0014)
     image = prints.canvas(64, 92, look.color("sky", "cream", "pink", "yellow"))
     prints.write(image, "PINS", 0.5, 0.12, 0.1, (40, 40, 60), True)
@@ -171,7 +171,7 @@ STEEL: RGB = (186, 189, 194)
           "chalkboard slate", "blackboard", "writing slate", "slate board"), themes=("office",),
           roles=("big", "tall"), colors=("silver",))  # fmt: skip
 def whiteboard(look: Look) -> Shape:
-    """A small whiteboard on feet, something drawn on it."""
+    """A small whiteboard with a drawing on it, standing on feet."""
     k = look.between(0.88, 1.06)
     color = look.color("silver", "wooden", "black", "blue", "white", "red")
     x, h = 0.32 * k, 0.23 * k
@@ -210,7 +210,7 @@ def whiteboard(look: Look) -> Shape:
           "board rubber", "dry eraser", "whiteboard rubber"), themes=("office",),
           colors=("blue",))  # fmt: skip
 def whiteboard_eraser(look: Look) -> Shape:
-    """An eraser for a board: a grip over a felt pad."""
+    """A board eraser: a grip on a felt pad."""
     k = look.between(0.9, 1.1)
     color = look.color("blue", "wooden", "black", "red", "green", "yellow")
     x, y = 0.125 * k, 0.05 * k
@@ -225,7 +225,7 @@ def whiteboard_eraser(look: Look) -> Shape:
           aliases=("highlighter pen", "highlighter marker", "text marker"), themes=("office",),
           roles=("flat",), colors=("yellow", "pink"), state="lying flat")  # fmt: skip
 def highlighter(look: Look) -> Shape:
-    """A flat highlighter lying, its cap in a bright colour."""
+    """A highlighter with a bright cap, lying flat."""
     k = look.between(0.92, 1.06)
     color = look.color("yellow", "lime", "pink", "orange", "cyan", "yellow")
     x, y, h = 0.118 * k, 0.026 * k, 0.014 * k
@@ -265,7 +265,7 @@ def push_pin(look: Look) -> Shape:
           "cycle clip", "toe clip", "mudguard clip", "baby gate latch"), themes=("office",),
           roles=("flat",), colors=("silver",))  # fmt: skip
 def paper_clip(look: Look) -> Shape:
-    """One paper clip lying."""
+    """A single paper clip, lying flat."""
     k = look.between(1.0, 1.5)
     color = look.color("silver", "silver", "red", "blue", "green", "yellow", "gold", "pink")
     r = 0.0007 * k
@@ -287,7 +287,7 @@ RAINBOW = ("red", "orange", "yellow", "green", "teal", "blue", "purple", "pink",
           assembled=True, aliases=("box of paper clips",), themes=("office",), roles=("flat",),
           colors=("silver",), state="lying flat", noun="pile of paper clips")  # fmt: skip
 def paper_clips(look: Look) -> Shape:
-    """A few paper clips lying about."""
+    """A few paper clips, lying flat."""
     color = look.color("silver", "silver", "red", "blue", "gold", "green", "pink")
     mixed = look.chance(0.4)
     pieces, parts = [], []
@@ -337,7 +337,7 @@ def binder_clip(look: Look) -> Shape:
           "corner rounder", "embossing tool", "leather hole punch"), themes=("office",),
           colors=("black", "red"))  # fmt: skip
 def hole_punch(look: Look) -> Shape:
-    """A two-hole punch: a base with a ruler, two punches under a broad lever."""
+    """A two-hole punch: a base with a ruler and two punches under a broad lever."""
     k = look.between(0.92, 1.12)
     color = look.color("black", "red", "blue", "silver", "gray", "teal", "green")
     skin, dark = look.surface(color, "metal"), surfaces.speckles(look.rng, (48, 49, 53), 4)
@@ -359,7 +359,7 @@ def hole_punch(look: Look) -> Shape:
           "date stamp", "signet seal"), themes=("office",), roles=("tall",),
           colors=("wooden", "black"))  # fmt: skip
 def stamp(look: Look) -> Shape:
-    """A rubber stamp: a turned wooden grip, or a self-inking one."""
+    """A rubber stamp with a turned wooden grip, or a self-inking one."""
     color = look.color("wooden", "brown", "black", "red", "tan", "blue")
     if look.chance(0.65):
         h = look.between(0.07, 0.09)
@@ -437,7 +437,7 @@ def thumbtacks(look: Look) -> Shape:
           "folder of documents", "portfolio", "file"), themes=("office",),
           roles=("flat", "support", "big"), colors=("tan", "blue"), state="lying flat")  # fmt: skip
 def folder(look: Look) -> Shape:
-    """A manila or coloured folder lying flat, a tab at its back, sheets showing."""
+    """A manila or coloured folder lying flat, with a tab at its back and visible sheets."""
     x, y, h = look.between(0.3, 0.32), look.between(0.225, 0.245), look.between(0.006, 0.014)
     color = look.color("tan", "beige", "beige", "red", "blue", "green", "yellow", "gray")
     card = surfaces.speckles(look.rng, color, 5, 64)
@@ -469,7 +469,7 @@ def folder(look: Look) -> Shape:
           "tape gun"), themes=("office", "craft"), colors=("black", "teal"),
           common=True)  # fmt: skip
 def tape_dispenser(look: Look) -> Shape:
-    """A desk dispenser with a roll of sticky tape."""
+    """A desk dispenser with a roll of adhesive tape."""
     k = look.between(0.92, 1.12)
     color = look.color("black", "teal", "red", "white", "blue", "gray", "pink")
     shell = surfaces.speckles(look.rng, color, 4)
@@ -502,7 +502,7 @@ def tape_dispenser(look: Look) -> Shape:
           aliases=("clip board", "checklist"), themes=("office", "medical"), roles=("flat", "big"),
           colors=("brown",), state="lying flat", common=True)  # fmt: skip
 def clipboard(look: Look) -> Shape:
-    """A clipboard holding sheets under its steel clip."""
+    """A clipboard with sheets under its steel clip."""
     x, y = look.between(0.215, 0.235), look.between(0.3, 0.325)
     color = look.color("brown", "wooden", "black", "blue", "pink", "teal")
     word = "oak" if color[0] > color[2] + 40 else "plastic"
@@ -531,7 +531,7 @@ def clipboard(look: Look) -> Shape:
           aliases=("ring binder", "lever arch file", "box file", "file divider"),
           themes=("office",), roles=("tall",), colors=("blue", "black"), common=True)  # fmt: skip
 def binder(look: Look) -> Shape:
-    """A ring binder standing upright, its labelled spine to the viewer."""
+    """An upright ring binder with its labelled spine towards the viewer."""
     x, y, z = look.between(0.05, 0.08), look.between(0.26, 0.29), look.between(0.3, 0.32)
     color = look.color("blue", "black", "red", "green", "gray", "yellow", "white")
     spine = prints.canvas(48, 200, color)
@@ -557,7 +557,7 @@ def binder(look: Look) -> Shape:
           aliases=("electric stapler",), themes=("office",), colors=("black", "red"),
           common=True)  # fmt: skip
 def stapler(look: Look) -> Shape:
-    """A desk stapler, jaws slightly open towards the left."""
+    """A desk stapler with its jaws slightly open on the left."""
     color = look.color("black", "red", "blue", "teal", "gray", "white", "pink", "yellow", "mint")
     shell, dark = surfaces.speckles(look.rng, color, 4, 32), surfaces.plain((52, 52, 56))
     steel = surfaces.brushed_metal(look.rng, (182, 184, 190))
@@ -590,7 +590,7 @@ def ruler(look: Look) -> Shape:
           aliases=("elastic band", "elastic", "hair band", "elastic band roll", "loom bands"),
           themes=("office",), roles=("flat",), colors=("tan", "red"))  # fmt: skip
 def rubber_band(look: Look) -> Shape:
-    """A rubber band lying in a loose loop."""
+    """A rubber band in a loose loop."""
     k = look.between(0.9, 1.25)
     color = look.color("tan", "red", "blue", "green", "yellow", "tan", "pink")
     a = np.linspace(0, 2 * np.pi, 40, endpoint=False)
@@ -616,7 +616,7 @@ def rubber_band(look: Look) -> Shape:
           aliases=("rubber", "pencil eraser", "rubber eraser"), themes=("office", "craft"),
           roles=("flat",), colors=("white", "pink"), state="lying flat")  # fmt: skip
 def eraser(look: Look) -> Shape:
-    """A rubber: white in a printed sleeve, pink and slanted, or of two colours."""
+    """An eraser: white in a printed sleeve, pink and slanted, or in two colours."""
     x, y, h = look.between(0.045, 0.06), look.between(0.019, 0.024), look.between(0.011, 0.014)
     kind = look.pick(["sleeve", "sleeve", "pink", "two"])
     if kind == "sleeve":
@@ -699,7 +699,7 @@ def pencil_sharpener(look: Look) -> Shape:
 
 
 def _lying(profile: list[tuple[float, float]], sides: int) -> Solid:
-    """Return a rod of revolution lying along x on z = 0, its widest facet down."""
+    """Return a solid of revolution lying along x on z = 0, with its widest facet down."""
     rod = lathe(profile, sides).turn(1, np.pi / 2)
     low, high = rod.bounds
     return rod.move(x=-(low[0] + high[0]) / 2, z=-low[2])
@@ -711,7 +711,7 @@ def _lying(profile: list[tuple[float, float]], sides: int) -> Solid:
           "stylus pen", "black pen", "gel pen", "biro"), themes=("office",), roles=("flat",),
           colors=("blue", "black", "red"), state="lying flat", common=True)  # fmt: skip
 def pen(look: Look) -> Shape:
-    """A ball pen lying flat, with tip, barrel, grip and clip."""
+    """A ballpoint pen lying flat, with a tip, a barrel, a grip and a clip."""
     r, length = look.between(0.0048, 0.0056), look.between(0.138, 0.15)
     color = look.color(
         "blue", "black", "red", "green", "silver", "white", "teal", "pink", "gold", "purple"
@@ -735,7 +735,7 @@ def pen(look: Look) -> Shape:
           "lead refill tube"), themes=("office", "craft"), roles=("flat",),
           colors=("yellow", "red"), state="lying flat", common=True)  # fmt: skip
 def pencil(look: Look) -> Shape:
-    """A six-sided pencil lying on a facet: lead, wood, paint, ferrule, rubber."""
+    """A six-sided pencil lying on a facet: lead, wood, paint, a ferrule and an eraser."""
     r, length = 0.0039, look.between(0.16, 0.185)
     color = look.color(
         *("yellow", "yellow", "red", "blue", "green", "black", "orange", "wooden", "pink", "white")
@@ -753,7 +753,7 @@ def pencil(look: Look) -> Shape:
           themes=("office", "craft"), roles=("flat",), colors=("red", "blue", "green"),
           state="lying flat", common=True)  # fmt: skip
 def marker(look: Look) -> Shape:
-    """A thick felt pen lying flat with its cap on."""
+    """A thick felt-tip pen with its cap on, lying flat."""
     r, length = look.between(0.0085, 0.0095), look.between(0.12, 0.135)
     color = look.color(
         "red", "blue", "green", "black", "purple", "orange", "pink", "yellow", "teal"
@@ -775,7 +775,7 @@ def marker(look: Look) -> Shape:
           "tool roll", "baby pouch"), themes=("office", "craft"), colors=("navy", "teal"),
           state="lying flat", common=True)  # fmt: skip
 def pencil_case(look: Look) -> Shape:
-    """A soft zipped pencil case, lying."""
+    """A soft, zipped pencil case, lying flat."""
     x, y, h = look.between(0.19, 0.21), look.between(0.065, 0.08), look.between(0.045, 0.055)
     cloth = surfaces.fabric(look.rng, look.color("navy", "teal", "red", "gray", "pink", "mustard"))
     body = prism(rectangle(x, y, 0.03), 0, h, 0.012)

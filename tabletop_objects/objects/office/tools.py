@@ -1,4 +1,4 @@
-"""Tools (office)."""
+"""Objects of the ``office`` theme: tools."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ WHITE = surfaces.plain((244, 243, 240))
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def watercolour_set(look: Look) -> Pieces:
-    """A watercolour box, open: two rows of pans, a lid behind, a brush."""
+    """An open watercolour box with two rows of pans, a lid behind and a brush."""
     case = metal(look, "black", "white", "silver", "red")
     body, lid = (at_block(0.19, 0.075, 0.014, 0.006),
                  at_block(0.19, 0.075, 0.008, 0.006).turn(0, 1.1))  # fmt: skip
@@ -74,7 +74,7 @@ def stencil(look: Look) -> Pieces:
           themes=("office",), roles=("flat", "big"), colors=("wooden",))  # fmt: skip
 @from_pieces()
 def silkscreen(look: Look) -> Pieces:
-    """A printing frame with mesh and a picture."""
+    """A screen printing frame with a mesh and a picture."""
     tile = wood(look, "wooden", "beige", "brown")
     sides = [at_box(0.26, 0.025, 0.022, (0, s * 0.1475, 0)) for s in (-1, 1)] + [
         at_box(0.025, 0.27, 0.022, (s * 0.1175, 0, 0)) for s in (-1, 1)
@@ -92,7 +92,7 @@ def silkscreen(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.1, bodies=3)
 def airbrush(look: Look) -> Pieces:
-    """An airbrush lying: a slim metal body, a cup on top, a lever, a valve, a black hose."""
+    """An airbrush lying flat: a slim metal body, a cup on top, a lever, a valve and a hose."""
     steel = metal(look, "silver", "gold", "gray")
     z = 0.012
     body = spindle((-0.08, 0.0055), (-0.075, 0.0085), (-0.02, 0.0085), (0.03, 0.0075),
@@ -111,7 +111,7 @@ def airbrush(look: Look) -> Pieces:
           colors=("yellow",))  # fmt: skip
 @from_pieces(foot=0.1, bodies=3)
 def rotary_cutter(look: Look) -> Pieces:
-    """A rotary cutter lying: a curved handle, a round blade at its end."""
+    """A rotary cutter lying flat: a curved handle with a round blade at its end."""
     tile = plastic(look, "yellow", "pink", "purple", "teal", "red")
     grip = rod([(-0.08, -0.012, 0.011), (-0.03, 0.004, 0.011), (0.02, 0.006, 0.011),
                 (0.045, 0.0, 0.011)], [0.011, 0.012, 0.0105, 0.01], 12)  # fmt: skip
@@ -127,7 +127,7 @@ def rotary_cutter(look: Look) -> Pieces:
           aliases=("pricing gun", "labelling gun", "label gun", "labeling gun", "price tag gun",
           "tagging gun"), themes=("office",), colors=("orange",), state="lying flat")  # fmt: skip
 def price_gun(look: Look) -> Shape:
-    """A labelling gun lying on its side: a body, a pistol grip, a roll of labels."""
+    """A price labelling gun lying on its side: a body, a pistol grip and a roll of labels."""
     k = look.between(0.92, 1.06)
     color = look.color("orange", "blue", "yellow", "red", "green")
     body = block(0.13, 0.05, 0.034, 0.012, 0.004)
@@ -187,7 +187,7 @@ def french_curve(look: Look) -> Pieces:
           colors=("wooden",))  # fmt: skip
 @from_pieces()
 def t_square(look: Look) -> Pieces:
-    """A wooden T-square lying: a head to the left, a long blade with a scale to the right."""
+    """A wooden T-square lying flat: a head on the left and a long blade with a scale."""
     tile = wood(look, "wooden", "tan", "beige")
     blade = at_box(0.4, 0.04, 0.003, (0.02, 0, 0.004))
     head = at_box(0.03, 0.2, 0.008, (-0.185, 0, 0))
@@ -203,7 +203,7 @@ def t_square(look: Look) -> Pieces:
           "mathematical instruments"), themes=("office",), colors=("silver",))  # fmt: skip
 @from_pieces(bodies=6)
 def geometry_set(look: Look) -> Pieces:
-    """An open tin of drawing tools: compasses, set square, protractor, ruler, pencil."""
+    """An open tin of drawing tools: compasses, a set square, a protractor, a ruler and a pencil."""
     tile = metal(look, "silver", "blue", "red", "gold")
     floor = at_box(0.2, 0.1, 0.002)
     sides = [at_box(0.2, 0.002, 0.018, (0, s * 0.049, 0)) for s in (-1, 1)] + [
@@ -230,7 +230,7 @@ def geometry_set(look: Look) -> Pieces:
           aliases=("drawing pantograph",), themes=("office",), colors=("wooden",))  # fmt: skip
 @from_pieces()
 def pantograph(look: Look) -> Pieces:
-    """A pantograph lying: two long wooden bars, two short ones between them, metal pins."""
+    """A pantograph lying flat: two long and two short wooden bars joined by metal pins."""
     tile = wood(look, "wooden", "tan", "beige")
     a, b, c, d, e = (-0.14, -0.06), (0.0, 0.09), (0.12, -0.06), (-0.07, 0.015), (0.06, 0.015)
     bars = [straight((*p, 0.006), (*q, 0.006), 0.006, 4) for p,
@@ -245,7 +245,7 @@ def pantograph(look: Look) -> Pieces:
 @vary(0.08)
 @from_pieces(bodies=4)
 def slide_rule(look: Look) -> Pieces:
-    """A slide rule: a body with scales, a slide drawn out a little, a cursor."""
+    """A slide rule: a body with scales, a slightly extended slide and a cursor."""
     scale = prints.rule(25, (246, 242, 226), (40, 40, 46))
     body = [at_box(0.28, 0.013, 0.007, (0, s * 0.0125, 0)) for s in (-1, 1)]
     out = look.between(0.01, 0.04)

@@ -1,4 +1,4 @@
-"""Toys (office)."""
+"""Objects of the ``office`` theme: various toys."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ...kit.surfaces import Look, tint_color
           "wooden chair"), themes=("office",), colors=("wooden",))  # fmt: skip
 @from_pieces()
 def toy_chair(look: Look) -> Pieces:
-    """A small chair: a seat, four legs, a back of slats."""
+    """A small chair with a seat, four legs and a back of slats."""
     tile = wood(look, "wooden", "white", "brown", "pink", "red")
     seat = at_block(0.05, 0.05, 0.006, 0.006, (0, 0, 0.045))
     legs = [disc(0.0035, 0.046, (x, y, 0), sides=10) for x in (-0.02, 0.02) for y in (-0.02, 0.02)]
@@ -34,7 +34,7 @@ def toy_chair(look: Look) -> Pieces:
           aliases=("newton's cradle", "newton cradle", "pendulum balls", "pendulum",
           "desk pendulum"), themes=("office",), roles=("tall",), colors=("silver",))  # fmt: skip
 def newtons_cradle(look: Look) -> Shape:
-    """Five steel balls hanging in a row from a frame."""
+    """A Newton's cradle: five steel balls hanging in a row from a frame."""
     k = look.between(0.85, 1.05)
     color = look.color("silver", "black", "gold", "charcoal")
     x, y, h = 0.15 * k, 0.11 * k, 0.14 * k
@@ -86,7 +86,7 @@ def planet_model(look: Look) -> Pieces:
           colors=("brown",))  # fmt: skip
 @from_pieces(bodies=2)
 def volcano_model(look: Look) -> Pieces:
-    """A fluted rock cone on a square base, lava in its crater and in four streams down it."""
+    """A volcano model: a rock cone on a square base with lava in its crater and on its slopes."""
     color = look.color("brown", "charcoal", "terracotta")
     rock = standing((0.09, 0.008), (0.075, 0.025), (0.05, 0.07), (0.03, 0.115), (0.018, 0.115),
                     (0.012, 0.1), sides=18)  # fmt: skip
@@ -114,7 +114,7 @@ def volcano_model(look: Look) -> Pieces:
           "pie chart model"), themes=("office",), colors=("red",))  # fmt: skip
 @from_pieces()
 def fraction_circle(look: Look) -> Pieces:
-    """A disc cut into coloured wedges."""
+    """A fraction circle: a disc cut into coloured wedges."""
     n = look.pick([4, 6, 8])
     pieces: Pieces = []
     for k in range(n):
@@ -133,7 +133,7 @@ def fraction_circle(look: Look) -> Pieces:
           "multilink cubes"), themes=("office",), colors=("red", "blue"))  # fmt: skip
 @from_pieces()
 def linking_cubes(look: Look) -> Pieces:
-    """Six linking cubes in a rod."""
+    """Six linking cubes joined into a rod."""
     s = 0.02
     pieces: Pieces = []
     for k in range(6):
@@ -164,7 +164,7 @@ def soma_cube(look: Look) -> Pieces:
           roles=("tall",), colors=("wooden",))  # fmt: skip
 @from_pieces()
 def galton_board(look: Look) -> Pieces:
-    """A Galton board: a funnel, rows of pins, bins with a bell curve of beads."""
+    """A Galton board: a funnel, rows of pins and bins with a bell curve of beads."""
     image = prints.canvas(96, 144, (238, 232, 214))
     for row in range(9):
         for k in range(9 + row % 2):

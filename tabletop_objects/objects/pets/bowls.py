@@ -1,4 +1,4 @@
-"""Bowls (pets)."""
+"""Objects of the ``pets`` theme: bowls."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...kit.surfaces import Look, readable_on, tint_color
           "cat food"), themes=("pets",), roles=("round", "container", "big"),
           colors=("red", "blue"), common=True)  # fmt: skip
 def pet_bowl(look: Look) -> Shape:
-    """A pet's bowl, empty or with kibble, a bone or paw print on its side."""
+    """A pet bowl, empty or with kibble, with a bone or paw print on its side."""
     r, h = look.between(0.075, 0.1), look.between(0.045, 0.06)
     color = look.color("red", "blue", "teal", "silver", "pink", "orange", "green")
     wall = 0.3 * r

@@ -1,4 +1,4 @@
-"""Devices (play)."""
+"""Objects of the ``play`` theme: electronic devices."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ DARK = (40, 41, 45)
           aliases=("gamepad", "controller", "game pad"), themes=("play", "living"),
           colors=("black", "white"), state="lying flat", common=True)  # fmt: skip
 def game_controller(look: Look) -> Shape:
-    """A game pad lying flat: two grips, sticks, buttons."""
+    """A game pad lying flat, with two grips, sticks and buttons."""
     color = look.color("black", "white", "blue", "red", "purple", "teal", "pink", "gray", "lime")
     shell = surfaces.speckles(look.rng, color, 3, 32)
     dark = surfaces.plain(
         look.pick([tint_color(DARK, 0.8), (226, 226, 228), tint_color(color, 0.5)])
     )
     rear = look.pick([shell, surfaces.speckles(look.rng, tint_color(color, 0.55), 3, 32)])
-    low = look.pick([0.0, 0.0, -0.02])  # where the left stick sits
+    low = look.pick([0.0, 0.0, -0.02])  # position of the left stick
     span = look.between(0.92, 1.06)
-    half = np.array(  # from the middle of the front round to the middle of the back
+    half = np.array(  # from the middle of the front around to the middle of the back
         [
             (0, -0.018),
             (0.028, -0.02),

@@ -1,4 +1,4 @@
-"""Stationery (school)."""
+"""Objects of the ``school`` theme: stationery."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ..craft.art_supplies import stick
           aliases=("half circle protractor", "angle measure"), themes=("school",), roles=("flat",),
           colors=("clear", "yellow"))  # fmt: skip
 def protractor(look: Look) -> Shape:
-    """A half-round protractor with a scale, lying."""
+    """A semicircular protractor with a scale, lying flat."""
     k = look.between(0.88, 1.15)
     color = look.color("clear", "sky", "yellow", "clear", "pink", "orange", "mint")
     r = 0.055 * k
@@ -48,7 +48,7 @@ def protractor(look: Look) -> Shape:
           "triangular ruler"), themes=("school",), roles=("flat",),
           colors=("clear", "sky"))  # fmt: skip
 def set_square(look: Look) -> Shape:
-    """A drawing triangle with a scale and a cut-out, lying."""
+    """A set square with a scale and a cut-out, lying flat."""
     k = look.between(0.88, 1.15)
     color = look.color("clear", "sky", "green", "orange", "clear", "yellow", "pink")
     x, y = 0.16 * k, look.pick([0.16, 0.0925]) * k
@@ -72,7 +72,7 @@ def set_square(look: Look) -> Shape:
           "school compass", "circle compass", "math compass", "dividers", "compass for drawing"),
           themes=("school",), colors=("silver",))  # fmt: skip
 def drawing_compass(look: Look) -> Shape:
-    """A pair of compasses lying: two legs joined at a knob."""
+    """A pair of compasses lying flat: two legs joined at a knob."""
     k = look.between(0.9, 1.1)
     metal = look.surface(look.color("silver", "silver", "gold", "black", "blue"), "metal")
     spread, z = look.between(0.18, 0.34), 0.0042 * k
@@ -101,7 +101,7 @@ def drawing_compass(look: Look) -> Shape:
           aliases=("counting frame", "bead frame", "row counter"), themes=("school",),
           roles=("tall", "big"), colors=("wooden",))  # fmt: skip
 def abacus(look: Look) -> Shape:
-    """A standing frame with rows of coloured beads."""
+    """An abacus: an upright frame with rows of coloured beads."""
     k = look.between(0.88, 1.06)
     wood = look.surface(look.color("wooden", "tan", "red", "wooden", "blue"), "wood")
     x, h, t = 0.22 * k, 0.2 * k, 0.012 * k
@@ -129,7 +129,7 @@ def abacus(look: Look) -> Shape:
 
 
 def thick_book(titles: tuple[str, ...], size: tuple[float, float, float]) -> Callable[..., Shape]:
-    """A thick hardcover lying, a title across its cover."""
+    """A thick hardcover book with a title across its cover, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)

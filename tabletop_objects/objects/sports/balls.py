@@ -1,4 +1,4 @@
-"""Balls (sports)."""
+"""Objects of the ``sports`` theme: balls."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def seam(radius: float, wave: float) -> Solid:
 
 
 def football_skin(color: RGB, ink: RGB = (30, 32, 36)) -> Tile:
-    """A ball's skin of pentagons of ``ink`` among pale faces, thin seams between."""
+    """Return a ball's skin with pentagons in ``ink`` among pale faces, with thin seams."""
     golden = (1 + 5**0.5) / 2
     corners = np.array([p for a in (-1, 1) for b in (-golden, golden)
                         for p in ((0, a, b), (a, b, 0), (b, 0, a))], float)  # fmt: skip
@@ -44,7 +44,7 @@ def football_skin(color: RGB, ink: RGB = (30, 32, 36)) -> Tile:
           "badminton ball", "shuttle"), themes=("sports",), roles=("round",),
           colors=("white",))  # fmt: skip
 def shuttlecock(look: Look) -> Shape:
-    """A shuttlecock standing on the rim of its feathers, cork up."""
+    """A shuttlecock standing on the rim of its feathers with its cork up."""
     k = look.between(0.95, 1.08)
     color = look.color("white", "white", "white", "yellow")
     image = prints.canvas(160, 64, color)
@@ -84,7 +84,7 @@ BRIGHT = ("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
           "sandbag", "small sandbag"), themes=("sports", "toys"),
           colors=("red", "blue"))  # fmt: skip
 def beanbag(look: Look) -> Shape:
-    """A small square beanbag, plump, for throwing."""
+    """A small, plump, square beanbag for throwing."""
     color = look.color(*BRIGHT)
     k = look.between(0.8, 1.2)
     body = pad(0.1, 0.1, 0.034, 0.022, soft=0.95)
@@ -105,7 +105,7 @@ def _sphere_print(look: Look, d: float, image: surfaces.Tile) -> Shape:
           aliases=("beach volleyball", "mini volleyball"), themes=("sports",),
           roles=("round", "big"))  # fmt: skip
 def volleyball(look: Look) -> Shape:
-    """A mini volleyball in panels of two or three colours."""
+    """A mini volleyball with panels in two or three colours."""
     d = look.between(0.14, 0.2)
     tones = [look.color("white", "yellow", "cream"), look.own_color("blue", "navy", "red"),
              look.own_color("yellow", "white", "green")]  # fmt: skip
@@ -164,7 +164,7 @@ def bowling_ball(look: Look) -> Shape:
           aliases=("rugby", "mini rugby ball"), themes=("sports",), roles=("big",),
           colors=("white",))  # fmt: skip
 def rugby_ball(look: Look) -> Shape:
-    """A rugby ball lying, coloured panels at its ends."""
+    """A rugby ball with coloured panels at its ends, lying flat."""
     k = look.between(0.62, 0.8)
     color = look.color("white", "white", "cream", "orange")
     other = look.own_color("red", "blue", "green", "navy", "black")
@@ -195,7 +195,7 @@ def hockey_puck(look: Look) -> Shape:
 
 
 def _ball(d: float, cover: surfaces.Tile, seams: list[Solid], ink: RGB, *, fine: int = 28) -> Shape:
-    """Return a ball of diameter ``d`` with raised or printed seams, resting on a small flat."""
+    """Return a ball of diameter ``d`` with raised or printed seams and a small flat spot."""
     core = ellipsoid(d, d, d, fine, 18)
     pieces = [(press_flat(core, 0.488 * d), cover)]
     if seams:
@@ -207,7 +207,7 @@ def _ball(d: float, cover: surfaces.Tile, seams: list[Solid], ink: RGB, *, fine:
           aliases=("racquetball", "padel ball", "squash ball"), themes=("sports",),
           roles=("round",), colors=("lime",))  # fmt: skip
 def tennis_ball(look: Look) -> Shape:
-    """A yellow-green felt ball with its white seam."""
+    """A yellow-green felt ball with a white seam."""
     d, color = look.between(0.064, 0.068), look.color("lime", "lime", "yellow", "lime", spread=16)
     cover = surfaces.scratches(look.rng, color, tint_color(color, 1.3), int(look.between(120, 320)))
     turn = look.between(-1, 1)
@@ -237,7 +237,7 @@ def baseball(look: Look) -> Shape:
           assembled=True, aliases=("mini basketball", "basket ball"), themes=("sports",),
           roles=("round", "big"), colors=("orange",))  # fmt: skip
 def basketball(look: Look) -> Shape:
-    """An orange pebbled ball with black seams, small as for a desk or of full size."""
+    """An orange pebbled ball with black seams, miniature or full size."""
     d = look.pick([look.between(0.1, 0.15), look.between(0.2, 0.24)])
     color = look.color("orange", "orange", "copper", "terracotta", spread=16)
     cover = surfaces.spots(look.rng, color, tint_color(color, 0.75), 0.2)
@@ -253,7 +253,7 @@ def basketball(look: Look) -> Shape:
           assembled=True, aliases=("football", "mini soccer ball", "soccerball", "foot ball"),
           themes=("sports",), roles=("round", "big"), colors=("white",))  # fmt: skip
 def soccer_ball(look: Look) -> Shape:
-    """A football of dark pentagons among pale hexagons, small or of full size."""
+    """A football of dark pentagons and pale hexagons, miniature or full size."""
     d = look.pick([look.between(0.09, 0.14), look.between(0.19, 0.22)])
     color = look.color("white", "white", "white", "white", "yellow", "sky", spread=14)
     ink = look.pick([(30, 32, 36), (30, 32, 36), (30, 60, 140), (180, 30, 40)])
@@ -264,7 +264,7 @@ def soccer_ball(look: Look) -> Shape:
           aliases=("golfball",), themes=("sports",), roles=("round",),
           colors=("white",))  # fmt: skip
 def golf_ball(look: Look) -> Shape:
-    """A dimpled golf ball, white or coloured, a mark on it."""
+    """A dimpled golf ball, white or coloured, with a mark on it."""
     d = 0.0427
     color = look.color("white", "white", "white", "yellow", "orange", "pink", "lime", spread=12)
     image = prints.canvas(192, 96, color)
@@ -288,7 +288,7 @@ def golf_ball(look: Look) -> Shape:
           hollow=True, assembled=True, aliases=("nfl football", "nfl ball"), themes=("sports",),
           roles=("big",), colors=("brown",), state="lying down")  # fmt: skip
 def american_football(look: Look) -> Shape:
-    """A pointed leather ball with white stripes and laces, lying."""
+    """A pointed leather ball with white stripes and laces, lying flat."""
     k = look.pick([look.between(0.55, 0.7), look.between(0.9, 1.0)])
     color = look.color("brown", "brown", "bronze", "maroon", "terracotta")
     t = np.linspace(-1, 1, 19)

@@ -1,4 +1,4 @@
-"""Equipment (sports)."""
+"""Objects of the ``sports`` theme: equipment."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "pink", "teal")
           "ping pong bat", "ping pong racket", "ping-pong paddle", "paddle"), themes=("sports",),
           roles=("flat",), colors=("red",), state="lying flat")  # fmt: skip
 def table_tennis_bat(look: Look) -> Shape:
-    """A table tennis bat lying, rubber up."""
+    """A table tennis bat lying with its rubber up."""
     k = look.between(0.95, 1.06)
     color = look.color("red", "black", "red", "blue", "green")
     blade = ellipse(0.15, 0.155, 36) * k
@@ -88,7 +88,7 @@ def table_tennis_bat(look: Look) -> Shape:
           aliases=("jump rope", "jumping rope", "skip rope", "jumprope"), themes=("sports",),
           colors=("red",))  # fmt: skip
 def skipping_rope(look: Look) -> Shape:
-    """A skipping rope laid in loops, two handles beside each other."""
+    """A skipping rope lying in loops with its two handles side by side."""
     k = look.between(0.94, 1.06)
     color = look.color(*BRIGHT)
     t = np.linspace(0, 1, 110)
@@ -118,7 +118,7 @@ RESISTANCE_BAND_BRIGHT = ("red", "blue", "green", "yellow", "orange", "purple", 
           aliases=("massage roller", "fitness roller", "exercise roller"), themes=("sports",),
           roles=("tall", "round"), colors=("black", "blue"))  # fmt: skip
 def foam_roller(look: Look) -> Shape:
-    """A ribbed foam roller standing on its end."""
+    """A ribbed foam roller, standing on its end."""
     color = look.color("black", "teal", "purple", "orange", "blue", "gray")
     k = look.between(0.8, 1.15)
     outer = [(0.058, 0), (0.06, 0.004)]
@@ -137,7 +137,7 @@ def foam_roller(look: Look) -> Shape:
           aliases=("exercise band", "loop band", "workout band"), themes=("sports",),
           colors=("red", "blue"))  # fmt: skip
 def resistance_band(look: Look) -> Shape:
-    """A flat loop of rubber lying in a soft oval."""
+    """A flat rubber loop, lying in a soft oval."""
     color = look.color(*RESISTANCE_BAND_BRIGHT)
     k = look.between(0.8, 1.2)
     a = np.linspace(0, 2 * np.pi, 41)[:-1]
@@ -153,7 +153,7 @@ def resistance_band(look: Look) -> Shape:
           aliases=("juggling pin", "indian club", "exercise club"), themes=("sports", "toys"),
           roles=("big",), colors=("red", "blue"))  # fmt: skip
 def juggling_club(look: Look) -> Shape:
-    """A juggling club lying, with coloured rings."""
+    """A juggling club with coloured rings, lying flat."""
     color = look.color("red", "blue", "yellow", "green", "pink", "orange", "white")
     k = look.between(0.75, 1.0)
     profile = [(0.011, 0), (0.016, 0.008), (0.012, 0.02), (0.011, 0.1), (0.02, 0.16), (0.042, 0.26),
@@ -175,7 +175,7 @@ def juggling_club(look: Look) -> Shape:
           aliases=("golf putter", "putter", "golf iron", "golf driver", "mini golf club",
           "toy golf club"), themes=("sports",), roles=("big",), colors=("silver",))  # fmt: skip
 def golf_club(look: Look) -> Shape:
-    """A short club lying: head, shaft and grip."""
+    """A short golf club lying flat: a head, a shaft and a grip."""
     color = look.color("silver", "black", "gold", "charcoal")
     k = look.between(0.4, 0.5)
     shaft = straight((-0.32, 0, 0.012), (0.42, 0, 0.012), [0.006, 0.0075], 10)
@@ -196,7 +196,7 @@ def golf_club(look: Look) -> Shape:
           aliases=("cricket stump", "wicket", "cricket wicket", "cricket bail", "set of stumps"),
           themes=("sports",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def cricket_stumps(look: Look) -> Shape:
-    """Three stumps in a base with two bails on them."""
+    """Three stumps in a base with two bails on top."""
     color = look.color("wooden", "tan", "yellow", "red", "blue")
     k = look.between(0.85, 1.15)
     base = block(0.1, 0.05, 0.014, 0.006, 0.003)
@@ -213,7 +213,7 @@ def cricket_stumps(look: Look) -> Shape:
           aliases=("archery arrow", "wooden arrow", "crossbow bolt"), themes=("sports",),
           roles=("big",), colors=("red", "yellow"))  # fmt: skip
 def arrow(look: Look) -> Shape:
-    """An arrow lying: shaft, point and three feathers."""
+    """An arrow lying flat: a shaft, a point and three feathers."""
     color = look.color("red", "yellow", "green", "white", "blue", "orange")
     k = look.between(0.45, 0.62)
     shaft = straight((-0.32, 0, 0.009), (0.34, 0, 0.009), 0.0042, 10)
@@ -233,7 +233,7 @@ def arrow(look: Look) -> Shape:
           aliases=("arrow quiver", "quiver of arrows"), themes=("sports",), roles=("tall",),
           colors=("brown",))  # fmt: skip
 def quiver(look: Look) -> Shape:
-    """A leather quiver standing, with a few arrows in it."""
+    """An upright leather quiver with a few arrows in it."""
     color = look.color("brown", "tan", "black", "maroon")
     k = look.between(0.85, 1.15)
     body = drum(0.032, 0.17, top=0.04)
@@ -258,7 +258,7 @@ def quiver(look: Look) -> Shape:
           aliases=("foam hand", "fan finger", "giant foam finger"), themes=("sports",),
           roles=("flat", "big"), colors=("blue", "red"))  # fmt: skip
 def foam_finger(look: Look) -> Shape:
-    """A big foam hand with one finger up, lying."""
+    """A big foam hand with one finger up, lying flat."""
     color = look.color("blue", "red", "green", "yellow", "purple")
     k = look.between(0.8, 1.1)
     rim = [(-0.055, -0.12), (0.055, -0.12), (0.065, 0.0), (0.06, 0.05), (0.02, 0.06), (0.02, 0.15),
@@ -274,7 +274,7 @@ def foam_finger(look: Look) -> Shape:
 
 
 def _boot(h: float) -> Solid:
-    """Return a boot's upper from the side, toe towards +x, standing on z = 0."""
+    """Return a boot's upper seen from the side, with its toe towards +x, standing on z = 0."""
     rim = [(-0.055, 0), (0.085, 0), (0.1, 0.012), (0.095, 0.032), (0.045, 0.052), (0.018, 0.075),
            (0.01, h), (-0.052, h), (-0.058, 0.06)]  # fmt: skip
     return side_view(rim, 0.062)
@@ -291,7 +291,7 @@ def _laces(h: float) -> list[Solid]:
           "finger skateboard"), themes=("sports", "toys"), roles=("support",),
           colors=("red", "black"))  # fmt: skip
 def skateboard(look: Look) -> Shape:
-    """A skateboard on its wheels, its ends turned up."""
+    """A skateboard with turned-up ends, standing on its wheels."""
     color = look.color("red", "black", "teal", "wooden", "orange", "purple")
     k = look.between(0.35, 0.5)
     x = np.array([-0.39, -0.3, -0.27, 0.27, 0.3, 0.39])
@@ -314,7 +314,7 @@ def skateboard(look: Look) -> Shape:
           aliases=("rollerskate", "rollerblade", "inline skate", "quad skate"), themes=("sports",),
           roles=("big",), colors=("white", "pink"))  # fmt: skip
 def roller_skate(look: Look) -> Shape:
-    """A laced boot on four wheels with a stopper at the toe."""
+    """A laced boot on four wheels with a stopper at its toe."""
     color = look.color("white", "pink", "black", "sky", "red", "mint")
     k = look.between(0.95, 1.25)
     boot = _boot(0.13).move(z=0.062)
@@ -340,7 +340,7 @@ def roller_skate(look: Look) -> Shape:
           aliases=("figure skate", "skate", "hockey skate"), themes=("sports",), roles=("big",),
           colors=("white",))  # fmt: skip
 def ice_skate(look: Look) -> Shape:
-    """A laced boot on a steel blade, held up by its broad holder."""
+    """A laced boot on a steel blade that stands upright on its broad holder."""
     color = look.color("white", "black", "white", "navy")
     k = look.between(0.95, 1.25)
     boot = _boot(0.13).move(z=0.052)
@@ -360,7 +360,7 @@ def ice_skate(look: Look) -> Shape:
           aliases=("skittle", "tenpin", "mini bowling pin"), themes=("sports",),
           roles=("round", "tall"), colors=("white",))  # fmt: skip
 def bowling_pin(look: Look) -> Shape:
-    """A small bowling pin with red stripes at its neck."""
+    """A small bowling pin with red stripes around its neck."""
     k = look.between(0.45, 0.62)
     color = look.color("white", "white", "cream", "wooden", "yellow")
     profile = np.array([(0, 0), (0.028, 0), (0.034, 0.02), (0.052, 0.08), (0.06, 0.115),
@@ -381,7 +381,7 @@ def bowling_pin(look: Look) -> Shape:
 @category("golf_tee", size=(0.0125, 0.0125, 0.0555), mass=0.002, material="metal",
           themes=("sports",), roles=("round",), colors=("white",))  # fmt: skip
 def golf_tee(look: Look) -> Shape:
-    """A golf tee standing on its cup, point up, as it stands on a table."""
+    """A golf tee standing on its cup with its point up."""
     k = look.between(0.9, 1.15)
     color = look.color("white", "red", "wooden", "yellow", "blue", "orange")
     body = lathe(np.array([(0, 0), (0.006, 0), (0.0062, 0.002), (0.0035, 0.009), (0.0023, 0.014),
@@ -417,7 +417,7 @@ def kettlebell(look: Look) -> Shape:
           aliases=("barbell plate", "weight disc", "weight disk", "barbell disc", "dumbbell plate"),
           themes=("sports",), roles=("round", "flat"), colors=("black",))  # fmt: skip
 def weight_plate(look: Look) -> Shape:
-    """A small weight disc with a hole, lying."""
+    """A small weight plate with a hole, lying flat."""
     k = look.between(0.9, 1.1)
     color = look.color("black", "gray", "red", "blue", "charcoal", "green")
     r, h, hole = 0.08 * k, 0.022 * k, 0.0145 * k
@@ -447,7 +447,7 @@ def yoga_block(look: Look) -> Shape:
 
 
 def _bat(profile: list[tuple[float, float]], grip: float) -> Callable[[Look], Shape]:
-    """A round bat lying along x with a wrapped grip."""
+    """A round bat with a wrapped grip, lying along x."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.06)
@@ -475,7 +475,7 @@ def _bat(profile: list[tuple[float, float]], grip: float) -> Callable[[Look], Sh
           aliases=("referee whistle", "sports whistle", "coach whistle", "whistle toy",
           "referee's whistle"), themes=("sports",), colors=("silver",))  # fmt: skip
 def whistle(look: Look) -> Shape:
-    """A referee's whistle lying on its side."""
+    """A referee's whistle, lying on its side."""
     k = look.between(0.92, 1.15)
     color = look.color("silver", "black", "red", "orange", "yellow", "blue", "silver")
     curve = arc((0, 0), 0.012, 0.75, 2 * np.pi - np.pi / 2, 16)
@@ -496,7 +496,7 @@ def whistle(look: Look) -> Shape:
           aliases=("stop watch", "timer", "chronometer", "handheld timer"), themes=("sports",),
           roles=("flat",), colors=("silver",))  # fmt: skip
 def stopwatch(look: Look) -> Shape:
-    """A stopwatch lying, face up, crown to the back."""
+    """A stopwatch lying face up with its crown at the back."""
     k = look.between(0.92, 1.1)
     color = look.color("silver", "black", "yellow", "gold", "blue")
     r, h = 0.0275 * k, 0.016 * k
@@ -517,7 +517,7 @@ def stopwatch(look: Look) -> Shape:
           aliases=("gold medal", "silver medal", "bronze medal", "sports medal", "winner medal",
           "toy medal"), themes=("sports",), roles=("flat",), colors=("gold",))  # fmt: skip
 def medal(look: Look) -> Shape:
-    """A medal lying, its ribbon folded behind it."""
+    """A medal with its ribbon folded behind it, lying flat."""
     k = look.between(0.92, 1.1)
     color = look.color("gold", "gold", "silver", "bronze")
     r = 0.026 * k
@@ -549,7 +549,7 @@ def medal(look: Look) -> Shape:
           "bike bottle", "shaker bottle", "protein shaker", "sport bottle", "sipper bottle"),
           themes=("sports",), roles=("round", "tall"), colors=("blue",))  # fmt: skip
 def sports_bottle(look: Look) -> Shape:
-    """A sports bottle with a grip waist and a nozzle."""
+    """A sports bottle with a narrow grip and a nozzle."""
     k = look.between(0.92, 1.06)
     color = look.color("blue", "red", "green", "white", "black", "orange", "yellow", "pink")
     cap = look.own_color("black", "white", "gray", "red")
@@ -574,7 +574,7 @@ def sports_bottle(look: Look) -> Shape:
           "badminton racquet"), themes=("sports",), roles=("flat", "big"), colors=("red",),
           state="lying flat")  # fmt: skip
 def tennis_racket(look: Look) -> Shape:
-    """A small tennis racket lying, strung."""
+    """A small, strung tennis racket, lying flat."""
     k = look.between(0.92, 1.08)
     color = look.color("red", "blue", "black", "yellow", "green", "orange", "white")
     a = np.linspace(0, 2 * np.pi, 40, endpoint=False)

@@ -1,4 +1,4 @@
-"""Fishing tackle (sports)."""
+"""Objects of the ``sports`` theme: fishing tackle."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ...kit.surfaces import Look, plain, tint_color
 
 
 def _hook(x: float, z: float = 0.0015, size: float = 1.0) -> Solid:
-    """Return a bent hook lying, its eye at ``x`` and its bend to the left of it."""
+    """Return a bent hook lying flat, with its eye at ``x`` and its bend to the left."""
     s = 0.012 * size
     path = [(x, 0, z), (x - 1.6 * s, 0, z), (x - 2.3 * s, 0.35 * s, z), (x - 2.1 * s, 0.9 * s, z),
             (x - 1.5 * s, 0.95 * s, z)]  # fmt: skip
@@ -52,7 +52,7 @@ def fishing_reel(look: Look) -> Shape:
           aliases=("bobber", "fishing bobber", "bite alarm"), themes=("sports",),
           colors=("red",))  # fmt: skip
 def fishing_float(look: Look) -> Shape:
-    """A red and white float lying, its thin stem through it."""
+    """A red and white float on a thin stem, lying flat."""
     color = look.color("red", "orange", "yellow", "green", "pink")
     k = look.between(0.75, 1.25)
     body = ball(0.032, 0.028, 0.028, (0, 0, 0.0132), 20)
@@ -74,7 +74,7 @@ def fishing_float(look: Look) -> Shape:
           aliases=("lure", "crankbait", "plug lure", "soft bait", "minnow lure", "fishing bait"),
           themes=("sports",), colors=("silver", "green"))  # fmt: skip
 def fishing_lure(look: Look) -> Shape:
-    """A fish-shaped lure with hooks under it, lying."""
+    """A fish-shaped lure with hooks below it, lying flat."""
     color = look.color("silver", "green", "gold", "red", "blue", "orange")
     k = look.between(0.8, 1.2)
     body = ball(0.075, 0.022, 0.02, (0, 0, 0.0095), 18)
@@ -100,7 +100,7 @@ def fishing_lure(look: Look) -> Shape:
           "fish hook", "fishing hook", "swivel"), themes=("sports",), roles=("flat",),
           colors=("silver",))  # fmt: skip
 def spoon_lure(look: Look) -> Shape:
-    """A spoon lure lying: a bright hammered blade, rings and a hook."""
+    """A spoon lure lying flat: a bright hammered blade with rings and a hook."""
     color = look.color("silver", "gold", "copper", "red")
     k = look.between(0.8, 1.25)
     blade = plate(ellipse(0.05, 0.02, 26), 0.0022, bevel=0.0005)
@@ -122,7 +122,7 @@ def spoon_lure(look: Look) -> Shape:
           aliases=("fly", "dry fly", "trout fly", "salmon fly"), themes=("sports",),
           colors=("brown",))  # fmt: skip
 def fishing_fly(look: Look) -> Shape:
-    """A tied fly lying: a hook with a body of thread, hackles and wings."""
+    """An artificial fly lying flat: a hook with a thread body, hackles and wings."""
     color = look.color("brown", "red", "olive", "black", "yellow")
     k = look.between(0.85, 1.35)
     hook = _hook(0.018, 0.005, 1.3)
@@ -150,7 +150,7 @@ def fishing_fly(look: Look) -> Shape:
           aliases=("lead weight", "fishing weight", "split shot", "lead sinker", "plumb bob",
           "plummet"), themes=("sports",), colors=("gray",))  # fmt: skip
 def sinker(look: Look) -> Shape:
-    """A lead weight with a wire eye, lying."""
+    """A lead weight with a wire eye, lying flat."""
     color = look.color("gray", "charcoal", "silver")
     k = look.between(0.8, 1.3)
     body = lies(standing((0.004, 0), (0.0105, 0.007), (0.0125, 0.016), (0.009, 0.034),
@@ -164,7 +164,7 @@ def sinker(look: Look) -> Shape:
           aliases=("keep net", "net", "pond net"), themes=("sports",), roles=("flat", "big"),
           colors=("wooden", "green"))  # fmt: skip
 def landing_net(look: Look) -> Shape:
-    """A small net on a hoop with a handle, lying."""
+    """A small net on a hoop with a handle, lying flat."""
     color = look.color("wooden", "green", "blue", "black", "red")
     k = look.between(0.7, 0.95)
     hoop = torus(0.085, 0.005, 36, 8).scale(1.15, 0.9, 1).move(0.09, 0, 0.0048)
@@ -186,7 +186,7 @@ def landing_net(look: Look) -> Shape:
           aliases=("fishing pole", "toy fishing rod", "rod and reel", "fly rod", "angling rod"),
           themes=("sports",), roles=("big",), colors=("black",))  # fmt: skip
 def fishing_rod(look: Look) -> Shape:
-    """A short fishing rod lying, with its reel and line guides."""
+    """A short fishing rod with a reel and line guides, lying flat."""
     color = look.color("black", "red", "green", "navy", "brown")
     k = look.between(0.75, 1.0)
     blank = straight((-0.05, 0, 0.0115), (0.3, 0, 0.002), [0.005, 0.0018], 10)

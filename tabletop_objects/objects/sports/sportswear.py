@@ -1,4 +1,4 @@
-"""Sportswear (sports)."""
+"""Objects of the ``sports`` theme: sportswear."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BRIGHT = ("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
           aliases=("swim goggles", "diving goggles", "ski goggles"), themes=("sports",),
           colors=("blue", "black"))  # fmt: skip
 def goggles(look: Look) -> Shape:
-    """Swimming goggles lying: two lenses, a nose piece and a strap behind."""
+    """Swimming goggles lying flat, with two lenses, a nose piece and a strap behind."""
     color = look.color(*BRIGHT)
     k = look.between(0.9, 1.15)
     cups, lenses = [], []
@@ -53,7 +53,7 @@ def goggles(look: Look) -> Shape:
           aliases=("snorkel tube", "diving snorkel"), themes=("sports",), roles=("big",),
           colors=("blue",))  # fmt: skip
 def snorkel(look: Look) -> Shape:
-    """A snorkel lying: a bent tube with a mouthpiece and a bright end."""
+    """A snorkel lying flat: a bent tube with a mouthpiece and a bright end."""
     color = look.color("blue", "black", "yellow", "green", "orange")
     k = look.between(0.85, 1.1)
     pipe = rod([(0.2, 0, 0.012), (0.0, 0.0, 0.012), (-0.12, 0, 0.012), (-0.17, 0.03, 0.012),
@@ -71,7 +71,7 @@ def snorkel(look: Look) -> Shape:
           "elbow pad", "shin pad", "shin guard", "shinpad", "arm guard", "protective pad",
           "wrist guard"), themes=("sports",), colors=("black",))  # fmt: skip
 def knee_pad(look: Look) -> Shape:
-    """A padded guard with a hard cap and two straps, lying."""
+    """A padded knee pad with a hard cap and two straps, lying flat."""
     color = look.color("black", "navy", "red", "charcoal", "pink")
     k = look.between(0.85, 1.15)
     body = pad(0.13, 0.18, 0.04, 0.05, soft=0.8)
@@ -91,7 +91,7 @@ def knee_pad(look: Look) -> Shape:
           aliases=("baseball mitt", "mitt", "catcher mitt", "catcher's mitt"), themes=("sports",),
           roles=("big",), colors=("tan",))  # fmt: skip
 def baseball_glove(look: Look) -> Shape:
-    """A leather baseball glove lying, palm up."""
+    """A leather baseball glove lying palm up."""
     k = look.between(0.92, 1.08)
     color = look.color("tan", "brown", "black", "terracotta", "maroon")
     skin = surfaces.spots(look.rng, color, tint_color(color, 0.82), 0.12)
@@ -126,7 +126,7 @@ def baseball_glove(look: Look) -> Shape:
           aliases=("boxing mitt", "sparring glove"), themes=("sports",), roles=("big",),
           colors=("red",))  # fmt: skip
 def boxing_glove(look: Look) -> Shape:
-    """A boxing glove lying on its palm, thumb at its side, laced cuff to the front."""
+    """A boxing glove lying on its palm, with its thumb at the side and its laced cuff in front."""
     k = look.between(0.85, 1.0)
     color = look.color("red", "red", "blue", "black", "pink", "yellow")
     skin = surfaces.speckles(look.rng, color, 4, 48)
@@ -152,7 +152,7 @@ def boxing_glove(look: Look) -> Shape:
           "cycle helmet", "samurai helmet", "viking helmet", "knight's helmet"), themes=("sports",),
           roles=("big",), colors=("red",))  # fmt: skip
 def helmet(look: Look) -> Shape:
-    """A cycling helmet standing on its rim, with dark vents."""
+    """A cycling helmet with dark vents, standing on its rim."""
     k = look.between(0.85, 0.98)
     color = look.color("red", "blue", "white", "black", "yellow", "teal", "orange")
     a = np.linspace(0.0, np.pi / 2, 10)

@@ -1,4 +1,4 @@
-"""Teaware (tea)."""
+"""Objects of the ``tea`` theme: teaware."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look, speck, tint_color
           aliases=("tea infuser", "tea ball", "tea filter", "tea sieve", "loose leaf strainer"),
           themes=("tea",), colors=("silver",), state="lying flat")  # fmt: skip
 def tea_strainer(look: Look) -> Shape:
-    """A small strainer of fine mesh with a handle, lying, or a tea ball on its chain."""
+    """A small mesh tea strainer with a handle, lying flat, or a tea ball on a chain."""
     steel = look.surface(look.color("silver", "silver", "gold", "copper"), "metal")
     mesh = surfaces.grid((120, 124, 128), (206, 209, 213), 30, 44, 96)
     if look.chance(0.4):
@@ -50,7 +50,7 @@ def tea_strainer(look: Look) -> Shape:
           aliases=("teabag", "bag of tea", "tea sachet", "used tea bag"), themes=("tea",),
           roles=("flat",), colors=("cream",), state="lying flat")  # fmt: skip
 def tea_bag(look: Look) -> Shape:
-    """A tea bag lying flat, its string and paper tag beside it."""
+    """A tea bag lying flat with its string and paper tag beside it."""
     x, y, h = look.between(0.048, 0.056), look.between(0.058, 0.066), look.between(0.008, 0.011)
     color = look.color("cream", "beige", "tan")
     bag = ellipsoid(x, y, h, 20, 10).bend(lambda p: np.column_stack([
@@ -72,7 +72,7 @@ def tea_bag(look: Look) -> Shape:
           aliases=("tea cozy", "teapot cosy", "teapot cozy", "teapot cover"), themes=("tea",),
           roles=("big",), colors=("red", "teal"))  # fmt: skip
 def tea_cosy(look: Look) -> Shape:
-    """A quilted or knitted cosy for a teapot, a bobble on top."""
+    """A quilted or knitted tea cosy with a bobble on top."""
     x, h = look.between(0.2, 0.24), look.between(0.17, 0.2)
     color = look.color("red", "teal", "pink", "cream", "navy", "mustard", "sage")
     t = np.linspace(0, np.pi / 2, 8)
@@ -92,7 +92,7 @@ def tea_cosy(look: Look) -> Shape:
           roles=("round", "flat", "edible"), colors=("tan", "brown"), state="lying flat",
           common=True)  # fmt: skip
 def cookie(look: Look) -> Shape:
-    """A round biscuit with chips, a sandwich biscuit, or one with icing."""
+    """A round biscuit with chips, a sandwich biscuit, or an iced one."""
     r, h = look.between(0.028, 0.042), look.between(0.008, 0.012)
     kind = int(look.rng.integers(3))
     dough = look.color("tan", "amber", "wooden", "brown", "beige")
@@ -136,7 +136,7 @@ def cookie(look: Look) -> Shape:
           themes=("tea", "dining"), roles=("round", "support", "big"), colors=("white", "pink"),
           common=True)  # fmt: skip
 def cake_stand(look: Look) -> Shape:
-    """A footed stand for cake."""
+    """A footed cake stand."""
     r, h = look.between(0.1, 0.15), look.between(0.08, 0.13)
     color = look.color("white", "pink", "mint", "sky", "cream", "wooden", "teal")
     glaze = look.surface(color, "ceramic")

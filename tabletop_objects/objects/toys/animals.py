@@ -1,4 +1,4 @@
-"""Animals (toys)."""
+"""Objects of the ``toys`` theme: animals."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from ..living.animals import bird
           themes=("toys",), roles=("big",), colors=("pink", "red"))  # fmt: skip
 @from_pieces(foot=0.05)
 def balloon_animal(look: Look) -> Pieces:
-    """A dog twisted of long balloons."""
+    """A dog twisted from long balloons."""
     color = look.color("pink", "red", "blue", "yellow", "green", "orange")
 
     def sausage(a: tuple[float, float, float], b: tuple[float, float, float], r: float) -> Solid:
@@ -54,7 +54,7 @@ DARK = (44, 38, 36)
 
 
 def _legs(reach: float, at: tuple[float, ...], z: float, thick: float = 0.0011) -> list[Solid]:
-    """Return pairs of bent legs at the given places along x."""
+    """Return pairs of bent legs at the given positions along x."""
     made = []
     for n, x in enumerate(at):
         lean = (0.35, 0.0, -0.35)[n % 3] * reach
@@ -75,7 +75,7 @@ def _feelers(x: float, z: float, long: float) -> list[Solid]:
           aliases=("ladybug", "lady bird", "lady bug", "toy ladybird", "ladybird beetle"),
           themes=("toys",), colors=("red",))  # fmt: skip
 def ladybird(look: Look) -> Shape:
-    """A ladybird: a spotted dome, a dark head and legs."""
+    """A ladybird: a spotted dome with a dark head and legs."""
     color = look.color("red", "orange", "yellow", "crimson")
     k = look.between(0.8, 1.25)
     shell = ball(0.034, 0.03, 0.03, (0, 0, 0.005), 22)
@@ -177,7 +177,7 @@ def butterfly(look: Look) -> Shape:
           aliases=("toy dragonfly", "damselfly"), themes=("toys",),
           colors=("blue", "green"))  # fmt: skip
 def dragonfly(look: Look) -> Shape:
-    """A dragonfly: a long jointed tail and four clear wings."""
+    """A dragonfly with a long jointed tail and four clear wings."""
     color = look.color("blue", "green", "red", "turquoise", "purple")
     k = look.between(0.8, 1.2)
     tail = rod([(-0.06, 0, 0.004), (-0.02, 0, 0.006), (0.01, 0, 0.007)], [0.0024, 0.0032], 10)
@@ -198,7 +198,7 @@ def dragonfly(look: Look) -> Shape:
 @category("ant", size=(0.054, 0.0405, 0.0174), mass=0.01, material="plastic", assembled=True,
           aliases=("toy ant", "plastic ant"), themes=("toys",), colors=("black",))  # fmt: skip
 def ant(look: Look) -> Shape:
-    """An ant: three body parts, six legs and jaws."""
+    """An ant with a three-part body, six legs and jaws."""
     color = look.color("black", "brown", "maroon", "red")
     k = look.between(0.8, 1.2)
     tail = ball(0.022, 0.016, 0.015, (-0.017, 0, 0.009), 14)
@@ -216,7 +216,7 @@ def ant(look: Look) -> Shape:
           aliases=("toy caterpillar", "wooden caterpillar"), themes=("toys",),
           colors=("green",))  # fmt: skip
 def caterpillar(look: Look) -> Shape:
-    """A caterpillar: a row of plump rings, a face and feelers."""
+    """A caterpillar: a row of plump rings with a face and antennae."""
     color, other = look.color("green", "lime", "yellow", "teal"), look.own_color("yellow", "orange")
     k = look.between(0.85, 1.2)
     rings, feet = [], []
@@ -238,7 +238,7 @@ def caterpillar(look: Look) -> Shape:
           aliases=("lugworm", "soft plastic worm", "rubber worm", "maggot", "grub"),
           themes=("toys",), roles=("flat",), colors=("pink",))  # fmt: skip
 def worm(look: Look) -> Shape:
-    """An earthworm lying in bends."""
+    """A curved earthworm, lying flat."""
     color = look.color("pink", "terracotta", "brown", "coral", spread=14)
     k, a = look.between(0.8, 1.25), look.between(0.7, 1.3)
     x = np.linspace(-0.045, 0.045, 44)
@@ -256,7 +256,7 @@ def worm(look: Look) -> Shape:
           aliases=("toy snail", "garden snail", "ceramic snail", "snail figurine"),
           themes=("toys",), colors=("tan", "brown"))  # fmt: skip
 def snail(look: Look) -> Shape:
-    """A snail: a coiled shell on a soft foot, two eye stalks."""
+    """A snail: a coiled shell on a soft foot with two eye stalks."""
     color = look.color("tan", "brown", "amber", "cream", "olive")
     k = look.between(0.75, 1.2)
     foot = rod([(-0.034, 0, 0.003), (-0.01, 0, 0.005), (0.02, 0, 0.007), (0.032, 0, 0.012)],
@@ -282,7 +282,7 @@ def snail(look: Look) -> Shape:
           "stuffed cat", "plush rabbit", "plush dog", "beanie baby", "plushie", "stuffed toy"),
           themes=("toys",), colors=("brown", "cream"), state="sitting", common=True)  # fmt: skip
 def teddy_bear(look: Look) -> Shape:
-    """A small sitting teddy bear."""
+    """A small teddy bear, sitting."""
     color = look.color("brown", "tan", "cream", "gray", "terracotta")
     fur = surfaces.knitting(look.rng, color)
     pale, dark = surfaces.plain(tint_color(color, 1.35)), surfaces.plain((34, 28, 26))
@@ -314,7 +314,7 @@ def teddy_bear(look: Look) -> Shape:
           aliases=("duck", "toy duck", "bath duck", "bath toy", "rubber bath duck", "squeaky toy"),
           themes=("toys", "vanity"), colors=("yellow",), common=True)  # fmt: skip
 def rubber_duck(look: Look) -> Shape:
-    """A bath duck; it faces the viewer's left."""
+    """A bath duck facing the viewer's left."""
     color = look.color("yellow", "yellow", "pink", "sky", "mint")
     skin, beak = surfaces.speckles(look.rng, color, 3), surfaces.plain((236, 120, 40))
     dark = surfaces.plain((24, 24, 26))
@@ -334,11 +334,11 @@ def rubber_duck(look: Look) -> Shape:
 
 @dataclass(frozen=True)
 class Beast:
-    """A four-legged animal that looks to the left, in units of its body's length.
+    """A four-legged animal facing left, in units of its body's length.
 
-    ``body`` is length, width, height; ``legs`` their length and radius; ``neck`` where the head's
-    middle is before the body's front (x) and above the body's middle (z), and the neck's radius;
-    ``head`` length, width, height; ``snout`` length and height.
+    ``body`` is the length, width and height; ``legs`` their length and radius. ``neck`` is the
+    position of the head's centre in front of the body (x) and above its centre (z), and the neck's
+    radius. ``head`` is the length, width and height, and ``snout`` the length and height.
     """
 
     colors: tuple[str, ...]
@@ -476,7 +476,7 @@ def _beast(look: Look, b: Beast) -> Shape:
 def _extras(
     look: Look, b: Beast, at: tuple[float, float, float], feet: list[tuple[float, float]]
 ) -> list[tuple[Solid, Tile]]:
-    """Return manes, horns, trunks and the like."""
+    """Return manes, horns, trunks and similar parts."""
     hx, hz, mid = at
     dark, pale = surfaces.plain((44, 38, 36)), surfaces.plain((242, 234, 214))
     made: list[tuple[Solid, Tile]] = []
@@ -530,13 +530,13 @@ TOY_DINOSAUR_DARK = surfaces.plain((34, 32, 34))
           "tyrannosaurus", "brontosaurus", "plastic dinosaur", "tyrannosaurus rex"),
           themes=("toys",), colors=("green",))  # fmt: skip
 def toy_dinosaur(look: Look) -> Shape:
-    """A toy dinosaur that looks to the left: a long-necked one or a rex on its hind legs."""
+    """A toy dinosaur facing left: a long-necked one, or a tyrannosaur on its hind legs."""
     color = look.color("green", "olive", "teal", "orange", "violet", "blue", "red")
     skin = surfaces.spots(look.rng, color, tint_color(color, 0.7), 0.12)
     pale = surfaces.plain(tint_color(color, 1.5))
     k = look.between(0.92, 1.1)
     plates = []
-    if look.chance(0.5):  # a sauropod
+    if look.chance(0.5):  # sauropod
         body = ball(0.075, 0.044, 0.046, (0, 0, 0.042), 18)
         neck = rod([(-0.025, 0, 0.048), (-0.05, 0, 0.068), (-0.062, 0, 0.1)],
                    [0.015, 0.011, 0.008], 10)  # fmt: skip
@@ -547,7 +547,7 @@ def toy_dinosaur(look: Look) -> Shape:
                      for x in (-0.02, 0.022) for y in (-0.013, 0.013)])  # fmt: skip
         eyes = join([ball(0.004, 0.004, 0.004, (-0.075, s * 0.008, 0.109), 8) for s in (-1, 1)])
         spine = [(-0.04, 0.08), (-0.02, 0.064), (0, 0.066), (0.02, 0.064), (0.045, 0.052)]
-    else:  # a rex
+    else:  # tyrannosaur
         body = ball(0.04, 0.036, 0.07, (0, 0, 0.06), 18).turn(1, -0.25).move(x=0.015)
         neck = rod([(-0.005, 0, 0.08), (-0.015, 0, 0.098), (-0.02, 0, 0.106)], 0.013, 10)
         head = join([ball(0.046, 0.028, 0.028, (-0.03, 0, 0.112), 14),
@@ -572,7 +572,7 @@ def toy_dinosaur(look: Look) -> Shape:
           aliases=("dragon", "dragon figure", "dragon figurine", "dragon statue", "dragon toy"),
           themes=("toys",), colors=("red", "green"))  # fmt: skip
 def toy_dragon(look: Look) -> Shape:
-    """A toy dragon with raised wings, sitting."""
+    """A sitting toy dragon with raised wings."""
     color = look.color("red", "green", "purple", "teal", "black", "blue")
     skin = surfaces.spots(look.rng, color, tint_color(color, 1.3), 0.15)
     belly = surfaces.plain(look.pick([(236, 196, 110), tint_color(color, 1.6)]))
@@ -603,7 +603,7 @@ def toy_dragon(look: Look) -> Shape:
           "frog statue", "garden frog", "stone frog", "frog model"), themes=("toys", "living"),
           colors=("green",))  # fmt: skip
 def frog(look: Look) -> Shape:
-    """A ceramic frog crouching."""
+    """A crouching ceramic frog."""
     color = look.color("green", "lime", "olive", "teal", "green")
     skin = surfaces.spots(look.rng, color, tint_color(color, 0.7), 0.1)
     pale = surfaces.plain(tint_color(color, 1.7))

@@ -1,4 +1,4 @@
-"""Baby supplies (toys)."""
+"""Objects of the ``toys`` theme: baby supplies."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SOFT = ("sky", "pink", "mint", "lavender", "yellow", "teal", "coral", "orange")
           "car seat toy"), themes=("toys",), colors=("sky", "pink"),
           state="lying flat")  # fmt: skip
 def rattle(look: Look) -> Shape:
-    """A baby rattle lying: a ball with bands, a handle, a ring at its end."""
+    """A baby rattle lying flat: a ball with bands and a handle with a ring at its end."""
     color = look.color(*SOFT)
     other = surfaces.plain(look.own_color(*SOFT))
     head = ball(0.052, 0.052, 0.052, (-0.045, 0, 0.0245), 18)
@@ -36,7 +36,7 @@ def rattle(look: Look) -> Shape:
           aliases=("dummy", "baby pacifier", "soother", "baby dummy"), themes=("toys",),
           colors=("sky", "pink"), state="lying flat")  # fmt: skip
 def pacifier(look: Look) -> Shape:
-    """A dummy lying on its shield, its teat up, its ring at the side."""
+    """A dummy lying on its shield, with its teat up and its ring at the side."""
     color = look.color(*SOFT)
     outline = ellipse(0.046, 0.036, 24) * (1 + 0.12 * np.abs(np.cos(np.linspace(0, 2 * np.pi, 24,
                                            endpoint=False))))[:, None]  # fmt: skip
@@ -77,7 +77,7 @@ def baby_bottle(look: Look) -> Shape:
           themes=("toys",), roles=("flat",), colors=("white", "sky"),
           state="lying flat")  # fmt: skip
 def bib(look: Look) -> Shape:
-    """A baby's bib lying flat, a picture on it."""
+    """A baby's bib with a picture, lying flat."""
     color = look.color("white", *SOFT)
     other = look.own_color("red", "blue", "teal", "orange", "purple")
     a = np.linspace(-1.15, np.pi + 1.15, 24)
@@ -122,7 +122,7 @@ def diaper(look: Look) -> Shape:
           "baby bootee", "bootee", "booties"), themes=("toys",),
           colors=("pink", "sky"))  # fmt: skip
 def baby_shoes(look: Look) -> Shape:
-    """A pair of knitted baby shoes with bows, toes to the front."""
+    """A pair of knitted baby shoes with bows and their toes in front."""
     color = look.color(*SOFT, "white")
     knit = surfaces.knitting(look.rng, color, 16)
     bow = surfaces.plain(look.own_color("white", "red", "navy", "gold"))

@@ -1,4 +1,4 @@
-"""Blocks (toys)."""
+"""Objects of the ``toys`` theme: blocks."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .shapes import Made, body, paint, same
           roles=("flat",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=(0, 1))
 def magnetic_tile(look: Look) -> Pieces:
-    """A see-through square tile in a coloured frame."""
+    """A transparent square tile in a coloured frame."""
     color = look.color("red", "blue", "green", "yellow", "orange", "purple")
     frame = [at_box(0.075, 0.006, 0.006, (0, s * 0.0345, 0)) for s in (-1, 1)]
     frame += [at_box(0.006, 0.063, 0.006, (s * 0.0345, 0, 0)) for s in (-1, 1)]
@@ -94,7 +94,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", 
           colors=("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", "lime"),
           common=True)  # fmt: skip
 def toy_block(look: Look) -> Shape:
-    """A wooden letter block, painted where a colour is asked for."""
+    """A wooden letter block, painted if a colour is requested."""
     side = look.between(0.038, 0.046)
     color, bare = look.color(*BRIGHT), (232.0, 208.0, 166.0)
     ground, ink = (color, bare) if "color" in look.attributes else (bare, color)

@@ -1,4 +1,4 @@
-"""Figures (toys)."""
+"""Objects of the ``toys`` theme: figures."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BLACK = surfaces.plain((34, 34, 37))
           "lego person"), themes=("toys",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=4)
 def lego_figure(look: Look) -> Pieces:
-    """A small jointed brick figure."""
+    """A small, jointed brick figure."""
     shirt, trousers = plastic(look, *PAINTS), dye(look, "blue", "black", "gray", "green", "red")
     yellow = surfaces.plain((246, 206, 70))
     legs = [at_box(0.0075, 0.008, 0.0135, (s * 0.0041, 0, 0)) for s in (-1, 1)]
@@ -42,7 +42,7 @@ def lego_figure(look: Look) -> Pieces:
           "anime figure"), themes=("toys",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=7)
 def vinyl_figure(look: Look) -> Pieces:
-    """A collector's figure with a huge square head and black eyes, on a base."""
+    """A collector's figure with a huge square head and black eyes on a base."""
     hair, shirt = plastic(look, "black", "brown", "red", "yellow", "purple"), dye(look, *PAINTS)
     skin = dye(look, "beige", "tan", "brown")
     base = disc(0.032, 0.004)
@@ -64,7 +64,7 @@ def vinyl_figure(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=8)
 def bobblehead(look: Look) -> Pieces:
-    """A figure with a big head on a spring."""
+    """A bobblehead: a figure with a big head on a spring."""
     base = disc(0.034, 0.01)
     shirt = plastic(look, *PAINTS)
     legs = [standing((0.008, 0.01), (0.009, 0.04)).move(x=s * 0.01) for s in (-1, 1)]
@@ -189,7 +189,7 @@ def toy_robot(look: Look) -> Shape:
           "elf on the shelf", "scarecrow figure", "scarecrow", "barbie", "barbie doll",
           "squeaky doll"), themes=("toys",), colors=("pink", "blue"), state="sitting")  # fmt: skip
 def doll(look: Look) -> Shape:
-    """A doll in a dress, sitting with its legs to the front, or a rag doll with yarn hair."""
+    """A doll in a dress, sitting with its legs in front, or a rag doll with yarn hair."""
     color = look.color("red", "pink", "blue", "yellow", "lavender", "green", "teal")
     skin = surfaces.plain(
         look.pick([(244, 206, 178), (226, 176, 140), (150, 100, 70), (98, 66, 48)])
@@ -229,10 +229,10 @@ SKIN = ((244, 206, 178), (226, 176, 140), (150, 100, 70))
           "warhammer figure", "wargame miniature", "warhammer miniature"), themes=("toys",),
           roles=("tall",), colors=("red", "blue"))  # fmt: skip
 def toy_soldier(look: Look) -> Shape:
-    """A toy soldier at attention on a base, his tall hat on and a rifle at his side."""
+    """A toy soldier at attention on a base, with a tall hat and a rifle at his side."""
     color = look.color("red", "blue", "green", "navy", "olive")
     coat = surfaces.speckles(look.rng, color, 4)
-    plain = look.chance(0.3)  # one cast in one colour
+    plain = look.chance(0.3)  # a figure cast in one colour
     skin = coat if plain else surfaces.plain(look.pick(SKIN))
     dark = coat if plain else surfaces.plain((36, 36, 40))
     pale = coat if plain else surfaces.plain((244, 242, 236))
@@ -258,7 +258,7 @@ def toy_soldier(look: Look) -> Shape:
           aliases=("hand puppet", "glove puppet", "marionette", "finger puppet"), themes=("toys",),
           roles=("tall",), colors=("red", "green"))  # fmt: skip
 def puppet(look: Look) -> Shape:
-    """A hand puppet standing on the rim of its gown, arms out."""
+    """A hand puppet standing on the hem of its gown with outstretched arms."""
     color = look.color("red", "green", "blue", "purple", "orange", "yellow")
     cloth = surfaces.fabric(look.rng, color, look.pick([None, tint_color(color, 1.5)]), 24)
     skin = surfaces.plain(look.pick(SKIN))
@@ -283,7 +283,7 @@ def puppet(look: Look) -> Shape:
 
 
 def _figure(big: float) -> dict[str, list[Solid]]:
-    """Return a standing figure: legs, trunk, arms, and a head ``big`` across."""
+    """Return a figure standing upright with legs, a trunk, arms and a head of width ``big``."""
     legs = [drum(0.0125, 0.036, (s * 0.0145, 0, 0.006), top=0.014) for s in (-1, 1)]
     feet = [ball(0.026, 0.038, 0.02, (s * 0.0145, -0.005, 0.008), 12) for s in (-1, 1)]
     trunk = [block(0.054, 0.036, 0.045, 0.014, 0.006).move(z=0.036)]
@@ -298,7 +298,7 @@ def _figure(big: float) -> dict[str, list[Solid]]:
           aliases=("astronaut figure", "toy astronaut", "spaceman", "cosmonaut",
           "astronaut figurine"), themes=("toys",), colors=("white",))  # fmt: skip
 def astronaut(look: Look) -> Shape:
-    """An astronaut: a white suit with a pack, a round helmet and a gold visor."""
+    """An astronaut in a white suit with a backpack, a round helmet and a gold visor."""
     color = look.color("white", "white", "orange", "sky", "silver")
     k = look.between(0.85, 1.2)
     f = _figure(0.052)
@@ -322,7 +322,7 @@ def astronaut(look: Look) -> Shape:
           aliases=("alien figure", "toy alien", "martian", "alien toy"), themes=("toys",),
           colors=("green",))  # fmt: skip
 def alien(look: Look) -> Shape:
-    """A little alien: a big head with black eyes and feelers."""
+    """A small alien with a big head, black eyes and antennae."""
     color = look.color("green", "lime", "teal", "purple", "gray")
     k = look.between(0.85, 1.2)
     f = _figure(0.062)

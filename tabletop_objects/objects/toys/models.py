@@ -1,4 +1,4 @@
-"""Models (toys)."""
+"""Objects of the ``toys`` theme: models and miniatures."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, plain, tint_color
           "model chapel"), themes=("toys",), roles=("tall",), colors=("white",))  # fmt: skip
 @from_pieces()
 def church_model(look: Look) -> Pieces:
-    """A church: a nave with a gabled roof, a tower with a spire and a gold cross in front."""
+    """A church with a gabled nave, and a tower with a spire and a gold cross."""
     wall = plastic(look, "white", "cream", "beige", "gray")
     roof, dark = dye(look, "terracotta", "charcoal", "teal"), surfaces.plain((54, 60, 84))
     nave = at_box(0.06, 0.1, 0.055, (0, 0.02, 0.006))
@@ -57,7 +57,7 @@ def _onion(x: float, y: float, z: float, r: float) -> Solid:
           colors=("white",))  # fmt: skip
 @from_pieces()
 def mosque_model(look: Look) -> Pieces:
-    """A mosque: a hall with an onion dome on a drum, two minarets in front, three doors."""
+    """A mosque: a hall with an onion dome on a drum, three doors, and two minarets in front."""
     wall, gold = plastic(look, "white", "cream", "beige"), dye(look, "gold", "teal", "blue")
     hall = at_box(0.1, 0.08, 0.05, (0, 0, 0.006))
     drum = disc(0.032, 0.016, (0, 0, 0.056))
@@ -79,7 +79,7 @@ def mosque_model(look: Look) -> Pieces:
           colors=("white",))  # fmt: skip
 @from_pieces()
 def temple_model(look: Look) -> Pieces:
-    """A temple of columns with a gable."""
+    """A temple with columns and a gable."""
     stone = look.surface(look.color("white", "cream", "beige", "gray"), "stone")
     steps = [at_box(0.15 - 0.012 * k, 0.1 - 0.012 * k, 0.006, (0, 0, 0.006 * k)) for k in range(3)]
     posts = [disc(0.006, 0.055, (x, y, 0.018)) for x in np.linspace(-0.052, 0.052, 6)
@@ -96,7 +96,7 @@ def temple_model(look: Look) -> Pieces:
           roles=("tall",), colors=("red",))  # fmt: skip
 @from_pieces()
 def pagoda(look: Look) -> Pieces:
-    """A pagoda of four storeys, each smaller and under a wide roof, with a gold spike on top."""
+    """A pagoda of four storeys, smaller towards the top, with wide roofs and a gold spike."""
     red, roof = plastic(look, "red", "maroon", "brown"), dye(look, "charcoal", "teal", "green")
     pieces: Pieces = [(at_box(0.12, 0.12, 0.01), dye(look, "gray"))]
     for k in range(4):
@@ -162,7 +162,7 @@ def wind_turbine(look: Look) -> Shape:
           "model of the solar system"), themes=("toys",), roles=("big",),
           colors=("gold",))  # fmt: skip
 def orrery(look: Look) -> Shape:
-    """A model of the sun and its planets on arms round a post."""
+    """A model of the sun and its planets on arms around a post."""
     color = look.color("gold", "wooden", "black", "bronze")
     k = look.between(0.85, 1.1)
     base, post = drum(0.05, 0.014, bevel=0.004), drum(0.005, 0.075, (0, 0, 0.012))

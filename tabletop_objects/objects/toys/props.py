@@ -1,4 +1,4 @@
-"""Props (toys)."""
+"""Objects of the ``toys`` theme: props."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ..vanity.jewelry import gold
           themes=("toys",), roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces(foot=0.12, bodies=1)
 def magic_wand(look: Look) -> Pieces:
-    """A wooden wand lying: a turned grip with two metal bands to the left, a tapered shaft."""
+    """A wooden wand lying flat: a turned grip with two metal bands and a tapered shaft."""
     tile = wood(look, "brown", "wooden", "black", "maroon")
     body = spindle((-0.15, 0.004), (-0.145, 0.009), (-0.135, 0.006), (-0.12, 0.0085),
                    (-0.1, 0.0065), (-0.085, 0.0095), (-0.075, 0.0055), (0.15, 0.0022),
@@ -34,7 +34,7 @@ def magic_wand(look: Look) -> Pieces:
           themes=("toys",), roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces(foot=0.08)
 def wizard_staff(look: Look) -> Pieces:
-    """A staff with claws round a crystal ball, lying; or a sceptre with a crown and a gem."""
+    """A staff with a crystal ball in claws, lying flat, or a sceptre with a crown and a gem."""
     tile = wood(look, "brown", "wooden")
     stick = rod([(-0.24, 0, 0.012), (-0.1, 0.006, 0.012), (0.06, -0.004, 0.013), (0.12, 0, 0.03)],
                 [0.009, 0.011, 0.012, 0.014], 10)  # fmt: skip
@@ -53,7 +53,7 @@ def wizard_staff(look: Look) -> Pieces:
           themes=("toys",), roles=("big",), colors=("gold",))  # fmt: skip
 @from_pieces(foot=0.05)
 def sceptre(look: Look) -> Pieces:
-    """A metal sceptre lying: a turned rod, a coloured ball in two rings, a cross at its end."""
+    """A metal sceptre lying flat: a turned rod, a coloured ball in two rings and a cross."""
     gold = metal(look, "gold", "gold", "silver")
     z = 0.03
     body = spindle((-0.2, 0.012), (-0.19, 0.016), (-0.18, 0.007), (-0.05, 0.0075), (-0.04, 0.014),
@@ -146,7 +146,7 @@ def quill_and_ink(look: Look) -> Pieces:
           aliases=("mexican hat", "mariachi hat"), themes=("toys",), roles=("big", "round"),
           colors=("tan",))  # fmt: skip
 def sombrero(look: Look) -> Shape:
-    """A sombrero: a very wide turned-up brim, a tall crown, bands of bright embroidery."""
+    """A sombrero with a very wide, turned-up brim, a tall crown and bands of bright embroidery."""
     k, color = look.between(0.85, 1.0), look.color("tan", "red", "black", "green", "wooden")
     body = lathe([(0, 0), (0.15, 0), (0.2, 0.03), (0.205, 0.05), (0.195, 0.048), (0.15, 0.018),
                   (0.075, 0.014), (0.06, 0.07), (0.035, 0.125), (0.015, 0.138), (0, 0.138)],
@@ -177,7 +177,7 @@ def sombrero(look: Look) -> Shape:
           "masquerade mask", "party mask"), themes=("toys", "living"), colors=("gold", "red"),
           state="lying flat")  # fmt: skip
 def mask(look: Look) -> Shape:
-    """A half mask lying on its back with eye holes painted dark, gold trim and a feather."""
+    """A half mask lying on its back, with dark painted eye holes, gold trim and a feather."""
     color = look.color("red", "black", "purple", "gold", "white", "blue", "green")
     upper = smooth([(-0.09, 0.018), (-0.1, 0.05), (-0.06, 0.035), (0, 0.026), (0.06, 0.035),
                     (0.1, 0.05), (0.09, 0.018)], 3)  # fmt: skip
@@ -211,7 +211,7 @@ def mask(look: Look) -> Shape:
           aliases=("tiara", "diadem", "golden crown", "gold crown", "king crown", "queen crown"),
           themes=("toys", "vanity"), colors=("gold",))  # fmt: skip
 def crown(look: Look) -> Shape:
-    """A crown or tiara standing: a band with points, balls and stones."""
+    """A crown or tiara standing upright: a band with points, balls and gems."""
     color = look.color("gold", "gold", "silver", "copper")
     r, h = look.between(0.06, 0.078), look.between(0.055, 0.075)
     n, count = 60, 10

@@ -1,4 +1,4 @@
-"""Puzzles (toys)."""
+"""Objects of the ``toys`` theme: puzzles."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import RGB, Look, plain, tint_color
           colors=("wooden",))  # fmt: skip
 @from_pieces()
 def marble_run(look: Look) -> Pieces:
-    """A marble run: three sloping tracks on posts, marbles on their way."""
+    """A marble run: three sloping tracks on posts with rolling marbles."""
     tile = wood(look, "wooden", "beige")
     base = at_box(0.26, 0.08, 0.01)
     posts = [at_box(0.012, 0.06, 0.17, (s * 0.12, 0, 0.01)) for s in (-1, 1)]
@@ -47,7 +47,7 @@ WOODEN = ("wooden", "tan", "beige", "wooden", "brown")
           "nine peg hole board", "nine-hole peg board"), themes=("toys",), roles=("flat",),
           colors=("wooden",))  # fmt: skip
 def pegboard(look: Look) -> Shape:
-    """A board with a grid of holes, a few coloured pegs in them."""
+    """A board with a grid of holes and a few coloured pegs."""
     side, n = look.between(0.15, 0.18), 6
     color = look.color("wooden", "beige", "white", "wooden", "sky")
     ground = surfaces.fit(look.surface(color, "wood"), 160, 160).copy()
@@ -68,7 +68,7 @@ def pegboard(look: Look) -> Shape:
           aliases=("hanoi tower", "towers of hanoi", "stacking pegs", "hanoi puzzle"),
           themes=("toys",), colors=("wooden",))  # fmt: skip
 def tower_of_hanoi(look: Look) -> Shape:
-    """Three posts on a base, coloured discs by size on the first one."""
+    """Three posts on a base, with coloured discs ordered by size on the first one."""
     k = look.between(0.9, 1.1)
     color = look.color(*WOODEN)
     wood = look.surface(color, "wood")
@@ -116,7 +116,7 @@ def shape_sorter(look: Look) -> Shape:
           aliases=("rubik's cube", "rubiks cube", "magic cube", "rubik cube"),
           themes=("toys", "office"), common=True)  # fmt: skip
 def puzzle_cube(look: Look) -> Shape:
-    """A 3x3 colour puzzle cube, scrambled."""
+    """A scrambled 3x3 puzzle cube."""
     side = 0.057
     paints: tuple[RGB, ...] = (
         (200, 40, 40), (40, 90, 190), (245, 245, 240),
@@ -151,7 +151,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", 
           aliases=("ring stacker", "stacking toy", "stacking ring tower", "stacking ring toy"),
           themes=("toys",), roles=("round",), common=True)  # fmt: skip
 def stacking_rings(look: Look) -> Shape:
-    """A baby's cone of coloured rings on a peg."""
+    """A baby's stacking toy: a cone of coloured rings on a peg."""
     pieces: list[tuple[Solid, surfaces.Tile]] = [
         (cylinder(0.045, 0.012, 28, bevel=0.003), surfaces.wood(look.rng, (214, 176, 124)))
     ]
@@ -198,7 +198,7 @@ def marble_maze(look: Look) -> Shape:
           aliases=("nesting cups", "stacking cup", "stack cups", "tower of cups", "toy cups"),
           themes=("toys",), roles=("round", "tall"), colors=("red", "blue"))  # fmt: skip
 def stacking_cups(look: Look) -> Shape:
-    """A tower of nesting cups, the largest below, upside down."""
+    """A tower of upside-down nesting cups with the largest at the bottom."""
     names = ["red", "orange", "yellow", "green", "blue", "purple", "pink"]
     start = int(look.rng.integers(len(names)))
     shades = look.color("red", "orange", "yellow", "green", "blue", "purple", "pink")

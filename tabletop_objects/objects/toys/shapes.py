@@ -1,4 +1,4 @@
-"""Shapes (toys)."""
+"""Objects of the ``toys`` theme: shapes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def paint(
     palette: tuple[str, ...] = CUBE_PAINTS,
     default: tuple[str, ...] = ("plastic", "wood"),
 ) -> Callable[[Look], Shape]:
-    """Return a block's shape function from ``make``, which takes a scale."""
+    """Return a block's shape function from ``make``, which takes a scale factor."""
 
     def make_block(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
@@ -39,7 +39,7 @@ def paint(
 
 
 def same(*solids: Solid) -> Made:
-    """Return solids both as what is drawn and as what collides."""
+    """Return solids both as drawn and as collision solids."""
     return list(solids), list(solids)
 
 
@@ -70,7 +70,7 @@ def _half_round(k: float) -> Made:
 
 
 def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
-    """A ring or a length of tube with a round section."""
+    """A ring or a piece of tube with a round section."""
 
     def make_shape(look: Look) -> Shape:
         k = look.between(0.9, 1.12)
@@ -102,13 +102,13 @@ GOLDEN = (1 + 5**0.5) / 2
 
 
 def _with_signs(*corners: tuple[float, float, float]) -> Points:
-    """Return corners with every choice of signs."""
+    """Return corners with all combinations of signs."""
     signs = np.array(list(itertools.product((-1, 1), repeat=3)), float)
     return np.concatenate([np.array(c) * signs for c in corners])
 
 
 def _turns(*corners: tuple[float, float, float]) -> Points:
-    """Return corners with every choice of signs, their coordinates exchanged in a circle."""
+    """Return corners with all combinations of signs and all cyclic permutations of coordinates."""
     return np.concatenate([_with_signs(tuple(np.roll(c, n))) for c in corners for n in range(3)])
 
 
@@ -126,7 +126,7 @@ def _skin(look: Look) -> np.ndarray:
 
 
 def _poly(points: Points, size: float) -> Drawing:
-    """A polyhedron of a width, lying on a face."""
+    """A polyhedron of the given width, lying on a face."""
     body = on_a_face(hull_solid(points))
     body = body.scale(*(3 * [size / float(np.ptp(body.vertices, axis=0).max())]))
 
@@ -137,7 +137,7 @@ def _poly(points: Points, size: float) -> Drawing:
 
 
 def body(make: Callable[[], list[Solid]]) -> Drawing:
-    """A body of one colour."""
+    """A solid of one colour."""
 
     def draw(look: Look) -> Pieces:
         tile = _skin(look)

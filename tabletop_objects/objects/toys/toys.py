@@ -1,4 +1,4 @@
-"""Toys (toys)."""
+"""Objects of the ``toys`` theme: various toys."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def fidget_cube(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=(0, 2, 4, 6, 8, 10))
 def pop_it(look: Look) -> Pieces:
-    """A silicone mat with rows of bubbles in rainbow colours."""
+    """A pop-it toy: a silicone mat with rows of bubbles in rainbow colours."""
     rows = ("red", "orange", "yellow", "green", "blue", "purple")
     base = [at_block(0.128, 0.0214, 0.005, 0.004, (0, 0.0535 - 0.0214 * k, 0)) for k in range(6)]
     pieces: Pieces = []
@@ -79,7 +79,7 @@ def pop_it(look: Look) -> Pieces:
 @vary()
 @from_pieces(foot=0.06, bodies=1)
 def magic_8_ball(look: Look) -> Pieces:
-    """A black ball with an 8 in a white disc, upright on its flat window."""
+    """A black ball with an 8 in a white disc, standing on its flat window."""
     body = ball(0.1, 0.1, 0.1, (0, 0, 0.047), 32)
     badge = ball(0.046, 0.046, 0.012, (0, 0, 0.0926), 20).turn(0, -0.0)
     image = prints.canvas(64, 64, (246, 246, 244))
@@ -96,7 +96,7 @@ def magic_8_ball(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=2)
 def etch_a_sketch(look: Look) -> Pieces:
-    """A drawing toy: a red frame, a grey screen with a line, two white knobs."""
+    """A drawing toy: a red frame with two white knobs and a line on a grey screen."""
     frame = plastic(look, "red", "red", "pink", "blue")
     body = at_block(0.24, 0.2, 0.03, 0.02)
     image = prints.canvas(128, 92, (196, 198, 194))
@@ -120,7 +120,7 @@ def etch_a_sketch(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=3)
 def view_master(look: Look) -> Pieces:
-    """A picture viewer: two eyepieces, a paper reel on top, a lever."""
+    """A picture viewer with two eyepieces, a paper reel on top and a lever."""
     tile = plastic(look, "red", "red", "blue", "brown")
     body = at_block(0.12, 0.06, 0.085, 0.014)
     eyes = [disc(0.019, 0.02).turn(0, np.pi / 2).move(s * 0.032, -0.028, 0.045) for s in (-1, 1)]
@@ -139,7 +139,7 @@ def view_master(look: Look) -> Pieces:
           roles=("tall",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=6)
 def jack_in_the_box(look: Look) -> Pieces:
-    """A painted box, its lid open, a clown on a spring above it."""
+    """An open painted box with a clown on a spring above it."""
     color = look.color("red", "blue", "yellow", "teal", "purple")
     side = surfaces.stripes([color, look.own_color("yellow", "white", "orange")], 3, upright=True)
     body = at_box(0.09, 0.09, 0.085)
@@ -169,7 +169,7 @@ def jack_in_the_box(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def slinky(look: Look) -> Pieces:
-    """A coiled spring toy bent over in an arch, or standing in a stack."""
+    """A coiled spring toy, bent over in an arch or standing in a stack."""
     color = look.color("silver", "silver", "red", "blue", "green", "purple")
     arch = look.chance(0.6)
     n = 32 if arch else 24
@@ -200,7 +200,7 @@ TOY_KITCHEN_WHITE = surfaces.plain((244, 242, 238))
           themes=("toys",), roles=("tall",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=3)
 def pez_dispenser(look: Look) -> Pieces:
-    """A sweet dispenser: a coloured stem on a foot, a round head with black ears and eyes."""
+    """A sweet dispenser: a coloured stem on a foot and a round head with black ears and eyes."""
     color = look.color("red", "blue", "yellow", "green", "purple")
     stem = at_block(0.022, 0.013, 0.08, 0.003, (0, 0, 0.005))
     foot = at_block(0.03, 0.028, 0.006, 0.006)
@@ -219,7 +219,7 @@ def pez_dispenser(look: Look) -> Pieces:
           roles=("big",), colors=("pink", "white"))  # fmt: skip
 @from_pieces(bodies=5)
 def toy_kitchen(look: Look) -> Pieces:
-    """A toy kitchen: an oven with a window, a hob, a sink, a back wall."""
+    """A toy kitchen: an oven with a window, a hob, a sink and a back wall."""
     tile = plastic(look, "pink", "white", "red", "mint", "wooden")
     body = at_block(0.2, 0.1, 0.12, 0.005)
     top = at_block(0.208, 0.106, 0.008, 0.004, (0, 0, 0.12))
@@ -249,7 +249,7 @@ def toy_kitchen(look: Look) -> Pieces:
           colors=("white",))  # fmt: skip
 @from_pieces(bodies=4)
 def toy_phone(look: Look) -> Pieces:
-    """A toddler's telephone: a face, a dial, wheels, a receiver on a cord."""
+    """A toddler's telephone with a face, a dial, wheels and a receiver on a cord."""
     body = hull_solid([(x, y, z) for x in (-0.05, 0.05) for y, z in ((-0.05, 0.012), (-0.05, 0.03),
                                                                      (0.04, 0.085), (0.055, 0.07),
                                                                      (0.055, 0.012))])  # fmt: skip
@@ -281,7 +281,7 @@ FIDGET_SPINNER_BLACK = surfaces.plain((34, 34, 37))
           colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=1)
 def fidget_spinner(look: Look) -> Pieces:
-    """Three round lobes with rings round a hub."""
+    """A fidget spinner: three round lobes with rings around a hub."""
     tile = plastic(look, *PAINTS, "black", "silver")
     lobes = [disc(0.0165, 0.009, (0.026 * np.cos(a), 0.026 * np.sin(a), 0)) for a in np.pi / 2
              + np.arange(3) * 2.0944]  # fmt: skip
@@ -346,7 +346,7 @@ def jacks(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.1)
 def hobby_horse(look: Look) -> Pieces:
-    """A stuffed horse's head lying, a short stick below."""
+    """A stuffed horse's head on a short stick, lying flat."""
     coat = surfaces.fabric(look.rng, look.color("brown", "tan", "gray", "white"))
     neck = rod([(-0.06, 0, 0.05), (0.02, 0.0, 0.055), (0.08, 0.02, 0.055)], [0.05, 0.042, 0.04], 14)
     head = rod(
@@ -368,7 +368,7 @@ def hobby_horse(look: Look) -> Pieces:
           aliases=("donkey pinata", "party pinata"), themes=("toys",), roles=("tall", "big"),
           colors=("pink",))  # fmt: skip
 def pinata(look: Look) -> Shape:
-    """A pinata: a paper donkey in fringed stripes of bright colours."""
+    """A piñata: a paper donkey with fringed stripes in bright colours."""
     k, color = look.between(0.85, 1.05), look.color("pink", "yellow", "turquoise", "orange")
     bodies = [prism(rectangle(0.16, 0.07, 0.02), 0, 0.08).move(0, 0, 0.075),
               prism(rectangle(0.05, 0.05, 0.014), 0, 0.08).turn(1, -0.35).move(-0.07, 0, 0.13),
@@ -402,7 +402,7 @@ def pinata(look: Look) -> Shape:
           aliases=("dice", "gaming die"), themes=("toys", "games"), colors=("white", "red"),
           common=True)  # fmt: skip
 def die(look: Look) -> Shape:
-    """One large die; the visible faces carry different counts."""
+    """One large die; its visible faces show different numbers."""
     side = look.between(0.018, 0.024)
     ground = look.color("white", "red", "blue", "black", "green")
     ink: RGB = (30, 30, 32) if sum(ground) > 420 else (244, 244, 240)
@@ -421,7 +421,7 @@ def die(look: Look) -> Shape:
           themes=("toys", "sports", "pets"), roles=("round",), colors=("red", "blue"),
           common=True)  # fmt: skip
 def ball_(look: Look) -> Shape:
-    """A ball for tennis, baseball or play, a basketball, or a football."""
+    """A tennis ball, baseball or play ball, a basketball, or a football."""
     kind = int(look.rng.integers(5))
     seams: list[Solid] = []
     ink = (240, 240, 236)
@@ -461,7 +461,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "pink", "teal")
           "anti-gravity spinner", "thaumatrope", "wooden spinning disc", "rattleback"),
           themes=("toys",), colors=("red",))  # fmt: skip
 def spinning_top(look: Look) -> Shape:
-    """A top leaning on its rim and point."""
+    """A spinning top leaning on its rim and point."""
     k = look.between(0.9, 1.15)
     color = look.color(*BRIGHT)
     bands = [color, look.own_color("cream", "white", "yellow"), tint_color(color, 0.6)]
@@ -478,7 +478,7 @@ def spinning_top(look: Look) -> Shape:
 @category("yo_yo", size=(0.093, 0.057, 0.0405), mass=0.055, material="plastic", assembled=True,
           aliases=("yoyo", "yo-yo"), themes=("toys",), colors=("red", "blue"))  # fmt: skip
 def yo_yo(look: Look) -> Shape:
-    """A yo-yo lying on one of its halves, its string beside it."""
+    """A yo-yo lying on one of its halves with its string beside it."""
     k = look.between(0.92, 1.08)
     color = look.color(*BRIGHT)
     half = np.array([(0, 0), (0.018, 0), (0.026, 0.003), (0.0285, 0.009), (0.027, 0.015),
@@ -502,7 +502,7 @@ def yo_yo(look: Look) -> Shape:
           friction=0.6, aliases=("diamond kite", "toy kite"), themes=("toys",),
           roles=("flat", "big"), colors=("red", "yellow"), state="lying flat")  # fmt: skip
 def kite(look: Look) -> Shape:
-    """A small diamond kite lying flat, bows on its tail."""
+    """A small diamond-shaped kite lying flat, with bows on its tail."""
     k = look.between(0.9, 1.1)
     color = look.color(*BRIGHT)
     others = [look.own_color(*BRIGHT) for _ in range(3)]
@@ -528,7 +528,7 @@ def kite(look: Look) -> Shape:
           aliases=("flying disc", "disc golf disc", "flying disk", "discus", "newton disc"),
           themes=("toys",), roles=("round", "flat", "big"), colors=("red", "blue"))  # fmt: skip
 def frisbee(look: Look) -> Shape:
-    """A flying disc lying rim down."""
+    """A flying disc lying with its rim down."""
     r, h = look.between(0.1, 0.135), look.between(0.022, 0.028)
     color = look.color(*BRIGHT, "white")
     body = lathe([(0, 0.7 * h), (0.9 * r, 0.7 * h), (0.97 * r, 0), (r, 0.002), (r, 0.45 * h),
@@ -568,7 +568,7 @@ def bubbles_tub(look: Look) -> Shape:
           aliases=("toy boomerang",), themes=("toys",), roles=("flat",), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def boomerang(look: Look) -> Shape:
-    """A boomerang lying flat."""
+    """A boomerang, lying flat."""
     k = look.between(0.92, 1.1)
     color = look.color("wooden", "red", "yellow", "wooden", "blue", "green")
     outer = smooth([(-0.13, -0.02), (-0.12, 0.005), (-0.03, 0.078), (0.03, 0.078), (0.12, 0.005),
@@ -596,7 +596,7 @@ SOFT = ("sky", "pink", "mint", "lavender", "yellow", "teal", "coral", "orange")
           "tub of play doh", "play doh tub", "pot of play-doh"), themes=("toys",), roles=("round",),
           colors=("red", "blue"))  # fmt: skip
 def play_dough(look: Look) -> Shape:
-    """A tub of play dough, its lid in the colour of the dough."""
+    """A tub of play dough with a lid in the colour of the dough."""
     r, h = look.between(0.03, 0.036), look.between(0.055, 0.068)
     color = look.color("red", "blue", "yellow", "green", "pink", "orange", "purple")
     image = prints.canvas(192, 64, look.pick([(250, 236, 120), (246, 246, 244), (120, 200, 236)]))
@@ -623,7 +623,7 @@ def play_dough(look: Look) -> Shape:
           "plastic shovel", "beach shovel"), themes=("toys",), colors=("red", "blue"),
           state="lying flat")  # fmt: skip
 def toy_spade(look: Look) -> Shape:
-    """A child's sand spade lying flat, its blade to the left."""
+    """A child's sand spade lying flat with its blade on the left."""
     color = look.color("red", "blue", "yellow", "green", "orange", "pink")
     outline = [(-0.125, 0), (-0.115, -0.024), (-0.04, -0.032), (-0.034, 0), (-0.04, 0.032),
                (-0.115, 0.024)]  # fmt: skip
@@ -641,7 +641,7 @@ def toy_spade(look: Look) -> Shape:
           aliases=("inflatable ball", "inflatable beach ball", "water wings", "inflatable armband"),
           themes=("toys",), roles=("round", "big"), colors=("red", "blue"))  # fmt: skip
 def beach_ball(look: Look) -> Shape:
-    """An inflated beach ball in coloured sectors with white caps."""
+    """An inflated beach ball with coloured sectors and white caps."""
     d = look.between(0.16, 0.22)
     first = look.color("red", "blue", "green", "pink", "orange", "yellow")
     panels = [first, (248, 247, 242), look.own_color("yellow", "sky"), (248, 247, 242),
@@ -657,7 +657,7 @@ def beach_ball(look: Look) -> Shape:
           aliases=("bicycle horn", "bulb horn", "clown horn", "squeeze horn"), themes=("toys",),
           colors=("gold",))  # fmt: skip
 def bike_horn(look: Look) -> Shape:
-    """A horn with a rubber bulb, lying."""
+    """A horn with a rubber bulb, lying flat."""
     color = look.color("gold", "silver", "red", "blue")
     k = look.between(0.85, 1.15)
     flare = [(0.007, 0.0), (0.008, 0.05), (0.014, 0.085), (0.027, 0.108), (0.04, 0.115)]
@@ -674,7 +674,7 @@ def bike_horn(look: Look) -> Shape:
           aliases=("paper pinwheel", "paper windmill", "toy windmill", "windmill toy", "whirligig"),
           themes=("toys", "craft"), colors=("red", "blue"))  # fmt: skip
 def pinwheel(look: Look) -> Shape:
-    """A paper windmill on a stick, lying."""
+    """A paper windmill on a stick, lying flat."""
     color = look.color("red", "blue", "yellow", "green", "pink")
     other = look.own_color("yellow", "white", "teal", "orange", "coral")
     k = look.between(0.8, 1.2)
@@ -698,7 +698,7 @@ def pinwheel(look: Look) -> Shape:
           aliases=("toy periscope",), themes=("toys",), roles=("tall",),
           colors=("blue", "red"))  # fmt: skip
 def periscope(look: Look) -> Shape:
-    """A toy periscope: a square tube with a mirror window at either end."""
+    """A toy periscope: a square tube with a mirror window at each end."""
     color = look.color("blue", "red", "gray", "green", "yellow")
     k = look.between(0.8, 1.1)
     trunk = block(0.05, 0.05, 0.23, 0.004)
@@ -722,7 +722,7 @@ def periscope(look: Look) -> Shape:
 @category("diabolo", size=(0.105, 0.105, 0.117), mass=0.15, material="plastic",
           aliases=("chinese yoyo",), themes=("toys",), colors=("red", "blue"))  # fmt: skip
 def diabolo(look: Look) -> Shape:
-    """A diabolo on its end: two cups joined at a narrow waist."""
+    """A diabolo standing on its end: two cups joined at a narrow waist."""
     color = look.color("red", "blue", "yellow", "green", "orange")
     k = look.between(0.85, 1.15)
     side = [(0.05, 0.0), (0.052, 0.003), (0.045, 0.02), (0.022, 0.048), (0.009, 0.056),
@@ -742,7 +742,7 @@ def diabolo(look: Look) -> Shape:
           aliases=("cup-and-ball", "cup-and-ball toy", "cup and ball toy", "bilboquet", "kendama",
           "ball and cup"), themes=("toys",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def cup_and_ball(look: Look) -> Shape:
-    """A wooden cup on a handle, standing, with its ball on a string beside it."""
+    """A wooden cup standing on its handle, with its ball on a string beside it."""
     color = look.color("wooden", "red", "blue", "green")
     k = look.between(0.85, 1.15)
     stem = standing((0.026, 0), (0.026, 0.006), (0.009, 0.016), (0.008, 0.08), (0.012, 0.09),
@@ -768,7 +768,7 @@ def cup_and_ball(look: Look) -> Shape:
           aliases=("praxinoscope", "stroboscope", "phenakistoscope"), themes=("toys",),
           colors=("black",))  # fmt: skip
 def zoetrope(look: Look) -> Shape:
-    """A slotted drum on a foot, with a strip of pictures inside."""
+    """A zoetrope: a slotted drum on a foot with a strip of pictures inside."""
     color = look.color("black", "red", "navy", "wooden")
     k = look.between(0.85, 1.15)
     foot = standing((0.045, 0), (0.045, 0.008), (0.012, 0.018), (0.009, 0.06), sides=24)

@@ -1,4 +1,4 @@
-"""Vehicles (toys)."""
+"""Objects of the ``toys`` theme: vehicles."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def toy_crane(look: Look) -> Pieces:
 
 
 def _side(outline: list[tuple[float, float]], width: float, bevel: float = 0.0) -> Solid:
-    """Return a side view (x, z; counter-clockwise) as thick as ``width`` along y."""
+    """Return a side view (x, z; counter-clockwise) extruded to ``width`` along y."""
     return prism(outline, -width / 2, width / 2, bevel).turn(0, np.pi / 2)
 
 
@@ -63,7 +63,7 @@ def _side(outline: list[tuple[float, float]], width: float, bevel: float = 0.0) 
           "die cast car", "diecast car"), themes=("toys", "craft"),
           colors=("red", "blue", "yellow"), common=True)  # fmt: skip
 def toy_car(look: Look) -> Shape:
-    """A model car; it drives towards +x."""
+    """A model car facing +x."""
     color = look.color("red", "blue", "navy", "silver", "yellow", "green", "white")
     paint, dark = surfaces.speckles(look.rng, color, 4), surfaces.plain((34, 38, 44))
     glass = surfaces.gradient((30, 36, 44), (92, 106, 118), look.rng)
@@ -113,7 +113,7 @@ def toy_car(look: Look) -> Shape:
           aliases=("train", "locomotive", "toy locomotive"), themes=("toys",),
           colors=("red", "blue"), common=True)  # fmt: skip
 def toy_train(look: Look) -> Shape:
-    """A wooden locomotive with four wheels."""
+    """A wooden toy locomotive with four wheels."""
     paint = surfaces.speckles(look.rng, look.color("red", "blue", "green", "violet"), 4)
     other = surfaces.speckles(look.rng, look.own_color("yellow", "orange", "teal"), 4)
     wood = surfaces.wood(look.rng, (206, 164, 110))
@@ -153,12 +153,12 @@ def _wheels(spots: list[tuple[float, float, float]], y: float, thick: float = 0.
 def _windows(
     x: float, z: float, y: float, wide: float, tall: float, count: int, gap: float
 ) -> Solid:
-    """Return a row of windows on both sides, from ``x`` on."""
+    """Return a row of windows on both sides, starting at ``x``."""
     return join([box(wide, 2 * y + 0.0012, tall).move(x + gap * n, 0, z) for n in range(count)])
 
 
 def _lorry(look: Look, kind: str) -> Shape:
-    """A lorry that drives to the left: a cab and what it carries."""
+    """A lorry facing left: a cab and its load."""
     color = look.color(
         *{
             "fire": ("red", "crimson", "yellow", "maroon"),
@@ -219,7 +219,7 @@ def toy_truck(look: Look) -> Shape:
           aliases=("fire engine", "toy fire truck", "toy fire engine", "firetruck"),
           themes=("toys",), colors=("red",))  # fmt: skip
 def fire_truck(look: Look) -> Shape:
-    """A toy fire engine with its ladder."""
+    """A toy fire engine with a ladder."""
     return _lorry(look, "fire")
 
 
@@ -228,7 +228,7 @@ def fire_truck(look: Look) -> Shape:
           "coach", "double-decker bus model"), themes=("toys",),
           colors=("red", "yellow"))  # fmt: skip
 def toy_bus(look: Look) -> Shape:
-    """A toy bus, some with two decks."""
+    """A toy bus, sometimes with two decks."""
     color = look.color("red", "yellow", "blue", "green", "orange")
     paint = surfaces.speckles(look.rng, color, 4)
     decks = look.pick([1, 1, 2])
@@ -248,7 +248,7 @@ def toy_bus(look: Look) -> Shape:
           "toy bulldozer", "bulldozer", "digger"), themes=("toys",),
           colors=("green", "red"))  # fmt: skip
 def toy_tractor(look: Look) -> Shape:
-    """A toy tractor with two large wheels behind."""
+    """A toy tractor with two large rear wheels."""
     color = look.color("green", "red", "blue", "orange")
     paint = surfaces.speckles(look.rng, color, 4)
     hood = block(0.07, 0.034, 0.03, 0.006, 0.003).move(-0.024, 0, 0.026)
@@ -273,7 +273,7 @@ def toy_tractor(look: Look) -> Shape:
           "model boat", "model ship", "tugboat", "wooden boat", "yacht", "toy sailing boat",
           "gondola model"), themes=("toys",), colors=("blue", "red"))  # fmt: skip
 def toy_boat(look: Look) -> Shape:
-    """A toy boat: a hull with a cabin and funnel, or a sail."""
+    """A toy boat: a hull with a cabin and a funnel, or with a sail."""
     color = look.color("blue", "red", "white", "green", "orange")
     paint = surfaces.stack((surfaces.plain(tint_color(color, 0.6)), 0.35),
                            (surfaces.speckles(look.rng, color, 4), 0.65))  # fmt: skip
@@ -308,7 +308,7 @@ def toy_boat(look: Look) -> Shape:
           "toy spaceship", "space rocket", "space shuttle model"), themes=("toys",),
           roles=("tall",), colors=("white", "red"))  # fmt: skip
 def toy_rocket(look: Look) -> Shape:
-    """A toy rocket on three fins, with portholes."""
+    """A toy rocket with portholes, standing on three fins."""
     color = look.color("white", "silver", "red", "blue", "orange")
     other = surfaces.plain(look.own_color("red", "orange", "blue") if sum(color) > 500
                            else (240, 240, 236))  # fmt: skip
@@ -335,7 +335,7 @@ def toy_rocket(look: Look) -> Shape:
           aliases=("helicopter", "model helicopter", "chopper", "balsa helicopter"),
           themes=("toys",), colors=("red", "blue"))  # fmt: skip
 def toy_helicopter(look: Look) -> Shape:
-    """A toy helicopter on its skids."""
+    """A toy helicopter, standing on its skids."""
     color = look.color("red", "blue", "yellow", "green", "orange")
     paint = surfaces.speckles(look.rng, color, 4)
     body = ball(0.085, 0.05, 0.05, (-0.015, 0, 0.044), 18)
@@ -402,7 +402,7 @@ def _paper(look: Look, color: RGB) -> Tile:
 
 
 def sheet(*corners: tuple[float, float, float], thick: float = 0.0012) -> Solid:
-    """Return a thin flat piece of paper through corners in space."""
+    """Return a thin flat piece of paper with the given corners in space."""
     p = np.array(corners, float)
     way = np.cross(p[1] - p[0], p[2] - p[0])
     way = way / np.linalg.norm(way) * thick / 2
@@ -418,7 +418,7 @@ def sheet(*corners: tuple[float, float, float], thick: float = 0.0012) -> Solid:
           aliases=("paper airplane", "paper aeroplane", "paper dart", "folded plane"),
           themes=("toys", "craft"), colors=("white",))  # fmt: skip
 def paper_plane(look: Look) -> Shape:
-    """A folded paper dart."""
+    """A folded paper plane."""
     color = look.color("white", "cream", "sky", "yellow", "red", "mint")
     k, w = look.between(0.75, 1.15), look.between(0.85, 1.2)
     wings = [sheet((0.11, s * 0.001, 0.026), (-0.11, s * 0.004, 0.026),
@@ -438,7 +438,7 @@ def paper_plane(look: Look) -> Shape:
           aliases=("origami boat", "folded boat", "paper ship"), themes=("toys", "craft"),
           colors=("white",))  # fmt: skip
 def paper_boat(look: Look) -> Shape:
-    """A boat folded of paper, its middle fold standing up."""
+    """A folded paper boat with a raised middle fold."""
     color = look.color("white", "blue", "red", "yellow", "mint", "cream")
     k = look.between(0.75, 1.25)
     hull = [sheet((-0.075, s * 0.001, 0.05), (-0.03, s * 0.014, 0.0), (0.03, s * 0.014, 0.0),
@@ -459,7 +459,7 @@ def paper_boat(look: Look) -> Shape:
           "balsa wood glider", "model glider"), themes=("toys",), roles=("big",),
           colors=("tan",))  # fmt: skip
 def glider(look: Look) -> Shape:
-    """A glider of thin balsa wood on its keel."""
+    """A glider of thin balsa wood, resting on its keel."""
     color = look.color("tan", "wooden", "cream")
     k = look.between(0.8, 1.15)
     body = facing(
@@ -484,7 +484,7 @@ def glider(look: Look) -> Shape:
           aliases=("ufo toy", "flying saucer", "toy ufo", "spacecraft"), themes=("toys",),
           colors=("silver",))  # fmt: skip
 def ufo(look: Look) -> Shape:
-    """A flying saucer on three legs, with a glass dome and lights."""
+    """A flying saucer on three legs with a glass dome and lights."""
     color = look.color("silver", "gray", "green", "purple", "blue")
     k = look.between(0.8, 1.2)
     saucer = standing((0.02, 0.02), (0.03, 0.022), (0.065, 0.034), (0.066, 0.038), (0.034, 0.05),
@@ -510,7 +510,7 @@ def ufo(look: Look) -> Shape:
           aliases=("satellite model", "model satellite", "toy satellite", "space probe",
           "space station"), themes=("toys",), colors=("gold", "silver"))  # fmt: skip
 def satellite(look: Look) -> Shape:
-    """A satellite on a stand: a foil-wrapped body, two wings of solar cells, a dish."""
+    """A satellite on a stand: a foil-wrapped body, two wings of solar cells and a dish."""
     color = look.color("gold", "silver", "white", "copper")
     k = look.between(0.85, 1.15)
     base, post = drum(0.035, 0.008, bevel=0.002), drum(0.004, 0.05, (0, 0, 0.006))
@@ -533,7 +533,7 @@ def satellite(look: Look) -> Shape:
           aliases=("rover model", "mars rover", "moon rover", "lunar rover", "toy rover"),
           themes=("toys",), colors=("white",))  # fmt: skip
 def rover(look: Look) -> Shape:
-    """A six-wheeled rover with a camera mast, panels and an arm."""
+    """A six-wheeled rover with a camera mast, solar panels and an arm."""
     color = look.color("white", "silver", "gold", "orange")
     k = look.between(0.85, 1.15)
     wheels = [drum(0.017, 0.014, (x, s * 0.05 - 0.007, 0.017), 1, sides=16)
@@ -559,7 +559,7 @@ def rover(look: Look) -> Shape:
           "aircraft", "toy aeroplane", "toy jet", "jet", "toy aircraft", "airplane toy"),
           themes=("toys",), colors=("red", "yellow"))  # fmt: skip
 def toy_airplane(look: Look) -> Shape:
-    """A toy aeroplane: a stout body, broad wings, a propeller or jets under its wings."""
+    """A toy aeroplane with a stout body, broad wings and a propeller or jets."""
     k = look.between(0.9, 1.15)
     color = look.color("red", "yellow", "blue", "white", "orange", "green", "silver", "wooden")
     skin = look.surface(color, "plastic")

@@ -1,4 +1,4 @@
-"""Weapons (toys)."""
+"""Objects of the ``toys`` theme: weapons."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ BLACK = surfaces.plain((34, 34, 37))
 
 
 def _gun(tank: bool, colors: tuple[str, ...]) -> Drawing:
-    """A toy gun lying on its side: bright, with an orange tip or a water tank."""
+    """A bright toy gun lying on its side, with an orange tip or a water tank."""
 
     def draw(look: Look) -> Pieces:
         tile, other = plastic(look, *colors), dye(look, "orange", "yellow", "black")
@@ -54,7 +54,7 @@ def _gun(tank: bool, colors: tuple[str, ...]) -> Drawing:
           themes=("toys",), roles=("big",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=2)
 def toy_shield(look: Look) -> Pieces:
-    """A heater shield lying: a rim, a quartered field, a boss."""
+    """A heater shield lying flat, with a rim, a quartered field and a boss."""
     a, b = (
         look.color("red", "blue", "wooden", "green", "purple"),
         look.own_color("white", "gold", "yellow", "silver"),
@@ -79,7 +79,7 @@ def toy_shield(look: Look) -> Pieces:
 
 
 def _blade(bend: float, long: float, wide: float, guard: str) -> Drawing:
-    """A sword, cutlass or dagger lying: blade, guard, grip, pommel."""
+    """A sword, cutlass or dagger lying flat: a blade, a guard, a grip and a pommel."""
 
     def draw(look: Look) -> Pieces:
         steel = look.surface(look.color("silver", "gray", "wooden" if guard == "toy" else "silver"),
@@ -147,7 +147,7 @@ def toy_cannon(look: Look) -> Pieces:
 
 
 def _catapult(sling: bool) -> Drawing:
-    """A toy siege engine: a frame on wheels, a throwing arm with a weight or a bowl."""
+    """A toy siege engine: a frame on wheels, and a throwing arm with a weight or a bowl."""
 
     def draw(look: Look) -> Pieces:
         tile = wood(look, "wooden", "brown", "tan")
@@ -181,7 +181,7 @@ def _catapult(sling: bool) -> Drawing:
           roles=("big",), colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.08, bodies=1)
 def lightsaber(look: Look) -> Pieces:
-    """A lightsaber's hilt lying: a ribbed metal grip, a switch, a coloured light at its end."""
+    """A lightsaber hilt lying flat: a ribbed metal grip with a switch and a coloured light."""
     steel = metal(look, "silver", "gray", "black")
     z = 0.021
     body = spindle((-0.13, 0.016), (-0.125, 0.02), (-0.06, 0.02), (-0.055, 0.016), (0.0, 0.017),
@@ -200,7 +200,7 @@ def lightsaber(look: Look) -> Pieces:
           aliases=("catapult", "sling shot"), themes=("toys",), colors=("wooden",),
           state="lying flat")  # fmt: skip
 def slingshot(look: Look) -> Shape:
-    """A forked wooden slingshot lying, a rubber band and a leather patch on it."""
+    """A forked wooden slingshot lying flat, with a rubber band and a leather patch."""
     k = look.between(0.92, 1.08)
     wood = look.surface(look.color("wooden", "brown", "tan", "wooden"), "wood")
     z = r = 0.009 * k

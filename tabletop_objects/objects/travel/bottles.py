@@ -1,4 +1,4 @@
-"""Bottles (travel)."""
+"""Objects of the ``travel`` theme: bottles."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ STEEL: RGB = (188, 191, 196)
           aliases=("water canteen", "army canteen", "field flask", "military canteen",
           "camping canteen"), themes=("travel",), roles=("tall",), colors=("olive",))  # fmt: skip
 def canteen(look: Look) -> Shape:
-    """A round flat water bottle in felt, its cap on a chain, standing."""
+    """A round, upright water bottle covered in felt, with its cap on a chain."""
     k = look.between(0.92, 1.06)
     color = look.color("olive", "tan", "gray", "green")
     r = 0.075

@@ -1,4 +1,4 @@
-"""Gemstones (vanity)."""
+"""Objects of the ``vanity`` theme: gemstones."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...kit.surfaces import RGB, Look, tint_color
 
 
 def _shade(look: Look, body: Solid, color: RGB) -> Pieces:
-    """A body whose faces have tones of their own."""
+    """Return a solid whose faces have different shades."""
     faces = body.faces
     a, b, c = body.vertices[faces].transpose(1, 0, 2)
     normal = np.cross(b - a, c - a).round(9)
@@ -77,7 +77,7 @@ def _cut(*cuts: int, colors: tuple[str, ...], size: float = 0.018) -> Drawing:
 
 
 def _tilt(body: Solid) -> Solid:
-    """A cut stone leaning as it comes to rest: on a facet of its underside."""
+    """Return a cut stone at rest, tilted onto a facet of its underside."""
     v, f = body.vertices, body.faces
     cross = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
     size = np.linalg.norm(cross, axis=1)

@@ -1,4 +1,4 @@
-"""Hair tools (vanity)."""
+"""Objects of the ``vanity`` theme: hair tools."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("toupee", "hairpiece", "clown wig", "fancy dress wig"), themes=("vanity",),
           roles=("big",), colors=("brown",))  # fmt: skip
 def wig(look: Look) -> Shape:
-    """A wig standing: a cap of long wavy locks, parted."""
+    """A wig standing upright: a cap of long, wavy, parted hair."""
     color = look.color("brown", "black", "yellow", "orange", "pink", "gray", "red")
     k = look.between(0.85, 1.05)
     long = look.between(0.06, 0.12)
@@ -48,7 +48,7 @@ HUES = ("pink", "black", "red", "teal", "purple", "gold", "navy", "white", "brow
           aliases=("claw clip", "hairclip", "hair claw", "barrette", "hair slide",
           "barber's cape clip"), themes=("vanity",), colors=("pink", "black"))  # fmt: skip
 def hair_clip(look: Look) -> Shape:
-    """A claw clip for hair lying with its teeth down, or a flower clip."""
+    """A hair claw clip lying with its teeth down, or a clip with a flower."""
     color = look.color(*HUES)
     k = look.between(0.85, 1.25)
     teeth: list[Solid] = []
@@ -74,7 +74,7 @@ def hair_clip(look: Look) -> Shape:
           themes=("vanity",), roles=("flat",), colors=("pink", "black"),
           state="lying flat")  # fmt: skip
 def hair_tie(look: Look) -> Shape:
-    """A hair tie of gathered cloth lying flat."""
+    """A scrunchie of gathered cloth, lying flat."""
     color = look.color(*HUES, "mustard", "sage")
     r = look.between(0.026, 0.036)
     n, m = 44, 8
@@ -96,7 +96,7 @@ def hair_tie(look: Look) -> Shape:
           "sweat headband"), themes=("vanity",), colors=("pink", "black"),
           state="lying flat")  # fmt: skip
 def headband(look: Look) -> Shape:
-    """A headband lying: a stiff arch, some with a bow."""
+    """A headband lying flat: a stiff arch, sometimes with a bow."""
     color = look.color(*HUES)
     k = look.between(0.9, 1.1)
     a = np.linspace(-0.35, np.pi + 0.35, 22)
@@ -118,7 +118,7 @@ def headband(look: Look) -> Shape:
           aliases=("hair pin", "hairpin", "hair grip", "kirby grip"), themes=("vanity",),
           colors=("black",), state="lying flat")  # fmt: skip
 def bobby_pin(look: Look) -> Shape:
-    """A hair grip lying: a bent wire, one leg waved."""
+    """A hair grip lying flat: a bent wire with one wavy leg."""
     color = look.color("black", "brown", "gold", "silver", "copper", "pink")
     path = smooth([(0.026, 0.0022, 0.001), (0.012, 0.003, 0.001), (0.004, 0.0012, 0.001),
                    (-0.004, 0.003, 0.001), (-0.012, 0.0012, 0.001), (-0.024, 0.0022, 0.001),
@@ -135,7 +135,7 @@ def bobby_pin(look: Look) -> Shape:
           aliases=("hair curler", "curler", "velcro roller"), themes=("vanity",),
           colors=("pink", "purple"), state="lying")  # fmt: skip
 def hair_roller(look: Look) -> Shape:
-    """A hair roller lying: a pierced tube with rings at its ends."""
+    """A hair roller lying flat: a perforated tube with rings at its ends."""
     color = look.color("pink", "purple", "green", "blue", "yellow", "red")
     r, long = look.between(0.014, 0.022), look.between(0.058, 0.068)
     body = lathe(
@@ -150,7 +150,7 @@ def hair_roller(look: Look) -> Shape:
 
 
 def _cord(x: float, z: float) -> Solid:
-    """Return a short power cord that leaves to the right from (x, 0, z)."""
+    """Return a short power cord that runs to the right from (x, 0, z)."""
     return rod([(x, 0, z), (x + 0.02, 0, z - 0.004), (x + 0.045, 0.02, 0.0035),
                 (x + 0.03, 0.05, 0.0032), (x, 0.058, 0.0032)], 0.003, 7)  # fmt: skip
 
@@ -159,7 +159,7 @@ def _cord(x: float, z: float) -> Solid:
           aliases=("curling tongs", "curling wand", "hair tongs"), themes=("vanity",),
           colors=("black", "pink"), state="lying")  # fmt: skip
 def curling_iron(look: Look) -> Shape:
-    """A curling iron lying: a metal rod with a clip, a grip, a cord."""
+    """A curling iron lying flat: a metal rod with a clip, a grip and a cord."""
     color = look.color("black", "pink", "purple", "white", "teal", "red")
     rod_ = straight((-0.15, 0, 0.0165), (0.0, 0, 0.0165), 0.0105, 16)
     tip = straight((-0.165, 0, 0.0165), (-0.149, 0, 0.0165), [0.006, 0.0095], 14)
@@ -180,7 +180,7 @@ def curling_iron(look: Look) -> Shape:
           "hair straighteners"), themes=("vanity",), colors=("black", "pink"),
           state="lying")  # fmt: skip
 def hair_straightener(look: Look) -> Shape:
-    """A hair straightener lying open: two arms with plates that meet at a hinge."""
+    """An open hair straightener lying flat: two hinged arms with plates."""
     color = look.color("black", "pink", "purple", "white", "gold", "teal")
     low = block(0.24, 0.03, 0.014, 0.008, 0.003)
     up = block(0.24, 0.03, 0.014, 0.008, 0.003).move(-0.12).turn(1, 0.14).move(0.12, 0, 0.0135)
@@ -201,7 +201,7 @@ def hair_straightener(look: Look) -> Shape:
           aliases=("hairdryer", "blow dryer", "blowdryer"), themes=("vanity",),
           colors=("black", "pink"), state="lying flat", common=True)  # fmt: skip
 def hair_dryer(look: Look) -> Shape:
-    """A hair dryer lying on its side, its nozzle towards +x."""
+    """A hair dryer lying on its side with its nozzle towards +x."""
     k = look.between(0.92, 1.1)
     color = look.color("black", "pink", "white", "red", "teal", "purple", "charcoal")
     shell = surfaces.speckles(look.rng, color, 4)
@@ -233,7 +233,7 @@ def hair_dryer(look: Look) -> Shape:
           themes=("vanity",), roles=("flat",), colors=("black", "pink"), state="lying flat",
           common=True)  # fmt: skip
 def hairbrush(look: Look) -> Shape:
-    """A paddle brush lying on its back, bristles up."""
+    """A paddle brush lying on its back with its bristles up."""
     wood = look.surface(look.color("black", "pink", "wooden", "teal", "cream"), "plastic")
     pad = surfaces.grid((60, 52, 58), (196, 150, 160), 12, 8, 96, 2)
     head = prism(ellipse(0.105, 0.07, 24), 0, 0.014, 0.004).move(x=-0.06)
@@ -253,7 +253,7 @@ def hairbrush(look: Look) -> Shape:
           aliases=("hair comb", "pocket comb", "barber comb"), themes=("vanity",), roles=("flat",),
           colors=("black",), state="lying flat")  # fmt: skip
 def comb(look: Look) -> Shape:
-    """A comb lying flat: one row of teeth, coarse and fine, or with a handle."""
+    """A comb lying flat: one row of coarse and fine teeth, or a comb with a handle."""
     long, wide = look.between(0.15, 0.19), look.between(0.028, 0.036)
     color = look.color("black", "black", "bronze", "pink", "sky", "wooden", "red", "white")
     skin = look.surface(color, "plastic")

@@ -1,4 +1,4 @@
-"""Jewelry (vanity)."""
+"""Objects of the ``vanity`` theme: jewelry."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from ...kit.surfaces import Look, readable_on, tint_color
           colors=("brown",))  # fmt: skip
 @from_pieces(bodies=1)
 def drawstring_pouch(look: Look) -> Pieces:
-    """A plump pouch tied shut below its mouth, two ends of cord hanging to the right."""
+    """A plump pouch tied shut below its mouth, with two cord ends hanging on the right."""
     color = look.color("brown", "tan", "maroon", "black", "purple")
     body = standing((0.03, 0), (0.042, 0.01), (0.043, 0.03), (0.03, 0.052), (0.012, 0.062),
                     (0.022, 0.078), sides=20)  # fmt: skip
@@ -52,7 +52,7 @@ def drawstring_pouch(look: Look) -> Pieces:
           themes=("vanity", "office"), colors=("brown", "black"), state="lying, strap closed",
           common=True)  # fmt: skip
 def wristwatch(look: Look) -> Shape:
-    """A watch with its strap closed, lying with the dial up."""
+    """A wristwatch with its strap closed, lying with its dial up."""
     r = look.between(0.018, 0.022)
     smart = look.chance(0.35)
     strap_color = look.color("brown", "black", "silver", "navy", "red", "teal", "tan")
@@ -92,7 +92,7 @@ def wristwatch(look: Look) -> Shape:
           "trinket bowl", "ring tray", "coin dish"), themes=("vanity",),
           roles=("container", "round", "support"), colors=("white", "pink"))  # fmt: skip
 def trinket_dish(look: Look) -> Shape:
-    """A small dish for rings and trinkets with a gold rim."""
+    """A small dish with a gold rim for rings and trinkets."""
     r = look.between(0.045, 0.06)
     color = look.color("white", "pink", "sage", "navy", "cream", "teal", "lavender")
     body, parts = open_vessel([(0.6 * r, 0), (0.9 * r, 0.008), (r, 0.02)], 0.0035, 0.004)
@@ -129,7 +129,7 @@ def ring_box(look: Look) -> Shape:
           themes=("vanity",), roles=("big",), colors=("brown", "pink"),
           state="standing open")  # fmt: skip
 def jewelry_box(look: Look) -> Shape:
-    """A jewellery box, its lid open with a mirror, a cushioned tray with pearls and rings."""
+    """An open jewellery box with a mirror in its lid and a cushioned tray of pearls and rings."""
     x, y, h = look.between(0.16, 0.21), look.between(0.12, 0.15), look.between(0.06, 0.08)
     color = look.color("brown", "white", "pink", "maroon", "teal", "black", "wooden", "cream")
     skin = look.surface(color, look.pick(["wood", "leather"]))
@@ -171,7 +171,7 @@ def jewelry_box(look: Look) -> Shape:
           themes=("vanity",), roles=("flat",), colors=("gold", "silver"),
           state="lying flat")  # fmt: skip
 def ring(look: Look) -> Shape:
-    """A finger ring lying flat with a stone, or a plain band."""
+    """A finger ring with a stone, or a plain band, lying flat."""
     k = look.between(0.95, 1.15)
     color = look.color("gold", "silver", "gold", "copper", "silver")
     metal = look.surface(color, "metal")
@@ -204,7 +204,7 @@ def ring(look: Look) -> Shape:
           "choker"), themes=("vanity",), roles=("flat",), colors=("white", "gold"),
           state="lying flat")  # fmt: skip
 def necklace(look: Look) -> Shape:
-    """A necklace lying in a loop: pearls, beads, or a chain with a pendant; or a short bracelet."""
+    """A necklace in a loop (pearls, beads, or a chain with a pendant), or a short bracelet."""
     color = look.color("white", "ivory", "gold", "silver", "red", "teal", "violet", "sky")
     r = look.between(0.05, 0.075)
     count = 44
@@ -241,7 +241,7 @@ def necklace(look: Look) -> Shape:
 
 
 def _heart(size: float) -> Solid:
-    """Return a flat heart pointing to -y, ``size`` wide, on z = 0."""
+    """Return a flat heart on z = 0 that points to -y and is ``size`` wide."""
     t = np.linspace(0, 2 * np.pi, 26)[:-1]
     x = 16 * np.sin(t) ** 3
     y = 13 * np.cos(t) - 5 * np.cos(2 * t) - 2 * np.cos(3 * t) - np.cos(4 * t)
@@ -256,7 +256,7 @@ def _heart(size: float) -> Solid:
           "friendship bracelet", "charm bracelet"), themes=("vanity",), roles=("flat", "round"),
           colors=("gold", "silver"), state="lying flat")  # fmt: skip
 def bracelet(look: Look) -> Shape:
-    """A bangle, a bracelet of beads, or an open cuff lying flat."""
+    """A bangle, a bracelet of beads, or an open cuff, lying flat."""
     r = look.between(0.029, 0.035)
     color = look.color(
         "gold", "silver", "copper", "teal", "red", "wooden", "black", "violet", "sky"
@@ -294,7 +294,7 @@ def gold(look: Look, color: tuple[float, float, float]) -> surfaces.Tile:
 
 
 def _gem(r: float, h: float, sides: int = 8) -> Solid:
-    """Return a cut stone on z = 0: a girdle, a table on top."""
+    """Return a cut stone on z = 0, with a girdle and a flat table on top."""
     return lathe([(0, 0), (0.55 * r, 0), (r, 0.45 * h), (0.6 * r, h), (0, h)], sides)
 
 
@@ -303,7 +303,7 @@ def _gem(r: float, h: float, sides: int = 8) -> Solid:
           "stud earring", "nose stud", "body piercing", "belly bar"), themes=("vanity",),
           colors=("gold", "silver"), state="lying")  # fmt: skip
 def earring(look: Look) -> Shape:
-    """An earring lying: a hook, a ring and a drop of stone."""
+    """An earring lying flat: a hook, a ring and a drop-shaped stone."""
     metal = gold(look, look.color("gold", "silver", "copper"))
     stone = look.own_color(*GEMS)
     k = look.between(0.9, 1.4)
@@ -323,7 +323,7 @@ def earring(look: Look) -> Shape:
           "enamel badge", "gold star sticker", "enamel pin", "aigrette"), themes=("vanity",),
           colors=("gold", "silver"), state="lying")  # fmt: skip
 def brooch(look: Look) -> Shape:
-    """A brooch lying: petals of gold round a stone, or a cameo."""
+    """A brooch lying flat: gold petals around a stone, or a cameo."""
     color = look.color("gold", "silver", "copper", "bronze")
     stone = look.own_color(*GEMS)
     k = look.between(0.9, 1.3)
@@ -343,7 +343,7 @@ def brooch(look: Look) -> Shape:
           aliases=("cuff link",), themes=("vanity",), colors=("silver", "gold"),
           state="lying")  # fmt: skip
 def cufflink(look: Look) -> Shape:
-    """A cufflink standing on its bar: a post, and a disc with a stone above."""
+    """A cufflink standing on its bar: a post, and a disc with a stone on top."""
     color = look.color("silver", "gold", "black", "copper")
     k = look.between(0.9, 1.25)
     face = (cylinder(0.0085, 0.004, 22, bevel=0.0008) if look.chance(0.5) else
@@ -363,7 +363,7 @@ def cufflink(look: Look) -> Shape:
           aliases=("tie pin", "tie bar", "tie clasp"), themes=("vanity",),
           colors=("silver", "gold"), state="lying")  # fmt: skip
 def tie_clip(look: Look) -> Shape:
-    """A tie clip lying: two flat bars joined at one end."""
+    """A tie clip lying flat: two flat bars joined at one end."""
     color = look.color("silver", "gold", "black", "copper", "bronze")
     k = look.between(0.9, 1.25)
     low = block(0.052, 0.006, 0.0013, 0.001)
@@ -380,7 +380,7 @@ def tie_clip(look: Look) -> Shape:
           "watch movement", "nurse fob watch"), themes=("vanity", "office"),
           colors=("gold", "silver"), state="lying flat")  # fmt: skip
 def pocket_watch(look: Look) -> Shape:
-    """A pocket watch lying, its crown above, a chain curled beside it."""
+    """A pocket watch lying flat with its crown at the top and a curled chain beside it."""
     color = look.color("gold", "silver", "brass", "copper", "bronze")
     r = look.between(0.022, 0.027)
     case = lathe([(0, 0), (0.75 * r, 0), (r, 0.005), (r, 0.008), (0.88 * r, 0.0115),
@@ -404,7 +404,7 @@ def pocket_watch(look: Look) -> Shape:
           "silver cross"), themes=("vanity",), roles=("flat",), colors=("gold", "silver"),
           state="lying flat")  # fmt: skip
 def pendant(look: Look) -> Shape:
-    """A pendant on its chain lying: a heart, drop or disc with the chain in a loop."""
+    """A pendant lying flat: a heart, a drop or a disc, with its chain in a loop."""
     color = look.color("gold", "silver", "copper")
     kind = look.pick(["heart", "gem", "disc"])
     a = np.linspace(np.pi / 2 + 0.35, 5 * np.pi / 2 - 0.35, 40)

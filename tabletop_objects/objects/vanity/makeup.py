@@ -1,4 +1,4 @@
-"""Makeup (vanity)."""
+"""Objects of the ``vanity`` theme: makeup."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _metal(look: Look) -> surfaces.Tile:
           aliases=("mascara tube", "mascara wand", "mascara brush"), themes=("vanity",),
           colors=("black", "pink"), state="lying")  # fmt: skip
 def mascara(look: Look) -> Shape:
-    """A mascara: its wand lies beside the closed tube's mouth, drawn out of it."""
+    """A closed tube of mascara with its wand beside it."""
     color = look.color(*CASES)
     r, long = look.between(0.0075, 0.0095), look.between(0.07, 0.085)
     case = cylinder(r, long, 20, bevel=0.001).turn(1, np.pi / 2).move(0.01, 0, 0.98 * r)
@@ -48,7 +48,7 @@ def mascara(look: Look) -> Shape:
           "makeup pencil", "lip pencil"), themes=("vanity",), colors=("black",),
           state="lying")  # fmt: skip
 def eyeliner(look: Look) -> Shape:
-    """An eyeliner pencil lying, its tip to the left, its cap beside the end."""
+    """An eyeliner pencil lying flat with its tip on the left and its cap beside its end."""
     color = look.color("black", "brown", "navy", "purple", "teal", "gold")
     long = look.between(0.11, 0.14)
     r = 0.0042
@@ -68,7 +68,7 @@ def eyeliner(look: Look) -> Shape:
           "make up palette", "cosmetic palette"), themes=("vanity",), colors=("black", "pink"),
           state="standing open")  # fmt: skip
 def eyeshadow_palette(look: Look) -> Shape:
-    """An open palette: pans of coloured powder, a mirror in the raised lid."""
+    """An open palette with pans of coloured powder and a mirror in its raised lid."""
     color = look.color(*CASES)
     columns = look.pick([3, 4, 5])
     x, y, t = 0.028 * columns + 0.012, 0.068, 0.01
@@ -98,7 +98,7 @@ def eyeshadow_palette(look: Look) -> Shape:
           aliases=("blush", "blush pot", "rouge", "highlighter powder", "blusher compact"),
           themes=("vanity",), colors=("pink",))  # fmt: skip
 def blusher(look: Look) -> Shape:
-    """A round pot of blusher, its lid lying against it."""
+    """A round pot of blusher with its lid leaning on it."""
     color = look.color(*CASES)
     r = look.between(0.026, 0.034)
     powder = look.pick([(230, 130, 130), (222, 150, 130), (206, 110, 120), (236, 170, 150)])
@@ -120,7 +120,7 @@ def blusher(look: Look) -> Shape:
           "eyeshadow brush", "lip brush"), themes=("vanity",), colors=("black", "pink"),
           state="lying")  # fmt: skip
 def makeup_brush(look: Look) -> Shape:
-    """A make-up brush lying: a long handle, a metal collar, a soft head to the left."""
+    """A make-up brush lying flat: a long handle, a metal collar and a soft head on the left."""
     color = look.color("black", "pink", "wooden", "white", "gold", "purple", "teal")
     long = look.between(0.14, 0.18)
     h, wide = long / 2, look.between(0.009, 0.014)
@@ -141,7 +141,7 @@ def makeup_brush(look: Look) -> Shape:
           aliases=("puff", "makeup sponge", "beauty sponge"), themes=("vanity",), roles=("round",),
           colors=("pink",))  # fmt: skip
 def powder_puff(look: Look) -> Shape:
-    """A round powder puff with a ribbon across."""
+    """A round powder puff with a ribbon across it."""
     color = look.color("pink", "white", "cream", "beige", "lavender", "black")
     r = look.between(0.03, 0.042)
     body = lathe([(0, 0), (0.9 * r, 0), (r, 0.22 * r), (0.92 * r, 0.42 * r), (0, 0.48 * r)], 28)
@@ -155,7 +155,7 @@ def powder_puff(look: Look) -> Shape:
           "wash bag", "toiletries bag", "zipper pouch", "dopp kit", "vanity case"),
           themes=("vanity",), colors=("pink", "navy"))  # fmt: skip
 def makeup_bag(look: Look) -> Shape:
-    """A zipped pouch standing, wider at its foot."""
+    """An upright, zipped make-up bag, wider at the bottom."""
     x, y, h = look.between(0.15, 0.19), look.between(0.06, 0.08), look.between(0.09, 0.11)
     color = look.color("pink", "navy", "black", "teal", "mustard", "coral", "sage", "gray")
     cloth = surfaces.fit(glaze_tile(look, color), 128, 128)
@@ -176,7 +176,7 @@ def makeup_bag(look: Look) -> Shape:
           aliases=("lash curler",), themes=("vanity",), colors=("silver", "gold"),
           state="lying")  # fmt: skip
 def eyelash_curler(look: Look) -> Shape:
-    """An eyelash curler lying: two ring handles and a curved clamp."""
+    """An eyelash curler lying flat: two ring handles and a curved clamp."""
     color = look.color("silver", "gold", "pink", "black", "copper")
     metal = look.surface(color, "metal")
     rings = [
@@ -217,7 +217,7 @@ def foundation(look: Look) -> Shape:
           "cosmetic mirror", "tabletop mirror", "desk mirror", "make up mirror", "shaving mirror"),
           themes=("vanity",), roles=("tall", "big"), colors=("white", "gold"))  # fmt: skip
 def standing_mirror(look: Look) -> Shape:
-    """A make-up mirror on a foot: round, oval or square, tilted a little back."""
+    """A round, oval or square make-up mirror on a foot, tilted slightly back."""
     w = look.between(0.075, 0.1)
     color = look.color("white", "gold", "silver", "black", "pink", "wooden", "copper")
     skin = look.surface(color, look.pick(["metal", "plastic"]))
@@ -247,7 +247,7 @@ def standing_mirror(look: Look) -> Shape:
           "lip salve", "brow gel"), themes=("vanity",), roles=("round",), colors=("black", "gold"),
           common=True)  # fmt: skip
 def lipstick(look: Look) -> Shape:
-    """An open lipstick standing: tube, ring and slanted colour."""
+    """An open lipstick standing upright: a tube, a ring and a slanted colour stick."""
     case = surfaces.speckles(look.rng, look.color("black", "gold", "white", "navy"), 3)
     ring = surfaces.brushed_metal(look.rng, look.own_color("gold", "silver"))
     pigment = surfaces.plain(look.own_color("red", "crimson", "pink", "coral", "magenta"))
@@ -268,7 +268,7 @@ def lipstick(look: Look) -> Shape:
           aliases=("mirror", "handheld mirror"), themes=("vanity",), roles=("flat",),
           colors=("gold", "silver"), state="lying flat", common=True)  # fmt: skip
 def hand_mirror(look: Look) -> Shape:
-    """A round or oval hand mirror lying face up."""
+    """A round or oval hand mirror, lying face up."""
     frame = look.surface(
         look.color("gold", "silver", "pink", "white", "black", "teal", "brown"), "plastic"
     )
@@ -289,7 +289,7 @@ def hand_mirror(look: Look) -> Shape:
           aliases=("nail varnish", "nail polish bottle", "nail polish remover"), themes=("vanity",),
           colors=("red", "pink"), common=True)  # fmt: skip
 def nail_polish(look: Look) -> Shape:
-    """A small square bottle with a tall black cap."""
+    """A small square bottle of nail polish with a tall black cap."""
     color = look.color("red", "pink", "violet", "coral", "navy", "teal", "gold")
     body = block(0.028, 0.028, 0.034, 0.006, 0.003)
     cap = cylinder(0.0085, 0.036, 16, top=0.0065, bevel=0.001).move(z=0.034)
@@ -306,7 +306,7 @@ def nail_polish(look: Look) -> Shape:
           "foundation compact"), themes=("vanity",), colors=("black", "pink"),
           state="standing open", common=True)  # fmt: skip
 def makeup_compact(look: Look) -> Shape:
-    """An open compact: powder below, mirror standing behind."""
+    """An open compact with powder below and a mirror in its upright lid."""
     r, t = look.between(0.034, 0.039), 0.009
     case = surfaces.speckles(look.rng, look.color("black", "pink", "gold", "white"), 3)
     powder = surfaces.speckles(look.rng, look.own_color("tan", "beige", "coral", "pink"), 6)

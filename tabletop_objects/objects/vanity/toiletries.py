@@ -1,4 +1,4 @@
-"""Toiletries (vanity)."""
+"""Objects of the ``vanity`` theme: toiletries."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from ...kit.surfaces import RGB, Look, Tile, readable_on, tint_color
           aliases=("roll of toilet paper", "toilet paper roll", "loo roll"), themes=("vanity",),
           roles=("round",), colors=("white",))  # fmt: skip
 def toilet_roll(look: Look) -> Shape:
-    """A roll of toilet paper standing, its last sheet hanging down."""
+    """An upright roll of toilet paper with its last sheet hanging down."""
     r, h = look.between(0.048, 0.058), look.between(0.092, 0.105)
     color = look.color("white", "white", "cream", "pink", "sky")
     roll = lathe([(0.02, 0), (r, 0), (r, h), (0.02, h)], 30, loop=True)
@@ -50,7 +50,7 @@ def toilet_roll(look: Look) -> Shape:
           aliases=("bath puff", "shower puff", "bath sponge", "bath pouf", "shower sponge", "loofa",
           "luffa"), themes=("vanity",), colors=("pink", "teal"))  # fmt: skip
 def loofah(look: Look) -> Shape:
-    """A ruffled bath puff with a cord."""
+    """A loofah: a ruffled bath puff with a cord."""
     color = look.color("pink", "teal", "purple", "white", "green", "blue", "orange")
     d = look.between(0.09, 0.12)
     ruffles: list[Solid] = []
@@ -75,7 +75,7 @@ def loofah(look: Look) -> Shape:
           "packet tissues", "pack of wipes", "packet of wipes"), themes=("vanity",),
           colors=("sky", "blue"), state="lying flat")  # fmt: skip
 def tissue_pack(look: Look) -> Shape:
-    """A pocket pack of tissues, one drawn out at the slit."""
+    """A pocket pack of tissues with one pulled out of the slit."""
     x, y, h = look.between(0.1, 0.115), look.between(0.053, 0.06), look.between(0.022, 0.028)
     color = look.color("sky", "blue", "green", "pink", "lavender", "white", "teal")
     body = pad(x, y, h, 0.006, soft=0.35, steps=3)
@@ -92,7 +92,7 @@ def tissue_pack(look: Look) -> Shape:
           aliases=("floss", "floss box", "box of dental floss"), themes=("vanity",),
           colors=("white", "mint"))  # fmt: skip
 def dental_floss(look: Look) -> Shape:
-    """A box of dental floss, its lid open over a bit of thread."""
+    """A box of dental floss with an open lid and a bit of thread."""
     color = look.color("white", "mint", "blue", "teal", "pink", "green")
     k = look.between(0.9, 1.15)
     body = block(0.042, 0.018, 0.05, 0.008, 0.002)
@@ -115,7 +115,7 @@ STEEL = (196, 200, 206)
           "spudger", "haemostat", "hemostat", "tick remover", "needle holder", "tweezer set"),
           themes=("vanity",), colors=("silver",), state="lying")  # fmt: skip
 def tweezers(look: Look) -> Shape:
-    """A pair of tweezers lying on its side."""
+    """A pair of tweezers, lying on its side."""
     color = look.color("silver", "pink", "black", "gold", "teal", "red")
     long = look.between(0.085, 0.105)
     h = long / 2
@@ -129,7 +129,7 @@ def tweezers(look: Look) -> Shape:
 
 
 def _strip(path: np.ndarray, wide: np.ndarray) -> Solid:
-    """Return an upright strip 9 mm tall along a level path."""
+    """Return an upright strip, 9 mm tall, along a level path."""
     return sweep(path, rectangle(0.0014, 0.009), wide)
 
 
@@ -137,7 +137,7 @@ def _strip(path: np.ndarray, wide: np.ndarray) -> Solid:
           aliases=("nail clipper", "nail cutter", "toenail clippers", "fingernail clippers"),
           themes=("vanity",), colors=("silver",), state="lying")  # fmt: skip
 def nail_clippers(look: Look) -> Shape:
-    """Nail clippers lying closed, the lever on top."""
+    """Closed nail clippers lying flat with the lever on top."""
     color = look.color("silver", "gold", "black", "pink", "blue")
     k = look.between(0.9, 1.2)
     steel = surfaces.brushed_metal(look.rng, STEEL)
@@ -184,7 +184,7 @@ def cotton_ball(look: Look) -> Shape:
           aliases=("cotton bud", "q-tip", "q tip", "ear bud", "swab", "ear swab", "swab tube"),
           themes=("vanity",), colors=("white",), state="lying")  # fmt: skip
 def cotton_swab(look: Look) -> Shape:
-    """A cotton bud lying."""
+    """A cotton bud, lying flat."""
     color = look.color("white", "blue", "pink", "wooden", "green", "yellow")
     long = look.between(0.066, 0.085)
     r = 0.0012
@@ -199,7 +199,7 @@ def cotton_swab(look: Look) -> Shape:
           "cotton wool pad", "makeup wipe"), themes=("vanity",), roles=("round", "flat"),
           colors=("white",), state="lying flat")  # fmt: skip
 def cotton_pad(look: Look) -> Shape:
-    """A round cotton pad with a pressed rim."""
+    """A round cotton pad with a pressed edge."""
     color = look.color("white", "white", "cream", "pink", "mint")
     r = look.between(0.024, 0.034)
     body = lathe(
@@ -214,7 +214,7 @@ def cotton_pad(look: Look) -> Shape:
           aliases=("shave brush", "badger brush", "shaving kit"), themes=("vanity",),
           roles=("tall", "round"), colors=("black", "wooden"))  # fmt: skip
 def shaving_brush(look: Look) -> Shape:
-    """A shaving brush standing on its handle, bristles up."""
+    """A shaving brush standing on its handle with its bristles up."""
     color = look.color("black", "wooden", "white", "brown", "silver", "red")
     handle = lathe([(0, 0), (0.018, 0), (0.019, 0.006), (0.011, 0.024), (0.015, 0.042),
                     (0.013, 0.052), (0, 0.052)], 24)  # fmt: skip
@@ -234,7 +234,7 @@ def shaving_brush(look: Look) -> Shape:
           "fabric shaver", "bobble remover"), themes=("vanity",), colors=("black", "navy"),
           state="lying")  # fmt: skip
 def electric_shaver(look: Look) -> Shape:
-    """An electric shaver lying on its back, three round cutters at its head."""
+    """An electric shaver with three round cutters in its head, lying on its back."""
     color = look.color("black", "navy", "silver", "gray", "red", "white")
     body = rod([(-0.03, 0, 0.02), (0.02, 0, 0.021), (0.075, 0, 0.018)], [0.021, 0.02, 0.0165], 18)
     body = body.scale(1, 1.15, 0.92)
@@ -254,7 +254,7 @@ def electric_shaver(look: Look) -> Shape:
 
 
 def _front(look: Look, words: tuple[str, ...], color: RGB) -> Tile:
-    """Return a label for a front: a title on a ground that suits ``color``."""
+    """Return a label for the front: a title on a background that suits ``color``."""
     pale = sum(color) > 480
     ground = tint_color(color, 0.92) if pale else color
     ink = tint_color(color, 0.35) if pale else (250, 250, 246)
@@ -277,7 +277,7 @@ def _front(look: Look, words: tuple[str, ...], color: RGB) -> Tile:
 def _bottle(
     look: Look, words: tuple[str, ...], colors: tuple[str, ...], h: float, *, cap: str = "flip"
 ) -> Shape:
-    """A flat-oval plastic bottle; ``cap`` is "flip", "pump" or "screw"."""
+    """An oval plastic bottle with a "flip", "pump" or "screw" ``cap``."""
     color = look.color(*colors)
     x, y, h = look.between(0.056, 0.07), look.between(0.034, 0.042), h * look.between(0.9, 1.1)
     outline = rectangle(1, 1, 0.48, 6)
@@ -304,7 +304,7 @@ def _bottle(
 
 
 def _tube(look: Look, words: tuple[str, ...], colors: tuple[str, ...], h: float) -> Shape:
-    """A soft tube standing on its cap, flat at its upper end."""
+    """A soft tube with a flat upper end, standing on its cap."""
     color = look.color(*colors)
     r, h = look.between(0.02, 0.026), h * look.between(0.88, 1.12)
     outline = rectangle(2, 2, 0.98, 7)
@@ -422,7 +422,7 @@ def aftershave(look: Look) -> Shape:
           "antiseptic cream", "contact lens solution tube", "sun cream tube"), themes=("vanity",),
           roles=("tall",), colors=("pink", "white"))  # fmt: skip
 def hand_cream(look: Look) -> Shape:
-    """A tube of hand cream standing on its cap."""
+    """A tube of hand cream, standing on its cap."""
     return _tube(
         look, ("HAND", "CREAM"), ("pink", "white", "sage", "lavender", "yellow", "sky"), 0.12
     )
@@ -432,7 +432,7 @@ def hand_cream(look: Look) -> Shape:
           aliases=("facial cleanser", "hair gel", "face wash tube", "facewash", "tube of gel"),
           themes=("vanity",), roles=("tall",), colors=("teal", "blue"))  # fmt: skip
 def face_wash(look: Look) -> Shape:
-    """A tube of face wash or gel standing on its cap."""
+    """A tube of face wash or gel, standing on its cap."""
     return _tube(look, ("FACE", "GEL", "WASH"), ("teal", "blue", "green", "white", "orange"), 0.16)
 
 
@@ -459,7 +459,7 @@ def hairspray(look: Look) -> Shape:
           "roll-on deodorant", "roll on deodorant"), themes=("vanity",), roles=("tall",),
           colors=("white", "blue"))  # fmt: skip
 def deodorant(look: Look) -> Shape:
-    """A deodorant stick: an oval body, its cap on."""
+    """A deodorant stick with an oval body and its cap on."""
     color = look.color("white", "blue", "black", "green", "pink", "teal", "gray")
     h = look.between(0.095, 0.12)
     lower = block(0.056, 0.032, 0.58 * h, 0.0155, 0.002)
@@ -481,7 +481,7 @@ PASTELS = ("pink", "lavender", "cream", "mint", "coral", "white", "gold", "navy"
           "atomizer", "scent bottle", "room spray"), themes=("vanity",), colors=("pink", "amber"),
           common=True)  # fmt: skip
 def perfume_bottle(look: Look) -> Shape:
-    """A cut-glass bottle with a collar and a cap."""
+    """A cut-glass perfume bottle with a collar and a cap."""
     x, y, h = look.between(0.05, 0.065), look.between(0.026, 0.034), look.between(0.06, 0.075)
     liquid = look.color("pink", "amber", "lavender", "sky", "mint")
     metal = surfaces.brushed_metal(look.rng, look.own_color("gold", "silver", "black", "copper"))
@@ -528,7 +528,7 @@ TINTS = ("blue", "red", "green", "pink", "purple", "teal", "white", "orange", "b
           "toothbrush head", "water flosser"), themes=("vanity",), roles=("flat",),
           colors=("blue", "red"), state="lying flat")  # fmt: skip
 def toothbrush(look: Look) -> Shape:
-    """A toothbrush lying on its back, bristles up, its head to the left."""
+    """A toothbrush lying on its back with its bristles up and its head on the left."""
     long = look.between(0.17, 0.195)
     color = look.color(*TINTS)
     path = smooth([(-0.5 * long, 0, 0.0047), (-0.3 * long, 0, 0.0048), (-0.1 * long, 0, 0.0054),
@@ -562,7 +562,7 @@ def toothbrush(look: Look) -> Shape:
           aliases=("tube of toothpaste", "toothpaste tube", "tooth paste"), themes=("vanity",),
           colors=("white", "red"), state="lying flat")  # fmt: skip
 def toothpaste(look: Look) -> Shape:
-    """A tube of toothpaste lying flat, its cap to the left, its seam to the right."""
+    """A tube of toothpaste lying flat, with its cap on the left and its seam on the right."""
     x, y, h = look.between(0.13, 0.165), look.between(0.04, 0.05), look.between(0.028, 0.036)
     color = look.color("white", "white", "blue", "red", "green", "sky", "mint")
     other = look.own_color("red", "blue", "green", "teal", "navy")
@@ -585,7 +585,7 @@ def toothpaste(look: Look) -> Shape:
                                       + 0.004]))  # fmt: skip
     circle = np.column_stack([np.cos(a), np.sin(a)])
     body = loft(np.stack(rings), circle)
-    # round the tube u runs from the right side over the top: lay the picture along x instead
+    # around the tube, u runs from the right over the top; align the picture with x instead
     v = body.vertices
     uv = np.column_stack([(v[:, 0] + x / 2) / x, (v[:, 1] + y / 2) / y])
     body = Solid(v, body.faces, np.clip(uv, 0, 1))
@@ -611,7 +611,7 @@ def toothpaste(look: Look) -> Shape:
           "bar of laundry soap", "laundry soap"), themes=("vanity",), colors=("white", "pink"),
           state="lying flat")  # fmt: skip
 def soap_bar(look: Look) -> Shape:
-    """A bar of soap with a word pressed into it, alone or on its dish."""
+    """A bar of soap with an embossed word, alone or on a dish."""
     x, y, h = look.between(0.075, 0.095), look.between(0.05, 0.06), look.between(0.022, 0.03)
     color = look.color("white", "cream", "pink", "mint", "lavender", "yellow", "sage", "sky", "tan")
     outline = rectangle(x, y, look.pick([0.012, 0.024]), 6)
@@ -646,7 +646,7 @@ def soap_bar(look: Look) -> Shape:
           "shaver head"), themes=("vanity",), colors=("silver", "blue"),
           state="lying flat")  # fmt: skip
 def razor(look: Look) -> Shape:
-    """A safety or disposable razor lying, its head to the left."""
+    """A safety or disposable razor lying flat with its head on the left."""
     long = look.between(0.125, 0.145)
     color = look.color("silver", "blue", "pink", "black", "green", "orange", "white", "gold")
     skin = look.surface(color, look.pick(["metal", "plastic"]))
@@ -679,7 +679,7 @@ def razor(look: Look) -> Shape:
           aliases=("emery board", "nail buffer"), themes=("vanity",), roles=("flat",),
           colors=("pink", "silver"), state="lying flat")  # fmt: skip
 def nail_file(look: Look) -> Shape:
-    """A nail file lying flat: an emery board, or a steel one with a handle."""
+    """A nail file lying flat: an emery board, or a steel file with a handle."""
     long = look.between(0.13, 0.18)
     color = look.color("pink", "coral", "gray", "black", "teal", "violet", "red", "white")
     if look.chance(0.6):

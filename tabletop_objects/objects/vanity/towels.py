@@ -1,4 +1,4 @@
-"""Towels (vanity)."""
+"""Objects of the ``vanity`` theme: towels."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SOFT = ("white", "sky", "pink", "mint", "lavender", "cream", "sage")
 
 
 def _roll(look: Look, long: float, r: float, words: tuple[str, ...]) -> Shape:
-    """A towel rolled up, lying: a spiral at its ends, a band near them."""
+    """A rolled towel lying flat, with spiral ends and a band near each end."""
     color = look.color(*words)
     roll = cylinder(r, long, 26).move(z=-long / 2).turn(1, np.pi / 2).move(z=0.97 * r)
     spiral = prints.canvas(96, 96, tint_color(color, 0.95))
@@ -39,7 +39,7 @@ def _roll(look: Look, long: float, r: float, words: tuple[str, ...]) -> Shape:
           "bolt of fabric", "roll of fabric"), themes=("vanity",), colors=("white", "teal"),
           state="lying")  # fmt: skip
 def rolled_towel(look: Look) -> Shape:
-    """A rolled towel lying."""
+    """A rolled towel, lying flat."""
     return _roll(look, look.between(0.22, 0.28), look.between(0.04, 0.052),
                  ("white", "teal", "pink", "gray", "sage", "navy", "mustard"))  # fmt: skip
 
@@ -50,7 +50,7 @@ def rolled_towel(look: Look) -> Shape:
           "antibacterial wipe", "wet wipe", "hanky"), themes=("vanity",), roles=("flat", "support"),
           colors=("white", "teal"), state="lying folded")  # fmt: skip
 def washcloth(look: Look) -> Shape:
-    """A small square cloth folded in four, with a loop."""
+    """A small square washcloth with a loop, folded in four."""
     side = look.between(0.11, 0.15)
     color = look.color(*SOFT, "teal", "mustard", "navy")
     terry = surfaces.spots(look.rng, color, tint_color(color, 0.88), 0.4)
@@ -71,7 +71,7 @@ def washcloth(look: Look) -> Shape:
           "pillowcase", "pile of washing"), themes=("vanity", "kitchen"), roles=("support", "big"),
           colors=("white", "teal"), state="lying folded", common=True)  # fmt: skip
 def folded_towel(look: Look) -> Shape:
-    """A towel folded into layers, or two of them on each other."""
+    """A towel folded into layers, or two of them in a stack."""
     x, y = look.between(0.22, 0.32), look.between(0.16, 0.22)
     pieces, z = [], 0.0
     for _ in range(2 if look.chance(0.4) else 1):

@@ -1,4 +1,4 @@
-"""Bike parts (workbench)."""
+"""Objects of the ``workbench`` theme: bike parts."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def _teeth(radius: float, count: int, deep: float, thick: float) -> Solid:
           aliases=("bike pedal", "bicycle pedal", "clipless pedal", "cycle pedal", "flat pedal"),
           themes=("workbench",), colors=("black",))  # fmt: skip
 def pedal(look: Look) -> Shape:
-    """A bicycle pedal lying: a cage round a barrel, and its threaded axle."""
+    """A bicycle pedal lying flat: a cage around a barrel, with a threaded axle."""
     color = look.color("black", "silver", "red", "blue", "charcoal")
     k = look.between(0.9, 1.15)
     rails = [at_box(0.012, 0.09, 0.024, (s * 0.042, 0, 0)) for s in (-1, 1)]
@@ -46,7 +46,7 @@ def pedal(look: Look) -> Shape:
           aliases=("bike saddle", "bicycle saddle", "bike seat", "bicycle seat", "cycle saddle"),
           themes=("workbench",), roles=("big",), colors=("black", "brown"))  # fmt: skip
 def saddle(look: Look) -> Shape:
-    """A bicycle saddle on its rails."""
+    """A bicycle saddle with its rails."""
     color = look.color("black", "brown", "tan", "white", "red")
     k = look.between(0.9, 1.1)
     outline = np.array([(-0.13, -0.055), (-0.11, -0.072), (-0.06, -0.066), (0.0, -0.03),
@@ -69,7 +69,7 @@ def saddle(look: Look) -> Shape:
           "toy tyre", "spare tyre", "rubber tire"), themes=("workbench",), roles=("round",),
           colors=("black",))  # fmt: skip
 def tyre(look: Look) -> Shape:
-    """A small rubber tyre lying, its tread seen round."""
+    """A small rubber tyre with a tread, lying flat."""
     color = look.color("black", "charcoal", "gray")
     k, w = look.between(0.8, 1.2), look.between(0.8, 1.2)
     rim = [(0.058, 0.004), (0.09, 0.0), (0.098, 0.006), (0.1, 0.02 * w), (0.1, 0.034 * w),
@@ -89,7 +89,7 @@ def tyre(look: Look) -> Shape:
           "chainset", "crank arm", "chainring", "bike crank", "chain ring", "pedal crank"),
           themes=("workbench",), roles=("flat",), colors=("silver",))  # fmt: skip
 def crank(look: Look) -> Shape:
-    """A crank arm with its chainring, lying."""
+    """A crank arm with a chainring, lying flat."""
     color = look.color("silver", "black", "charcoal")
     k = look.between(0.85, 1.1)
     ring = _teeth(0.08, 36, 0.004, 0.004)
@@ -109,7 +109,7 @@ def crank(look: Look) -> Shape:
           aliases=("rear derailleur", "rear mech", "front derailleur", "bike derailleur",
           "jockey wheel"), themes=("workbench",), colors=("silver",))  # fmt: skip
 def derailleur(look: Look) -> Shape:
-    """A rear derailleur lying: two jockey wheels in a cage under a body."""
+    """A rear derailleur lying flat: a body with two jockey wheels in a cage."""
     color = look.color("silver", "black", "charcoal")
     k = look.between(0.85, 1.15)
     cage = plate(rectangle(0.028, 0.1, 0.013), 0.003, at=(0, -0.02, 0.008))
@@ -129,7 +129,7 @@ def derailleur(look: Look) -> Shape:
           aliases=("bike grip", "handle bar grip", "rubber grip", "hand grip", "bicycle grip"),
           themes=("workbench",), colors=("black",))  # fmt: skip
 def handlebar_grip(look: Look) -> Shape:
-    """A ribbed rubber grip lying."""
+    """A ribbed rubber handlebar grip, lying flat."""
     color = look.color("black", "brown", "red", "blue", "green", "gray")
     k = look.between(0.85, 1.15)
     body = drum(0.0145, 0.12, (-0.06, 0, 0.0165), 0, sides=20)
@@ -145,7 +145,7 @@ def handlebar_grip(look: Look) -> Shape:
           aliases=("bike brake lever", "bicycle brake", "shifter", "gear shifter", "brake handle"),
           themes=("workbench",), colors=("black",))  # fmt: skip
 def brake_lever(look: Look) -> Shape:
-    """A brake lever on its clamp, lying."""
+    """A brake lever with its clamp, lying flat."""
     color = look.color("black", "silver", "charcoal")
     k = look.between(0.85, 1.15)
     clamp = torus(0.014, 0.005, 20, 8).turn(1, np.pi / 2).move(0.05, 0.0, 0.019)
@@ -163,7 +163,7 @@ def brake_lever(look: Look) -> Shape:
           aliases=("bike reflector", "wheel reflector", "bicycle reflector", "spoke reflector",
           "rear reflector"), themes=("workbench",), roles=("flat",), colors=("red",))  # fmt: skip
 def reflector(look: Look) -> Shape:
-    """A round or oblong reflector lying, its prisms showing."""
+    """A round or oblong reflector lying with its prisms up."""
     color = look.color("red", "amber", "white", "orange")
     k = look.between(0.85, 1.2)
     rim = ellipse(0.07, 0.07, 28) if look.chance(0.5) else rectangle(0.085, 0.045, 0.012)
@@ -176,7 +176,7 @@ def reflector(look: Look) -> Shape:
           aliases=("bicycle pump", "mini pump", "tyre pump", "tire pump", "lilo pump",
           "cycle pump"), themes=("workbench", "sports"), colors=("silver", "black"))  # fmt: skip
 def bike_pump(look: Look) -> Shape:
-    """A hand pump lying, with its handle drawn out a little."""
+    """A hand pump with a slightly extended handle, lying flat."""
     color = look.color("silver", "black", "red", "blue", "yellow")
     k = look.between(0.85, 1.15)
     barrel = drum(0.0135, 0.17, (-0.09, 0, 0.0155), 0, sides=20)
@@ -194,7 +194,7 @@ def bike_pump(look: Look) -> Shape:
           aliases=("bicycle light", "bike lamp", "rear light", "front light", "cycle light",
           "tail light", "bicycle lamp"), themes=("workbench",), colors=("black",))  # fmt: skip
 def bike_light(look: Look) -> Shape:
-    """A bicycle lamp on its clamp."""
+    """A bicycle lamp with its clamp."""
     color = look.color("black", "charcoal", "red", "silver", "white")
     k = look.between(0.85, 1.15)
     lamp = look.pick([(236, 240, 244), (210, 40, 40), (236, 240, 244)])
@@ -214,7 +214,7 @@ def bike_light(look: Look) -> Shape:
           aliases=("tire lever", "bike lever"), themes=("workbench",), roles=("flat",),
           colors=("blue", "yellow"))  # fmt: skip
 def tyre_lever(look: Look) -> Shape:
-    """A flat lever with a hooked tip, lying."""
+    """A tyre lever with a hooked tip, lying flat."""
     color = look.color("blue", "yellow", "red", "black", "orange", "green")
     k = look.between(0.85, 1.15)
     rim = [(-0.06, -0.009), (0.03, -0.007), (0.055, -0.005), (0.06, 0), (0.055, 0.005),
@@ -230,7 +230,7 @@ def tyre_lever(look: Look) -> Shape:
           aliases=("gas cartridge", "co2 canister", "soda charger", "cream charger", "gas capsule"),
           themes=("workbench",), colors=("silver",))  # fmt: skip
 def co2_cartridge(look: Look) -> Shape:
-    """A small steel gas cartridge lying."""
+    """A small steel gas cartridge, lying flat."""
     color = look.color("silver", "gray", "gold", "blue")
     k = look.between(0.85, 1.15)
     profile = [(0.004, 0), (0.0085, 0.003), (0.0095, 0.008), (0.0095, 0.062), (0.006, 0.074),

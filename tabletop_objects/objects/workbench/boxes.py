@@ -1,4 +1,4 @@
-"""Boxes (workbench)."""
+"""Objects of the ``workbench`` theme: boxes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ...kit.surfaces import Look, tint_color
 
 
 def walls(x: float, y: float, h: float, wall: float, bottom: float) -> list[Solid]:
-    """Return the bottom and the four walls of an open box standing on z = 0."""
+    """Return the bottom and the four walls of an open box on z = 0."""
     across = box(x, wall, h - bottom)
     along = box(wall, y - 2 * wall, h - bottom)
     return [box(x, y, bottom), *(across.move(y=s * (y - wall) / 2, z=bottom) for s in (-1, 1)),
@@ -27,7 +27,7 @@ def walls(x: float, y: float, h: float, wall: float, bottom: float) -> list[Soli
 def case(
     size: tuple[float, float, float], wall: float, colors: tuple[str, ...], lining: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return the shape of a case whose lid stands open at the back."""
+    """Return the shape of a case with its lid open at the back."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.95, 1.05)
@@ -54,7 +54,7 @@ DARK = (44, 46, 50)
           themes=("workbench",), roles=("big",), colors=("red", "black"), state="standing open",
           opened="tool_caddy", common=True)  # fmt: skip
 def tool_kit(look: Look) -> Shape:
-    """An open case of sockets, bits and a ratchet."""
+    """An open tool case with sockets, bits and a ratchet."""
     x, y, h = look.between(0.26, 0.34), look.between(0.17, 0.21), look.between(0.034, 0.042)
     color = look.color("red", "black", "blue", "orange", "green")
     shell, metal = surfaces.speckles(look.rng, color, 4), tool_steel(look)
@@ -116,7 +116,7 @@ def toolbox(look: Look) -> Shape:
           aliases=("box of screws", "box of nails", "screw organizer"), themes=("workbench",),
           roles=("flat",), colors=("blue",), common=True)  # fmt: skip
 def screw_box(look: Look) -> Shape:
-    """A flat plastic organiser with compartments of screws."""
+    """A flat plastic organiser with compartments for screws."""
     x, y, h = 0.16, 0.11, 0.03
     frame = surfaces.speckles(look.rng, look.color("blue", "red", "gray", "yellow"), 4)
     image = prints.canvas(160, 112, (190, 194, 198))

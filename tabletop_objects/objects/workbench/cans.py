@@ -1,4 +1,4 @@
-"""Cans (workbench)."""
+"""Objects of the ``workbench`` theme: cans."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, tint_color
           aliases=("oiler", "oil dispenser can", "lubricant can"), themes=("workbench",),
           roles=("tall",), colors=("red", "copper"))  # fmt: skip
 def oil_can(look: Look) -> Shape:
-    """An oil can standing: a flat cone with a long bent spout."""
+    """An oil can: a flat cone with a long, bent spout."""
     k = look.between(0.88, 1.08)
     color = look.color("red", "green", "blue", "copper", "silver", "yellow")
     body = lathe(np.array([(0, 0), (0.04, 0), (0.042, 0.003), (0.042, 0.04), (0.034, 0.05),
@@ -39,7 +39,7 @@ def oil_can(look: Look) -> Shape:
           "paint tin lid", "tin of varnish"), themes=("workbench", "craft"), roles=("round",),
           colors=("red", "blue"), common=True)  # fmt: skip
 def paint_can(look: Look) -> Shape:
-    """A can of paint with its wire bow: closed, or open and full."""
+    """A can of paint with a wire handle, closed, or open and full."""
     r, h = look.between(0.046, 0.062), look.between(0.1, 0.135)
     color = look.color("red", "blue", "yellow", "green", "teal", "orange", "purple", "white")
     label = wrap(look, look.pick(["PAINT", "COLOR", "LATEX", "GLOSS"]), color, (242, 241, 236))
@@ -76,7 +76,7 @@ GRIPS = ("red", "yellow", "blue", "orange", "green", "black", "teal", "gray", "l
           roles=("round", "tall"), colors=("red", "yellow", "blue", "orange", "green", "black",
           "teal", "gray", "lime", "violet"), common=True)  # fmt: skip
 def spray_can(look: Look) -> Shape:
-    """A spray can of paint with its cap."""
+    """A spray can of paint with a cap."""
     r, h = 0.0325, look.between(0.14, 0.17)
     color = look.color(*GRIPS, "violet", "white")
     print_ = prints.label(look.rng, look.pick(["SPRAY", "PAINT", "GLOSS"]), color, (240, 240, 238))

@@ -1,4 +1,4 @@
-"""Car parts (workbench)."""
+"""Objects of the ``workbench`` theme: car parts."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ BLACK = surfaces.plain((34, 34, 37))
           themes=("workbench",), roles=("flat", "big"), colors=("black",))  # fmt: skip
 @from_pieces(foot=0.0)
 def steering_wheel(look: Look) -> Pieces:
-    """A steering wheel lying: rim, three spokes, a hub with a horn pad."""
+    """A steering wheel lying flat: a rim, three spokes and a hub with a horn pad."""
     rim = torus(0.17, 0.014, 44, 10).move(z=0.03)
     spokes = [
         at_box(0.15, 0.035, 0.012, (0.085, 0, 0.022)).turn(2, a) for a in (0, np.pi, -np.pi / 2)
@@ -36,7 +36,7 @@ def steering_wheel(look: Look) -> Pieces:
           roles=("flat", "big"), colors=("silver",))  # fmt: skip
 @from_pieces(bodies=1)
 def hubcap(look: Look) -> Pieces:
-    """A domed metal wheel cover lying: eight dark oval slots round a badge."""
+    """A hubcap lying flat: a domed metal cover with eight dark oval slots around a badge."""
     steel = metal(look, "silver", "silver", "gray", "black")
     face = standing((0.165, 0), (0.17, 0.004), (0.165, 0.016), (0.13, 0.022), (0.05, 0.026),
                     (0.03, 0.03), sides=40)  # fmt: skip
@@ -52,7 +52,7 @@ def hubcap(look: Look) -> Pieces:
 @at_rest
 @from_pieces(bodies=3)
 def headlight(look: Look) -> Pieces:
-    """A round headlight standing on its rim: a chrome ring, a ribbed glass."""
+    """A round headlight standing on its rim: a chrome ring and ribbed glass."""
     bowl = lathe(
         [(0, 0), (0.02, 0), (0.03, 0.012), (0.07, 0.05), (0.08, 0.07), (0.08, 0.08), (0, 0.08)], 32
     )
@@ -73,7 +73,7 @@ def headlight(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=3)
 def rear_view_mirror(look: Look) -> Pieces:
-    """A rear-view mirror: a wide rounded glass in a dark shell on a stalk."""
+    """A rear-view mirror: a wide, rounded glass in a dark shell on a stalk."""
     shell = plastic(look, "black", "charcoal", "gray")
     body = at_block(0.22, 0.065, 0.022, 0.028).turn(0, np.pi / 2 - 0.25)
     glass = at_block(0.208, 0.055, 0.002, 0.025, (0, 0, 0.0215)).turn(0, np.pi / 2 - 0.25)
@@ -94,7 +94,7 @@ def rear_view_mirror(look: Look) -> Pieces:
           roles=("big",), colors=("black",))  # fmt: skip
 @from_pieces()
 def wiper_blade(look: Look) -> Pieces:
-    """A wiper blade standing on its rubber edge: a spine, a bowed arm, a clip in the middle."""
+    """A wiper blade standing on its rubber edge: a spine, a curved arm and a central clip."""
     rubber = at_box(0.44, 0.007, 0.012)
     spine = at_block(0.4, 0.011, 0.007, 0.003, (0, 0, 0.011))
     arms = rod([(-0.18, 0, 0.016), (-0.08, 0, 0.03), (0, 0, 0.034), (0.08, 0, 0.03),
@@ -110,7 +110,7 @@ def wiper_blade(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces()
 def gear_knob(look: Look) -> Pieces:
-    """A gear knob with the shift pattern on top, on its collar."""
+    """A gear knob on its collar with the shift pattern on top."""
     color = look.color("black", "brown", "silver", "white", "red")
     body = standing((0.014, 0), (0.016, 0.02), (0.026, 0.05), (0.026, 0.066), (0.018, 0.076))
     image = prints.canvas(64, 64, (30, 30, 32))
@@ -131,7 +131,7 @@ def gear_knob(look: Look) -> Pieces:
           colors=("red",))  # fmt: skip
 @from_pieces()
 def car_jack(look: Look) -> Pieces:
-    """A scissor jack half raised: a foot, a diamond of arms, a screw with a crank."""
+    """A half-raised scissor jack: a foot, a diamond of arms and a screw with a crank."""
     tile = metal(look, "red", "black", "yellow", "charcoal")
     foot = at_block(0.12, 0.07, 0.008, 0.006)
     left, right, low, high = (-0.11, 0.085), (0.11, 0.085), (0.0, 0.012), (0.0, 0.16)
@@ -150,7 +150,7 @@ def car_jack(look: Look) -> Pieces:
           themes=("workbench",), colors=("red",))  # fmt: skip
 @from_pieces()
 def foot_pump(look: Look) -> Pieces:
-    """A foot pump: a barrel between steel arms, a pedal, a gauge, a hose."""
+    """A foot pump: a barrel between steel arms, a pedal, a gauge and a hose."""
     tile = metal(look, "red", "blue", "black", "yellow")
     base = [at_box(0.24, 0.012, 0.012, (0, s * 0.05, 0)) for s in (-1, 1)]
     cross = [at_box(0.016, 0.11, 0.012, (x, 0, 0)) for x in (-0.11, 0.11)]
@@ -174,7 +174,7 @@ DIPSTICK_BLACK = surfaces.plain((34, 34, 37))
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def filler_cap(look: Look) -> Pieces:
-    """A round cap with ribs round its side and a bar to grip across its top."""
+    """A round filler cap with ribs around its side and a grip bar on top."""
     body = disc(0.03, 0.022)
     ribs = [at_box(0.003, 0.004, 0.02, (0.03 * np.cos(a), 0.03 * np.sin(a), 0.001))
             for a in np.arange(18) * 0.349]  # fmt: skip
@@ -188,7 +188,7 @@ def filler_cap(look: Look) -> Pieces:
           colors=("yellow",))  # fmt: skip
 @from_pieces()
 def dipstick(look: Look) -> Pieces:
-    """A dipstick lying: a ring to the right, a thin wire, a flat tip with two marks."""
+    """A dipstick lying flat: a ring on the right, a thin wire and a flat tip with two marks."""
     wire = rod([(-0.2, 0, 0.002), (0.1, 0, 0.002), (0.15, 0, 0.003)], 0.0018, 6)
     blade = at_box(0.06, 0.006, 0.0022, (-0.2, 0, 0))
     marks = [at_box(0.0015, 0.006, 0.0006, (x, 0, 0.0021)) for x in (-0.215, -0.19)]
@@ -203,7 +203,7 @@ def dipstick(look: Look) -> Pieces:
           "petrol can", "fuel can"), themes=("workbench",), colors=("black", "gold"))  # fmt: skip
 @from_pieces()
 def engine_oil(look: Look) -> Pieces:
-    """A can of engine oil: a flat bottle with a handle, a cap and a label."""
+    """A flat bottle of engine oil with a handle, a cap and a label."""
     color = look.color("black", "gold", "blue", "red", "green", "silver")
     body = at_block(0.12, 0.065, 0.15, 0.016)
     shoulder = at_block(0.11, 0.06, 0.03, 0.02, (0, 0, 0.148))
@@ -224,7 +224,7 @@ def engine_oil(look: Look) -> Pieces:
           aliases=("air horn",), themes=("workbench",), colors=("black", "red"))  # fmt: skip
 @from_pieces(bodies=2)
 def car_horn(look: Look) -> Pieces:
-    """A round car horn lying: slits on its face, two shiny rings, a flared bell to the right."""
+    """A round car horn lying flat: a slotted face, two shiny rings and a flared bell."""
     tile = metal(look, "black", "red", "silver")
     body = disc(0.045, 0.03)
     ring = [torus(0.045, 0.004, 30, 6).move(z=z) for z in (0.005, 0.026)]
@@ -240,7 +240,7 @@ def car_horn(look: Look) -> Pieces:
           colors=("red", "blue"))  # fmt: skip
 @from_pieces()
 def car_fuse(look: Look) -> Pieces:
-    """A blade fuse lying: a coloured body with two flat metal legs to the front."""
+    """A blade fuse lying flat: a coloured body with two flat metal legs in front."""
     body = at_block(0.019, 0.005, 0.012, 0.0015, (0, 0, 0)).turn(0, np.pi / 2).move(z=0.0025)
     body = body.move(z=-float(body.bounds[0, 2]))
     y = float(body.bounds[0, 1])
@@ -256,7 +256,7 @@ def car_fuse(look: Look) -> Pieces:
           roles=("flat",), colors=("green",))  # fmt: skip
 @from_pieces()
 def car_air_freshener(look: Look) -> Pieces:
-    """A hanging air freshener: a paper fir tree with a string."""
+    """A hanging air freshener: a paper fir tree on a string."""
     color = look.color("green", "blue", "yellow", "red", "pink", "black")
     half = [(0.008, 0), (0.008, 0.012), (0.034, 0.012), (0.02, 0.036), (0.028, 0.036),
             (0.014, 0.06), (0.02, 0.06), (0.0, 0.092)]  # fmt: skip
@@ -275,7 +275,7 @@ def car_air_freshener(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=3)
 def sat_nav(look: Look) -> Pieces:
-    """A navigation device on its foot, a map on its screen."""
+    """A navigation device on a foot with a map on its screen."""
     image = prints.canvas(128, 80, (206, 222, 196))
     for path in (
         [(0.0, 0.8), (0.4, 0.55), (1, 0.5)],
@@ -316,7 +316,7 @@ def fuzzy_dice(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=1)
 def key_fob(look: Look) -> Pieces:
-    """A car key lying: a rounded case with three buttons, a ring to the left, a metal blade."""
+    """A car key lying flat: a rounded case with three buttons, a ring and a metal blade."""
     shell = plastic(look, "black", "charcoal", "silver")
     body = at_block(0.07, 0.036, 0.014, 0.014)
     keys = [at_block(0.012, 0.02, 0.002, 0.004, (x, 0, 0.0135)) for x in (-0.012, 0.004, 0.02)]
@@ -331,7 +331,7 @@ def key_fob(look: Look) -> Pieces:
           themes=("workbench",), roles=("flat",), colors=("black",))  # fmt: skip
 @from_pieces()
 def seat_belt_buckle(look: Look) -> Pieces:
-    """A black buckle with a red button, a metal tongue beside it, a belt running out both ways."""
+    """A black buckle with a red button, a metal tongue and a belt running out on both sides."""
     webbing = cloth(look, "black", "charcoal", "red", "beige")
     belt = [at_box(0.12, 0.046, 0.003, (-0.1, 0, 0.006)), at_box(0.12, 0.046, 0.003,
                                                                  (0.115, 0, 0.006))]  # fmt: skip
@@ -364,7 +364,7 @@ DARK = surfaces.plain((28, 28, 30))
           colors=("charcoal",))  # fmt: skip
 @from_pieces()
 def brake_pad(look: Look) -> Pieces:
-    """A brake pad lying: a steel back with ears, a dark lining with a groove."""
+    """A brake pad lying flat: a steel back with lugs and a dark lining with a groove."""
     a = np.linspace(0.5, np.pi - 0.5, 18)
     outer, inner = (np.column_stack([0.1 * np.cos(a), 0.1 * np.sin(a)]),
                     np.column_stack([0.052 * np.cos(a), 0.052 * np.sin(a)]))  # fmt: skip
@@ -384,7 +384,7 @@ def brake_pad(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=2)
 def brake_disc(look: Look) -> Pieces:
-    """A brake disc lying: a broad ring, a hub with bolt holes."""
+    """A brake disc lying flat: a broad ring and a hub with bolt holes."""
     steel = metal(look, "silver", "gray")
     ring = lathe([(0.055, 0), (0.13, 0), (0.13, 0.02), (0.055, 0.02)], 44, loop=True)
     hat = lathe([(0.03, 0), (0.068, 0), (0.066, 0.045), (0.03, 0.045)], 36, loop=True)
@@ -401,7 +401,7 @@ def brake_disc(look: Look) -> Pieces:
           colors=("red",))  # fmt: skip
 @from_pieces(foot=0.08)
 def shock_absorber(look: Look) -> Pieces:
-    """A shock absorber lying: a rod and a tube with a coloured spring."""
+    """A shock absorber lying flat: a rod and a tube with a coloured spring."""
     z = 0.03
     body = spindle((-0.16, 0.012), (-0.155, 0.017), (-0.02, 0.017), (-0.015, 0.012), z=z)
     shaft = spindle((-0.02, 0.006), (0.15, 0.006), z=z)

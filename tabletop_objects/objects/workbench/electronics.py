@@ -1,4 +1,4 @@
-"""Electronics (workbench)."""
+"""Objects of the ``workbench`` theme: electronics."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import RGB, Look, plain, tint_color
           "alkaline battery", "d cell", "c cell", "aa cell", "pack of batteries"),
           themes=("workbench", "office"), colors=("black", "gold"))  # fmt: skip
 def battery(look: Look) -> Shape:
-    """A round AA or AAA cell standing, or a rectangular 9 V block."""
+    """An upright, round AA or AAA cell, or a rectangular 9 V block."""
     color = look.color("black", "gold", "green", "red", "blue", "orange", "silver", "yellow")
     steel = surfaces.plain((200, 202, 208))
     other = look.pick([(200, 150, 80), (206, 208, 212), (40, 40, 44), (230, 190, 60)])
@@ -49,7 +49,7 @@ def battery(look: Look) -> Shape:
           aliases=("lightbulb", "bulb", "led bulb", "lamp bulb", "incandescent bulb"),
           themes=("workbench",), colors=("white", "amber"), state="lying down")  # fmt: skip
 def light_bulb(look: Look) -> Shape:
-    """A light bulb lying on its side: clear, white or amber glass and a screw base."""
+    """A light bulb lying on its side: clear, white or amber glass with a screw base."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "white", "amber", "clear", "golden", "sky")
     t = np.linspace(0.16 * np.pi, np.pi, 12)
@@ -79,7 +79,7 @@ WALKIE_TALKIE_DARK = (40, 41, 45)
           aliases=("walkie-talkie", "two-way radio", "hand radio"), themes=("workbench",),
           roles=("tall",), colors=("black", "yellow"), common=True)  # fmt: skip
 def walkie_talkie(look: Look) -> Shape:
-    """A hand radio standing upright: speaker grille, display, antenna."""
+    """A hand radio standing upright, with a speaker grille, a display and an antenna."""
     x, y, z = look.between(0.055, 0.062), look.between(0.032, 0.038), look.between(0.1, 0.115)
     color = look.color("black", "yellow", "red", "olive", "blue", "orange", "gray", "teal")
     shell, dark = surfaces.speckles(look.rng, color, 3, 32), surfaces.plain(WALKIE_TALKIE_DARK)
@@ -102,7 +102,7 @@ def walkie_talkie(look: Look) -> Shape:
           "extension lead", "extension cable"), themes=("workbench",), roles=("big",),
           colors=("orange",))  # fmt: skip
 def cable_reel(look: Look) -> Shape:
-    """An extension cable on a reel, standing in its frame."""
+    """An extension cable on a reel in an upright frame."""
     k = look.between(0.85, 1.0)
     color = look.color("orange", "red", "blue", "yellow", "black", "green")
     r, wide = 0.09 * k, 0.085 * k
@@ -140,7 +140,7 @@ def cable_reel(look: Look) -> Shape:
           aliases=("plug socket", "power outlet", "electrical outlet", "outlet", "wall outlet",
           "electric socket", "socket"), themes=("workbench",), colors=("white",))  # fmt: skip
 def wall_socket(look: Look) -> Shape:
-    """A wall socket lying on its back, with a switch."""
+    """A wall socket with a switch, lying on its back."""
     color = look.color("white", "silver", "cream", "black")
     k = look.between(0.9, 1.1)
     box_ = at_box(0.07, 0.07, 0.022)
@@ -163,7 +163,7 @@ def wall_socket(look: Look) -> Shape:
           aliases=("electric plug", "three-pin plug"), themes=("workbench",),
           colors=("black", "white"))  # fmt: skip
 def mains_plug(look: Look) -> Shape:
-    """A mains plug lying with a piece of its cord."""
+    """A mains plug with a piece of its cord, lying flat."""
     color = look.color("black", "white", "gray", "red")
     k = look.between(0.9, 1.15)
     body = block(0.046, 0.05, 0.026, 0.012, 0.005)
@@ -189,7 +189,7 @@ BLACK = surfaces.plain((34, 34, 37))
           "plug with a cord"), themes=("workbench",), colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def power_plug(look: Look) -> Pieces:
-    """A three-pin plug lying on its back, a short cord."""
+    """A three-pin plug with a short cord, lying on its back."""
     shell = plastic(look, "white", "black", "gray")
     body = at_block(0.05, 0.05, 0.022, 0.01)
     pins = [
@@ -201,7 +201,7 @@ def power_plug(look: Look) -> Pieces:
 
 
 def _schuko(kind: str) -> Drawing:
-    """A small plug on a curled cord."""
+    """A small mains plug on a curled cord."""
 
     def draw(look: Look) -> Pieces:
         z = 0.008
@@ -240,7 +240,7 @@ def _schuko(kind: str) -> Drawing:
           state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def cable_organiser(look: Look) -> Pieces:
-    """A block with grooves that hold cables."""
+    """A block with grooves for cables."""
     tile = plastic(look, "black", "white", "gray", "blue")
     body = at_block(0.09, 0.03, 0.008, 0.006)
     ribs = [at_block(0.011, 0.026, 0.012, 0.004, (-0.036 + 0.018 * k, 0, 0.006)) for k in range(5)]
@@ -254,7 +254,7 @@ def cable_organiser(look: Look) -> Pieces:
           aliases=("torch", "headlamp", "head torch"), themes=("workbench",),
           colors=("black", "red"), state="lying flat", common=True)  # fmt: skip
 def flashlight(look: Look) -> Shape:
-    """A flashlight lying: body, flared head, lens."""
+    """A flashlight lying flat: a body, a flared head and a lens."""
     length, r = look.between(0.14, 0.17), look.between(0.014, 0.017)
     color = look.color("black", "red", "gray", "yellow", "blue")
     shell = surfaces.grid(tint_color(color, 0.7), color, 10, 14, 96, 1)

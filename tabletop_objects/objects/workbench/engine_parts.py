@@ -1,4 +1,4 @@
-"""Engine parts (workbench)."""
+"""Objects of the ``workbench`` theme: engine parts."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ DARK = surfaces.plain((28, 28, 30))
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.1)
 def spark_plug(look: Look) -> Pieces:
-    """A spark plug lying: terminal, ribbed insulator, hexagon, thread, electrode."""
+    """A spark plug lying flat: a terminal, ribbed insulator, hexagon, thread and electrode."""
     steel = metal(look, "silver", "gray")
     white = spindle((-0.035, 0.0045), (-0.034, 0.005), (-0.03, 0.0045), (-0.028, 0.005),
                    (-0.024, 0.0045), (-0.022, 0.005), (-0.005, 0.0062), z=0.01)  # fmt: skip
@@ -42,7 +42,7 @@ def spark_plug(look: Look) -> Pieces:
           colors=("orange", "white"))  # fmt: skip
 @from_pieces(bodies=1)
 def oil_filter(look: Look) -> Pieces:
-    """An oil filter: a painted can with flutes below and a print."""
+    """A painted oil filter can with flutes at the bottom and a print."""
     color = look.color("orange", "white", "blue", "black", "red")
     can = standing((0.034, 0), (0.038, 0.004), (0.038, 0.075), (0.033, 0.085), (0.02, 0.088))
     flutes = [at_box(0.004, 0.008, 0.028, (0.0365 * np.cos(a), 0.0365 * np.sin(a), 0.052))
@@ -60,7 +60,7 @@ def oil_filter(look: Look) -> Pieces:
           themes=("workbench",), colors=("orange", "black"))  # fmt: skip
 @from_pieces()
 def air_filter(look: Look) -> Pieces:
-    """A panel filter: a frame round pleated paper."""
+    """A panel filter: a frame around pleated paper."""
     frame = plastic(look, "orange", "black", "blue", "gray")
     color = look.own_color("cream", "white", "beige")
     sides = [at_box(0.22, 0.012, 0.035, (0, s * 0.079, 0)) for s in (-1, 1)]
@@ -78,7 +78,7 @@ def air_filter(look: Look) -> Pieces:
           aliases=("engine piston",), themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces(bodies=1)
 def piston(look: Look) -> Pieces:
-    """A piston standing on its skirt, its rod leaning out, or upright with rings."""
+    """A piston standing on its skirt with its rod tilted, or upright with rings."""
     steel = metal(look, "silver", "gray")
     body = standing((0.036, 0), (0.038, 0.004), (0.038, 0.03), (0.0365, 0.031), (0.0365, 0.034),
              (0.038, 0.035),
@@ -96,7 +96,7 @@ def piston(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces()
 def connecting_rod(look: Look) -> Pieces:
-    """A connecting rod lying: a big ring to the left, a small one to the right, a tapered beam."""
+    """A connecting rod lying flat: a big ring on the left, a small one on the right and a beam."""
     steel = metal(look, "silver", "gray", "charcoal")
     big = lathe([(0.02, 0), (0.032, 0), (0.032, 0.018), (0.02, 0.018)], 28, loop=True).move(x=-0.06)
     small = lathe([(0.01, 0), (0.018, 0), (0.018, 0.018), (0.01, 0.018)], 24, loop=True).move(
@@ -112,7 +112,7 @@ def connecting_rod(look: Look) -> Pieces:
           aliases=("crank shaft",), themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.02, bodies=(0, 1, 3))
 def crankshaft(look: Look) -> Pieces:
-    """A crankshaft lying: journals, webs with weights, pins to either side."""
+    """A crankshaft lying flat: journals, webs with counterweights and pins on both sides."""
     steel = metal(look, "silver", "gray", "charcoal")
     journals = [spindle((x, 0.016), (x + 0.034, 0.016), z=0.048)
                 for x in (-0.19, -0.105, -0.02, 0.065, 0.15)]  # fmt: skip
@@ -140,7 +140,7 @@ def crankshaft(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.05)
 def camshaft(look: Look) -> Pieces:
-    """A camshaft lying: a bright shaft, eight cams turned various ways, a disc at the right."""
+    """A camshaft lying flat: a bright shaft with eight cams at various angles and an end disc."""
     steel = metal(look, "silver", "gray", "charcoal")
     shaft = spindle((-0.18, 0.009), (0.18, 0.009), z=0.022)
     lobe = np.concatenate(
@@ -160,7 +160,7 @@ def camshaft(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces()
 def cylinder_head(look: Look) -> Pieces:
-    """A metal block with hexagon bolts and four dark plugs on top, four dark ports in front."""
+    """A cylinder head: a metal block with bolts and four dark plugs on top and ports in front."""
     steel = metal(look, "silver", "gray")
     body = at_box(0.34, 0.16, 0.07)
     deck = at_box(0.32, 0.06, 0.02, (0, 0, 0.07))
@@ -202,7 +202,7 @@ def carburettor(look: Look) -> Pieces:
           aliases=("turbo", "supercharger"), themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces(bodies=7)
 def turbocharger(look: Look) -> Pieces:
-    """A turbocharger: two snail housings on one shaft."""
+    """A turbocharger: two spiral housings on one shaft."""
     pieces: Pieces = []
     for x, tile, r in (
         (-0.04, metal(look, "silver", "gray"), 0.05),
@@ -231,7 +231,7 @@ def turbocharger(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=2)
 def flywheel(look: Look) -> Pieces:
-    """A metal disc lying, toothed round its rim, six small dark holes round a wide one."""
+    """A flywheel lying flat: a disc with a toothed rim and six small holes around a wide one."""
     n = 60
     a = np.arange(2 * n) * np.pi / n
     r = np.where(np.arange(2 * n) % 2, 0.125, 0.13)
@@ -248,7 +248,7 @@ def flywheel(look: Look) -> Pieces:
           aliases=("coil pack",), themes=("workbench",), colors=("black",))  # fmt: skip
 @from_pieces(foot=0.05)
 def ignition_coil(look: Look) -> Pieces:
-    """An ignition coil lying: a round stem to the left, a box with a lug and a plug."""
+    """An ignition coil lying flat: a round stem on the left and a box with a lug and a plug."""
     body = at_block(0.04, 0.03, 0.03, 0.005, (0.06, 0, 0))
     stem = spindle((-0.09, 0.009), (-0.085, 0.012), (0.0, 0.012), (0.045, 0.01), z=0.0145)
     plug = at_block(0.02, 0.024, 0.02, 0.003, (0.088, 0, 0.004))
@@ -262,7 +262,7 @@ def ignition_coil(look: Look) -> Pieces:
           colors=("charcoal",))  # fmt: skip
 @from_pieces(bodies=1)
 def gasket(look: Look) -> Pieces:
-    """A head gasket: a thin plate with big and small holes, drawn."""
+    """A head gasket: a thin plate with large and small printed holes."""
     color = look.color("charcoal", "silver", "brown", "copper")
     body = at_block(0.3, 0.12, 0.002, 0.012)
     holes = [disc(0.034, 0.0004, (x, 0, 0.0019)) for x in (-0.105, -0.035, 0.035, 0.105)]
@@ -279,7 +279,7 @@ def gasket(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.06)
 def catalytic_converter(look: Look) -> Pieces:
-    """An oval metal drum lying, three bands round it, a pipe with a flange at either end."""
+    """A catalytic converter lying flat: an oval drum with three bands and two flanged pipes."""
     steel = metal(look, "silver", "gray", "bronze")
     body = spindle((-0.15, 0.024), (-0.11, 0.024), (-0.08, 0.05), (0.08, 0.05), (0.11, 0.024),
                    (0.15, 0.024), z=0.05).scale(1, 1.3, 1)  # fmt: skip
@@ -294,7 +294,7 @@ def catalytic_converter(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=3)
 def alternator(look: Look) -> Pieces:
-    """An alternator: a ribbed round housing with slots, a pulley, lugs."""
+    """An alternator: a ribbed, round, slotted housing with a pulley and lugs."""
     steel = metal(look, "silver", "gray")
     z = 0.07
     body = spindle((-0.05, 0.045), (-0.04, 0.06), (0.045, 0.06), (0.055, 0.045), z=z)
@@ -314,7 +314,7 @@ def alternator(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=4)
 def water_pump(look: Look) -> Pieces:
-    """A round metal body on a flange, a grooved pulley above it, a pipe out to the right."""
+    """A water pump: a round body on a flange with a grooved pulley on top and a pipe."""
     steel = metal(look, "silver", "gray", "bronze")
     body = disc(0.045, 0.04, (0, 0, 0.0))
     flange = at_block(0.12, 0.06, 0.012, 0.02)

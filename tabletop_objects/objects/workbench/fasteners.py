@@ -1,4 +1,4 @@
-"""Fasteners (workbench)."""
+"""Objects of the ``workbench`` theme: fasteners."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ BLACK = surfaces.plain((34, 34, 37))
           colors=("orange",))  # fmt: skip
 @from_pieces()
 def ratchet_strap(look: Look) -> Pieces:
-    """A ratchet strap: webbing wound in a roll, a steel ratchet at its end."""
+    """A ratchet strap: a roll of webbing with a steel ratchet at its end."""
     color = look.color("orange", "blue", "yellow", "red", "green")
     a = np.linspace(0, 2 * np.pi * 5, 120)
     r = 0.014 + 0.0032 * a / (2 * np.pi) * 1.3
@@ -44,7 +44,7 @@ HOSE_CLIP_BLACK = surfaces.plain((34, 34, 37))
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def rivet(look: Look) -> Pieces:
-    """A rivet standing on its head, the shank up."""
+    """A rivet standing on its head with its shank up."""
     steel = metal(look, "silver", "copper", "gray")
     return [(standing((0.0048, 0), (0.0052, 0.0012), (0.0035, 0.003), (0.0022, 0.0034),
                       (0.0022, 0.016)), steel)]  # fmt: skip
@@ -55,7 +55,7 @@ def rivet(look: Look) -> Pieces:
           "rawl plug"), themes=("workbench",), colors=("red", "gray"), state="lying")  # fmt: skip
 @from_pieces(foot=0.1)
 def wall_plug(look: Look) -> Pieces:
-    """A wall plug lying: a ribbed sleeve with a collar."""
+    """A wall plug lying flat: a ribbed sleeve with a collar."""
     points = [(-0.016, 0.0046), (-0.014, 0.0046)]
     for k in range(8):
         points += [(-0.013 + 0.0036 * k, 0.0029), (-0.011 + 0.0036 * k, 0.0037)]
@@ -68,7 +68,7 @@ def wall_plug(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(foot=0.1, bodies=2)
 def screw_eye(look: Look) -> Pieces:
-    """A screw eye lying: a ring to the left, a threaded shank and a point to the right."""
+    """A screw eye lying flat: a ring on the left and a threaded, pointed shank on the right."""
     steel = metal(look, "silver", "gold", "brass")
     ring = torus(0.0075, 0.0017, 22, 7).move(-0.008, 0, 0.0018)
     shank = spindle((0.0, 0.0017), (0.018, 0.0017), (0.024, 0.0004), z=0.0018)
@@ -84,7 +84,7 @@ def screw_eye(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(bodies=1)
 def thumbtack(look: Look) -> Pieces:
-    """A drawing pin lying on its flat head, the point up."""
+    """A drawing pin lying on its flat head with its point up."""
     steel = metal(look, "gold", "silver", "brass", "red", "blue")
     head = standing((0.0042, 0), (0.0052, 0.0007), (0.004, 0.0012), sides=20)
     return [(head, steel), (standing((0.0006, 0.001), (0.00055, 0.007), (0.0001, 0.0095), sides=8),
@@ -96,7 +96,7 @@ def thumbtack(look: Look) -> Pieces:
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def staple(look: Look) -> Pieces:
-    """One staple lying on its side."""
+    """One staple, lying on its side."""
     steel = metal(look, "silver", "gray", "gold")
     way = [(-0.006, -0.006), (-0.006, 0.0), (0.006, 0.0), (0.006, -0.006)]
     return [
@@ -111,7 +111,7 @@ def staple(look: Look) -> Pieces:
 @vary()
 @from_pieces()
 def staple_strip(look: Look) -> Pieces:
-    """A strip of staples, legs down."""
+    """A strip of staples with its legs down."""
     lines = surfaces.stripes([(206, 208, 212), (150, 152, 158)], 24, upright=True)
     top = at_box(0.05, 0.0126, 0.0008, (0, 0, 0.0056))
     sides = [at_box(0.05, 0.0008, 0.006, (0, s * 0.0059, 0)) for s in (-1, 1)]
@@ -124,7 +124,7 @@ def staple_strip(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=2)
 def hose_clip(look: Look) -> Pieces:
-    """A metal band in a ring lying flat, a box and a screw at its back, slots in its front."""
+    """A hose clip lying flat: a slotted metal band in a ring with a box and a screw."""
     steel = metal(look, "silver", "silver", "gray")
     band = lathe([(0.019, 0), (0.02, 0), (0.02, 0.009), (0.019, 0.009)], 36, loop=True)
     box = at_block(0.014, 0.01, 0.01, 0.002, (0, 0.022, 0))
@@ -141,7 +141,7 @@ def hose_clip(look: Look) -> Pieces:
           themes=("workbench",), colors=("brass",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def standoff(look: Look) -> Pieces:
-    """A hexagonal metal spacer lying, a thin stud to the right, a dark hole at the left."""
+    """A hexagonal metal standoff lying flat: a thin stud on the right and a hole on the left."""
     steel = metal(look, "brass", "silver", "gold")
     return [(spindle((-0.008, 0.0032), (0.008, 0.0032), sides=6, z=0.0028), steel),
             (spindle((0.008, 0.0016), (0.014, 0.0016), sides=10, z=0.0028), steel),
@@ -156,7 +156,7 @@ VELCRO_STRAP_BLACK = surfaces.plain((34, 34, 37))
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def cable_clip(look: Look) -> Pieces:
-    """A small plastic block with an arch on top, an upright metal nail to the right."""
+    """A cable clip: a small plastic block with an arch on top and an upright metal nail."""
     tile = plastic(look, "white", "black", "gray")
     body = at_block(0.016, 0.01, 0.008, 0.002)
     loop = (tube([(*p, 0.0) for p in arc((0, 0), 0.006, 0, np.pi, 10)], 0.0022,
@@ -172,7 +172,7 @@ def cable_clip(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces()
 def grommet(look: Look) -> Pieces:
-    """A soft ring lying, a groove round its outside."""
+    """A soft grommet lying flat: a ring with a groove around its outside."""
     tile = plastic(look, "black", "gray", "white", "charcoal")
     body = lathe([(0.008, 0), (0.015, 0), (0.016, 0.003), (0.013, 0.004), (0.013, 0.007),
                   (0.016, 0.008), (0.015, 0.011), (0.008, 0.011)], 28, loop=True)  # fmt: skip
@@ -184,7 +184,7 @@ def grommet(look: Look) -> Pieces:
           "watch band strap"), themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def velcro_strap(look: Look) -> Pieces:
-    """A hook-and-loop strap lying in a loop."""
+    """A hook-and-loop strap, lying in a loop."""
     color = look.color("black", "blue", "red", "gray", "green")
     loop = lathe([(0.028, 0), (0.03, 0), (0.03, 0.018), (0.028, 0.018)], 40, loop=True)
     tail = at_box(0.06, 0.0022, 0.018, (0.03, -0.0295, 0)).turn(2, 0.08)
@@ -201,7 +201,7 @@ METALS = ("silver", "silver", "gold", "brass", "charcoal", "gray")
           "self-tapping screw", "thumbscrew", "grub screw", "machine screw"), themes=("workbench",),
           roles=("flat",), colors=("silver", "gold"), state="lying flat")  # fmt: skip
 def screw(look: Look) -> Shape:
-    """A wood screw lying: a countersunk head with a cross, a thread, a point."""
+    """A wood screw lying flat: a countersunk head with a cross recess, a thread and a point."""
     k = look.between(0.85, 1.3)
     color = look.color(*METALS)
     long, r = 0.04 * k, 0.0024 * k
@@ -225,7 +225,7 @@ def screw(look: Look) -> Shape:
           aliases=("iron nail",), themes=("workbench",), roles=("flat",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def nail(look: Look) -> Shape:
-    """A nail lying: a flat head, a long point."""
+    """A nail lying flat: a flat head and a long point."""
     k = look.between(0.8, 1.25)
     color = look.color("silver", "gray", "charcoal", "silver", "bronze", "copper")
     long, r = 0.065 * k, 0.0017 * k
@@ -241,7 +241,7 @@ def nail(look: Look) -> Shape:
           "spoke nipple", "carriage bolt", "dental implant"), themes=("workbench",),
           colors=("silver",))  # fmt: skip
 def bolt(look: Look) -> Shape:
-    """A hexagon bolt standing on its head, a nut on its thread, or lying."""
+    """A hexagon bolt with a nut on its thread, standing on its head or lying flat."""
     k = look.between(0.8, 1.4)
     color = look.color(*METALS)
     metal = look.surface(color, "metal")
@@ -274,7 +274,7 @@ def bolt(look: Look) -> Shape:
           themes=("workbench",), roles=("flat",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def nut(look: Look) -> Shape:
-    """A hexagon nut or a washer lying flat."""
+    """A hexagon nut or a washer, lying flat."""
     k = look.between(0.8, 1.4)
     color = look.color(*METALS)
     metal = look.surface(color, "metal")
@@ -301,7 +301,7 @@ WASHER_METALS = ("silver", "silver", "brass", "charcoal", "gray", "copper")
           "cleat", "spacer ring"), themes=("workbench",), roles=("flat", "round"),
           colors=("silver",))  # fmt: skip
 def washer(look: Look) -> Shape:
-    """A flat washer."""
+    """A flat metal washer."""
     k = look.between(0.85, 1.3)
     r, hole, h = 0.0115 * k, 0.0055 * k, 0.0017
     body = lathe([(hole, 0), (r, 0), (r, h), (hole, h)], 32, loop=True)

@@ -1,4 +1,4 @@
-"""Fittings (workbench)."""
+"""Objects of the ``workbench`` theme: fittings."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, plain, tint_color
           aliases=("faucet", "water tap", "bathroom tap", "kitchen tap", "sink tap", "mixer tap"),
           themes=("workbench",), roles=("tall",), colors=("silver",))  # fmt: skip
 def tap(look: Look) -> Shape:
-    """A tap standing: a body, a curved spout and a handle."""
+    """An upright tap with a body, a curved spout and a handle."""
     color = look.color("silver", "silver", "gold", "black", "copper")
     k = look.between(0.85, 1.1)
     base = standing((0.028, 0), (0.028, 0.006), (0.018, 0.014), (0.0165, 0.1), (0.019, 0.106),
@@ -58,7 +58,7 @@ BLACK = surfaces.plain((34, 34, 37))
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(bodies=3)
 def hasp(look: Look) -> Pieces:
-    """A hasp lying: a plate with four screw holes, a hinge, a slotted flap over a staple."""
+    """A hasp lying flat: a plate with four screw holes, a hinge and a slotted flap on a staple."""
     steel = metal(look, "silver", "black", "brass")
     left = at_block(0.035, 0.034, 0.002, 0.003, (-0.045, 0, 0))
     flap = at_block(0.075, 0.03, 0.003, 0.008, (0.014, 0, 0.002))
@@ -77,7 +77,7 @@ def hasp(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.08)
 def turnbuckle(look: Look) -> Pieces:
-    """A turnbuckle lying: two bars between end blocks, a bolt with an eye at either end."""
+    """A turnbuckle lying flat: two bars between end blocks and an eye bolt at each end."""
     steel = metal(look, "silver", "gray")
     frame = [
         straight((-0.035, s * 0.009, 0.007), (0.035, s * 0.009, 0.007), 0.003, 8) for s in (-1, 1)
@@ -94,7 +94,7 @@ def turnbuckle(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def castor(look: Look) -> Pieces:
-    """A castor standing on its wheel: a fork, a plate on top."""
+    """A castor standing on its wheel, with a fork and a plate on top."""
     steel = metal(look, "silver", "gray", "black")
     wheel = (lathe([(0, 0), (0.02, 0), (0.025, 0.005), (0.025, 0.015), (0.02, 0.02), (0, 0.02)],
                    26).turn(0, np.pi / 2).move(0.012, 0.01, 0.024))  # fmt: skip
@@ -112,7 +112,7 @@ def castor(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces()
 def door_knob(look: Look) -> Pieces:
-    """A round knob on a rose, standing on its back plate."""
+    """A round door knob on a rose, standing on its back plate."""
     steel = metal(look, "brass", "silver", "gold", "white", "black")
     return [(standing((0.029, 0), (0.028, 0.005), (0.013, 0.009), (0.011, 0.024), (0.02, 0.03),
                       (0.027, 0.042), (0.026, 0.052), (0.014, 0.06), sides=30), steel)]  # fmt: skip
@@ -123,7 +123,7 @@ def door_knob(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(bodies=3)
 def door_handle(look: Look) -> Pieces:
-    """A lever handle on a long plate with a keyhole, lying."""
+    """A lever handle on a long plate with a keyhole, lying flat."""
     steel = metal(look, "silver", "brass", "black")
     base = at_block(0.045, 0.2, 0.006, 0.012)
     neck = disc(0.012, 0.035, (0, 0.045, 0.005))
@@ -139,7 +139,7 @@ def door_handle(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(foot=0.05)
 def drawer_pull(look: Look) -> Pieces:
-    """A bowed metal bar that rises from two round feet."""
+    """A drawer pull: a curved metal bar on two round feet."""
     steel = metal(look, "silver", "brass", "black", "gold")
     bar = rod([(-0.055, 0, 0.0), (-0.053, 0, 0.02), (-0.035, 0, 0.028), (0.035, 0, 0.028),
                (0.053, 0, 0.02), (0.055, 0, 0.0)], 0.0055, 10, 5)  # fmt: skip
@@ -152,7 +152,7 @@ def drawer_pull(look: Look) -> Pieces:
           colors=("wooden",), state="lying")  # fmt: skip
 @from_pieces(foot=0.08, bodies=1)
 def furniture_leg(look: Look) -> Pieces:
-    """A turned wooden leg lying, a bolt at its thick end."""
+    """A turned wooden leg lying flat, with a bolt at its thick end."""
     tile = wood(look, "wooden", "brown", "tan")
     leg = spindle((-0.15, 0.013), (-0.13, 0.012), (0.05, 0.02), (0.09, 0.022), (0.1, 0.018),
                   (0.11, 0.022), (0.14, 0.022), z=0.0215)  # fmt: skip
@@ -165,7 +165,7 @@ def furniture_leg(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def latch(look: Look) -> Pieces:
-    """A barrel bolt: a plate, two loops, a sliding bolt with a knob."""
+    """A barrel bolt: a plate with two loops and a sliding bolt with a knob."""
     steel = metal(look, "silver", "brass", "black", "gray")
     base = at_block(0.08, 0.03, 0.002, 0.004)
     keep = at_block(0.016, 0.03, 0.002, 0.003, (0.054, 0, 0))
@@ -185,7 +185,7 @@ def latch(look: Look) -> Pieces:
           colors=("white",), state="lying")  # fmt: skip
 @from_pieces(bodies=2)
 def magnet_catch(look: Look) -> Pieces:
-    """A small plastic block with an ear at either end and two metal strips along its front."""
+    """A magnet catch: a plastic block with a lug at each end and two metal strips in front."""
     body = at_block(0.045, 0.016, 0.014, 0.003)
     ears = at_block(0.065, 0.012, 0.004, 0.005)
     face = [at_box(0.034, 0.002, 0.003, (0, -0.0085, z)) for z in (0.003, 0.009)]
@@ -198,7 +198,7 @@ def magnet_catch(look: Look) -> Pieces:
           aliases=("lock", "combination lock", "pad lock", "d-lock", "bike lock", "key safe"),
           themes=("workbench",), colors=("brass", "silver"))  # fmt: skip
 def padlock(look: Look) -> Shape:
-    """A padlock standing: a body with a keyhole or number wheels, a shackle."""
+    """An upright padlock: a body with a keyhole or number wheels, and a shackle."""
     k = look.between(0.85, 1.25)
     color = look.color("brass", "gold", "silver", "black", "red", "blue", "charcoal")
     metal = look.surface(color, "metal")
@@ -235,7 +235,7 @@ def _holes(places: list[tuple[float, float]], z: float, r: float = 0.003) -> Sol
           aliases=("door hinge", "butt hinge", "cabinet hinge"), themes=("workbench",),
           roles=("flat",), colors=("brass", "silver"))  # fmt: skip
 def hinge(look: Look) -> Shape:
-    """A door hinge lying open: two plates and a knuckle."""
+    """An open door hinge lying flat: two plates and a knuckle."""
     k = look.between(0.85, 1.12)
     metal = look.surface(look.color(*METALS), "metal")
     long, wide, h = 0.075 * k, 0.03 * k, 0.0026
@@ -254,7 +254,7 @@ def hinge(look: Look) -> Shape:
           aliases=("angle bracket", "l bracket", "corner bracket", "shelf bracket", "metal bracket",
           "stabiliser"), themes=("workbench",), colors=("silver",))  # fmt: skip
 def bracket(look: Look) -> Shape:
-    """An angle bracket standing: one arm on the table, one upright."""
+    """An angle bracket with one arm on the table and one upright."""
     k = look.between(0.85, 1.15)
     metal = look.surface(look.color(*METALS, "white", "black"), "metal")
     a, wide, t = 0.06 * k, 0.022 * k, 0.0028
@@ -275,7 +275,7 @@ def bracket(look: Look) -> Shape:
           "picture hanging kit", "wall peg"), themes=("workbench",),
           colors=("silver",))  # fmt: skip
 def wall_hook(look: Look) -> Shape:
-    """A coat hook lying on its plate, the hook upwards."""
+    """A coat hook lying on its plate with the hook up."""
     k = look.between(0.85, 1.15)
     metal = look.surface(look.color(*METALS, "black", "white"), "metal")
     plate = block(0.026 * k, 0.075 * k, 0.005 * k, 0.008, 0.001)
@@ -298,7 +298,7 @@ METALS = ("silver", "silver", "brass", "charcoal", "gray", "copper")
           "pipe tee", "u-bend", "u bend", "hose coupling", "hose connector"), themes=("workbench",),
           colors=("copper",))  # fmt: skip
 def pipe_fitting(look: Look) -> Shape:
-    """An elbow or tee that joins pipes, lying."""
+    """An elbow or tee pipe fitting, lying flat."""
     k = look.between(0.85, 1.15)
     color = look.color("copper", "silver", "white", "brass", "charcoal", "gray")
     r = 0.013 * k
@@ -331,7 +331,7 @@ def pipe_fitting(look: Look) -> Shape:
           aliases=("gate valve", "water valve", "stopcock", "shutoff valve"), themes=("workbench",),
           colors=("brass",))  # fmt: skip
 def valve(look: Look) -> Shape:
-    """A valve lying: a short pipe with nuts at its ends, a handwheel on top."""
+    """A valve lying flat: a short pipe with a nut at each end and a handwheel on top."""
     k = look.between(0.85, 1.12)
     color = look.color("brass", "brass", "silver", "copper")
     wheel = look.own_color("red", "blue", "red", "green")

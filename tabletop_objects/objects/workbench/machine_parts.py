@@ -1,4 +1,4 @@
-"""Machine parts (workbench)."""
+"""Objects of the ``workbench`` theme: machine parts."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ...kit.surfaces import Look
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def circlip(look: Look) -> Pieces:
-    """An open metal ring lying, an ear at either side of the gap in front."""
+    """A circlip lying flat: an open metal ring with a lug on each side of its gap."""
     steel = metal(look, "silver", "charcoal")
     a = np.linspace(-1.25, np.pi + 1.25, 40)
     way = np.column_stack([0.012 * np.cos(a), 0.012 * np.sin(a), 0 * a + 0.0012])
@@ -32,7 +32,7 @@ def circlip(look: Look) -> Pieces:
           themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
 @from_pieces(foot=0.08)
 def o_ring(look: Look) -> Pieces:
-    """A thin rubber ring with a round section, lying."""
+    """A thin rubber O-ring with a round section, lying flat."""
     return [(torus(0.015, 0.0022, 36, 10).move(z=0.0021), look.surface(look.color("black",
                                                                                   "charcoal", "red",
                                                                                   "orange"),
@@ -44,7 +44,7 @@ def o_ring(look: Look) -> Pieces:
           themes=("workbench",), colors=("brass",), state="lying")  # fmt: skip
 @from_pieces()
 def bushing(look: Look) -> Pieces:
-    """A short plain metal sleeve standing on its end."""
+    """A short, plain metal bushing, standing on its end."""
     return [(lathe([(0.006, 0), (0.0115, 0), (0.0115, 0.016), (0.006, 0.016)], 26, loop=True),
              metal(look, "brass", "bronze", "silver", "black"))]  # fmt: skip
 
@@ -54,7 +54,7 @@ def bushing(look: Look) -> Pieces:
           colors=("silver",), state="lying")  # fmt: skip
 @from_pieces(bodies=3)
 def pulley(look: Look) -> Pieces:
-    """A block with a grooved wheel and a hook, lying."""
+    """A pulley block with a grooved wheel and a hook, lying flat."""
     steel = metal(look, "silver", "gray", "charcoal", "brass")
     wheel = lathe([(0, 0), (0.03, 0), (0.024, 0.006), (0.03, 0.012), (0, 0.012)], 32).move(z=0.004)
     cheeks = [at_block(0.03, 0.085, 0.003, 0.014, (0, 0.006, z)) for z in (0.0, 0.0165)]
@@ -71,7 +71,7 @@ def pulley(look: Look) -> Pieces:
           "pulley wheel", "gear set", "spirograph"), themes=("workbench",), roles=("flat", "round"),
           colors=("silver", "brass"))  # fmt: skip
 def gear(look: Look) -> Shape:
-    """A toothed wheel lying flat."""
+    """A toothed wheel, lying flat."""
     k = look.between(0.8, 1.2)
     color = look.color("silver", "brass", "charcoal", "red", "yellow", "blue", "gold")
     teeth, r, h = int(look.rng.integers(12, 20)), 0.03 * k, 0.009 * k
@@ -96,7 +96,7 @@ def gear(look: Look) -> Shape:
           aliases=("ball bearing", "wheel bearing", "ball race", "roller bearing"),
           themes=("workbench",), roles=("flat", "round"), colors=("silver",))  # fmt: skip
 def bearing(look: Look) -> Shape:
-    """A ball bearing lying: two rings with a shield or balls between."""
+    """A ball bearing lying flat: two rings with a shield or balls between them."""
     k = look.between(0.85, 1.2)
     color = look.color("silver", "silver", "gray", "charcoal")
     r, h = 0.02 * k, 0.011 * k
@@ -122,7 +122,7 @@ def bearing(look: Look) -> Shape:
           aliases=("coil spring", "metal spring", "compression spring"), themes=("workbench",),
           roles=("round",), colors=("silver",))  # fmt: skip
 def spring(look: Look) -> Shape:
-    """A coil spring standing."""
+    """An upright coil spring."""
     k = look.between(0.85, 1.2)
     color = look.color("silver", "silver", "charcoal", "gold", "blue", "red")
     turns, r, h, wire = 6, 0.012 * k, 0.045 * k, 0.0016 * k

@@ -1,4 +1,4 @@
-"""Materials (workbench)."""
+"""Objects of the ``workbench`` theme: materials."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ...kit.surfaces import Look, tint_color
           "scrap of cardboard", "piece of cardboard", "torn card"), themes=("workbench",),
           roles=("flat",), colors=("tan", "gray"))  # fmt: skip
 def scrap(look: Look) -> Shape:
-    """A torn piece of card or metal, lying."""
+    """A torn piece of card or metal, lying flat."""
     color = look.color("tan", "gray", "silver", "brown")
     n = 11
     a = 2 * np.pi * (np.arange(n) + 0.3 * look.rng.uniform(-1, 1, n)) / n
@@ -36,7 +36,7 @@ def scrap(look: Look) -> Shape:
           aliases=("house brick", "clay brick", "fired brick", "brick of clay", "masonry brick"),
           themes=("workbench",), roles=("support",), colors=("terracotta",))  # fmt: skip
 def house_brick(look: Look) -> Shape:
-    """A fired brick with a hollow frog on top."""
+    """A house brick with an indentation on top."""
     color = look.color("terracotta", "brown", "red", "cream", spread=14)
     k = look.between(0.92, 1.06)
     body = block(0.215, 0.1025, 0.06, 0.002)
@@ -53,7 +53,7 @@ def house_brick(look: Look) -> Shape:
           aliases=("metal chain", "steel chain", "iron chain", "chain link", "length of chain",
           "master link", "bike chain"), themes=("workbench",), colors=("silver",))  # fmt: skip
 def chain(look: Look) -> Shape:
-    """A piece of chain lying in a bow."""
+    """A piece of chain, lying in a curve."""
     k = look.between(0.85, 1.15)
     metal = look.surface(look.color("silver", "gray", "charcoal", "gold", "brass"), "metal")
     links, n, r = [], 11, 0.0018 * k
@@ -77,7 +77,7 @@ def chain(look: Look) -> Shape:
           "nautical rope", "climbing rope", "paracord bundle", "loop of rope", "paracord",
           "leash rope"), themes=("workbench",), colors=("tan",))  # fmt: skip
 def rope(look: Look) -> Shape:
-    """A coil of rope lying, its end wound round it."""
+    """A coil of rope lying flat, with its end wound around it."""
     k = look.between(0.85, 1.1)
     color = look.color("tan", "beige", "white", "blue", "tan", "orange", "green")
     strands = surfaces.stripes([color, tint_color(color, 0.78), tint_color(color, 1.15)], 24,
@@ -103,7 +103,7 @@ def rope(look: Look) -> Shape:
           aliases=("magnet", "u magnet", "toy magnet"), themes=("workbench",), roles=("flat",),
           colors=("red",))  # fmt: skip
 def horseshoe_magnet(look: Look) -> Shape:
-    """A red horseshoe magnet lying, its poles bare."""
+    """A red horseshoe magnet lying flat, with bare poles."""
     k = look.between(0.85, 1.15)
     color = look.color("red", "red", "crimson", "blue")
     h = 0.012 * k
@@ -124,7 +124,7 @@ def horseshoe_magnet(look: Look) -> Shape:
           aliases=("magnetic bar", "magnet bar", "rod magnet"), themes=("workbench",),
           roles=("flat",), colors=("red",))  # fmt: skip
 def bar_magnet(look: Look) -> Shape:
-    """A bar magnet, one half red, the other blue."""
+    """A bar magnet with one red and one blue half."""
     k = look.between(0.85, 1.15)
     color = look.color("red", "red", "crimson")
     x, y, h = 0.08 * k, 0.018 * k, 0.01 * k
@@ -141,7 +141,7 @@ def bar_magnet(look: Look) -> Shape:
           "emery paper", "abrasive paper", "glass paper"), themes=("workbench",), roles=("flat",),
           colors=("brown", "tan"), state="lying flat")  # fmt: skip
 def sandpaper(look: Look) -> Shape:
-    """Sheets of sandpaper lying, one corner turned up."""
+    """Sheets of sandpaper lying flat, with one corner turned up."""
     k = look.between(0.85, 1.1)
     x, y, h = 0.14 * k, 0.11 * k, look.between(0.0012, 0.003)
     color = look.color("brown", "tan", "orange", "charcoal", "terracotta", "maroon")
@@ -159,7 +159,7 @@ WOODEN = ("wooden", "tan", "beige", "brown", "wooden")
 
 
 def _board(x: float, y: float, h: float) -> Callable[[Look], Shape]:
-    """A sawn piece of wood lying flat."""
+    """A sawn piece of wood, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.88, 1.1)
@@ -171,7 +171,7 @@ def _board(x: float, y: float, h: float) -> Callable[[Look], Shape]:
 
 
 def _rod(radius: float, long: float, palette: tuple[str, ...], material: str) -> Callable:
-    """A round rod lying, flattened a little below so that it stays."""
+    """A round rod lying flat, slightly flattened at the bottom so that it does not roll."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.88, 1.1)
@@ -187,7 +187,7 @@ def _rod(radius: float, long: float, palette: tuple[str, ...], material: str) ->
           "copper pipe", "pvc pipe", "steel pipe", "plastic pipe", "pipe section", "pipe segment"),
           themes=("workbench",), colors=("copper", "silver"), state="lying flat")  # fmt: skip
 def pipe(look: Look) -> Shape:
-    """A length of pipe lying."""
+    """A length of pipe, lying flat."""
     k = look.between(0.88, 1.1)
     color = look.color("silver", "copper", "white", "gray", "copper", "charcoal")
     r, long = 0.014 * k, 0.2 * k
@@ -205,7 +205,7 @@ def pipe(look: Look) -> Shape:
           themes=("workbench", "craft", "office"), roles=("round", "flat"),
           colors=("beige", "gray"), state="lying flat", common=True)  # fmt: skip
 def tape_roll(look: Look) -> Shape:
-    """A roll of adhesive tape lying flat."""
+    """A roll of adhesive tape, lying flat."""
     r, h = look.between(0.038, 0.048), look.between(0.022, 0.034)
     color = look.color("beige", "gray", "blue", "green", "yellow", "black")
     wound = surfaces.stripes([color, tint_color(color, 0.93)], 20, upright=True)

@@ -1,4 +1,4 @@
-"""Measuring tools (workbench)."""
+"""Objects of the ``workbench`` theme: measuring tools."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ CALIPER_DARK = (40, 40, 43)
           colors=("silver",), state="lying flat")  # fmt: skip
 @vary()
 def caliper(look: Look) -> Shape:
-    """A vernier calliper lying: scale, fixed and sliding jaws."""
+    """A vernier calliper lying flat, with a scale and a fixed and a sliding jaw."""
     k = look.between(0.9, 1.05)
     color = look.color("silver", "silver", "black", "charcoal")
     metal = look.surface(color, "metal")
@@ -77,7 +77,7 @@ SPIRIT_LEVEL_DARK = (44, 46, 50)
           aliases=("level", "bubble level", "builder's level", "mini level"), themes=("workbench",),
           colors=("yellow", "red"), common=True)  # fmt: skip
 def spirit_level(look: Look) -> Shape:
-    """A spirit level standing on its edge, with a middle and an end vial."""
+    """A spirit level standing on its edge, with one vial in the middle and one at an end."""
     x, z, y = look.between(0.25, 0.42), look.between(0.045, 0.058), look.between(0.02, 0.026)
     color = look.color("yellow", "red", "blue", "orange", "silver")
     face = prints.canvas(320, 48, color)
@@ -108,7 +108,7 @@ def spirit_level(look: Look) -> Shape:
           "glucose meter", "hygrometer meter"), themes=("workbench", "lab"),
           colors=("yellow", "red"), state="lying flat", common=True)  # fmt: skip
 def multimeter(look: Look) -> Shape:
-    """A multimeter lying on its back with its test leads."""
+    """A multimeter with its test leads, lying on its back."""
     x, y, h = look.between(0.072, 0.085), look.between(0.14, 0.165), look.between(0.032, 0.04)
     color = look.color("yellow", "red", "orange", "green", "blue")
     face = prints.canvas(96, 176, (54, 57, 62))
@@ -151,7 +151,7 @@ def multimeter(look: Look) -> Shape:
           aliases=("measuring tape",), themes=("workbench",), colors=("yellow",),
           common=True)  # fmt: skip
 def tape_measure(look: Look) -> Shape:
-    """A tape measure standing on its base with a bit of blade out."""
+    """A tape measure standing on its base with a bit of its blade pulled out."""
     side = look.between(0.062, 0.072)
     color = look.color("yellow", "orange", "red", "blue", "black", "silver", "lime", "white")
     word, ink = (look.pick(["5m", "3m", "8m", "PRO", "25ft"]),
@@ -191,7 +191,7 @@ def tape_measure(look: Look) -> Shape:
           aliases=("combination square", "carpenter's square", "engineer's square", "speed square"),
           themes=("workbench",), roles=("flat",), colors=("wooden",))  # fmt: skip
 def try_square(look: Look) -> Shape:
-    """A try square lying: a steel blade in a thick wooden stock."""
+    """A try square lying flat: a steel blade in a thick wooden stock."""
     color = look.color("wooden", "brown", "maroon", "black", "blue")
     k = look.between(0.85, 1.15)
     blade = at_box(0.03, 0.2, 0.002, (-0.035, 0.045, 0.0075))
@@ -209,7 +209,7 @@ def try_square(look: Look) -> Shape:
           aliases=("sliding bevel", "bevel square", "t-bevel"), themes=("workbench",),
           roles=("flat",), colors=("wooden",))  # fmt: skip
 def bevel_gauge(look: Look) -> Shape:
-    """A sliding bevel lying, its blade set at an angle."""
+    """A sliding bevel lying flat with its blade at an angle."""
     color = look.color("wooden", "brown", "black", "maroon")
     k = look.between(0.85, 1.15)
     stock = block(0.13, 0.026, 0.017, 0.006, 0.002)
@@ -229,7 +229,7 @@ def bevel_gauge(look: Look) -> Shape:
           aliases=("mortise gauge", "scribing gauge"), themes=("workbench",),
           colors=("wooden",))  # fmt: skip
 def marking_gauge(look: Look) -> Shape:
-    """A marking gauge lying: a square beam through a head with a thumbscrew."""
+    """A marking gauge lying flat: a square beam through a head with a thumbscrew."""
     color = look.color("wooden", "tan", "brown", "maroon")
     k = look.between(0.85, 1.15)
     beam = at_box(0.21, 0.017, 0.017)
@@ -245,7 +245,7 @@ def marking_gauge(look: Look) -> Shape:
           aliases=("micrometre gauge", "screw gauge"), themes=("workbench",), roles=("flat",),
           colors=("green", "gray"))  # fmt: skip
 def micrometer(look: Look) -> Shape:
-    """A micrometer lying: a horseshoe frame, a spindle and a ribbed thimble."""
+    """A micrometer lying flat: a horseshoe frame, a spindle and a ribbed thimble."""
     color = look.color("green", "gray", "black", "silver", "blue")
     k = look.between(0.85, 1.2)
     a = np.linspace(0.5 * np.pi, 1.5 * np.pi, 14) + np.pi / 2
@@ -268,7 +268,7 @@ def micrometer(look: Look) -> Shape:
           aliases=("needle gauge", "thread gauge"), themes=("workbench",), roles=("flat",),
           colors=("silver",))  # fmt: skip
 def feeler_gauge(look: Look) -> Shape:
-    """A set of thin blades fanned out of a holder, lying."""
+    """A set of thin blades fanned out of a holder, lying flat."""
     color = look.color("silver", "red", "black")
     k = look.between(0.85, 1.15)
     blades = [plate(rectangle(0.09, 0.012, 0.0059), 0.001,
@@ -286,7 +286,7 @@ def feeler_gauge(look: Look) -> Shape:
           aliases=("folding ruler", "carpenter's rule", "zigzag rule"), themes=("workbench",),
           roles=("flat", "big"), colors=("yellow",))  # fmt: skip
 def folding_rule(look: Look) -> Shape:
-    """A folding rule lying in a zigzag."""
+    """A folding rule, lying in a zigzag."""
     color = look.color("yellow", "wooden", "white", "tan")
     k = look.between(0.8, 1.1)
     legs, pins = [], []
@@ -309,7 +309,7 @@ def folding_rule(look: Look) -> Shape:
           aliases=("chalk reel", "chalk line reel"), themes=("workbench",),
           colors=("red", "blue"))  # fmt: skip
 def chalk_line(look: Look) -> Shape:
-    """A chalk line reel lying: a pear-shaped case with a crank and a hooked cord."""
+    """A chalk line reel lying flat: a pear-shaped case with a crank and a cord with a hook."""
     color = look.color("red", "blue", "yellow", "orange", "silver")
     k = look.between(0.85, 1.15)
     rim = smooth([(-0.055, 0), (-0.045, 0.03), (0, 0.034), (0.045, 0.015), (0.058, 0),

@@ -1,4 +1,4 @@
-"""Power tools (workbench)."""
+"""Objects of the ``workbench`` theme: power tools."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ BODIES = ("teal", "red", "green", "yellow", "blue", "orange")
 @at_rest
 @from_pieces(bodies=4)
 def polisher(look: Look) -> Pieces:
-    """An angle polisher lying on its soft pad."""
+    """An angle polisher, lying on its soft pad."""
     tile = plastic(look, *BODIES)
     pad = standing((0.06, 0), (0.075, 0.012), (0.07, 0.026), (0.03, 0.032))
     head = at_block(0.06, 0.055, 0.06, 0.016, (0, 0, 0.03))
@@ -47,7 +47,7 @@ def polisher(look: Look) -> Pieces:
 
 
 def _blade(teeth: int, r: float, hole: float, palette: tuple[str, ...], h: float) -> Drawing:
-    """A toothed saw blade or a plain disc with a hole, lying."""
+    """A toothed saw blade or a plain disc with a hole, lying flat."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*palette)
@@ -77,7 +77,7 @@ def _blade(teeth: int, r: float, hole: float, palette: tuple[str, ...], h: float
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
 @from_pieces()
 def jigsaw_blade(look: Look) -> Pieces:
-    """A saw blade lying: teeth along its front edge, a shank to the left."""
+    """A jigsaw blade lying flat, with teeth along its front edge and a shank on the left."""
     teeth = np.column_stack(
         [np.linspace(-0.03, 0.04, 29), np.where(np.arange(29) % 2, -0.0048, -0.0034)]
     )
@@ -96,7 +96,7 @@ def jigsaw_blade(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(bodies=1)
 def drill_chuck(look: Look) -> Pieces:
-    """A drill chuck standing nose up: a ribbed sleeve, a tapered nose with a dark hole."""
+    """A drill chuck with its nose up: a ribbed sleeve and a tapered nose with a dark hole."""
     steel = shine(look, "silver", "charcoal")
     body = standing(
         (0.02, 0), (0.021, 0.004), (0.021, 0.03), (0.019, 0.034), (0.008, 0.052), sides=28
@@ -112,7 +112,7 @@ def drill_chuck(look: Look) -> Pieces:
           colors=("green",), state="lying")  # fmt: skip
 @from_pieces()
 def wood_lathe(look: Look) -> Pieces:
-    """A wood lathe: a bed, a headstock, a tailstock, a turned piece between."""
+    """A wood lathe: a bed, a headstock and a tailstock with a turned piece between them."""
     tile = plastic(look, "green", "blue", "gray", "red")
     bed = [at_box(0.42, 0.02, 0.03, (0, s * 0.025, 0.02)) for s in (-1, 1)]
     feet = [at_box(0.05, 0.11, 0.022, (x, 0, 0)) for x in (-0.17, 0.17)]
@@ -134,7 +134,7 @@ def wood_lathe(look: Look) -> Pieces:
           colors=("orange",), state="lying")  # fmt: skip
 @from_pieces()
 def chainsaw(look: Look) -> Pieces:
-    """A small chainsaw lying: a body, two handles, a bar with its chain."""
+    """A small chainsaw lying flat: a body, two handles and a bar with its chain."""
     tile = plastic(look, "orange", "red", "green", "yellow")
     body = at_block(0.17, 0.1, 0.09, 0.02, (-0.06, 0, 0))
     bar = (prism(rectangle(0.27, 0.055, 0.027, 8), -0.002,
@@ -157,7 +157,7 @@ def chainsaw(look: Look) -> Pieces:
           colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces()
 def biscuit_jointer(look: Look) -> Pieces:
-    """A biscuit jointer: a motor to the left, a metal head under a loop handle, a fence."""
+    """A biscuit jointer: a motor on the left, a metal head under a loop handle and a fence."""
     tile = plastic(look, *BODIES)
     base = at_block(0.08, 0.12, 0.014, 0.006, (0.08, 0, 0))
     fence = at_box(0.012, 0.12, 0.075, (0.115, 0, 0.0))
@@ -173,7 +173,7 @@ ORBITAL_SANDER_BLACK = surfaces.plain((36, 36, 39))
 
 
 def _sander(kind: str) -> Drawing:
-    """A palm sander: a motor over a pad; round, square, pointed like an iron, or a belt."""
+    """A sander with a motor above a round, square or pointed pad, or above a belt."""
 
     def draw(look: Look) -> Pieces:
         tile = plastic(look, *BODIES)
@@ -217,7 +217,7 @@ def _sander(kind: str) -> Drawing:
           themes=("workbench",), roles=("big",), colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces(bodies=8)
 def plunge_router(look: Look) -> Pieces:
-    """A router: a motor between two knobs on posts over a round base."""
+    """A router: a motor between two knobs on posts above a round base."""
     tile = plastic(look, *BODIES)
     base = lathe([(0.02, 0), (0.075, 0), (0.075, 0.01), (0.02, 0.01)], 36, loop=True)
     posts = [straight((s * 0.05, 0, 0.008), (s * 0.05, 0, 0.13), 0.006, 10) for s in (-1, 1)]
@@ -237,7 +237,7 @@ def plunge_router(look: Look) -> Pieces:
           colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces()
 def electric_planer(look: Look) -> Pieces:
-    """A planer on its metal sole: a sloped body, a curved black handle, a knob to the right."""
+    """A planer on its metal sole: a sloped body, a curved black handle and a knob on the right."""
     tile = plastic(look, *BODIES)
     sole = at_box(0.28, 0.085, 0.012)
     body = hull_solid([(x, y, z) for y in (-0.042, 0.042) for x,
@@ -255,7 +255,7 @@ def electric_planer(look: Look) -> Pieces:
           colors=("gray",), state="lying")  # fmt: skip
 @from_pieces(foot=0.06, bodies=4)
 def rotary_tool(look: Look) -> Pieces:
-    """A rotary tool lying: a slim body, a collar, a bit with a small wheel."""
+    """A rotary tool lying flat: a slim body, a collar and a bit with a small wheel."""
     tile = plastic(look, "gray", "charcoal", *BODIES)
     z = 0.026
     body = spindle(
@@ -277,7 +277,7 @@ HEAT_GUN_BLACK = surfaces.plain((36, 36, 39))
 
 
 def _gun(kind: str) -> Drawing:
-    """A tool with a pistol grip lying on its side: a heat gun, nailer, spray gun, driver."""
+    """A heat gun, nailer, spray gun or driver with a pistol grip, lying on its side."""
 
     def draw(look: Look) -> Pieces:
         tile = plastic(look, *BODIES) if kind != "spray" else shine(look)
@@ -332,7 +332,7 @@ def _gun(kind: str) -> Drawing:
           themes=("workbench",), roles=("big",), colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces(bodies=4)
 def oscillating_tool(look: Look) -> Pieces:
-    """An oscillating tool lying: a long body, a flat blade at an angle below its head."""
+    """An oscillating tool lying flat: a long body with a flat, angled blade below its head."""
     tile = plastic(look, *BODIES)
     z = 0.034
     body = spindle((-0.14, 0.026), (-0.12, 0.031), (0.03, 0.029), (0.07, 0.026), z=z)
@@ -350,7 +350,7 @@ def oscillating_tool(look: Look) -> Pieces:
           themes=("workbench",), roles=("big",), colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces(bodies=7)
 def drill_press(look: Look) -> Pieces:
-    """A bench drill: a base, a column, a head with a chuck and a three-armed lever."""
+    """A bench drill: a base, a column and a head with a chuck and a three-armed lever."""
     tile = plastic(look, "red", "blue", "green", "gray", "teal")
     base = at_block(0.16, 0.22, 0.016, 0.01)
     column = straight((0, 0.06, 0.014), (0, 0.06, 0.34), 0.014, 14)
@@ -378,7 +378,7 @@ def drill_press(look: Look) -> Pieces:
           colors=("red",), state="lying")  # fmt: skip
 @from_pieces(bodies=6)
 def air_compressor(look: Look) -> Pieces:
-    """A painted tank on two feet: a motor and a finned pump on top, a gauge, a long handle."""
+    """An air compressor: a tank on two feet with a motor, a finned pump, a gauge and a handle."""
     tile = plastic(look, "red", "blue", "black", "orange")
     tank = spindle((-0.15, 0.04), (-0.135, 0.065), (0.135, 0.065), (0.15, 0.04), z=0.09)
     feet = [at_box(0.03, 0.1, 0.03, (x, 0, 0)) for x in (-0.09, 0.09)]
@@ -399,7 +399,7 @@ def air_compressor(look: Look) -> Pieces:
           aliases=("tacker", "stapler gun"), themes=("workbench",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def staple_gun(look: Look) -> Shape:
-    """A staple gun lying on its side."""
+    """A staple gun, lying on its side."""
     k = look.between(0.9, 1.06)
     color = look.color("silver", "red", "yellow", "black", "blue", "gray")
     h = 0.026 * k
@@ -423,7 +423,7 @@ DARK = (40, 40, 43)
           "sds bit", "router bit", "dental burr", "countersink bit", "masonry bit"),
           themes=("workbench",), colors=("silver", "gold"), state="lying flat")  # fmt: skip
 def drill_bit(look: Look) -> Shape:
-    """A twist drill bit lying."""
+    """A twist drill bit, lying flat."""
     k = look.between(0.8, 1.3)
     color = look.color("silver", "gold", "charcoal", "black")
     r, long, n = 0.004 * k, 0.1 * k, 44
@@ -446,7 +446,7 @@ def drill_bit(look: Look) -> Shape:
           aliases=("hot glue gun", "hot melt gun", "caulking gun"), themes=("workbench", "craft"),
           colors=("blue", "black"), state="lying flat")  # fmt: skip
 def glue_gun(look: Look) -> Shape:
-    """A hot glue gun lying on its side, a glue stick at its back."""
+    """A hot glue gun with a glue stick at its back, lying on its side."""
     k = look.between(0.88, 1.06)
     color = look.color("blue", "black", "yellow", "red", "teal", "orange", "green")
     h = 0.03 * k
@@ -478,7 +478,7 @@ POWER_DRILL_DARK = (44, 46, 50)
           "impact driver", "electric screwdriver", "hammer drill"), themes=("workbench",),
           roles=("tall",), colors=("yellow", "teal"), common=True)  # fmt: skip
 def power_drill(look: Look) -> Shape:
-    """A cordless drill standing on its battery, chuck towards +x."""
+    """A cordless drill standing on its battery with its chuck towards +x."""
     k = look.between(0.92, 1.1)
     color = look.color("yellow", "teal", "red", "blue", "green", "orange")
     shell, dark = (surfaces.speckles(look.rng, color, 4, 32),
@@ -519,7 +519,7 @@ def power_drill(look: Look) -> Shape:
           themes=("workbench", "lab"), roles=("tall",), colors=("blue", "red"),
           common=True)  # fmt: skip
 def soldering_iron(look: Look) -> Shape:
-    """A soldering iron in its coil stand, with a sponge."""
+    """A soldering iron in a coil stand with a sponge."""
     x, y = look.between(0.15, 0.17), look.between(0.075, 0.085)
     color = look.color("blue", "red", "yellow", "orange", "green")
     base = block(x, y, 0.014, 0.008, 0.003)

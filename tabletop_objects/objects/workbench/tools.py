@@ -1,4 +1,4 @@
-"""Tools (workbench)."""
+"""Objects of the ``workbench`` theme: tools."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ from ...kit.surfaces import Look, plain, tint_color
           roles=("flat", "big"), colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.05)
 def wheel_brace(look: Look) -> Pieces:
-    """A wheel brace: four arms with sockets, lying as a cross."""
+    """A wheel brace lying flat: four arms with sockets in the shape of a cross."""
     steel = metal(look, "silver", "gray", "charcoal")
     arms = [straight((0, 0, 0.012), (0.17 * np.cos(a), 0.17 * np.sin(a), 0.012), 0.007, 10)
             for a in np.arange(4) * np.pi / 2]  # fmt: skip
@@ -47,7 +47,7 @@ def wheel_brace(look: Look) -> Pieces:
           aliases=("extinguisher", "mini fire extinguisher"), themes=("workbench",),
           roles=("tall",), colors=("red",))  # fmt: skip
 def fire_extinguisher(look: Look) -> Shape:
-    """A small fire extinguisher standing, with its lever and hose."""
+    """A small fire extinguisher with a lever and a hose, standing upright."""
     color = look.color("red", "red", "crimson", "orange")
     k = look.between(0.75, 0.95)
     body = standing((0.045, 0), (0.05, 0.004), (0.05, 0.2), (0.042, 0.225), (0.018, 0.24),
@@ -72,7 +72,7 @@ def fire_extinguisher(look: Look) -> Shape:
           "foot file"), themes=("workbench",), colors=("wooden", "red"),
           state="lying flat")  # fmt: skip
 def metal_file(look: Look) -> Shape:
-    """A flat metal file lying, its hatched blade to the left, a wooden or plastic handle."""
+    """A metal file lying flat: a hatched blade on the left and a wooden or plastic handle."""
     long, wide = look.between(0.22, 0.3), look.between(0.018, 0.026)
     color = look.color("wooden", "red", "blue", "orange", "black", "yellow", "green")
     cut = 0.08 * long
@@ -108,7 +108,7 @@ def metal_file(look: Look) -> Shape:
           "carving chisel", "gouge", "cold chisel", "spokeshave", "quilling tool"),
           themes=("workbench",), colors=("wooden", "red"), state="lying flat")  # fmt: skip
 def chisel(look: Look) -> Shape:
-    """A wood chisel lying: a bevelled blade to the left, a striking handle."""
+    """A wood chisel lying flat: a bevelled blade on the left and a striking handle."""
     wide, long = look.between(0.012, 0.03), look.between(0.21, 0.26)
     color = look.color("wooden", "red", "yellow", "blue", "black", "orange", "green")
     blade = prism(np.array([(-0.5 * long, -wide / 2), (-0.02, -wide / 2), (0.002, -0.005),
@@ -136,7 +136,7 @@ def chisel(look: Look) -> Shape:
           "printing roller", "lino roller"), themes=("workbench", "craft"), roles=("big",),
           colors=("red", "blue"), state="lying flat")  # fmt: skip
 def paint_roller(look: Look) -> Shape:
-    """A paint roller lying: a fleece to the left, a bent wire, a handle to the right."""
+    """A paint roller lying flat: a fleece on the left, a bent wire and a handle on the right."""
     k = look.between(0.85, 1.05)
     color = look.color("red", "blue", "green", "black", "orange", "wooden", "yellow")
     dip = look.pick([(240, 236, 226), (240, 236, 226), (90, 140, 200), (220, 90, 80),
@@ -171,7 +171,7 @@ def paint_roller(look: Look) -> Shape:
           "spackle knife", "drywall knife"), themes=("workbench",), colors=("wooden", "black"),
           state="lying flat")  # fmt: skip
 def putty_knife(look: Look) -> Shape:
-    """A putty knife lying: a broad steel blade, a riveted handle."""
+    """A putty knife lying flat: a broad steel blade and a riveted handle."""
     k = look.between(0.88, 1.08)
     wide = look.between(0.03, 0.075) * k
     color = look.color("wooden", "black", "red", "wooden", "blue", "yellow")
@@ -189,7 +189,7 @@ def putty_knife(look: Look) -> Shape:
 
 
 def _cutters(beak: list[tuple[float, float]], long: float, thick: float) -> Callable[[Look], Shape]:
-    """Two crossed levers lying, grips to the left: cutters, snips, strippers."""
+    """Cutters, snips or strippers lying flat: two crossed levers with grips on the left."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.08)
@@ -216,7 +216,7 @@ def _cutters(beak: list[tuple[float, float]], long: float, thick: float) -> Call
           aliases=("ratchet", "ratchet wrench", "socket spanner", "ratchet spanner"),
           themes=("workbench",), colors=("silver",), state="lying flat")  # fmt: skip
 def socket_wrench(look: Look) -> Shape:
-    """A ratchet lying, a socket on its head."""
+    """A ratchet with a socket on its head, lying flat."""
     k = look.between(0.88, 1.05)
     color = look.color("silver", "black", "red", "blue", "silver")
     metal = surfaces.brushed_metal(look.rng, (186, 189, 194))
@@ -239,7 +239,7 @@ def socket_wrench(look: Look) -> Shape:
           aliases=("plumber wrench", "plumber's wrench", "stillson wrench", "monkey wrench"),
           themes=("workbench",), colors=("red",), state="lying flat")  # fmt: skip
 def pipe_wrench(look: Look) -> Shape:
-    """A pipe wrench lying: a toothed hook jaw over a fixed one, a long handle."""
+    """A pipe wrench lying flat: a toothed hook jaw above a fixed one, and a long handle."""
     k = look.between(0.88, 1.05)
     color = look.color("red", "red", "orange", "blue", "green")
     h = 0.02 * k
@@ -261,7 +261,7 @@ def pipe_wrench(look: Look) -> Shape:
           aliases=("hack saw", "metal saw"), themes=("workbench",), roles=("big",),
           colors=("red", "blue"), state="lying flat")  # fmt: skip
 def hacksaw(look: Look) -> Shape:
-    """A hacksaw lying on its side: bow, thin blade, pistol grip."""
+    """A hacksaw lying on its side: a frame, a thin blade and a pistol grip."""
     k = look.between(0.85, 1.0)
     color = look.color("red", "blue", "black", "yellow", "orange", "green")
     z = 0.008 * k
@@ -288,7 +288,7 @@ def hacksaw(look: Look) -> Shape:
           "hexagon key"), themes=("workbench",), roles=("flat",), colors=("charcoal",),
           state="lying flat")  # fmt: skip
 def hex_key(look: Look) -> Shape:
-    """A hexagon key lying: an L of six-sided steel, or one with a T grip."""
+    """A hexagon key lying flat: an L-shaped key of six-sided steel, or one with a T grip."""
     k = look.between(0.8, 1.3)
     color = look.color("charcoal", "black", "silver", "silver", "gray")
     r = 0.0032 * k
@@ -319,7 +319,7 @@ SOCKET_WRENCH_DARK = (40, 40, 43)
           aliases=("rubber mallet", "wooden mallet", "wood mallet", "croquet mallet"),
           themes=("workbench",), colors=("wooden", "black"), state="lying flat")  # fmt: skip
 def mallet(look: Look) -> Shape:
-    """A mallet lying: a fat wooden or rubber head on a round handle."""
+    """A mallet lying flat: a thick wooden or rubber head on a round handle."""
     k = look.between(0.88, 1.06)
     color = look.color("wooden", "black", "wooden", "white", "red", "tan")
     head = look.surface(color, "wood" if look.chance(0.6) else "plastic")
@@ -345,7 +345,7 @@ def mallet(look: Look) -> Shape:
           aliases=("hatchet", "ax", "tomahawk", "small axe", "bronze axe head"),
           themes=("workbench",), colors=("wooden", "red"), state="lying flat")  # fmt: skip
 def axe(look: Look) -> Shape:
-    """A hatchet lying on its side."""
+    """A hatchet, lying on its side."""
     k = look.between(0.9, 1.06)
     color = look.color("wooden", "tan", "red", "wooden", "orange", "black")
     grip = tube(smooth(np.array([(-0.16, -0.012, 0.011), (-0.14, 0.0, 0.011), (-0.02, 0.006, 0.011),
@@ -370,7 +370,7 @@ def axe(look: Look) -> Shape:
           aliases=("pry bar", "crow bar", "prybar", "wrecking bar"), themes=("workbench",),
           colors=("red", "blue"), state="lying flat")  # fmt: skip
 def crowbar(look: Look) -> Shape:
-    """A crowbar lying on its side: a hooked claw, a flattened end."""
+    """A crowbar lying on its side, with a hooked claw and a flattened end."""
     k = look.between(0.88, 1.05)
     color = look.color("red", "blue", "black", "yellow", "charcoal", "red")
     r = 0.0075 * k
@@ -393,7 +393,7 @@ def crowbar(look: Look) -> Shape:
           aliases=("wood plane", "block plane", "bench plane", "carpenter plane", "jack plane",
           "woodworking plane"), themes=("workbench",), colors=("wooden",))  # fmt: skip
 def hand_plane(look: Look) -> Shape:
-    """A woodworking plane standing: sole, iron, front knob and rear handle."""
+    """A woodworking plane with a sole, an iron, a front knob and a rear handle."""
     k = look.between(0.88, 1.05)
     color = look.color("wooden", "brown", "maroon", "wooden", "tan")
     wood = look.surface(color, "wood")
@@ -426,7 +426,7 @@ def _rounded_ends(x: float, y: float) -> np.ndarray:
           aliases=("vice", "bench vise", "bench vice", "table vise", "table vice"),
           themes=("workbench",), roles=("big",), colors=("blue", "red"))  # fmt: skip
 def vise(look: Look) -> Shape:
-    """A bench vise standing: base, two jaws, a screw with a bar."""
+    """A bench vise with a base, two jaws and a screw with a bar."""
     k = look.between(0.8, 1.0)
     color = look.color("blue", "red", "green", "charcoal", "gray", "orange")
     paint = look.surface(color, "plastic")
@@ -458,7 +458,7 @@ def vise(look: Look) -> Shape:
           aliases=("paint roller tray", "roller tray", "painting tray"), themes=("workbench",),
           roles=("container", "big"), colors=("black",))  # fmt: skip
 def paint_tray(look: Look) -> Shape:
-    """A sloping tray for paint rollers, open, a film of paint in its well."""
+    """An open, sloping tray for paint rollers with a film of paint in its well."""
     k = look.between(0.88, 1.05)
     x, y, h, wall = 0.28 * k, 0.2 * k, 0.05 * k, 0.004
     color = look.color("black", "charcoal", "white", "blue", "gray", "red")
@@ -483,7 +483,7 @@ def paint_tray(look: Look) -> Shape:
           themes=("workbench",), roles=("flat",), colors=("wooden", "red"), state="lying flat",
           common=True)  # fmt: skip
 def hand_saw(look: Look) -> Shape:
-    """A hand saw lying flat: toothed blade, closed grip."""
+    """A hand saw lying flat, with a toothed blade and a closed grip."""
     length, tall = look.between(0.27, 0.34), look.between(0.085, 0.1)
     wood = look.surface(look.color("wooden", "red", "orange", "black", "yellow"), "plastic")
     n = 36
@@ -510,7 +510,7 @@ def hand_saw(look: Look) -> Shape:
           aliases=("c-clamp", "c clamp", "g-clamp", "g clamp"), themes=("workbench",),
           roles=("flat",), colors=("red", "blue"), state="lying flat", common=True)  # fmt: skip
 def clamp(look: Look) -> Shape:
-    """A C-clamp lying flat: frame, screw, sliding handle."""
+    """A C-clamp lying flat, with a frame, a screw and a sliding handle."""
     x, y = look.between(0.08, 0.11), look.between(0.11, 0.16)
     frame_tile = surfaces.speckles(
         look.rng, look.color("red", "blue", "gray", "orange", "black"), 5
@@ -548,7 +548,7 @@ GRIPS = ("red", "yellow", "blue", "orange", "green", "black", "teal", "gray", "l
           "green", "black", "teal", "gray", "lime", "violet"), state="lying flat",
           common=True)  # fmt: skip
 def screwdriver(look: Look) -> Shape:
-    """A screwdriver lying: fluted grip, shaft, flat tip."""
+    """A screwdriver lying flat, with a fluted grip, a shaft and a flat tip."""
     r, grip, shaft = look.between(0.013, 0.016), look.between(0.09, 0.105), look.between(0.09, 0.12)
     color = look.color(*GRIPS)
     flutes = surfaces.stripes([color, color, look.pick([tint_color(color, 0.6), (40, 40, 44)])], 6,
@@ -578,12 +578,12 @@ def screwdriver(look: Look) -> Shape:
           "jeweller hammer"), themes=("workbench",), colors=("wooden", "red"), state="lying flat",
           common=True)  # fmt: skip
 def hammer(look: Look) -> Shape:
-    """A claw hammer lying on its side."""
+    """A claw hammer with a steel head and a handle, lying on its side."""
     paint = look.color(
         "wooden", "wooden", "tan", "red", "blue", "black", "yellow", "orange", "green"
     )
     wood = look.surface(paint, look.pick(["oak", "plastic"]))
-    if look.chance(0.4):  # a grip of rubber
+    if look.chance(0.4):  # rubber grip
         rubber = surfaces.plain(look.own_color("black", "charcoal", "yellow", "blue"))
         wood = np.concatenate([surfaces.fit(rubber, 64, 26), surfaces.fit(wood, 64, 38)], 1)
     metal = surfaces.brushed_metal(look.rng, look.own_color("charcoal", "gray", "silver"))
@@ -613,7 +613,7 @@ def hammer(look: Look) -> Shape:
           aliases=("spanner", "chain tool", "chain breaker", "spoke key"), themes=("workbench",),
           roles=("flat",), colors=("silver",), state="lying flat", common=True)  # fmt: skip
 def wrench(look: Look) -> Shape:
-    """A combination wrench lying flat: ring at one end, open jaw at the other."""
+    """A combination wrench lying flat, with a ring at one end and an open jaw at the other."""
     hue = look.color("silver", "gray", "charcoal", "bronze", "red", "blue", spread=10)
     metal, length = surfaces.brushed_metal(look.rng, hue), look.between(0.14, 0.22)
     if look.chance(0.4):
@@ -644,7 +644,7 @@ def wrench(look: Look) -> Shape:
           "yellow", "blue", "orange", "green", "black", "teal", "gray", "lime", "violet"),
           state="lying flat", common=True)  # fmt: skip
 def pliers(look: Look) -> Shape:
-    """Pliers lying flat with coloured grips."""
+    """Pliers with coloured grips, lying flat."""
     grip = surfaces.speckles(look.rng, look.color(*GRIPS), 5)
     metal = surfaces.brushed_metal(
         look.rng, look.pick([(120, 124, 130), (70, 72, 76), (176, 178, 182)])
@@ -694,7 +694,7 @@ def utility_knife(look: Look) -> Shape:
           "sharpening stone", "honing stone", "grindstone", "whet stone", "water stone"),
           themes=("workbench", "kitchen"), roles=("flat",), colors=("gray",))  # fmt: skip
 def whetstone(look: Look) -> Shape:
-    """A sharpening stone of two grits, on a wooden or rubber foot."""
+    """A sharpening stone with two grits on a wooden or rubber base."""
     color = look.color("gray", "terracotta", "white", "charcoal", "sage")
     k = look.between(0.85, 1.1)
     low = at_box(0.17, 0.06, 0.012, (0, 0, 0.012))
@@ -710,7 +710,7 @@ def whetstone(look: Look) -> Shape:
           "scratch awl", "scribe", "scriber", "seam ripper", "gimlet", "bodkin"),
           themes=("workbench",), colors=("wooden",))  # fmt: skip
 def awl(look: Look) -> Shape:
-    """An awl lying: a thin spike in a round handle."""
+    """An awl lying flat: a thin spike in a round handle."""
     color = look.color("wooden", "red", "brown", "black", "tan")
     k = look.between(0.85, 1.2)
     handle = lies(standing((0.006, 0), (0.0145, 0.012), (0.0165, 0.03), (0.011, 0.06),
@@ -728,7 +728,7 @@ def awl(look: Look) -> Shape:
           aliases=("center punch", "nail punch", "nail set", "pin punch", "metal punch",
           "leather punch"), themes=("workbench",), colors=("silver",))  # fmt: skip
 def centre_punch(look: Look) -> Shape:
-    """A steel punch lying, its middle knurled."""
+    """A steel punch with a knurled middle, lying flat."""
     color = look.color("silver", "charcoal", "black", "bronze")
     k = look.between(0.85, 1.2)
     bar_ = lies(standing((0.004, 0), (0.0065, 0.004), (0.0065, 0.08), (0.0022, 0.115),
@@ -742,7 +742,7 @@ def centre_punch(look: Look) -> Shape:
           aliases=("swiss army knife", "penknife", "pen knife", "folding knife", "jackknife",
           "camping knife"), themes=("workbench",), colors=("red",))  # fmt: skip
 def pocket_knife(look: Look) -> Shape:
-    """A pocket knife lying, its blade and tools half out."""
+    """A pocket knife lying flat with its blade and tools half open."""
     color = look.color("red", "red", "black", "wooden", "green", "blue")
     k = look.between(0.85, 1.15)
     scales = [plate(rectangle(0.09, 0.026, 0.0125, 6), 0.004, at=(0, 0, z), bevel=0.001)
@@ -772,7 +772,7 @@ def pocket_knife(look: Look) -> Shape:
           aliases=("multi-tool", "multi tool", "bike multi-tool", "leatherman", "pocket tool"),
           themes=("workbench",), colors=("silver", "black"))  # fmt: skip
 def multitool(look: Look) -> Shape:
-    """A folding multi-tool lying open: plier jaws between two handles, a blade out."""
+    """An open folding multi-tool lying flat: plier jaws between two handles, with a blade out."""
     color = look.color("silver", "black", "charcoal", "green")
     k = look.between(0.85, 1.15)
     handles = [plate(rectangle(0.1, 0.016, 0.006), 0.015, at=(-0.048, 0, 0),
