@@ -10,7 +10,7 @@ from ...kit.outlines import ellipse
 from ...kit.parts import box_part, cylinder_part, hull_above, hull_of, hull_part
 from ...kit.primitives import bent_rod, limb, lobe, scatter, spread, vessel
 from ...kit.shapes import Shape, category, serve, settle, shape
-from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, loft, prism, torus, tube
+from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, loft, prism, torus
 from ...kit.surfaces import RGB, Look, readable_on, speck, tint_color
 from ..dining.foods import filled_bowl, pool
 
@@ -323,27 +323,3 @@ def yogurt(look: Look) -> Shape:
     prints.write(lid, "YOGURT", 0.5, 0.5, 0.16, tint_color(color, 0.5), bold=True)
     return shape([(body, tile), (foil, lid), (flap, surfaces.plain((222, 224, 230)))],
                  [hull_of(body), cylinder_part(1.01 * r, 0.003, (0, 0, h - 0.003))])  # fmt: skip
-
-
-@category("honey_pot", size=(0.0991, 0.0991, 0.151), mass=0.45, material="ceramic",
-          aliases=("pot of honey", "honeypot"), themes=("breakfast",), roles=("round",),
-          colors=("gold",))  # fmt: skip
-def honey_pot(look: Look) -> Shape:
-    """A bulbous honey pot with the word HONEY on its front and a honey dipper sticking out."""
-    r, h = look.between(0.045, 0.055), look.between(0.085, 0.105)
-    color = look.color("gold", "yellow", "cream", "terracotta", "white")
-    image = prints.canvas(256, 128, color)
-    prints.write(image[:, 86:170], "HONEY", 0.5, 0.5, 0.26, readable_on(color), bold=True)
-    body = lathe([(0, 0), (0.72 * r, 0), (0.96 * r, 0.2 * h), (r, 0.45 * h), (0.86 * r, 0.78 * h),
-                  (0.7 * r, 0.88 * h), (0.78 * r, h), (0.68 * r, h), (0.6 * r, 0.92 * h),
-                  (0, 0.92 * h)], 32, v=[0, 0.01, 0.2, 0.45, 0.8, 0.9, 0.97, 0.98, 0.99,
-                                         1])  # fmt: skip
-    honey = cylinder(0.66 * r, 0.002, 28).move(z=0.93 * h)
-    drip = [ellipsoid(0.016, 0.008, 0.03, 12, 8).turn(2, a).move(0.8 * r * np.sin(a), -0.8 * r
-                                                                 * np.cos(a), 0.84 * h)
-            for a in (-0.5, 0.2, 1.0)]  # fmt: skip
-    stick = tube([(0, 0, 0.9 * h), (0.75 * r, 0.2 * r, 1.55 * h)], 0.0038, 8)
-    gold = surfaces.gradient((222, 140, 20), (244, 184, 50), look.rng)
-    wood = surfaces.wood(look.rng, (206, 164, 110))
-    return shape([(body, image), (join([honey, *drip]), gold), (stick, wood)],
-                 [hull_of(body), hull_of(stick)])  # fmt: skip

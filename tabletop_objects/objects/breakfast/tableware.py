@@ -6,13 +6,13 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...kit import surfaces
+from ...kit import prints, surfaces
 from ...kit.materials import glaze_tile
 from ...kit.outlines import smooth
 from ...kit.parts import box_part, cylinder_part, hull_of, lift_parts, open_vessel
 from ...kit.shapes import Shape, category, shape
-from ...kit.solids import block, cylinder, join, lathe, tube
-from ...kit.surfaces import Look
+from ...kit.solids import block, cylinder, ellipsoid, join, lathe, tube
+from ...kit.surfaces import Look, readable_on
 from ...values import Holder
 from ..dining.bowls import china
 from ..kitchen.racks import _wire, centres, choose_slots, read_request
@@ -115,3 +115,27 @@ def empty_toast_rack(look: Look) -> Shape:
     parts = [hull_of(base), *map(hull_of, feet), *spans]
     slots = choose_slots(centres(cells, pitch), count, floor)
     return shape([(join([base, *feet, *hoops]), skin)], parts, slots=slots)
+
+
+@category("honey_pot", size=(0.0991, 0.0991, 0.151), mass=0.45, material="ceramic",
+          aliases=("pot of honey", "honeypot"), themes=("breakfast",), roles=("round",),
+          colors=("gold",))  # fmt: skip
+def honey_pot(look: Look) -> Shape:
+    """A bulbous honey pot with the word HONEY on its front and a honey dipper sticking out."""
+    r, h = look.between(0.045, 0.055), look.between(0.085, 0.105)
+    color = look.color("gold", "yellow", "cream", "terracotta", "white")
+    image = prints.canvas(256, 128, color)
+    prints.write(image[:, 86:170], "HONEY", 0.5, 0.5, 0.26, readable_on(color), bold=True)
+    body = lathe([(0, 0), (0.72 * r, 0), (0.96 * r, 0.2 * h), (r, 0.45 * h), (0.86 * r, 0.78 * h),
+                  (0.7 * r, 0.88 * h), (0.78 * r, h), (0.68 * r, h), (0.6 * r, 0.92 * h),
+                  (0, 0.92 * h)], 32, v=[0, 0.01, 0.2, 0.45, 0.8, 0.9, 0.97, 0.98, 0.99,
+                                         1])  # fmt: skip
+    honey = cylinder(0.66 * r, 0.002, 28).move(z=0.93 * h)
+    drip = [ellipsoid(0.016, 0.008, 0.03, 12, 8).turn(2, a).move(0.8 * r * np.sin(a), -0.8 * r
+                                                                 * np.cos(a), 0.84 * h)
+            for a in (-0.5, 0.2, 1.0)]  # fmt: skip
+    stick = tube([(0, 0, 0.9 * h), (0.75 * r, 0.2 * r, 1.55 * h)], 0.0038, 8)
+    gold = surfaces.gradient((222, 140, 20), (244, 184, 50), look.rng)
+    wood = surfaces.wood(look.rng, (206, 164, 110))
+    return shape([(body, image), (join([honey, *drip]), gold), (stick, wood)],
+                 [hull_of(body), hull_of(stick)])  # fmt: skip

@@ -8,7 +8,7 @@ from ...kit import prints, surfaces
 from ...kit.materials import skin
 from ...kit.outlines import arc
 from ...kit.parts import box_part, cylinder_part, hull_of
-from ...kit.primitives import ball, bent_rod, blade, lobe, scatter
+from ...kit.primitives import ball, bent_rod, blade, lobe
 from ...kit.shapes import Category, Shape, category, settle, shape, vary
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, tube
 from ...kit.surfaces import RGB, Look, speck, tint_color
@@ -43,21 +43,6 @@ def teacake(look: Look) -> Shape:
     dark = surfaces.speckles(look.rng, tint_color(look.color("brown", "brown", "white"), 0.6), 5)
     foot = cylinder(1.04 * r, 0.14 * r, 26)
     return shape([(join([dome, foot]), dark)], [hull_of(dome, foot)])
-
-
-@category("eccles_cake", size=(0.0798, 0.0804, 0.0266), mass=0.06, material="food",
-          aliases=("welsh cake", "chorley cake", "banbury cake", "mince pie"),
-          themes=("coffee", "tea"), roles=("edible", "round", "flat"),
-          colors=("amber",))  # fmt: skip
-def eccles_cake(look: Look) -> Shape:
-    """A round, flat currant cake with three cuts and sugar on top."""
-    r, h = look.between(0.038, 0.044), look.between(0.022, 0.027)
-    body = lathe([(0, 0), (0.85 * r, 0), (r, 0.4 * h), (0.85 * r, 0.85 * h), (0.4 * r, h), (0, h)],
-                 26)  # fmt: skip
-    cuts = [ellipsoid(0.03, 0.0035, 0.003, 8, 4).move(0, 0.011 * n, 0.99 * h) for n in (-1, 0, 1)]
-    crumbs = scatter(look, 0.6 * r, 22, (0.0018, 0.0028), 0.96 * h)
-    return shape([(body, crust(look)), (join(cuts), surfaces.plain((60, 32, 24))),
-                  (crumbs, surfaces.plain((252, 250, 246)))], [hull_of(body)])  # fmt: skip
 
 
 CREAM: RGB = (250, 244, 230)

@@ -132,9 +132,5 @@ CATEGORIES = (
     Category("flapjack", vary()(biscuit_slab((206, 150, 78), (238, 206, 140), 90, 5, (),
              (0.075, 0.05, 0.02))), size=(0.0755, 0.0504, 0.0201), mass=0.06, material="food",
              aliases=("oat flapjack", "nut bar"), themes=("coffee", "tea"), roles=("edible",)),
-    Category("crispy_square", vary()(biscuit_slab((240, 214, 156), (252, 238, 206), 90, 7, (),
-             (0.062, 0.062, 0.034))), size=(0.0616, 0.0616, 0.0338), mass=0.03, material="food",
-             aliases=("rice crispy square", "rice krispie treat", "rice crispy treat",
-             "rice krispie square", "crispy cake"), themes=("coffee", "tea"), roles=("edible",)),
 )  # fmt: skip
 """Objects that share their drawing functions."""

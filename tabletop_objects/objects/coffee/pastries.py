@@ -353,3 +353,18 @@ def donut(look: Look) -> Shape:
          (glaze.move(z=0.0135), image)],
         sections,
     )  # fmt: skip
+
+
+@category("eccles_cake", size=(0.0798, 0.0804, 0.0266), mass=0.06, material="food",
+          aliases=("welsh cake", "chorley cake", "banbury cake", "mince pie"),
+          themes=("coffee", "tea"), roles=("edible", "round", "flat"),
+          colors=("amber",))  # fmt: skip
+def eccles_cake(look: Look) -> Shape:
+    """A round, flat currant cake with three cuts and sugar on top."""
+    r, h = look.between(0.038, 0.044), look.between(0.022, 0.027)
+    body = lathe([(0, 0), (0.85 * r, 0), (r, 0.4 * h), (0.85 * r, 0.85 * h), (0.4 * r, h), (0, h)],
+                 26)  # fmt: skip
+    cuts = [ellipsoid(0.03, 0.0035, 0.003, 8, 4).move(0, 0.011 * n, 0.99 * h) for n in (-1, 0, 1)]
+    crumbs = scatter(look, 0.6 * r, 22, (0.0018, 0.0028), 0.96 * h)
+    return shape([(body, crust(look)), (join(cuts), surfaces.plain((60, 32, 24))),
+                  (crumbs, surfaces.plain((252, 250, 246)))], [hull_of(body)])  # fmt: skip

@@ -8,9 +8,10 @@ from ...kit import prints, surfaces
 from ...kit.outlines import rectangle
 from ...kit.parts import box_part, hull_of
 from ...kit.primitives import bent_rod, lobe
-from ...kit.shapes import Shape, category, settle, shape
+from ...kit.shapes import Category, Shape, category, settle, shape, vary
 from ...kit.solids import block, box, join, lathe, prism, tube
 from ...kit.surfaces import RGB, Look, tint_color
+from .cookies import biscuit_slab
 
 
 @category("meringue", size=(0.0619, 0.0576, 0.053), mass=0.015, material="food",
@@ -126,3 +127,12 @@ def chocolate_bar(look: Look) -> Shape:
          (join([foil, crimp]), surfaces.brushed_metal(look.rng, (206, 206, 210)))],
         [box_part(x, y, 0.0095), hull_of(sleeve)],
     )  # fmt: skip
+
+
+CATEGORIES = (
+    Category("crispy_square", vary()(biscuit_slab((240, 214, 156), (252, 238, 206), 90, 7, (),
+             (0.062, 0.062, 0.034))), size=(0.0616, 0.0616, 0.0338), mass=0.03, material="food",
+             aliases=("rice crispy square", "rice krispie treat", "rice crispy treat",
+             "rice krispie square", "crispy cake"), themes=("coffee", "tea"), roles=("edible",)),
+)  # fmt: skip
+"""Objects that share their drawing functions."""

@@ -12,6 +12,7 @@ from ...kit.outlines import ellipse, rectangle
 from ...kit.parts import box_part, cylinder_part, flat_foot, hull_of, ring_parts
 from ...kit.primitives import (
     at_box,
+    ball,
     drum,
     label_skin,
     lay_down,
@@ -22,10 +23,11 @@ from ...kit.primitives import (
     vessel,
     vessel_parts,
 )
-from ...kit.shapes import Category, Shape, category, put_down, shape
+from ...kit.shapes import Category, Pieces, Shape, category, put_down, shape
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, open_box, prism, tube
 from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
 from ..toys.vehicles import _paper, sheet
+from .sewing_supplies import HUES
 
 
 @category("easel", size=(0.196, 0.191, 0.277), mass=0.4, material="wood", assembled=True,
@@ -367,6 +369,63 @@ def paint_brush(look: Look) -> Shape:
     )
     return shape([(handle, wood), (ferrule, tool_steel(look)), (bristle, hair)],
                  [hull_of(handle), box_part(0.03, w, 0.011), hull_of(bristle)])  # fmt: skip
+
+
+@category("glue_stick", size=(0.028, 0.028, 0.1), mass=0.035, material="plastic",
+          aliases=("glue", "glue tube", "wood glue bottle"), themes=("craft", "office"),
+          roles=("round",), colors=("yellow", "red"), common=True)  # fmt: skip
+def glue_stick(look: Look) -> Shape:
+    """A glue stick with its cap on, standing upright."""
+    r, h = look.between(0.0125, 0.0145), look.between(0.085, 0.1)
+    color = look.color("yellow", "red", "blue", "green", "violet")
+    print_ = prints.label(look.rng, "GLUE", color, (246, 246, 242))
+    foot = cylinder(r * 1.05, 0.012, 20, bevel=0.001)
+    body = cylinder(r, 0.62 * h, 24).move(z=0.01)
+    cap = cylinder(r * 1.08, 0.36 * h, 24, top=r, bevel=0.0015).move(z=0.01 + 0.62 * h)
+    tint = surfaces.plain(color)
+    return shape(
+        [(foot, tint), (body, print_), (cap, tint)],
+        [cylinder_part(r, 0.01 + 0.62 * h), hull_of(foot), hull_of(cap)],
+    )
+
+
+@category("mannequin", size=(0.104, 0.104, 0.24), mass=0.4, material="fabric",
+          aliases=("dress form", "tailor dummy", "dressmaker dummy", "small mannequin",
+          "mini mannequin", "tailors dummy", "mannequin head", "artist mannequin",
+          "wooden mannequin"), themes=("craft",), roles=("tall",), colors=("beige",))  # fmt: skip
+def mannequin(look: Look) -> Shape:
+    """A dressmaker's mannequin without head or arms, on a stand."""
+    color = look.color("beige", "cream", "white", "black", "pink", "gray")
+    levels = [(0.036, 0.03, 0.09), (0.046, 0.036, 0.105), (0.033, 0.027, 0.14),
+              (0.042, 0.034, 0.17), (0.046, 0.032, 0.19), (0.02, 0.018, 0.21),
+              (0.013, 0.013, 0.216), (0.0125, 0.0125, 0.23)]  # fmt: skip
+    path = np.array(levels)
+    body = lathe([(0, 0.09), *[(a, z) for a, _, z in levels], (0, 0.23)], 26).bend(
+        lambda p: p * np.column_stack([np.ones(len(p)), np.interp(p[:, 2], path[:, 2],
+                                       path[:, 1] / path[:, 0]), np.ones(len(p))]))  # fmt: skip
+    knob = cylinder(0.008, 0.012, 14, top=0.005).move(z=0.229)
+    pole = cylinder(0.005, 0.09, 12).move(z=0.006)
+    foot = lathe([(0, 0), (0.05, 0), (0.052, 0.006), (0.03, 0.014), (0.008, 0.02), (0, 0.02)], 24)
+    seam = [box(0.0014, 0.002, 0.1).move(0, -0.0335, 0.1)]
+    wood = surfaces.wood(look.rng, look.own_color("brown", "wooden", "charcoal"))
+    pieces: Pieces = [(body, surfaces.fabric(look.rng, color)), (join([knob, pole, foot]), wood),
+                      (join(seam), surfaces.plain(tint_color(color, 0.7)))]  # fmt: skip
+    return put_down(pieces, foot, pole, body, factor=look.between(0.9, 1.1))
+
+
+@category("pompom", size=(0.037, 0.037, 0.036), mass=0.003, material="fabric", assembled=True,
+          aliases=("pom pom", "pom-pom", "craft pompom", "fluffy ball", "pompom maker"),
+          themes=("craft",), roles=("round",), colors=("red", "pink"))  # fmt: skip
+def pompom(look: Look) -> Shape:
+    """A fluffy pompom."""
+    color = look.color(*HUES, "orange")
+    d = look.between(0.025, 0.05)
+    tufts = [ball(0.4 * d, 0.4 * d, 0.4 * d, tuple(0.34 * d * np.array([
+        np.sqrt(1 - z * z) * np.cos(2.4 * k), np.sqrt(1 - z * z) * np.sin(2.4 * k), z])), 8)
+        for k, z in enumerate(np.linspace(-0.95, 0.95, 34))]  # fmt: skip
+    body = join([*tufts, ball(0.86 * d, 0.86 * d, 0.86 * d, (0, 0, 0), 10)]).move(z=0.47 * d)
+    wool = surfaces.scratches(look.rng, color, tint_color(color, 0.75), 120)
+    return put_down([(body, wool)], body)
 
 
 CATEGORIES = (

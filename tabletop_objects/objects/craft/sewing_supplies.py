@@ -123,30 +123,6 @@ def felt_sheet(look: Look) -> Shape:
     return shape([(block(x, y, 0.0028, 0.002), tile)], [box_part(x, y, 0.0028)])
 
 
-@category("mannequin", size=(0.104, 0.104, 0.24), mass=0.4, material="fabric",
-          aliases=("dress form", "tailor dummy", "dressmaker dummy", "small mannequin",
-          "mini mannequin", "tailors dummy", "mannequin head", "artist mannequin",
-          "wooden mannequin"), themes=("craft",), roles=("tall",), colors=("beige",))  # fmt: skip
-def mannequin(look: Look) -> Shape:
-    """A dressmaker's mannequin without head or arms, on a stand."""
-    color = look.color("beige", "cream", "white", "black", "pink", "gray")
-    levels = [(0.036, 0.03, 0.09), (0.046, 0.036, 0.105), (0.033, 0.027, 0.14),
-              (0.042, 0.034, 0.17), (0.046, 0.032, 0.19), (0.02, 0.018, 0.21),
-              (0.013, 0.013, 0.216), (0.0125, 0.0125, 0.23)]  # fmt: skip
-    path = np.array(levels)
-    body = lathe([(0, 0.09), *[(a, z) for a, _, z in levels], (0, 0.23)], 26).bend(
-        lambda p: p * np.column_stack([np.ones(len(p)), np.interp(p[:, 2], path[:, 2],
-                                       path[:, 1] / path[:, 0]), np.ones(len(p))]))  # fmt: skip
-    knob = cylinder(0.008, 0.012, 14, top=0.005).move(z=0.229)
-    pole = cylinder(0.005, 0.09, 12).move(z=0.006)
-    foot = lathe([(0, 0), (0.05, 0), (0.052, 0.006), (0.03, 0.014), (0.008, 0.02), (0, 0.02)], 24)
-    seam = [box(0.0014, 0.002, 0.1).move(0, -0.0335, 0.1)]
-    wood = surfaces.wood(look.rng, look.own_color("brown", "wooden", "charcoal"))
-    pieces: Pieces = [(body, surfaces.fabric(look.rng, color)), (join([knob, pole, foot]), wood),
-                      (join(seam), surfaces.plain(tint_color(color, 0.7)))]  # fmt: skip
-    return put_down(pieces, foot, pole, body, factor=look.between(0.9, 1.1))
-
-
 HUES = ("red", "blue", "green", "yellow", "purple", "white", "black", "pink", "brown", "teal")
 STEEL = (200, 204, 210)
 
@@ -383,21 +359,6 @@ def bead(look: Look) -> Shape:
     skin = surfaces.speckles(look.rng, color, 4) if look.chance(0.6) else surfaces.stripes(
         [color, tint_color(color, 1.6)], 4)  # fmt: skip
     return put_down([(body, skin), (join(holes), surfaces.plain((40, 36, 36)))], body)
-
-
-@category("pompom", size=(0.037, 0.037, 0.036), mass=0.003, material="fabric", assembled=True,
-          aliases=("pom pom", "pom-pom", "craft pompom", "fluffy ball", "pompom maker"),
-          themes=("craft",), roles=("round",), colors=("red", "pink"))  # fmt: skip
-def pompom(look: Look) -> Shape:
-    """A fluffy pompom."""
-    color = look.color(*HUES, "orange")
-    d = look.between(0.025, 0.05)
-    tufts = [ball(0.4 * d, 0.4 * d, 0.4 * d, tuple(0.34 * d * np.array([
-        np.sqrt(1 - z * z) * np.cos(2.4 * k), np.sqrt(1 - z * z) * np.sin(2.4 * k), z])), 8)
-        for k, z in enumerate(np.linspace(-0.95, 0.95, 34))]  # fmt: skip
-    body = join([*tufts, ball(0.86 * d, 0.86 * d, 0.86 * d, (0, 0, 0), 10)]).move(z=0.47 * d)
-    wool = surfaces.scratches(look.rng, color, tint_color(color, 0.75), 120)
-    return put_down([(body, wool)], body)
 
 
 @category("yarn_skein", size=(0.16, 0.075, 0.068), mass=0.1, material="fabric", aliases=("skein",

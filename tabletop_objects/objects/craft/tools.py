@@ -102,24 +102,6 @@ def scissors(look: Look) -> Shape:
     return shape(pieces, [hull_of(solid) for solid, _ in pieces[:4]])
 
 
-@category("glue_stick", size=(0.028, 0.028, 0.1), mass=0.035, material="plastic",
-          aliases=("glue", "glue tube", "wood glue bottle"), themes=("craft", "office"),
-          roles=("round",), colors=("yellow", "red"), common=True)  # fmt: skip
-def glue_stick(look: Look) -> Shape:
-    """A glue stick with its cap on, standing upright."""
-    r, h = look.between(0.0125, 0.0145), look.between(0.085, 0.1)
-    color = look.color("yellow", "red", "blue", "green", "violet")
-    print_ = prints.label(look.rng, "GLUE", color, (246, 246, 242))
-    foot = cylinder(r * 1.05, 0.012, 20, bevel=0.001)
-    body = cylinder(r, 0.62 * h, 24).move(z=0.01)
-    cap = cylinder(r * 1.08, 0.36 * h, 24, top=r, bevel=0.0015).move(z=0.01 + 0.62 * h)
-    tint = surfaces.plain(color)
-    return shape(
-        [(foot, tint), (body, print_), (cap, tint)],
-        [cylinder_part(r, 0.01 + 0.62 * h), hull_of(foot), hull_of(cap)],
-    )
-
-
 @category("magnifying_glass", size=(0.18, 0.09, 0.017), mass=0.12, material="glass",
           aliases=("magnifier", "loupe", "monocle", "bug viewer", "jeweller loupe", "loupe lens"),
           themes=("craft", "office"), roles=("flat",), colors=("black", "brown"),

@@ -9,7 +9,7 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.materials import glaze_tile
 from ...kit.outlines import smooth
-from ...kit.parts import box_part, cylinder_part, hull_of, hull_part, open_vessel, ring_parts
+from ...kit.parts import box_part, cylinder_part, hull_of, open_vessel, ring_parts
 from ...kit.primitives import ball, facing, limb, scatter, straight
 from ...kit.shapes import Category, Shape, at_rest, category, keep_still, settle, shape
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
@@ -46,47 +46,6 @@ def pitcher(look: Look) -> Shape:
          (ear, look.surface(color, "ceramic"))],
         [*parts, box_part(0.03, 0.015, 0.55 * h, (rim + 0.04, 0, 0.38 * h))],
     )  # fmt: skip
-
-
-@category("carafe", size=(0.104, 0.104, 0.238), mass=0.9, material="glass", aliases=("decanter",
-          "wine decanter", "whiskey decanter", "whisky decanter", "wine carafe", "water carafe",
-          "glass carafe"), themes=("dining",), roles=("tall", "round"),
-          colors=("clear",))  # fmt: skip
-def carafe(look: Look) -> Shape:
-    """A glass carafe, or a cut-glass decanter with a stopper, often with wine, water or whisky."""
-    h = look.between(0.22, 0.28)
-    full = look.pick([(120, 22, 36), (214, 150, 60), (206, 222, 228), (236, 170, 40)])
-    color = look.color("clear", "clear", "sky", "mint", "amber", "green")
-    clear, wet = surfaces.plain(tint_color(color, 1.2)), surfaces.plain(full)
-    level = look.between(0.25, 0.45)
-    tile = surfaces.stack((wet, level), (clear, 1 - level), side=128)
-    steel = surfaces.plain((206, 212, 216))
-    if look.chance(0.5):
-        s = look.between(0.078, 0.09)
-        body = lathe([(0, 0), (0.7 * s, 0), (0.7 * s, 0.48 * h), (0.24 * s, 0.6 * h),
-                      (0.22 * s, 0.72 * h), (0.3 * s, 0.74 * h), (0, 0.74 * h)], 4,
-                     v=[0, 0.01, 0.6, 0.7, 0.9, 0.95, 1]).turn(2, np.pi / 4)  # fmt: skip
-        cut = surfaces.grid(tint_color(full, 1.25), full, 8, 16, 64)
-        tile = surfaces.stack((cut, level), (clear, 1 - level), side=128)
-        ball = lathe([(0, 0.72 * h), (0.012, 0.74 * h), (0.026, 0.84 * h), (0.03, 0.92 * h),
-                      (0.02, h), (0, h)], 8)  # fmt: skip
-        return shape([(body, tile), (ball, steel)],
-                     [hull_part(body.vertices[body.vertices[:, 2] < 0.5 * h]), hull_of(ball),
-                      cylinder_part(0.2 * s, 0.24 * h, (0, 0, 0.5 * h))])  # fmt: skip
-    r = look.between(0.052, 0.064)
-    side = [(0.7 * r, 0), (r, 0.12 * h), (r, 0.3 * h), (0.6 * r, 0.55 * h), (0.42 * r, 0.72 * h),
-            (0.4 * r, 0.86 * h), (0.6 * r, h)]  # fmt: skip
-    path = smooth(side, 2)
-    body = lathe([(0, 0), *path, (0.55 * r, h), (0.36 * r, 0.86 * h), (0, 0.86 * h)], 28,
-                 v=[0, *(0.95 * z / h for _, z in path), 0.96, 0.98, 1])  # fmt: skip
-    pieces = [(body, tile)]
-    parts = [hull_part(body.vertices[body.vertices[:, 2] < 0.45 * h]),
-             cylinder_part(0.4 * r, 0.54 * h, (0, 0, 0.4 * h))]  # fmt: skip
-    if look.chance(0.4):
-        cork = cylinder(0.4 * r, 0.035, 18, top=0.5 * r).move(z=0.95 * h)
-        pieces.append((cork, surfaces.spots(look.rng, (206, 166, 116), (160, 120, 78), 0.1)))
-        parts.append(hull_of(cork))
-    return shape(pieces, parts)
 
 
 @category("ice_bucket", size=(0.205, 0.205, 0.183), mass=1.6, material="metal", hollow=True,
@@ -463,6 +422,22 @@ def bombilla(look: Look) -> Shape:
                    (join(holes), surfaces.plain((50, 50, 54))),
                    (join(ring), surfaces.plain((206, 172, 96)))], 0.04,
                   hulls=[[0]]).scale(k)  # fmt: skip
+
+
+@category("cocktail_shaker", size=(0.0897, 0.0897, 0.218), mass=0.35, material="metal", hollow=True,
+          aliases=("drink shaker", "martini shaker", "bar shaker"), themes=("dining",),
+          roles=("tall", "round"), colors=("silver",))  # fmt: skip
+def cocktail_shaker(look: Look) -> Shape:
+    """A three-piece steel cocktail shaker."""
+    r, h = look.between(0.04, 0.046), look.between(0.2, 0.24)
+    skin = metal(look)
+    body = lathe([(0, 0), (0.72 * r, 0), (0.76 * r, 0.02 * h), (r, 0.62 * h), (0, 0.62 * h)], 36)
+    cap = lathe([(0, 0.62 * h), (1.03 * r, 0.62 * h), (1.02 * r, 0.68 * h), (0.7 * r, 0.8 * h),
+                 (0.5 * r, 0.85 * h), (0, 0.85 * h)], 36)  # fmt: skip
+    top = lathe([(0, 0.84 * h), (0.48 * r, 0.84 * h), (0.5 * r, 0.87 * h), (0.44 * r, 0.98 * h),
+                 (0.3 * r, h), (0, h)], 30)  # fmt: skip
+    return shape([(body, skin), (cap, skin), (top, skin)],
+                 [hull_of(body), hull_of(cap), hull_of(top)])  # fmt: skip
 
 
 CATEGORIES = (

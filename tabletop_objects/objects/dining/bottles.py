@@ -7,7 +7,7 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.materials import glaze_tile
 from ...kit.outlines import smooth
-from ...kit.parts import cylinder_part, hull_of
+from ...kit.parts import cylinder_part, hull_of, hull_part
 from ...kit.primitives import label_skin, vessel, vessel_parts
 from ...kit.shapes import Category, Shape, category, shape
 from ...kit.solids import cylinder, join, lathe, torus, tube
@@ -297,6 +297,47 @@ def growler(look: Look) -> Shape:
     ring = torus(0.018 * k, 0.0045 * k, 20, 8).turn(0, np.pi / 2).move(0.034 * k, 0, 0.83 * h)
     return shape([(body, surfaces.fit(tile, 192, 256)), (cap, surfaces.plain((30, 30, 32))),
                   (ring, dark)], [hull_of(body), hull_of(ring), hull_of(cap)])  # fmt: skip
+
+
+@category("carafe", size=(0.104, 0.104, 0.238), mass=0.9, material="glass", aliases=("decanter",
+          "wine decanter", "whiskey decanter", "whisky decanter", "wine carafe", "water carafe",
+          "glass carafe"), themes=("dining",), roles=("tall", "round"),
+          colors=("clear",))  # fmt: skip
+def carafe(look: Look) -> Shape:
+    """A glass carafe, or a cut-glass decanter with a stopper, often with wine, water or whisky."""
+    h = look.between(0.22, 0.28)
+    full = look.pick([(120, 22, 36), (214, 150, 60), (206, 222, 228), (236, 170, 40)])
+    color = look.color("clear", "clear", "sky", "mint", "amber", "green")
+    clear, wet = surfaces.plain(tint_color(color, 1.2)), surfaces.plain(full)
+    level = look.between(0.25, 0.45)
+    tile = surfaces.stack((wet, level), (clear, 1 - level), side=128)
+    steel = surfaces.plain((206, 212, 216))
+    if look.chance(0.5):
+        s = look.between(0.078, 0.09)
+        body = lathe([(0, 0), (0.7 * s, 0), (0.7 * s, 0.48 * h), (0.24 * s, 0.6 * h),
+                      (0.22 * s, 0.72 * h), (0.3 * s, 0.74 * h), (0, 0.74 * h)], 4,
+                     v=[0, 0.01, 0.6, 0.7, 0.9, 0.95, 1]).turn(2, np.pi / 4)  # fmt: skip
+        cut = surfaces.grid(tint_color(full, 1.25), full, 8, 16, 64)
+        tile = surfaces.stack((cut, level), (clear, 1 - level), side=128)
+        ball = lathe([(0, 0.72 * h), (0.012, 0.74 * h), (0.026, 0.84 * h), (0.03, 0.92 * h),
+                      (0.02, h), (0, h)], 8)  # fmt: skip
+        return shape([(body, tile), (ball, steel)],
+                     [hull_part(body.vertices[body.vertices[:, 2] < 0.5 * h]), hull_of(ball),
+                      cylinder_part(0.2 * s, 0.24 * h, (0, 0, 0.5 * h))])  # fmt: skip
+    r = look.between(0.052, 0.064)
+    side = [(0.7 * r, 0), (r, 0.12 * h), (r, 0.3 * h), (0.6 * r, 0.55 * h), (0.42 * r, 0.72 * h),
+            (0.4 * r, 0.86 * h), (0.6 * r, h)]  # fmt: skip
+    path = smooth(side, 2)
+    body = lathe([(0, 0), *path, (0.55 * r, h), (0.36 * r, 0.86 * h), (0, 0.86 * h)], 28,
+                 v=[0, *(0.95 * z / h for _, z in path), 0.96, 0.98, 1])  # fmt: skip
+    pieces = [(body, tile)]
+    parts = [hull_part(body.vertices[body.vertices[:, 2] < 0.45 * h]),
+             cylinder_part(0.4 * r, 0.54 * h, (0, 0, 0.4 * h))]  # fmt: skip
+    if look.chance(0.4):
+        cork = cylinder(0.4 * r, 0.035, 18, top=0.5 * r).move(z=0.95 * h)
+        pieces.append((cork, surfaces.spots(look.rng, (206, 166, 116), (160, 120, 78), 0.1)))
+        parts.append(hull_of(cork))
+    return shape(pieces, parts)
 
 
 CATEGORIES = (

@@ -121,6 +121,8 @@ def candle(look: Look) -> Shape:
 
 _ROOM = (0.022, 0.022, 0.22)
 """The candle that a socket is made for where none is given, metres."""
+
+
 _PLAY = 0.0007  # clearance on each side of a candle, metres
 _DEPTH = 0.036  # metres
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.outlines import ellipse, rectangle
-from ...kit.parts import hull_above, hull_of, hull_part
+from ...kit.parts import cylinder_part, hull_above, hull_of, hull_part
 from ...kit.primitives import limb
 from ...kit.shapes import Category, Shape, category, settle, shape
-from ...kit.solids import Solid, block, box, cylinder, join, loft, prism, refine, sweep, tube
+from ...kit.solids import Solid, block, box, cylinder, join, lathe, loft, prism, refine, sweep, tube
 from ...kit.surfaces import Look, Tile, tint_color
 from ...values import ConvexPart
 
@@ -390,6 +390,29 @@ def knife(look: Look) -> Shape:
         pieces += [(rivet.move(x=cut + u * way), surfaces.plain((196, 190, 170)))
                    for u in (0.22, 0.5, 0.78)]  # fmt: skip
     return shape(pieces, [hull_of(blade), hull_of(grip)])
+
+
+@category("toothpicks", size=(0.04, 0.04, 0.067), mass=0.05, material="wood", assembled=True,
+          aliases=("toothpick holder", "box of toothpicks", "cocktail sticks",
+          "toothpick dispenser"), themes=("dining",), roles=("round",),
+          colors=("white", "wooden"))  # fmt: skip
+def toothpicks(look: Look) -> Shape:
+    """A round holder with toothpicks standing upright in it."""
+    r, h = look.between(0.018, 0.022), look.between(0.04, 0.05)
+    color = look.color("white", "red", "wooden", "teal", "silver", "navy", "yellow")
+    cup = lathe(
+        [(0, 0), (r, 0), (0.95 * r, h), (0.84 * r, h), (0.84 * r, 0.5 * h), (0, 0.5 * h)], 26
+    )
+    picks = []
+    for k in range(20):
+        away, turn = 0.62 * r * np.sqrt((k + 0.5) / 20), 2.4 * k
+        at = np.array([away * np.cos(turn), away * np.sin(turn)])
+        top = (*(1.35 * at), h + 0.02 + look.between(0, 0.003))
+        picks.append(tube([(*at, 0.5 * h), top], [0.0011, 0.0004], 5))
+    bunch = join(picks)
+    return shape([(cup, look.surface(color, "ceramic")),
+                  (bunch, surfaces.plain((222, 188, 136)))],
+                 [cylinder_part(0.95 * r, h), hull_of(bunch)])  # fmt: skip
 
 
 CATEGORIES = (

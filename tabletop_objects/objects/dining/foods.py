@@ -138,22 +138,6 @@ def tofu_dish(look: Look) -> Shape:
     return serve(look, dish, look.surface(color, "ceramic"), food)
 
 
-@category("wasabi", size=(0.0287, 0.0282, 0.0198), mass=0.008, material="food",
-          aliases=("wasabi paste", "lump of wasabi", "ball of wasabi"), themes=("dining",),
-          roles=("edible",))  # fmt: skip
-def wasabi(look: Look) -> Shape:
-    """A small pressed cone of green wasabi paste."""
-    r = look.between(0.013, 0.017)
-    color = look.color("lime", "olive", "green")
-    tone = tint_color((170.0, 196.0, 100.0), 1.0) if "color" not in look.attributes else color
-    body = lathe([(0, 0), (r, 0), (0.95 * r, 0.35 * r), (0.5 * r, 1.0 * r), (0.2 * r, 1.35 * r),
-                  (0, 1.4 * r)], 18)  # fmt: skip
-    rough = body.bend(lambda p: p * (1 + 0.05 * np.sin(900 * p[:, :1] + 700 * p[:, 1:2])))
-    return shape([(rough, surfaces.speckles(look.rng, tone, 14)),
-                  (cylinder(0.5 * r, 0.0004, 10), surfaces.plain(tone))],
-                 [cylinder_part(0.95 * r, 0.3 * r), hull_of(body)])  # fmt: skip
-
-
 @category("pineapple_hedgehog", size=(0.192, 0.191, 0.0991), mass=0.6, material="food",
           assembled=True,
           aliases=("cheese and pineapple hedgehog", "cheese hedgehog", "cheese and pineapple"),

@@ -105,26 +105,3 @@ def straw_holder(look: Look) -> Shape:
         pieces.append((join(straws), surfaces.stripes([tone, (246, 244, 238)], 8)))
     bunch = join([s for straws in groups.values() for s in straws])
     return shape(pieces, [cylinder_part(0.95 * r, h), hull_of(bunch)])
-
-
-@category("toothpicks", size=(0.04, 0.04, 0.067), mass=0.05, material="wood", assembled=True,
-          aliases=("toothpick holder", "box of toothpicks", "cocktail sticks",
-          "toothpick dispenser"), themes=("dining",), roles=("round",),
-          colors=("white", "wooden"))  # fmt: skip
-def toothpicks(look: Look) -> Shape:
-    """A round holder with toothpicks standing upright in it."""
-    r, h = look.between(0.018, 0.022), look.between(0.04, 0.05)
-    color = look.color("white", "red", "wooden", "teal", "silver", "navy", "yellow")
-    cup = lathe(
-        [(0, 0), (r, 0), (0.95 * r, h), (0.84 * r, h), (0.84 * r, 0.5 * h), (0, 0.5 * h)], 26
-    )
-    picks = []
-    for k in range(20):
-        away, turn = 0.62 * r * np.sqrt((k + 0.5) / 20), 2.4 * k
-        at = np.array([away * np.cos(turn), away * np.sin(turn)])
-        top = (*(1.35 * at), h + 0.02 + look.between(0, 0.003))
-        picks.append(tube([(*at, 0.5 * h), top], [0.0011, 0.0004], 5))
-    bunch = join(picks)
-    return shape([(cup, look.surface(color, "ceramic")),
-                  (bunch, surfaces.plain((222, 188, 136)))],
-                 [cylinder_part(0.95 * r, h), hull_of(bunch)])  # fmt: skip

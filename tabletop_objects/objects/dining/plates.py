@@ -6,9 +6,17 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.materials import SIDE, glaze_tile
-from ...kit.parts import cylinder_part, frame_parts, hull_of, hull_part, ring_parts, stretch_parts
+from ...kit.parts import (
+    box_part,
+    cylinder_part,
+    frame_parts,
+    hull_of,
+    hull_part,
+    ring_parts,
+    stretch_parts,
+)
 from ...kit.shapes import Category, Shape, category, shape
-from ...kit.solids import cylinder, lathe, open_box, tube
+from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, open_box, tube
 from ...kit.surfaces import RGB, Look, Tile, tint_color
 
 
@@ -158,6 +166,40 @@ def tray(look: Look) -> Shape:
         [*((solid, tile) for solid in open_box(x, y, h, wall, 0.008)), *((g, dark) for g in grip)],
         [*frame_parts(x, y, h, wall, 0.008), *map(hull_of, grip)],
     )
+
+
+@category("sushi_plate", size=(0.22, 0.11, 0.046), mass=0.6, material="ceramic",
+          aliases=("sushi", "sushi board", "sushi set"), themes=("dining", "food"),
+          roles=("edible",), state="lying flat", common=True)  # fmt: skip
+def sushi_plate(look: Look) -> Shape:
+    """A board of sushi: rolls, and rice topped with fish or shrimp."""
+    x, y = look.between(0.2, 0.24), look.between(0.1, 0.12)
+    board = look.pick([
+        surfaces.wood(look.rng, look.own_color("tan", "wooden", "brown")),
+        surfaces.speckles(look.rng, look.own_color("black", "charcoal", "teal"), 4),
+    ])  # fmt: skip
+    plate = box(x, y, 0.008).move(z=0.01)
+    feet = [box(0.012, 0.94 * y, 0.011).move(x=s * 0.36 * x) for s in (-1, 1)]
+    rice_tile = surfaces.spots(look.rng, (244, 242, 232), (222, 218, 204), 0.25)
+    fish, rice, rolls, dots = [], [], [], []
+    for k in range(4):
+        px = (k - 1.5) * 0.23 * x
+        rice.append(block(0.022, 0.046, 0.02, 0.009, 0.005).move(px, 0.23 * y, 0.0175))
+        top = ellipsoid(0.028, 0.064, 0.014, 14, 8).move(px, 0.23 * y, 0.04)
+        fish.append(top.bend(lambda p: p - (p[:, 1:2] - 0.23 * y) ** 2 * [0, 0, 7.2]))
+    for k in range(5):
+        at = ((k - 2) * 0.185 * x, -0.2 * y, 0.0175)
+        rolls.append(cylinder(0.0165, 0.025, 20).move(*at))
+        rice.append(cylinder(0.0145, 0.0262, 18).move(*at))
+        dots.append(cylinder(0.0065, 0.0275, 12).move(*at))
+    stripes = [look.own_color("coral", "orange", "red"), look.own_color("coral", "pink", "cream")]
+    salmon = surfaces.stripes([stripes[0]] * 3 + [tint_color(stripes[1], 1.5)], 7, side=96)
+    filling = surfaces.plain(look.own_color("coral", "lime", "yellow", "orange"))
+    return shape(
+        [(join([plate, *feet]), board), (join(rice), rice_tile), (join(fish), salmon),
+         (join(rolls), surfaces.speckles(look.rng, (30, 40, 34), 5)), (join(dots), filling)],
+        [box_part(x, y, 0.018), hull_of(*fish, *rice[:4]), hull_of(*rolls)],
+    )  # fmt: skip
 
 
 CATEGORIES = (

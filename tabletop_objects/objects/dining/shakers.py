@@ -9,23 +9,6 @@ from ...kit.parts import cylinder_part, hull_of, hull_part
 from ...kit.shapes import Shape, category, shape
 from ...kit.solids import cylinder, ellipsoid, lathe
 from ...kit.surfaces import RGB, Look
-from .barware import metal
-
-
-@category("cocktail_shaker", size=(0.0897, 0.0897, 0.218), mass=0.35, material="metal", hollow=True,
-          aliases=("drink shaker", "martini shaker", "bar shaker"), themes=("dining",),
-          roles=("tall", "round"), colors=("silver",))  # fmt: skip
-def cocktail_shaker(look: Look) -> Shape:
-    """A three-piece steel cocktail shaker."""
-    r, h = look.between(0.04, 0.046), look.between(0.2, 0.24)
-    skin = metal(look)
-    body = lathe([(0, 0), (0.72 * r, 0), (0.76 * r, 0.02 * h), (r, 0.62 * h), (0, 0.62 * h)], 36)
-    cap = lathe([(0, 0.62 * h), (1.03 * r, 0.62 * h), (1.02 * r, 0.68 * h), (0.7 * r, 0.8 * h),
-                 (0.5 * r, 0.85 * h), (0, 0.85 * h)], 36)  # fmt: skip
-    top = lathe([(0, 0.84 * h), (0.48 * r, 0.84 * h), (0.5 * r, 0.87 * h), (0.44 * r, 0.98 * h),
-                 (0.3 * r, h), (0, h)], 30)  # fmt: skip
-    return shape([(body, skin), (cap, skin), (top, skin)],
-                 [hull_of(body), hull_of(cap), hull_of(top)])  # fmt: skip
 
 
 def _shaker(look: Look, letter: str, fill_color: RGB) -> Shape:

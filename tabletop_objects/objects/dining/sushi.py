@@ -6,7 +6,7 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.outlines import rounded_polygon
-from ...kit.parts import box_part, cylinder_part, hull_above, hull_of, hull_part
+from ...kit.parts import cylinder_part, hull_above, hull_of, hull_part
 from ...kit.primitives import blade, side_view
 from ...kit.shapes import Shape, category, shape
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe
@@ -88,40 +88,6 @@ def onigiri(look: Look) -> Shape:
                  [hull_part(body.vertices), hull_of(nori)])  # fmt: skip
 
 
-@category("sushi_plate", size=(0.22, 0.11, 0.046), mass=0.6, material="ceramic",
-          aliases=("sushi", "sushi board", "sushi set"), themes=("dining", "food"),
-          roles=("edible",), state="lying flat", common=True)  # fmt: skip
-def sushi_plate(look: Look) -> Shape:
-    """A board of sushi: rolls, and rice topped with fish or shrimp."""
-    x, y = look.between(0.2, 0.24), look.between(0.1, 0.12)
-    board = look.pick([
-        surfaces.wood(look.rng, look.own_color("tan", "wooden", "brown")),
-        surfaces.speckles(look.rng, look.own_color("black", "charcoal", "teal"), 4),
-    ])  # fmt: skip
-    plate = box(x, y, 0.008).move(z=0.01)
-    feet = [box(0.012, 0.94 * y, 0.011).move(x=s * 0.36 * x) for s in (-1, 1)]
-    rice_tile = surfaces.spots(look.rng, (244, 242, 232), (222, 218, 204), 0.25)
-    fish, rice, rolls, dots = [], [], [], []
-    for k in range(4):
-        px = (k - 1.5) * 0.23 * x
-        rice.append(block(0.022, 0.046, 0.02, 0.009, 0.005).move(px, 0.23 * y, 0.0175))
-        top = ellipsoid(0.028, 0.064, 0.014, 14, 8).move(px, 0.23 * y, 0.04)
-        fish.append(top.bend(lambda p: p - (p[:, 1:2] - 0.23 * y) ** 2 * [0, 0, 7.2]))
-    for k in range(5):
-        at = ((k - 2) * 0.185 * x, -0.2 * y, 0.0175)
-        rolls.append(cylinder(0.0165, 0.025, 20).move(*at))
-        rice.append(cylinder(0.0145, 0.0262, 18).move(*at))
-        dots.append(cylinder(0.0065, 0.0275, 12).move(*at))
-    stripes = [look.own_color("coral", "orange", "red"), look.own_color("coral", "pink", "cream")]
-    salmon = surfaces.stripes([stripes[0]] * 3 + [tint_color(stripes[1], 1.5)], 7, side=96)
-    filling = surfaces.plain(look.own_color("coral", "lime", "yellow", "orange"))
-    return shape(
-        [(join([plate, *feet]), board), (join(rice), rice_tile), (join(fish), salmon),
-         (join(rolls), surfaces.speckles(look.rng, (30, 40, 34), 5)), (join(dots), filling)],
-        [box_part(x, y, 0.018), hull_of(*fish, *rice[:4]), hull_of(*rolls)],
-    )  # fmt: skip
-
-
 @category("sushi_rolls", size=(0.151, 0.0458, 0.0288), mass=0.1, material="food", assembled=True,
           aliases=("maki rolls", "row of sushi"), themes=("dining", "food"), roles=("edible",),
           colors=("orange",))  # fmt: skip
@@ -147,3 +113,19 @@ def sushi_rolls(look: Look) -> Shape:
                    (other.move(x, y), surfaces.plain((120, 170, 70)))]  # fmt: skip
         parts.append(cylinder_part(r, h, (x, y, 0)))
     return shape(pieces, parts)
+
+
+@category("wasabi", size=(0.0287, 0.0282, 0.0198), mass=0.008, material="food",
+          aliases=("wasabi paste", "lump of wasabi", "ball of wasabi"), themes=("dining",),
+          roles=("edible",))  # fmt: skip
+def wasabi(look: Look) -> Shape:
+    """A small pressed cone of green wasabi paste."""
+    r = look.between(0.013, 0.017)
+    color = look.color("lime", "olive", "green")
+    tone = tint_color((170.0, 196.0, 100.0), 1.0) if "color" not in look.attributes else color
+    body = lathe([(0, 0), (r, 0), (0.95 * r, 0.35 * r), (0.5 * r, 1.0 * r), (0.2 * r, 1.35 * r),
+                  (0, 1.4 * r)], 18)  # fmt: skip
+    rough = body.bend(lambda p: p * (1 + 0.05 * np.sin(900 * p[:, :1] + 700 * p[:, 1:2])))
+    return shape([(rough, surfaces.speckles(look.rng, tone, 14)),
+                  (cylinder(0.5 * r, 0.0004, 10), surfaces.plain(tone))],
+                 [cylinder_part(0.95 * r, 0.3 * r), hull_of(body)])  # fmt: skip

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import surfaces
-from ...kit.materials import DARK, steel
+from ...kit.materials import steel
 from ...kit.parts import hull_of
-from ...kit.primitives import at_box, drum, plate, standing
+from ...kit.primitives import at_box, drum, standing
 from ...kit.shapes import Shape, category, put_down, shape
 from ...kit.solids import block, cylinder, ellipsoid, join, lathe, torus
 from ...kit.surfaces import RGB, Look, plain
@@ -75,29 +75,6 @@ def rocker_switch(look: Look) -> Shape:
                      (join([*marks, zero]), plain((240, 240, 240) if sum(color) < 560
                                                   else (40, 40, 44))), (pins, steel(look))], body,
                     frame, pins, factor=k)  # fmt: skip
-
-
-@category("potentiometer", size=(0.0278, 0.0373, 0.0366), mass=0.015, material="plastic",
-          aliases=("rotary encoder", "encoder", "trimmer potentiometer", "variable resistor"),
-          themes=("electronics",), colors=("silver",))  # fmt: skip
-def potentiometer(look: Look) -> Shape:
-    """A potentiometer: a round can with three terminals and a shaft, with or without a knob."""
-    color = look.color("silver", "blue", "green", "black")
-    k = look.between(0.9, 1.35)
-    can = drum(0.0125, 0.011, sides=24, bevel=0.001)
-    lugs = [plate([(x - 0.0014, -0.012), (x + 0.0014, -0.012), (x + 0.0014, -0.021),
-                   (x - 0.0014, -0.021)], 0.001, at=(0, 0, 0.003))
-            for x in (-0.005, 0, 0.005)]  # fmt: skip
-    bush, nut = (drum(0.0045, 0.009, (0, 0, 0.011), sides=16), drum(0.0075, 0.002, (0, 0, 0.013),
-                                                                    sides=6))  # fmt: skip
-    shaft = drum(0.003, 0.014, (0, 0, 0.018), sides=14)
-    pieces = [(can, look.surface(color, "metal")), (join([*lugs, bush, nut, shaft]), steel(look))]
-    if look.chance(0.5):
-        pieces += [
-            (drum(0.0095, 0.012, (0, 0, 0.023), top=0.008, sides=20), plain(DARK)),
-            (at_box(0.0014, 0.008, 0.0008, (0, 0.003, 0.0347)), plain((240, 240, 240))),
-        ]
-    return put_down(pieces, can, shaft, *(p[0] for p in pieces[2:3]), factor=k)
 
 
 @category("knob", size=(0.0385, 0.0385, 0.0216), mass=0.012, material="plastic",

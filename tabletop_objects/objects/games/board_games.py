@@ -198,44 +198,6 @@ def star(look: Look, color: RGB) -> surfaces.Tile:
     return image
 
 
-def roulette(look: Look, color: RGB) -> surfaces.Tile:
-    """Return the betting layout of a roulette table."""
-    image = prints.canvas(320, 144, color)
-    line: RGB = (240, 226, 160)
-    prints.fill(image, 0.03, 0.08, 0.07, 0.5, line)
-    prints.fill(image, 0.035, 0.095, 0.06, 0.47, (40, 140, 70))
-    for i in range(12):
-        for j in range(3):
-            x, y = 0.105 + 0.066 * i, 0.08 + 0.167 * j
-            prints.fill(image, x, y, 0.064, 0.16, line)
-            tone: RGB = (190, 34, 40) if (i + j) % 2 else (28, 28, 30)
-            prints.fill(image, x + 0.003, y + 0.008, 0.058, 0.145, tone)
-            cell = image[:, int(320 * x) : int(320 * (x + 0.064))]
-            prints.write(cell, str(3 * i + 3 - j), 0.5, y + 0.08, 0.08, (250, 248, 240))
-    for i in range(3):
-        prints.fill(image, 0.105 + 0.264 * i, 0.6, 0.26, 0.14, line)
-        prints.fill(image, 0.109 + 0.264 * i, 0.61, 0.252, 0.12, color)
-    for i, tone in enumerate((color, color, (190, 34, 40), (28, 28, 30), color, color)):
-        prints.fill(image, 0.105 + 0.132 * i, 0.76, 0.128, 0.16, line)
-        prints.fill(image, 0.109 + 0.132 * i, 0.77, 0.12, 0.14, tone)
-    return image
-
-
-def blackjack(look: Look, color: RGB) -> surfaces.Tile:
-    """Return the arcs and boxes of a blackjack table."""
-    image = prints.canvas(288, 176, color)
-    line: RGB = (246, 230, 150)
-    for r in (0.98, 0.8):
-        prints.disc(image, 0.5, -0.05, r, line, r - 0.012)
-    prints.write(image, "BLACKJACK PAYS 3 TO 2", 0.5, 0.52, 0.09, line, bold=True)
-    for k in range(5):
-        a = np.pi * (0.22 + 0.14 * k)
-        x, y = 0.5 + 0.52 * np.cos(a), -0.05 + 0.9 * np.sin(a)
-        prints.fill(image, x - 0.04, y - 0.09, 0.08, 0.18, line)
-        prints.fill(image, x - 0.036, y - 0.08, 0.072, 0.16, color)
-    return image
-
-
 def board(x: float, y: float, draw: Print, palette: tuple[str, ...], kind: str = "card"):
     """Return the shape function of a board of the given size with a print."""
 
@@ -697,16 +659,6 @@ CATEGORIES = (
              size=(0.274, 0.274, 0.0143), mass=0.6, material="wood", aliases=("chinese checkers",
              "chinese chequers", "star halma board", "chinese chequers board"), themes=("games",),
              roles=("flat", "support", "big"), colors=("cream",), state="lying flat"),
-    Category("roulette_layout", board(0.42, 0.19, roulette, ("green", "teal", "navy"), "felt"),
-             size=(0.413, 0.187, 0.0033), mass=0.2, material="fabric",
-             aliases=("roulette cloth", "roulette mat", "roulette felt", "roulette table layout"),
-             themes=("games",), roles=("flat", "support", "big"), colors=("green",),
-             state="lying flat"),
-    Category("blackjack_felt", board(0.4, 0.25, blackjack, ("green", "crimson", "navy"), "felt"),
-             size=(0.396, 0.248, 0.0033), mass=0.2, material="fabric", aliases=("blackjack mat",
-             "casino felt", "poker mat", "blackjack layout", "gaming felt", "poker felt"),
-             themes=("games",), roles=("flat", "support", "big"), colors=("green",),
-             state="lying flat"),
     Category("go_board", _board(0.3, _go, ("wooden", "tan", "amber")), size=(0.3, 0.3, 0.0124),
              mass=0.9, material="wood", aliases=("go game", "baduk board", "gomoku board"),
              themes=("games",), roles=("flat", "big"), colors=("wooden",)),

@@ -8,9 +8,10 @@ from ...kit import prints, surfaces
 from ...kit.outlines import rectangle
 from ...kit.parts import box_part, cylinder_part, hull_of
 from ...kit.primitives import facing, limb, side_view
-from ...kit.shapes import Shape, category, shape
+from ...kit.shapes import Category, Shape, category, shape
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, tube
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
+from .board_games import board
 
 CHIP = ("red", "blue", "green", "black", "white", "purple", "yellow")
 
@@ -210,25 +211,6 @@ def slot_machine(look: Look) -> Shape:
                  [hull_of(body), hull_of(crown), hull_of(tray), hull_of(lever, knob)])  # fmt: skip
 
 
-@category("bingo_dauber", size=(0.0381, 0.0384, 0.11), mass=0.09, material="plastic",
-          aliases=("dauber", "bingo marker", "bingo dabber"), themes=("games",),
-          roles=("tall", "round"), colors=("red",))  # fmt: skip
-def bingo_dauber(look: Look) -> Shape:
-    """A wide bottle of bingo ink with a cap and a printed sleeve."""
-    r, h = look.between(0.018, 0.021), look.between(0.1, 0.12)
-    color = look.color("red", "blue", "green", "purple", "pink", "orange")
-    body = lathe([(0, 0), (r, 0), (r, 0.66 * h), (0.8 * r, 0.72 * h), (0, 0.72 * h)], 26,
-                 v=[0, 0.05, 0.8, 0.9, 1])  # fmt: skip
-    image = prints.canvas(192, 96, color)
-    prints.fill(image, 0, 0.3, 1, 0.46, (248, 246, 240))
-    prints.write(image, "BINGO", 0.5, 0.52, 0.26, color, bold=True)
-    for n in range(9):
-        prints.disc(image, 0.02 + 0.12 * n, 0.17, 0.06, tint_color(color, 1.5))
-    cap = lathe([(0, 0.7 * h), (0.84 * r, 0.7 * h), (0.78 * r, 0.96 * h), (0.6 * r, h), (0, h)], 22)
-    return shape([(body, image), (cap, surfaces.plain(tint_color(color, 0.75)))],
-                 [hull_of(body), hull_of(cap)])  # fmt: skip
-
-
 @category("croupier_rake", size=(0.438, 0.116, 0.022), mass=0.12, material="wood", assembled=True,
           aliases=("croupier's rake", "casino rake", "roulette rake"), themes=("games",),
           roles=("big",), colors=("wooden",), state="lying flat")  # fmt: skip
@@ -280,3 +262,56 @@ def poker_chips(look: Look) -> Shape:
         pieces += [(chip, stack), (top, face)]
         parts.append(cylinder_part(r, t * high, (x, y, 0)))
     return shape(pieces, parts)
+
+
+def roulette(look: Look, color: RGB) -> surfaces.Tile:
+    """Return the betting layout of a roulette table."""
+    image = prints.canvas(320, 144, color)
+    line: RGB = (240, 226, 160)
+    prints.fill(image, 0.03, 0.08, 0.07, 0.5, line)
+    prints.fill(image, 0.035, 0.095, 0.06, 0.47, (40, 140, 70))
+    for i in range(12):
+        for j in range(3):
+            x, y = 0.105 + 0.066 * i, 0.08 + 0.167 * j
+            prints.fill(image, x, y, 0.064, 0.16, line)
+            tone: RGB = (190, 34, 40) if (i + j) % 2 else (28, 28, 30)
+            prints.fill(image, x + 0.003, y + 0.008, 0.058, 0.145, tone)
+            cell = image[:, int(320 * x) : int(320 * (x + 0.064))]
+            prints.write(cell, str(3 * i + 3 - j), 0.5, y + 0.08, 0.08, (250, 248, 240))
+    for i in range(3):
+        prints.fill(image, 0.105 + 0.264 * i, 0.6, 0.26, 0.14, line)
+        prints.fill(image, 0.109 + 0.264 * i, 0.61, 0.252, 0.12, color)
+    for i, tone in enumerate((color, color, (190, 34, 40), (28, 28, 30), color, color)):
+        prints.fill(image, 0.105 + 0.132 * i, 0.76, 0.128, 0.16, line)
+        prints.fill(image, 0.109 + 0.132 * i, 0.77, 0.12, 0.14, tone)
+    return image
+
+
+def blackjack(look: Look, color: RGB) -> surfaces.Tile:
+    """Return the arcs and boxes of a blackjack table."""
+    image = prints.canvas(288, 176, color)
+    line: RGB = (246, 230, 150)
+    for r in (0.98, 0.8):
+        prints.disc(image, 0.5, -0.05, r, line, r - 0.012)
+    prints.write(image, "BLACKJACK PAYS 3 TO 2", 0.5, 0.52, 0.09, line, bold=True)
+    for k in range(5):
+        a = np.pi * (0.22 + 0.14 * k)
+        x, y = 0.5 + 0.52 * np.cos(a), -0.05 + 0.9 * np.sin(a)
+        prints.fill(image, x - 0.04, y - 0.09, 0.08, 0.18, line)
+        prints.fill(image, x - 0.036, y - 0.08, 0.072, 0.16, color)
+    return image
+
+
+CATEGORIES = (
+    Category("roulette_layout", board(0.42, 0.19, roulette, ("green", "teal", "navy"), "felt"),
+             size=(0.413, 0.187, 0.0033), mass=0.2, material="fabric",
+             aliases=("roulette cloth", "roulette mat", "roulette felt", "roulette table layout"),
+             themes=("games",), roles=("flat", "support", "big"), colors=("green",),
+             state="lying flat"),
+    Category("blackjack_felt", board(0.4, 0.25, blackjack, ("green", "crimson", "navy"), "felt"),
+             size=(0.396, 0.248, 0.0033), mass=0.2, material="fabric", aliases=("blackjack mat",
+             "casino felt", "poker mat", "blackjack layout", "gaming felt", "poker felt"),
+             themes=("games",), roles=("flat", "support", "big"), colors=("green",),
+             state="lying flat"),
+)  # fmt: skip
+"""Objects that share their drawing functions."""

@@ -18,6 +18,7 @@ from ..toys.shapes import paint, same
 Head = Callable[[float, float], list[Solid]]
 """Makes what stands on a body of radius r and height h."""
 
+
 COLORS = ("cream", "black", "white", "brown", "charcoal", "tan")
 
 
@@ -484,6 +485,25 @@ def marbles(look: Look) -> Shape:
         part = resting_ball(d, d, 0.98 * d)
         parts.append(type(part)(part.vertices + np.array([*at, 0])))
     return shape(pieces, parts)
+
+
+@category("bingo_dauber", size=(0.0381, 0.0384, 0.11), mass=0.09, material="plastic",
+          aliases=("dauber", "bingo marker", "bingo dabber"), themes=("games",),
+          roles=("tall", "round"), colors=("red",))  # fmt: skip
+def bingo_dauber(look: Look) -> Shape:
+    """A wide bottle of bingo ink with a cap and a printed sleeve."""
+    r, h = look.between(0.018, 0.021), look.between(0.1, 0.12)
+    color = look.color("red", "blue", "green", "purple", "pink", "orange")
+    body = lathe([(0, 0), (r, 0), (r, 0.66 * h), (0.8 * r, 0.72 * h), (0, 0.72 * h)], 26,
+                 v=[0, 0.05, 0.8, 0.9, 1])  # fmt: skip
+    image = prints.canvas(192, 96, color)
+    prints.fill(image, 0, 0.3, 1, 0.46, (248, 246, 240))
+    prints.write(image, "BINGO", 0.5, 0.52, 0.26, color, bold=True)
+    for n in range(9):
+        prints.disc(image, 0.02 + 0.12 * n, 0.17, 0.06, tint_color(color, 1.5))
+    cap = lathe([(0, 0.7 * h), (0.84 * r, 0.7 * h), (0.78 * r, 0.96 * h), (0.6 * r, h), (0, h)], 22)
+    return shape([(body, image), (cap, surfaces.plain(tint_color(color, 0.75)))],
+                 [hull_of(body), hull_of(cap)])  # fmt: skip
 
 
 CATEGORIES = (

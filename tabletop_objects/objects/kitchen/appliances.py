@@ -8,7 +8,7 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.outlines import arc, rectangle, smooth
-from ...kit.parts import box_part, cylinder_part, hull_of, hull_part
+from ...kit.parts import box_part, cylinder_part, hull_of, hull_part, ring_parts
 from ...kit.primitives import facing, limb, lobe, pad, side_view
 from ...kit.shapes import Category, Shape, category, settle, shape
 from ...kit.solids import (
@@ -26,7 +26,7 @@ from ...kit.solids import (
 )
 from ...kit.surfaces import RGB, Look, Tile, readable_on, tint_color
 from ..coffee.brewers import _spout, _steel
-from .grills import _panel, turn_knob
+from .grills import _panel, griddle, turn_knob
 
 
 @category("kitchen_timer", size=(0.0679, 0.0618, 0.0714), mass=0.1, material="plastic",
@@ -591,28 +591,6 @@ def metal(look: Look, color: RGB = STEEL) -> surfaces.Tile:
     return surfaces.brushed_metal(look.rng, color)
 
 
-@category("salad_spinner", size=(0.247, 0.247, 0.178), mass=0.9, material="plastic", hollow=True,
-          aliases=("lettuce spinner", "salad dryer", "salad drier"), themes=("kitchen",),
-          roles=("big", "round"), colors=("green", "white"))  # fmt: skip
-def salad_spinner(look: Look) -> Shape:
-    """A salad spinner: a clear bowl, a slotted basket with leaves and a lid with a knob."""
-    k, color = look.between(0.88, 1.06), look.color("green", "white", "red", "gray", "lime", "teal")
-    bowl = lathe([(0, 0), (0.08, 0), (0.1, 0.01), (0.122, 0.1), (0.124, 0.12), (0, 0.12)], 36)
-    image = prints.canvas(192, 96, (222, 230, 232))
-    for n in range(40):
-        prints.fill(image, n / 40, 0.2, 0.01, 0.62, (120, 170, 110) if n % 3 else (200, 210, 206))
-    lid = lathe([(0, 0.118), (0.128, 0.118), (0.126, 0.13), (0.06, 0.145), (0, 0.147)], 36)
-    knob = lathe(
-        [(0, 0.14), (0.03, 0.14), (0.026, 0.158), (0.03, 0.17), (0.018, 0.182), (0, 0.184)], 24
-    )
-    ring = torus(0.08, 0.003, 36, 6).move(z=0.139)
-    tile = look.surface(color, "plastic")
-    made = [(bowl, image), (lid, tile),
-            (join([knob, ring]), surfaces.plain(tint_color(color, 0.7)))]  # fmt: skip
-    made = [(s.scale(k, k, k), t) for s, t in made]
-    return shape(made, [hull_of(made[0][0]), hull_of(made[1][0]), hull_of(knob.scale(k, k, k))])
-
-
 @category("mincer", size=(0.233, 0.118, 0.209), mass=1.6, material="metal", assembled=True,
           aliases=("meat grinder", "meat mincer", "hand mincer", "sausage maker"),
           themes=("kitchen",), roles=("tall",), colors=("silver",))  # fmt: skip
@@ -915,6 +893,28 @@ def _urn(samovar: bool) -> Callable[[Look], Shape]:
     return make
 
 
+@category("tea_warmer", size=(0.133, 0.131, 0.054), mass=0.4, material="ceramic",
+          aliases=("teapot warmer", "teapot stand", "rechaud"), themes=("kitchen",),
+          roles=("round", "support"), colors=("white",))  # fmt: skip
+def tea_warmer(look: Look) -> Shape:
+    """A tea warmer: a perforated ring for a pot, with a tea light inside."""
+    k, color = look.between(0.88, 1.1), look.color("white", "black", "teal", "silver", "terracotta")
+    wall = lathe([(0.058, 0), (0.066, 0), (0.068, 0.05), (0.06, 0.056), (0.05, 0.056),
+                  (0.058, 0.046)], 34, loop=True)  # fmt: skip
+    floor, candle = (cylinder(0.06, 0.004, 30), lathe([(0, 0.004), (0.019, 0.004), (0.019, 0.018),
+                                                       (0, 0.018)], 18))  # fmt: skip
+    flame = ellipsoid(0.006, 0.006, 0.014, 8, 6).move(z=0.026)
+    holes = [facing(cylinder(0.009, 0.002, 14)).move(y=-0.0662, z=0.026).turn(2, a)
+             for a in np.arange(9) * 0.698]  # fmt: skip
+    made = [(join([wall, floor]), look.surface(color, "ceramic")),
+            (candle, surfaces.plain((246, 242, 230))), (flame, surfaces.plain((255, 190, 70))),
+            (join(holes), surfaces.plain((52, 40, 34)))]  # fmt: skip
+    made = [(s.scale(k, k, k), t) for s, t in made]
+    return shape(made, [*ring_parts([(0.062 * k, 0), (0.067 * k, 0.05 * k), (0.062 * k, 0.056 * k)],
+                                    [(0.05 * k, 0.056 * k), (0.057 * k, 0.0)], 12),
+                        hull_of(floor.scale(k, k, k))])  # fmt: skip
+
+
 CATEGORIES = (
     Category("samovar", _urn(True), size=(0.271, 0.246, 0.381), mass=3.0, material="metal",
              aliases=("tea urn", "russian samovar"), themes=("kitchen",), roles=("tall", "big"),
@@ -922,5 +922,9 @@ CATEGORIES = (
     Category("hot_water_urn", _urn(False), size=(0.282, 0.26, 0.331), mass=2.5, material="metal",
              aliases=("water urn", "coffee urn", "water boiler", "catering urn", "hot drinks urn"),
              themes=("kitchen",), roles=("tall", "big"), colors=("silver",)),
+    Category("sandwich_toaster", griddle(False, 0.25, 1.2), size=(0.254, 0.294, 0.223), mass=1.5,
+             material="device", aliases=("toastie maker", "sandwich maker", "sandwich press",
+             "doughnut maker", "donut maker", "cake pop maker"), themes=("kitchen",),
+             roles=("big",), colors=("black", "silver")),
 )  # fmt: skip
 """Objects that share their drawing functions."""

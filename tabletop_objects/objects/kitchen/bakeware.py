@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...kit import prints, surfaces
+from ...kit import surfaces
 from ...kit.materials import glaze_tile
 from ...kit.outlines import rectangle, smooth
 from ...kit.parts import box_part, cylinder_part, frame_parts, hull_above, hull_of, open_vessel
@@ -20,7 +20,7 @@ from ...kit.solids import (
     lathe,
     loft,
     open_box,
-    sweep,
+    prism,
     torus,
     tube,
 )
@@ -167,37 +167,6 @@ def pie_dish(look: Look) -> Shape:
     return shape([(body.bend(flute), skin)], parts)
 
 
-@category("ice_cube_tray", size=(0.253, 0.0837, 0.0305), mass=0.12, material="plastic",
-          aliases=("ice tray", "ice cube mould", "ice cube mold"), themes=("kitchen",),
-          colors=("sky", "white"))  # fmt: skip
-def ice_cube_tray(look: Look) -> Shape:
-    """A tray of twelve or more ice cube compartments, some with ice in them."""
-    columns, rows = look.pick([6, 7, 8]), 2
-    pitch, h = look.between(0.034, 0.038), look.between(0.028, 0.034)
-    x, y = columns * pitch + 0.012, rows * pitch + 0.012
-    color = look.color("sky", "white", "blue", "teal", "pink", "green", "orange")
-    skin = look.surface(color, "plastic")
-    at = [((i - (columns - 1) / 2) * pitch, (j - 0.5) * pitch) for i in range(columns)
-          for j in range(rows)]  # fmt: skip
-    bottom = block(x - 0.006, y - 0.006, 0.006, 0.008)
-    walls = [box(x, 0.005, h - 0.005).move(y=(k / rows - 0.5) * (y - 0.006), z=0.005)
-             for k in range(rows + 1)]  # fmt: skip
-    walls += [box(0.005, y, h - 0.005).move(x=(k / columns - 0.5) * (x - 0.006), z=0.005)
-              for k in range(columns + 1)]  # fmt: skip
-    pieces = [(join([bottom, *walls]), skin)]
-    parts = [box_part(x - 0.006, y - 0.006, 0.006)]
-    parts += [box_part(x, 0.005, h - 0.005, (0, (k / rows - 0.5) * (y - 0.006), 0.005))
-              for k in range(rows + 1)]  # fmt: skip
-    parts += [box_part(0.005, y, h - 0.005, ((k / columns - 0.5) * (x - 0.006), 0, 0.005))
-              for k in range(columns + 1)]  # fmt: skip
-    if look.chance(0.6):
-        cubes = [block(0.8 * pitch, 0.8 * pitch, h - 0.008, 0.006, 0.002).move(a, b, 0.005)
-                 for a, b in at]  # fmt: skip
-        pieces.append((join(cubes), surfaces.gradient((206, 226, 236), (246, 250, 252), look.rng)))
-        parts.append(box_part(x - 0.02, y - 0.02, h - 0.008, (0, 0, 0.005)))
-    return shape(pieces, parts)
-
-
 @category("mixing_bowl", size=(0.26, 0.26, 0.112), mass=0.55, material="metal", hollow=True,
           aliases=("batter bowl", "large bowl", "prep bowl", "steel bowl", "metal bowl"),
           themes=("kitchen",), roles=("container", "round", "big"),
@@ -221,49 +190,6 @@ def mixing_bowl(look: Look) -> Shape:
         pieces.append((lathe([(0, 0.006), (0.5 * wide, 0.006), (wide, level), (0, level + 0.004)]),
                        batter))  # fmt: skip
     return shape(pieces, parts)
-
-
-@category("measuring_cup", size=(0.161, 0.0799, 0.0558), mass=0.3, material="glass", hollow=True,
-          aliases=("measuring jug", "measure cup", "measuring glass", "glass measuring cup"),
-          themes=("kitchen",), roles=("container",), colors=("silver", "red"))  # fmt: skip
-def measuring_cup(look: Look) -> Shape:
-    """A glass measuring jug with a red scale, or a steel measuring cup with a long handle."""
-    if look.chance(0.6):
-        r, h = look.between(0.042, 0.055), look.between(0.085, 0.12)
-        ink = look.color("red", "red", "blue", "green", "black")
-        body, parts = open_vessel([(0.82 * r, 0), (0.88 * r, 0.3 * h), (0.95 * r, 0.7 * h), (r, h)],
-                                  0.004, 0.006)  # fmt: skip
-        face = prints.canvas(160, 96, (214, 226, 230))
-        for k in range(6):
-            long = 0.09 if k % 2 == 0 else 0.05
-            prints.fill(face, 0.47, 0.14 + 0.13 * k, long, 0.03, ink)
-            if k % 2 == 0:
-                prints.write(face[:, 50:74], str(600 - 100 * k), 0.5, 0.16 + 0.13 * k, 0.11, ink)
-        glass = surfaces.plain((206, 220, 224))
-        tile = surfaces.stack((face, 50), (glass, 50), side=192)
-
-        def lip_profile(p: np.ndarray) -> np.ndarray:
-            up = np.clip((p[:, 2] / h - 0.7) / 0.3, 0, 1) ** 2
-            left = np.clip(-p[:, 0] / r, 0, 1) ** 6
-            return p + np.column_stack([-0.013 * up * left, 0 * up, 0 * up])
-
-        ear = tube(smooth([(0.95 * r, 0, 0.88 * h), (r + 0.035, 0, 0.86 * h),
-                           (r + 0.035, 0, 0.3 * h), (0.86 * r, 0, 0.2 * h)], 4), 0.006,
-                   8)  # fmt: skip
-        return shape([(body.bend(lip_profile), tile), (ear, glass)],
-                     [*parts, box_part(0.025, 0.012, 0.6 * h, (r + 0.026, 0, 0.24 * h))],
-                     opacity=0.75)  # fmt: skip
-    r, h = look.between(0.032, 0.044), look.between(0.035, 0.048)
-    color = look.color("silver", "silver", "copper", "red", "teal", "white", "yellow", "black")
-    skin = look.surface(color, "metal")
-    body, parts = open_vessel([(0.85 * r, 0), (0.92 * r, 0.2 * h), (r, h)], 0.0016, 0.002)
-    long = look.between(0.08, 0.1)
-    grip = sweep([(0.95 * r, 0, h - 0.003), (r + long, 0, h - 0.0035)],
-                 rectangle(0.018, 0.003, 0.0012, 2), [0.7, 1.0])  # fmt: skip
-    mark = box(0.03, 0.009, 0.0004).move(r + 0.6 * long, 0, h - 0.0021)
-    sign = prints.canvas(64, 20, tint_color(color, 0.95))
-    prints.write(sign, look.pick(["1 CUP", "1/2", "1/3", "1/4"]), 0.5, 0.5, 0.7, (30, 30, 34))
-    return shape([(body, skin), (grip, skin), (mark, sign)], [*parts, hull_of(grip)])
 
 
 @category("baking_tray", size=(0.335, 0.245, 0.024), mass=0.6, material="metal", hollow=True,
@@ -343,3 +269,18 @@ def jelly_mould(look: Look) -> Shape:
     made = lobe(dome, look.pick([10, 12, 14]), 0.12).scale(k, k, k)
     return shape([(made, look.surface(color, "copper" if color[0] > 1.3 * color[2] and color[1] > 80
                                       else "plastic"))], [hull_of(made)])  # fmt: skip
+
+
+@category("piping_nozzle", size=(0.027, 0.0273, 0.0444), mass=0.008, material="metal",
+          aliases=("icing nozzle", "piping tip", "icing tip", "cake nozzle"), themes=("kitchen",),
+          roles=("round",), colors=("silver",))  # fmt: skip
+def piping_nozzle(look: Look) -> Shape:
+    """A piping nozzle standing on its wide end: a small steel cone with a star-shaped tip."""
+    k, color = look.between(0.85, 1.3), look.color("silver", "silver", "gray", "gold")
+    body = lathe([(0, 0), (0.012, 0), (0.0115, 0.004), (0.0045, 0.034), (0, 0.034)], 24)
+    teeth = [prism([(-0.0018, 0), (0.0018, 0), (0, 0.006)], -0.0005,
+                   0.0005).turn(0, np.pi / 2).move(y=-0.0042).turn(2, a).move(z=0.0335)
+             for a in np.arange(6) * 1.047]  # fmt: skip
+    seam = box(0.0006, 0.001, 0.03).turn(0, -0.22).move(y=-0.0118, z=0.002)
+    made = join([body, *teeth, seam]).scale(k, k, k)
+    return shape([(made, look.surface(color, "steel"))], [hull_of(body.scale(k, k, k))])

@@ -10,8 +10,8 @@ from ...kit.parts import box_part, hull_of, hull_part
 from ...kit.primitives import label_skin, limb, vessel, vessel_parts
 from ...kit.prints import wrap
 from ...kit.shapes import Shape, category, shape
-from ...kit.solids import block, box, cylinder, join, lathe, loft, torus, tube
-from ...kit.surfaces import RGB, Look, readable_on
+from ...kit.solids import box, cylinder, join, lathe, torus, tube
+from ...kit.surfaces import RGB, Look
 
 
 @category("milk_bottle", size=(0.078, 0.078, 0.21), mass=0.95, material="glass",
@@ -78,45 +78,6 @@ def spray_bottle(look: Look) -> Shape:
          hull_part(body.vertices[body.vertices[:, 2] > 0.7 * h]),
          box_part(0.066, 0.02, 0.02, (-0.006, 0, h + 0.014)), hull_of(trigger)],
     )  # fmt: skip
-
-
-STEEL: RGB = (196, 199, 204)
-
-
-@category("paste_tube", size=(0.161, 0.0594, 0.0315), mass=0.15, material="metal",
-          aliases=("tomato paste tube", "tomato puree tube", "tube of tomato puree", "tomato puree",
-          "anchovy paste tube", "harissa tube", "tube of tomato paste", "mustard tube",
-          "wasabi tube"), themes=("kitchen",), colors=("red",), state="lying flat")  # fmt: skip
-def paste_tube(look: Look) -> Shape:
-    """A soft metal tube of tomato paste lying flat, with its cap on the right."""
-    k = look.between(0.92, 1.08)
-    color = look.color("red", "red", "green", "gold", "blue")
-    t = np.linspace(0, 1, 9)
-    n = 20
-    a = 2 * np.pi * np.arange(n) / n
-    rings = []
-    for s in t:
-        flat = 0.06 + 0.94 * s**0.7
-        wide = 0.027 * (1.12 - 0.12 * s)
-        rings.append(np.column_stack([np.full(n, 0.13 * s), wide * np.cos(a),
-                                      0.02 * flat * np.sin(a)]))  # fmt: skip
-    rings.append(np.column_stack([np.full(n, 0.138), 0.01 * np.cos(a), 0.01 * np.sin(a)]))
-    body = loft(np.stack(rings), np.column_stack([np.cos(a), np.sin(a)]))
-    foil = block(0.012, 0.06, 0.003, 0.001).move(x=0.0, z=-0.0015)
-    cap = cylinder(0.011, 0.022, 20, bevel=0.001).turn(1, np.pi / 2).move(x=0.136)
-    word = look.pick(["TOMATO", "PUREE", "PASTE"])
-    sign = prints.canvas(130, 64, color)
-    prints.disc(sign, 0.16, 0.5, 0.3, (216, 50, 36) if color[0] < 180 else (250, 230, 190))
-    prints.write(sign[:, 34:], word, 0.5, 0.5, 0.32, readable_on(color), bold=True)
-    lay = box(0.072, 0.024, 0.0006).turn(1, -0.075).move(x=0.074, z=0.0178)
-    body, foil, cap, lay = (s.move(x=-0.075, z=0.0) for s in (body, foil, cap, lay))
-    solids = [s.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2] + 0.011, 0)]))
-              for s in (body, foil, cap, lay)]  # fmt: skip
-    return shape([(solids[0], surfaces.brushed_metal(look.rng, color)),
-                  (solids[1], surfaces.brushed_metal(look.rng, STEEL)),
-                  (solids[2], surfaces.plain(look.own_color("white", "red", "green"))),
-                  (solids[3], sign)], [hull_of(solids[0], solids[1]),
-                                       hull_of(solids[2])]).scale(k)  # fmt: skip
 
 
 PRINTS = ("red", "navy", "teal", "green", "mustard", "crimson", "orange", "purple", "blue")

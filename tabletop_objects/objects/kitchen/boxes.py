@@ -6,38 +6,11 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.outlines import rectangle, smooth
-from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of, open_vessel
-from ...kit.primitives import ball
+from ...kit.parts import box_part, frame_parts, hull_of
 from ...kit.shapes import Category, Shape, category, shape, vary
-from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, loft, prism, tube
+from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, loft, prism, tube
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
 from ..workbench.boxes import case
-
-
-@category("masala_dabba", size=(0.189, 0.189, 0.0448), mass=0.7, material="metal",
-          aliases=("spice box", "indian spice box", "masala box", "spice tray"),
-          themes=("kitchen",), roles=("round",), colors=("silver",))  # fmt: skip
-def masala_dabba(look: Look) -> Shape:
-    """A round, open steel box with seven bowls of spices."""
-    k = look.between(0.94, 1.06)
-    color = look.color("silver", "silver", "copper")
-    r, h = 0.095 * k, 0.045 * k
-    tin, parts = open_vessel([(r, 0), (r, h)], 0.002, 0.003, 40)
-    bowls, heaps = [], {}
-    tones = ((214, 150, 30), (170, 40, 26), (96, 60, 34), (60, 46, 36), (200, 176, 110),
-             (140, 112, 50), (190, 96, 40))  # fmt: skip
-    for n in range(7):
-        a = n * np.pi / 3
-        at = (0.0, 0.0) if n == 6 else (0.62 * r * float(np.cos(a)), 0.62 * r * float(np.sin(a)))
-        cup = lathe([(0, 0.003), (0.26 * r, 0.003), (0.285 * r, 0.74 * h), (0.27 * r, 0.74 * h),
-                     (0.25 * r, 0.5 * h), (0, 0.5 * h)], 20).move(*at)  # fmt: skip
-        bowls.append(cup)
-        heaps[n] = (ball(0.5 * r, 0.5 * r, 0.3 * h, (at[0], at[1], 0.58 * h), 14),
-                 surfaces.speckles(
-            look.rng, tones[n], 14))  # fmt: skip
-    steel = surfaces.brushed_metal(look.rng, color)
-    return shape([(join([tin, *bowls]), steel), *heaps.values()],
-                 [*parts, cylinder_part(0.93 * r, 0.7 * h)])  # fmt: skip
 
 
 @category("bread_box", size=(0.356, 0.242, 0.185), mass=2.2, material="metal", hollow=True,
@@ -397,6 +370,28 @@ def juice_carton(look: Look) -> Shape:
         ]
         parts.append(hull_of(cap))
     return shape(pieces, parts)
+
+
+@category("crate", size=(0.31, 0.225, 0.125), mass=0.9, material="wood", hollow=True,
+          aliases=("wooden crate", "fruit crate", "apple crate", "vegetable crate", "produce crate",
+          "wine crate", "milk crate"), themes=("kitchen",), roles=("container", "big"),
+          colors=("wooden",))  # fmt: skip
+def crate(look: Look) -> Shape:
+    """An open crate: wood with slats, or plastic with holes."""
+    x, y, h = look.between(0.28, 0.34), look.between(0.2, 0.24), look.between(0.11, 0.14)
+    color = look.color("wooden", "tan", "brown", "beige", "wooden")
+    skin = look.surface(color, "wood")
+    t = 0.008
+    slats = [box(x, t, 0.25 * h).move(y=s * (y / 2 - t / 2), z=(0.02 + 0.34 * k) * h)
+             for s in (-1, 1) for k in range(3)]  # fmt: skip
+    slats += [box(t, y - 2 * t, 0.25 * h).move(x=s * (x / 2 - t / 2), z=(0.02 + 0.34 * k) * h)
+              for s in (-1, 1) for k in range(3)]  # fmt: skip
+    floor = [box(x - 2 * t, 0.17 * y, t).move(y=(k - 2) * 0.185 * y) for k in range(5)]
+    posts = [box(0.016, 0.016, h).move(a * (x / 2 - t - 0.008), b * (y / 2 - t - 0.008))
+             for a in (-1, 1) for b in (-1, 1)]  # fmt: skip
+    return shape([(join([*slats, *floor]), skin),
+                  (join(posts), surfaces.plain(tint_color(color, 0.7)))],
+                 frame_parts(x, y, 0.95 * h, t, t))  # fmt: skip
 
 
 CATEGORIES = (

@@ -6,9 +6,8 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.materials import skin
-from ...kit.outlines import smooth
 from ...kit.parts import box_part, hull_of
-from ...kit.primitives import at_box, bent_rod, limb, plate
+from ...kit.primitives import at_box, bent_rod, plate
 from ...kit.shapes import (
     Category,
     Pieces,
@@ -80,30 +79,6 @@ def baguette(look: Look) -> Shape:
             for u in (-0.34, -0.17, 0.0, 0.17, 0.34)]  # fmt: skip
     pale = surfaces.speckles(look.rng, (236, 204, 146), 8)
     return settle([(bread, _crust(look)), (join(cuts), pale)], 0.1)
-
-
-@category("pretzel", size=(0.152, 0.11, 0.0212), mass=0.08, material="food",
-          aliases=("soft pretzel", "brezel", "salted pretzel"), themes=("kitchen", "dining"),
-          roles=("edible", "flat"), colors=("brown",), state="lying flat")  # fmt: skip
-def pretzel(look: Look) -> Shape:
-    """A salted pretzel knot lying flat."""
-    k, r = look.between(0.95, 1.15), look.between(0.0072, 0.009)
-    half = [(0.0, -0.054), (0.036, -0.046), (0.062, -0.014), (0.057, 0.024), (0.03, 0.032),
-            (0.004, 0.002), (-0.024, -0.04)]  # fmt: skip
-    first = [(x, y, 0.0 if n < 4 else 0.0035) for n, (x, y) in enumerate(half)]
-    second = [(-x, y, 0.0 if n < 4 else 0.0065) for n, (x, y) in enumerate(half)]
-    path = k * np.array([*second[::-1], *first[1:]])
-    radii = r * np.concatenate([[0.55, 0.7], np.full(len(path) - 4, 1.0), [0.7, 0.55]])
-    knot = limb(path, [*radii], 10)
-    salt = []
-    points = smooth(path, 4)
-    for _ in range(22):
-        n = int(look.rng.integers(4, len(points) - 4))
-        x, y, z = points[n]
-        salt.append(box(0.003, 0.0025, 0.0022).turn(2, look.between(0, 3)).move(
-            x, y, z + 0.85 * r))  # fmt: skip
-    brown = skin(look, look.color("bronze", "brown", "copper"), (104, 56, 26), 0.6)
-    return settle([(knot, brown), (join(salt), surfaces.plain((250, 248, 240)))], 0.15)
 
 
 @category("bread_loaf", size=(0.22, 0.107, 0.084), mass=0.45, material="food",

@@ -6,56 +6,15 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...kit import surfaces
-from ...kit.materials import steel
+from ...kit import prints, surfaces
+from ...kit.materials import glaze_tile
 from ...kit.outlines import rectangle
-from ...kit.parts import cylinder_part, frame_parts, hull_of, open_vessel, ring_parts
-from ...kit.primitives import drum, standing
-from ...kit.shapes import Category, Shape, category, put_down, shape
+from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of, open_vessel, ring_parts
+from ...kit.primitives import ball
+from ...kit.shapes import Category, Shape, category, shape
 from ...kit.solids import block, box, cylinder, join, lathe, loft, open_box, torus
-from ...kit.surfaces import RGB, Look, tint_color
+from ...kit.surfaces import RGB, Look, readable_on, tint_color
 from .bags import panel
-
-
-@category("crate", size=(0.31, 0.225, 0.125), mass=0.9, material="wood", hollow=True,
-          aliases=("wooden crate", "fruit crate", "apple crate", "vegetable crate", "produce crate",
-          "wine crate", "milk crate"), themes=("kitchen",), roles=("container", "big"),
-          colors=("wooden",))  # fmt: skip
-def crate(look: Look) -> Shape:
-    """An open crate: wood with slats, or plastic with holes."""
-    x, y, h = look.between(0.28, 0.34), look.between(0.2, 0.24), look.between(0.11, 0.14)
-    color = look.color("wooden", "tan", "brown", "beige", "wooden")
-    skin = look.surface(color, "wood")
-    t = 0.008
-    slats = [box(x, t, 0.25 * h).move(y=s * (y / 2 - t / 2), z=(0.02 + 0.34 * k) * h)
-             for s in (-1, 1) for k in range(3)]  # fmt: skip
-    slats += [box(t, y - 2 * t, 0.25 * h).move(x=s * (x / 2 - t / 2), z=(0.02 + 0.34 * k) * h)
-              for s in (-1, 1) for k in range(3)]  # fmt: skip
-    floor = [box(x - 2 * t, 0.17 * y, t).move(y=(k - 2) * 0.185 * y) for k in range(5)]
-    posts = [box(0.016, 0.016, h).move(a * (x / 2 - t - 0.008), b * (y / 2 - t - 0.008))
-             for a in (-1, 1) for b in (-1, 1)]  # fmt: skip
-    return shape([(join([*slats, *floor]), skin),
-                  (join(posts), surfaces.plain(tint_color(color, 0.7)))],
-                 frame_parts(x, y, 0.95 * h, t, t))  # fmt: skip
-
-
-@category("butter_churn", size=(0.129, 0.129, 0.284), mass=0.9, material="wood",
-          aliases=("churn", "milk churn"), themes=("kitchen",), roles=("tall",),
-          colors=("wooden",))  # fmt: skip
-def butter_churn(look: Look) -> Shape:
-    """A butter churn: a wooden tub with hoops and a plunger through its lid."""
-    color = look.color("wooden", "tan", "brown")
-    k = look.between(0.8, 1.05)
-    tub = standing((0.07, 0), (0.056, 0.18), (0.054, 0.18), sides=20)
-    hoops = [standing((r, 0), (r - 0.0012, 0.014), at=(0, 0, z), sides=20) for r,
-             z in ((0.0705, 0.02), (0.0645, 0.09), (0.0595, 0.15))]  # fmt: skip
-    lid, stick = drum(0.058, 0.014, (0, 0, 0.178)), drum(0.008, 0.12, (0, 0, 0.19), sides=12)
-    staves = surfaces.stripes(
-        [color, tint_color(color, 0.82), tint_color(color, 1.12)], 6, upright=True
-    )
-    return put_down([(tub, staves), (join(hoops), steel(look, (120, 110, 100))),
-                     (join([lid, stick]), surfaces.wood(look.rng, color))], tub, lid, stick,
-                    factor=k)  # fmt: skip
 
 
 @category("basket", size=(0.24, 0.19, 0.095), mass=0.35, material="wood", hollow=True,
@@ -189,6 +148,115 @@ def food_container(look: Look) -> Shape:
     return shape([(body, tile), (join([lid, *clips]), skin),
                   (inset, surfaces.plain(tint_color(color, 1.25)))],
                  [hull_of(body), hull_of(lid)], opacity=0.9)  # fmt: skip
+
+
+@category("ice_cube_tray", size=(0.253, 0.0837, 0.0305), mass=0.12, material="plastic",
+          aliases=("ice tray", "ice cube mould", "ice cube mold"), themes=("kitchen",),
+          colors=("sky", "white"))  # fmt: skip
+def ice_cube_tray(look: Look) -> Shape:
+    """A tray of twelve or more ice cube compartments, some with ice in them."""
+    columns, rows = look.pick([6, 7, 8]), 2
+    pitch, h = look.between(0.034, 0.038), look.between(0.028, 0.034)
+    x, y = columns * pitch + 0.012, rows * pitch + 0.012
+    color = look.color("sky", "white", "blue", "teal", "pink", "green", "orange")
+    skin = look.surface(color, "plastic")
+    at = [((i - (columns - 1) / 2) * pitch, (j - 0.5) * pitch) for i in range(columns)
+          for j in range(rows)]  # fmt: skip
+    bottom = block(x - 0.006, y - 0.006, 0.006, 0.008)
+    walls = [box(x, 0.005, h - 0.005).move(y=(k / rows - 0.5) * (y - 0.006), z=0.005)
+             for k in range(rows + 1)]  # fmt: skip
+    walls += [box(0.005, y, h - 0.005).move(x=(k / columns - 0.5) * (x - 0.006), z=0.005)
+              for k in range(columns + 1)]  # fmt: skip
+    pieces = [(join([bottom, *walls]), skin)]
+    parts = [box_part(x - 0.006, y - 0.006, 0.006)]
+    parts += [box_part(x, 0.005, h - 0.005, (0, (k / rows - 0.5) * (y - 0.006), 0.005))
+              for k in range(rows + 1)]  # fmt: skip
+    parts += [box_part(0.005, y, h - 0.005, ((k / columns - 0.5) * (x - 0.006), 0, 0.005))
+              for k in range(columns + 1)]  # fmt: skip
+    if look.chance(0.6):
+        cubes = [block(0.8 * pitch, 0.8 * pitch, h - 0.008, 0.006, 0.002).move(a, b, 0.005)
+                 for a, b in at]  # fmt: skip
+        pieces.append((join(cubes), surfaces.gradient((206, 226, 236), (246, 250, 252), look.rng)))
+        parts.append(box_part(x - 0.02, y - 0.02, h - 0.008, (0, 0, 0.005)))
+    return shape(pieces, parts)
+
+
+@category("utensil_crock", size=(0.124, 0.124, 0.1625), mass=0.9, material="ceramic",
+          aliases=("utensil holder", "utensil crock", "utensil jar", "utensil pot",
+          "cutlery holder", "spoon holder", "kitchen utensil holder"), themes=("kitchen",),
+          roles=("container", "round", "tall"), colors=("white", "cream"))  # fmt: skip
+def utensil_crock(look: Look) -> Shape:
+    """An empty stoneware crock for wooden spoons and whisks."""
+    r, h = look.between(0.058, 0.066), look.between(0.15, 0.175)
+    color = look.color("white", "cream", "sage", "navy", "terracotta", "charcoal")
+    side = [(0.92 * r, 0), (r, 0.12 * h), (0.98 * r, 0.85 * h), (r, h)]
+    body, parts = open_vessel(side, 0.005, 0.01)
+    return shape([(body, surfaces.fit(glaze_tile(look, color), 128, 128))], parts)
+
+
+STEEL: RGB = (196, 199, 204)
+
+
+@category("paste_tube", size=(0.161, 0.0594, 0.0315), mass=0.15, material="metal",
+          aliases=("tomato paste tube", "tomato puree tube", "tube of tomato puree", "tomato puree",
+          "anchovy paste tube", "harissa tube", "tube of tomato paste", "mustard tube",
+          "wasabi tube"), themes=("kitchen",), colors=("red",), state="lying flat")  # fmt: skip
+def paste_tube(look: Look) -> Shape:
+    """A soft metal tube of tomato paste lying flat, with its cap on the right."""
+    k = look.between(0.92, 1.08)
+    color = look.color("red", "red", "green", "gold", "blue")
+    t = np.linspace(0, 1, 9)
+    n = 20
+    a = 2 * np.pi * np.arange(n) / n
+    rings = []
+    for s in t:
+        flat = 0.06 + 0.94 * s**0.7
+        wide = 0.027 * (1.12 - 0.12 * s)
+        rings.append(np.column_stack([np.full(n, 0.13 * s), wide * np.cos(a),
+                                      0.02 * flat * np.sin(a)]))  # fmt: skip
+    rings.append(np.column_stack([np.full(n, 0.138), 0.01 * np.cos(a), 0.01 * np.sin(a)]))
+    body = loft(np.stack(rings), np.column_stack([np.cos(a), np.sin(a)]))
+    foil = block(0.012, 0.06, 0.003, 0.001).move(x=0.0, z=-0.0015)
+    cap = cylinder(0.011, 0.022, 20, bevel=0.001).turn(1, np.pi / 2).move(x=0.136)
+    word = look.pick(["TOMATO", "PUREE", "PASTE"])
+    sign = prints.canvas(130, 64, color)
+    prints.disc(sign, 0.16, 0.5, 0.3, (216, 50, 36) if color[0] < 180 else (250, 230, 190))
+    prints.write(sign[:, 34:], word, 0.5, 0.5, 0.32, readable_on(color), bold=True)
+    lay = box(0.072, 0.024, 0.0006).turn(1, -0.075).move(x=0.074, z=0.0178)
+    body, foil, cap, lay = (s.move(x=-0.075, z=0.0) for s in (body, foil, cap, lay))
+    solids = [s.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2] + 0.011, 0)]))
+              for s in (body, foil, cap, lay)]  # fmt: skip
+    return shape([(solids[0], surfaces.brushed_metal(look.rng, color)),
+                  (solids[1], surfaces.brushed_metal(look.rng, STEEL)),
+                  (solids[2], surfaces.plain(look.own_color("white", "red", "green"))),
+                  (solids[3], sign)], [hull_of(solids[0], solids[1]),
+                                       hull_of(solids[2])]).scale(k)  # fmt: skip
+
+
+@category("masala_dabba", size=(0.189, 0.189, 0.0448), mass=0.7, material="metal",
+          aliases=("spice box", "indian spice box", "masala box", "spice tray"),
+          themes=("kitchen",), roles=("round",), colors=("silver",))  # fmt: skip
+def masala_dabba(look: Look) -> Shape:
+    """A round, open steel box with seven bowls of spices."""
+    k = look.between(0.94, 1.06)
+    color = look.color("silver", "silver", "copper")
+    r, h = 0.095 * k, 0.045 * k
+    tin, parts = open_vessel([(r, 0), (r, h)], 0.002, 0.003, 40)
+    bowls, heaps = [], {}
+    tones = ((214, 150, 30), (170, 40, 26), (96, 60, 34), (60, 46, 36), (200, 176, 110),
+             (140, 112, 50), (190, 96, 40))  # fmt: skip
+    for n in range(7):
+        a = n * np.pi / 3
+        at = (0.0, 0.0) if n == 6 else (0.62 * r * float(np.cos(a)), 0.62 * r * float(np.sin(a)))
+        cup = lathe([(0, 0.003), (0.26 * r, 0.003), (0.285 * r, 0.74 * h), (0.27 * r, 0.74 * h),
+                     (0.25 * r, 0.5 * h), (0, 0.5 * h)], 20).move(*at)  # fmt: skip
+        bowls.append(cup)
+        heaps[n] = (ball(0.5 * r, 0.5 * r, 0.3 * h, (at[0], at[1], 0.58 * h), 14),
+                 surfaces.speckles(
+            look.rng, tones[n], 14))  # fmt: skip
+    steel = surfaces.brushed_metal(look.rng, color)
+    return shape([(join([tin, *bowls]), steel), *heaps.values()],
+                 [*parts, cylinder_part(0.93 * r, 0.7 * h)])  # fmt: skip
 
 
 CATEGORIES = (

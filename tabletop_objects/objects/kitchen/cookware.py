@@ -192,37 +192,6 @@ def open_pot(look: Look) -> Shape:
     return shape([(body, skin), *((e, skin) for e in ears)], [*parts, *map(hull_of, ears)])
 
 
-@category("colander", size=(0.289, 0.223, 0.119), mass=0.35, material="metal", hollow=True,
-          aliases=("pasta strainer", "salad strainer", "drainer"), themes=("kitchen",),
-          roles=("container", "round", "big"), colors=("silver", "white"))  # fmt: skip
-def colander(look: Look) -> Shape:
-    """A colander: a perforated bowl on feet with two handles."""
-    r, h = look.between(0.1, 0.12), look.between(0.085, 0.105)
-    color = look.color("silver", "silver", "white", "red", "mint", "sky", "cream", "yellow")
-    t = np.linspace(0, np.pi / 2, 8)
-    side = [((0.5 + 0.5 * np.sin(a)) * r, h * (1 - np.cos(a)) ** 0.85) for a in t]
-    body, parts = open_vessel(side, 0.003, 0.004, 34)
-    skin = surfaces.fit(look.surface(color, "metal"), 256, 256).copy()
-    v, u = np.mgrid[0:256, 0:256] / 256
-    count, rows = 30, 26
-    dots = np.hypot((u * count + 0.5 * (np.floor(v * rows) % 2)) % 1 - 0.5, (v * rows) % 1 - 0.5)
-    near = np.minimum(np.abs(v - 0.5), np.abs(1 - v))
-    holes = (dots < 0.27) & (np.abs(v - 0.5) > 0.08) & (near > 0.06)
-    skin[holes] = np.array(tint_color(color, 0.28)).astype(np.uint8)
-    plain = look.surface(color, "metal")
-    foot = lathe([(0.5 * r, -0.016), (0.53 * r, -0.016), (0.56 * r, 0.008), (0.53 * r, 0.008)], 30,
-                 loop=True)  # fmt: skip
-    ears = [tube(smooth([(s * 0.97 * r, -0.035, h - 0.006), (s * (r + 0.028), -0.026, h),
-                         (s * (r + 0.028), 0.026, h), (s * 0.97 * r, 0.035, h - 0.006)], 3),
-                 0.004, 8) for s in (-1, 1)]  # fmt: skip
-    rim = torus(r - 0.001, 0.0035, 36, 6).move(z=h - 0.003)
-    pieces = [(body, skin), (join([foot, rim, *ears]), plain)]
-    up = [(solid.move(z=0.016), tile) for solid, tile in pieces]
-    raised = [type(p)(p.vertices + np.array([0, 0, 0.016]), p.kind, p.axis) for p in parts]
-    lugs = [box_part(0.03, 0.06, 0.006, (s * (r + 0.012), 0, h + 0.011)) for s in (-1, 1)]
-    return shape(up, [*raised, cylinder_part(0.53 * r, 0.018), *lugs])
-
-
 @category("pot", size=(0.265, 0.21, 0.13), mass=1.1, material="metal", hollow=True,
           aliases=("cooking pot", "saucepan", "stockpot", "billy can", "billycan"),
           themes=("kitchen",), roles=("big",), colors=("silver", "red"), opened="open_pot",

@@ -5,13 +5,27 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
+from ...kit.outlines import rectangle, smooth
 from ...kit.parts import box_part, hull_above, hull_of, hull_part
 from ...kit.primitives import ball, bent_rod, limb, straight
-from ...kit.shapes import Shape, category, put_down, shape
-from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, loft, prism, tube
+from ...kit.shapes import Category, Pieces, Shape, category, keep_still, put_down, shape
+from ...kit.solids import (
+    Solid,
+    block,
+    box,
+    cylinder,
+    ellipsoid,
+    join,
+    lathe,
+    loft,
+    prism,
+    sweep,
+    torus,
+    tube,
+)
 from ...kit.surfaces import RGB, Look, tint_color
 from .appliances import metal
-from .utensils import bright_steel, grip_bar
+from .utensils import Head, bright_steel, grip_bar, steel, with_handle
 
 
 @category("pizza_cutter", size=(0.215, 0.08, 0.019), mass=0.12, material="metal",
@@ -207,3 +221,126 @@ def egg_slicer(look: Look) -> Shape:
     made = [(s.scale(k, k, k), t) for s, t in made]
     return shape(made, [hull_of(tray.scale(k, k, k)), hull_of(*[s.scale(k, k, k) for s in up]),
                         hull_of(made[2][0])])  # fmt: skip
+
+
+@category("peeler", size=(0.149, 0.0548, 0.0125), mass=0.045, material="plastic",
+          aliases=("vegetable peeler", "potato peeler", "y peeler", "swivel peeler"),
+          themes=("kitchen",), roles=("flat",), colors=("black", "red"),
+          state="lying flat")  # fmt: skip
+def peeler(look: Look) -> Shape:
+    """A vegetable peeler lying flat: a Y-peeler or a straight one."""
+    color = look.color("black", "red", "green", "white", "orange", "teal", "silver", "yellow")
+    skin, steel = look.surface(color, "plastic"), bright_steel(look)
+    if look.chance(0.6):
+        wide = look.between(0.058, 0.066)
+        grip = sweep([(-0.005, 0, 0.006), (0.03, 0, 0.0065), (0.075, 0, 0.006)],
+                     rectangle(0.02, 0.012, 0.005, 3), [0.7, 1.0, 0.85])  # fmt: skip
+        fork = sweep(smooth([(-0.06, -wide / 2, 0.006), (-0.03, -wide / 2, 0.006),
+                             (-0.004, 0, 0.006), (-0.03, wide / 2, 0.006),
+                             (-0.06, wide / 2, 0.006)], 4),
+                     rectangle(0.01, 0.0115, 0.003, 2))  # fmt: skip
+        edge = [box(0.004, wide - 0.004, 0.0016).turn(1, 0.5).move(x=u, z=0.006)
+                for u in (-0.058, -0.051)]  # fmt: skip
+        x = fork.vertices[:, 0]
+        y = fork.vertices[:, 1]
+        arms = [hull_part(fork.vertices[(s * y > 0.35 * wide)]) for s in (-1, 1)]
+        return shape([(join([grip, fork]), skin), (join(edge), steel)],
+                     [hull_of(grip), *arms, hull_part(fork.vertices[x > -0.028]),
+                      hull_of(*edge)])  # fmt: skip
+    grip = grip_bar(-0.01, 0.09, 0.021, 0.0066)
+    ring = np.array([(0.5, 0), (0, 0.4), (-0.5, 0), (0, -0.12)])
+    long = look.between(0.075, 0.085)
+    path = np.column_stack([-0.005 - long * np.linspace(0, 1, 6), np.zeros(6), np.full(6, 0.006)])
+    blade = sweep(path, ring, 0.017 * np.array([0.5, 0.9, 1, 1, 0.9, 0.2]))
+    return shape([(grip, skin), (blade, steel)], [hull_of(grip), hull_of(blade)])
+
+
+@category("grater", size=(0.11, 0.085, 0.24), mass=0.25, material="metal",
+          aliases=("cheese grater", "box grater", "vegetable grater", "shredder"),
+          themes=("kitchen",), roles=("tall",), colors=("silver", "black"))  # fmt: skip
+def grater(look: Look) -> Shape:
+    """A four-sided box grater with a handle on top."""
+    x, y, h = look.between(0.095, 0.115), look.between(0.075, 0.085), look.between(0.19, 0.22)
+    color = look.color("black", "red", "green", "teal", "orange", "silver", "white")
+    face = surfaces.brushed_metal(look.rng, (196, 199, 204), 128).copy()
+    face = surfaces.fit(face, 128, 128).copy()
+    count = look.pick([7, 9])
+    v, u = np.mgrid[0:128, 0:128] / 128
+    cells = np.hypot(
+        (u * count) % 1 - 0.5, ((v * count + 0.5 * (np.floor(u * count) % 2)) % 1) - 0.5
+    )
+    keep = (u > 0.1) & (u < 0.9) & (v > 0.12) & (v < 0.86)
+    face[(cells < 0.36) & keep] = (236, 238, 242)
+    face[(cells < 0.24) & keep] = (52, 54, 58)
+    square = rectangle(1, 1)
+    rings = np.stack([np.column_stack([square * [x * k, y * k], np.full(4, z)])
+                      for k, z in ((1.0, 0.008), (0.78, h))])  # fmt: skip
+    sides = []
+    for k in range(4):
+        a, b = rings[0][k], rings[0][(k + 1) % 4]
+        c, d = rings[1][(k + 1) % 4], rings[1][k]
+        inward = -0.002 * np.append((a + b)[:2] / np.linalg.norm((a + b)[:2]), 0)
+        corners = np.array([a, b, c, d])
+        quad = np.concatenate([corners, corners + inward])
+        faces = np.array([[0, 1, 2], [0, 2, 3], [5, 4, 7], [5, 7, 6], [0, 4, 5], [0, 5, 1],
+                          [1, 5, 6], [1, 6, 2], [2, 6, 7], [2, 7, 3], [3, 7, 4],
+                          [3, 4, 0]])  # fmt: skip
+        uv = np.array([(0, 0), (1, 0), (1, 1), (0, 1)] * 2, float)
+        sides.append(Solid(quad, faces, uv))
+    body = join(sides)
+    skin = look.surface(color, "plastic")
+    lid = block(0.8 * x, 0.8 * y, 0.012, 0.012, 0.003).move(z=h - 0.004)
+    foot = loft(np.stack([np.column_stack([rectangle(x * k, y * k), np.full(4, z)])
+                          for k, z in ((1.03, 0), (1.02, 0.012))]), square)  # fmt: skip
+    ear = tube(smooth([(-0.3 * x, 0, h), (-0.27 * x, 0, h + 0.035), (0.27 * x, 0, h + 0.035),
+                       (0.3 * x, 0, h)], 4), 0.007, 8)  # fmt: skip
+    return shape([(body, face), (join([lid, foot, ear]), skin)],
+                 [hull_of(body, foot), hull_of(lid), hull_of(ear)])  # fmt: skip
+
+
+def _tube_head(look: Look, color: RGB, z: float) -> Pieces:
+    pipe = (lathe([(0.0095, 0), (0.0108, 0), (0.0108, 0.09), (0.0095, 0.09)], 18,
+                  loop=True).turn(1, -np.pi / 2).move(0, 0, z))  # fmt: skip
+    teeth = [box(0.006, 0.003, 0.004).move(-0.092, 0, 0.0085).turn(0, a).move(z=z) for a in 2
+             * np.pi * np.arange(8) / 8]  # fmt: skip
+    return [(join([pipe, *teeth]), steel(look))]
+
+
+def _rasp(long: float, wide: float) -> Head:
+    def make(look: Look, color: RGB, z: float) -> Pieces:
+        plate = prism(rectangle(long, wide, 0.004), 0, 0.0022).move(-long / 2, 0, z)
+        image = surfaces.fit(steel(look), 64, 192).copy()
+        for i in range(26):
+            for j in range(5):
+                at = ((i + 0.5 + 0.5 * (j % 2)) / 27, (j + 0.7) / 5.4)
+                prints.disc(image, *at, 0.055, (60, 62, 68))
+                prints.disc(image, at[0] - 0.006, at[1], 0.03, (230, 232, 236))
+        rails = [box(long, 0.003, 0.006).move(-long / 2, s * wide / 2, z - 0.003) for s in (-1, 1)]
+        face = box(0.96 * long, 0.9 * wide, 0.0004).move(-long / 2, 0, z + 0.0021)
+        return [(join([plate, *rails]), steel(look)), (face, image)]
+
+    return make
+
+
+def _holes_tip(look: Look, color: RGB, z: float) -> Pieces:
+    head = prism(rectangle(0.018, 0.02, 0.006), 0, 0.006).move(-0.009, 0, z - 0.003)
+    rings = [torus(0.0022, 0.0009, 10, 5).turn(1, np.pi / 2).move(-0.019, y, z)
+             for y in (-0.007, -0.0023, 0.0023, 0.007)]  # fmt: skip
+    return [(head, steel(look)), (join(rings), surfaces.plain((60, 62, 68)))]
+
+
+CATEGORIES = (
+    Category("apple_corer", keep_still(with_handle(_tube_head, (0.08, 0.1), 0.012, r=0.011)),
+             size=(0.199, 0.0253, 0.0248), mass=0.06, material="plastic",
+             aliases=("corer", "pineapple corer"), themes=("kitchen",), colors=("black", "red"),
+             state="lying flat"),
+    Category("zester", keep_still(with_handle(_rasp(0.17, 0.03), (0.1, 0.12), 0.01)),
+             size=(0.292, 0.0332, 0.0208), mass=0.09, material="plastic", aliases=("microplane",
+             "lemon zester", "rasp grater", "hand grater", "nutmeg grater", "fine grater"),
+             themes=("kitchen",), colors=("black", "red"), state="lying flat"),
+    Category("citrus_zester", keep_still(with_handle(_holes_tip, (0.08, 0.1), 0.03)),
+             size=(0.142, 0.0212, 0.0203), mass=0.05, material="plastic",
+             aliases=("channel knife", "five hole zester"), themes=("kitchen",),
+             colors=("black", "red"), state="lying flat"),
+)  # fmt: skip
+"""Objects that share their drawing functions."""

@@ -69,5 +69,12 @@ CATEGORIES = (
              size=(0.0725, 0.0729, 0.0211), mass=0.03, material="food", aliases=("heap of sultana",
              "handful of raisin", "heap of raisin", "pile of raisin", "mound of raisin"),
              themes=("kitchen", "food"), roles=("edible",), colors=("maroon",), state="heaped"),
+    Category("desiccated_coconut",
+             heap(Heap((0.024, 0.034), 0.006, "strand", ("white", "ivory", "white"))),
+             size=(0.0674, 0.0682, 0.02), mass=0.01, material="food", aliases=("coconut flake",
+             "shredded coconut", "grated coconut", "heap of desiccated coconut",
+             "pile of desiccated coconut", "mound of desiccated coconut",
+             "desiccated coconut heap"), themes=("kitchen", "food"), roles=("edible",),
+             colors=("white",), state="heaped"),
 )  # fmt: skip
 """Objects that share their drawing functions."""

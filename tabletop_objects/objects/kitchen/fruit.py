@@ -631,6 +631,63 @@ def dragon_fruit(look: Look) -> Shape:
                    (join([*scales, *crown]), tips)], 0.16, hulls=[[0]]).scale(k)  # fmt: skip
 
 
+@category("avocado", size=(0.104, 0.065, 0.045), mass=0.13, material="food",
+          aliases=("avocado half", "half avocado"), themes=("kitchen", "food"), roles=("edible",),
+          colors=("green",), state="lying flat", common=True)  # fmt: skip
+def avocado(look: Look) -> Shape:
+    """A whole avocado, or half of one with its stone, lying flat."""
+    x, d = look.between(0.095, 0.115), look.between(0.06, 0.07)
+    t = np.linspace(0, np.pi, 15)
+    radius = d / 2 * np.sin(t) ** 0.85 * (1 - 0.3 * np.cos(t / 1.0) * (t < 2.2) * 0.9)
+    radius[[0, -1]] = 0
+    profile = np.column_stack([radius, -x / 2 * np.cos(t)])
+    body = lathe(profile, 24).turn(1, -np.pi / 2)
+    peel = look.color("green", "olive", "charcoal", "maroon", "olive")
+    rough = surfaces.spots(look.rng, tint_color(peel, 0.55), tint_color(peel, 0.4), 0.2)
+    wide = float(np.ptp(body.vertices[:, 1])) / 2
+    if look.chance(0.4):
+        whole = press_flat(body, 0.88 * wide)
+        return shape([(whole, rough)], [flat_foot(whole.vertices)])
+    lower = body.bend(lambda p: np.column_stack([p[:, :2], np.minimum(p[:, 2], 0)]))
+    lower = press_flat(lower, 0.88 * wide)
+    top = float(lower.vertices[:, 2].max())
+    rim = np.concatenate([np.column_stack([-profile[:, 1], -profile[:, 0]])[::-1],
+                          np.column_stack([-profile[:, 1], profile[:, 0]])[1:-1]])  # fmt: skip
+    (ax, ay), (bx, by) = rim[1] - rim[0], rim[2] - rim[1]
+    rim = rim if ax * by > ay * bx else rim[::-1]
+    pale = surfaces.speckles(look.rng, (214, 214, 128), 8)
+    edge = prism(0.985 * rim, top - 0.001, top + 0.0008)
+    flesh = prism(0.87 * rim, top, top + 0.0014)
+    middle = 0.16 * x
+    stone = ellipsoid(0.036, 0.036, 0.03, 18, 10).move(middle, 0, top)
+    brown = skin(look, (126, 78, 42), (92, 54, 30))
+    return shape(
+        [(lower, rough), (edge, surfaces.plain((150, 176, 84))), (flesh, pale), (stone, brown)],
+        [flat_foot(lower.vertices), hull_part(stone.vertices[stone.vertices[:, 2] >= top])],
+    )
+
+
+@category("coconut", size=(0.108, 0.108, 0.0862), mass=0.5, material="food", assembled=True,
+          aliases=("coconut half", "half coconut"), themes=("kitchen", "food"),
+          roles=("round", "edible"), colors=("brown",))  # fmt: skip
+def coconut(look: Look) -> Shape:
+    """A whole, hairy coconut, or half of one with white flesh."""
+    d = look.between(0.1, 0.12)
+    color = look.color("brown", "bronze", "brown")
+    hair = surfaces.scratches(look.rng, color, tint_color(color, 0.6), 500)
+    if look.chance(0.45):
+        half = lathe([(0, 0), (0.22, 0), (0.42, 0.12), (0.5, 0.36), (0.5, 0.46), (0.46, 0.46),
+                      (0.4, 0.24), (0, 0.14)], 30)  # fmt: skip
+        flesh = lathe([(0, 0.13), (0.38, 0.23), (0.465, 0.463), (0.405, 0.463), (0.32, 0.28),
+                       (0, 0.19)], 30)  # fmt: skip
+        return shape([(half.scale(d, d, d), hair), (flesh.scale(d, d, d), surfaces.speckles(
+            look.rng, (250, 248, 242), 4))], [hull_of(half.scale(d, d, d))])  # fmt: skip
+    body = ellipsoid(d, d, 1.06 * d, 26, 16)
+    eyes = [ellipsoid(0.016, 0.016, 0.008, 10, 6).move(0.02 * np.cos(a), 0.02 * np.sin(a),
+            0.49 * d) for a in (0.3, 2.4, 4.5)]  # fmt: skip
+    return settle([(body, hair), (join(eyes), surfaces.plain(tint_color(color, 0.4)))], 0.06)
+
+
 CATEGORIES = (
     Category("pineapple_ring",
              _ring((0.036, 0.044), 0.32, 0.011, ("yellow", "gold", "amber"), 0.92),

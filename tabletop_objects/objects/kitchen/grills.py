@@ -177,7 +177,7 @@ def _panel(look: Look, wide: int = 128, tall: int = 48) -> surfaces.Tile:
     return image
 
 
-def _griddle(ribs: bool, wide: float, open_: float) -> Callable[[Look], Shape]:
+def griddle(ribs: bool, wide: float, open_: float) -> Callable[[Look], Shape]:
     """Return the shape function of a clamshell grill, closed or with its lid up."""
 
     def make(look: Look) -> Shape:
@@ -246,7 +246,7 @@ CATEGORIES = (
              size=(0.0418, 0.0272, 0.0209), mass=0.015, material="wood",
              aliases=("fire lighter", "fire starter", "firestarter", "fire lighter cube"),
              themes=("kitchen",), colors=("white",)),
-    Category("contact_grill", _griddle(True, 0.32, 1.3), size=(0.311, 0.283, 0.217), mass=2.4,
+    Category("contact_grill", griddle(True, 0.32, 1.3), size=(0.311, 0.283, 0.217), mass=2.4,
              material="device", aliases=("electric grill", "george foreman grill", "health grill",
              "panini press", "panini grill", "panini maker", "grill press"), themes=("kitchen",),
              roles=("big",), colors=("black", "silver")),

@@ -6,11 +6,14 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.outlines import arc
-from ...kit.shapes import Category, Pieces, Shape, category, keep_still, settle
+from ...kit.parts import hull_of
+from ...kit.shapes import Category, Pieces, Shape, category, keep_still, settle, shape
 from ...kit.solids import block, cylinder, join, lathe, prism
 from ...kit.surfaces import RGB, Look, tint_color
+from ...values import Holder
 from ..dining.cutlery import _knife
 from .appliances import metal
+from .racks import PLAY, _boards, centres, choose_slots, read_request
 from .utensils import steel, with_handle
 
 
@@ -98,6 +101,53 @@ def _twin_blade(look: Look, color: RGB, z: float) -> Pieces:
         [(0.01, -0.012), (0.01, 0.012), (-0.19, 0.008), (-0.2, 0.0), (-0.19, -0.01)], 0, 0.003
     )
     return [(blade.move(z=z - 0.0015), steel(look))]
+
+
+@category("empty_knife_block", size=(0.127, 0.057, 0.155), mass=1.2, material="wood",
+          aliases=("empty knife holder",), themes=("kitchen",), roles=("tall",), colors=("wooden",),
+          holder=Holder("end", (0.04, 0.09, 0.38)))  # fmt: skip
+def empty_knife_block(look: Look) -> Shape:
+    """An empty wooden knife block with slots."""
+    count, (a, b, c) = read_request(look, 5, (0.014, 0.04, 0.25))
+    skin = look.surface(look.color("wooden", "brown", "black", "tan", "white"), "wood")
+    wall, floor, h = 0.007, 0.012, 0.62 * c
+    cells, pitch = max(count, 3), a + PLAY + wall
+    x, y = cells * pitch + wall, b + PLAY
+    boards = [(x, y + 2 * wall, floor, 0.0, 0.0, 0.0)]
+    boards += [(wall, y, h - floor, u, 0.0, floor) for u in centres(cells + 1, pitch)]
+    boards += [(x, wall, h - floor, 0.0, s * (y + wall) / 2, floor) for s in (-1, 1)]
+    solids, parts = _boards(boards)
+    slots = choose_slots(centres(cells, pitch), count, floor)
+    return shape([(join(solids), skin)], parts, slots=slots)
+
+
+@category("knife_block", size=(0.108, 0.188, 0.278), mass=2.2, material="wood", assembled=True,
+          aliases=("knife holder", "block of knives", "knife set", "knife stand"),
+          themes=("kitchen",), roles=("tall", "big"), colors=("wooden",),
+          opened="empty_knife_block")  # fmt: skip
+def knife_block(look: Look) -> Shape:
+    """A slanted wooden knife block with knife handles sticking out."""
+    x, y, h = look.between(0.1, 0.12), look.between(0.13, 0.15), look.between(0.2, 0.23)
+    color = look.color("wooden", "brown", "black", "tan", "white")
+    skin = look.surface(color, "wood")
+    side = np.array([(-0.5 * y, 0), (0.5 * y, 0), (0.62 * y, 0.62 * h), (0.02 * y, h),
+                     (-0.28 * y, 0.86 * h)])  # fmt: skip
+    body = prism(side, -x / 2, x / 2).turn(0, np.pi / 2).turn(2, np.pi / 2)
+    dark = look.surface(look.own_color("black", "black", "charcoal", "brown", "silver"), "plastic")
+    grips, studs = [], []
+    for u, long in ((0.24, 0.11), (0.5, 0.1), (0.76, 0.09)):
+        for j in (-1, 0, 1):
+            at = np.array([0.02, 1.0]) * (1 - u) + np.array([0.62, 0.62]) * u
+            grip = block(0.019, 0.014, long, 0.006, 0.003).turn(0, -0.55)
+            spot = (j * 0.3 * x, at[0] * y, at[1] * h - 0.012)
+            grips.append(grip.move(*spot))
+            stud = cylinder(0.0025, 0.02, 8).turn(1, np.pi / 2).move(x=-0.01)
+            studs.append(stud.move(spot[0], spot[1] + 0.03, spot[2] + 0.045))
+    sharp = [hull_of(*grips[3 * k : 3 * k + 3]) for k in range(3)]
+    return shape(
+        [(body, skin), (join(grips), dark), (join(studs), surfaces.plain((200, 196, 186)))],
+        [hull_of(body), *sharp],
+    )
 
 
 CATEGORIES = (

@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
+from ...kit.materials import steel
 from ...kit.outlines import smooth
 from ...kit.parts import box_part, cylinder_part, hull_of
-from ...kit.primitives import facing, side_view
-from ...kit.shapes import Category, Shape, category, shape, vary
+from ...kit.primitives import drum, facing, side_view, standing
+from ...kit.shapes import Shape, category, put_down, shape, vary
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
 from .appliances import metal
-from .grills import _griddle, _panel, turn_knob
+from .grills import _panel, turn_knob
 
 BODY = ("black", "silver", "white", "red", "cream", "mint", "charcoal")
 DARK = (36, 37, 40)
@@ -287,10 +288,51 @@ def soda_maker(look: Look) -> Shape:
                       hull_of(spine), hull_of(head, lever), hull_of(bottle)])  # fmt: skip
 
 
-CATEGORIES = (
-    Category("sandwich_toaster", _griddle(False, 0.25, 1.2), size=(0.254, 0.294, 0.223), mass=1.5,
-             material="device", aliases=("toastie maker", "sandwich maker", "sandwich press",
-             "doughnut maker", "donut maker", "cake pop maker"), themes=("kitchen",),
-             roles=("big",), colors=("black", "silver")),
-)  # fmt: skip
-"""Objects that share their drawing functions."""
+@category("tortilla_press", size=(0.2, 0.272, 0.211), mass=1.5, material="metal",
+          aliases=("roti press",), themes=("kitchen",), roles=("big",),
+          colors=("black",))  # fmt: skip
+def tortilla_press(look: Look) -> Shape:
+    """A tortilla press: two hinged round plates with a lever and a ball of dough."""
+    k, color = look.between(0.88, 1.06), look.color("black", "silver", "red", "gray")
+    low = cylinder(0.1, 0.014, 34, bevel=0.002).move(z=0.008)
+    feet = [cylinder(0.012, 0.01, 12).move(0.07 * np.cos(a), 0.07 * np.sin(a), 0)
+            for a in np.arange(4) * 1.57 + 0.8]  # fmt: skip
+    up = [
+        s.turn(0, -1.0).move(y=0.1, z=0.03)
+        for s in (
+            cylinder(0.1, 0.012, 34, bevel=0.002).move(y=-0.1),
+            box(0.02, 0.2, 0.01).move(0, -0.1, 0.012),
+        )
+    ]
+    hinge = box(0.05, 0.02, 0.03).move(y=0.105, z=0.006)
+    lever = (tube([(0, -0.1, 0.018), (0, -0.135, 0.03), (0, -0.2, 0.034)], 0.0085,
+                  9).turn(2, np.pi).move(0, -0.03, 0.0))  # fmt: skip
+    dough = ellipsoid(0.05, 0.05, 0.024, 16, 9).move(z=0.03)
+    made = [
+        (join([low, *up, hinge]), look.surface(color, "iron" if sum(color) < 300 else "plastic")),
+        (join([*feet, lever]), surfaces.plain((36, 36, 40))),
+        (dough, surfaces.speckles(look.rng, (244, 228, 176), 8)),
+    ]
+    made = [(s.scale(k, k, k), t) for s, t in made]
+    return shape(made, [hull_of(*[s.scale(k, k, k) for s in (low, *feet)]),
+                        hull_of(*[s.scale(k, k, k) for s in up]),
+                        hull_of(lever.scale(k, k, k))])  # fmt: skip
+
+
+@category("butter_churn", size=(0.129, 0.129, 0.284), mass=0.9, material="wood",
+          aliases=("churn", "milk churn"), themes=("kitchen",), roles=("tall",),
+          colors=("wooden",))  # fmt: skip
+def butter_churn(look: Look) -> Shape:
+    """A butter churn: a wooden tub with hoops and a plunger through its lid."""
+    color = look.color("wooden", "tan", "brown")
+    k = look.between(0.8, 1.05)
+    tub = standing((0.07, 0), (0.056, 0.18), (0.054, 0.18), sides=20)
+    hoops = [standing((r, 0), (r - 0.0012, 0.014), at=(0, 0, z), sides=20) for r,
+             z in ((0.0705, 0.02), (0.0645, 0.09), (0.0595, 0.15))]  # fmt: skip
+    lid, stick = drum(0.058, 0.014, (0, 0, 0.178)), drum(0.008, 0.12, (0, 0, 0.19), sides=12)
+    staves = surfaces.stripes(
+        [color, tint_color(color, 0.82), tint_color(color, 1.12)], 6, upright=True
+    )
+    return put_down([(tub, staves), (join(hoops), steel(look, (120, 110, 100))),
+                     (join([lid, stick]), surfaces.wood(look.rng, color))], tub, lid, stick,
+                    factor=k)  # fmt: skip

@@ -131,27 +131,6 @@ def heap(kind: Heap) -> Callable[[Look], Shape]:
     return make
 
 
-@category("coconut", size=(0.108, 0.108, 0.0862), mass=0.5, material="food", assembled=True,
-          aliases=("coconut half", "half coconut"), themes=("kitchen", "food"),
-          roles=("round", "edible"), colors=("brown",))  # fmt: skip
-def coconut(look: Look) -> Shape:
-    """A whole, hairy coconut, or half of one with white flesh."""
-    d = look.between(0.1, 0.12)
-    color = look.color("brown", "bronze", "brown")
-    hair = surfaces.scratches(look.rng, color, tint_color(color, 0.6), 500)
-    if look.chance(0.45):
-        half = lathe([(0, 0), (0.22, 0), (0.42, 0.12), (0.5, 0.36), (0.5, 0.46), (0.46, 0.46),
-                      (0.4, 0.24), (0, 0.14)], 30)  # fmt: skip
-        flesh = lathe([(0, 0.13), (0.38, 0.23), (0.465, 0.463), (0.405, 0.463), (0.32, 0.28),
-                       (0, 0.19)], 30)  # fmt: skip
-        return shape([(half.scale(d, d, d), hair), (flesh.scale(d, d, d), surfaces.speckles(
-            look.rng, (250, 248, 242), 4))], [hull_of(half.scale(d, d, d))])  # fmt: skip
-    body = ellipsoid(d, d, 1.06 * d, 26, 16)
-    eyes = [ellipsoid(0.016, 0.016, 0.008, 10, 6).move(0.02 * np.cos(a), 0.02 * np.sin(a),
-            0.49 * d) for a in (0.3, 2.4, 4.5)]  # fmt: skip
-    return settle([(body, hair), (join(eyes), surfaces.plain(tint_color(color, 0.4)))], 0.06)
-
-
 @category("walnut", size=(0.0428, 0.0378, 0.0352), mass=0.012, material="food",
           aliases=("walnut half", "walnut shell", "peach pit"), themes=("kitchen", "food"),
           roles=("edible",), colors=("tan",))  # fmt: skip
@@ -284,12 +263,5 @@ CATEGORIES = (
              "hamster food", "seed mix", "heap of bird seed", "pile of bird seed",
              "mound of bird seed", "bird seed heap"), themes=("kitchen", "food"), roles=("edible",),
              colors=("tan",), state="heaped"),
-    Category("desiccated_coconut",
-             heap(Heap((0.024, 0.034), 0.006, "strand", ("white", "ivory", "white"))),
-             size=(0.0674, 0.0682, 0.02), mass=0.01, material="food", aliases=("coconut flake",
-             "shredded coconut", "grated coconut", "heap of desiccated coconut",
-             "pile of desiccated coconut", "mound of desiccated coconut",
-             "desiccated coconut heap"), themes=("kitchen", "food"), roles=("edible",),
-             colors=("white",), state="heaped"),
 )  # fmt: skip
 """Objects that share their drawing functions."""

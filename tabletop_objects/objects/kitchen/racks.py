@@ -5,20 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import surfaces
-from ...kit.materials import glaze_tile
-from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of, open_vessel, ring_parts
-from ...kit.primitives import facing, limb, side_view, vessel
+from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of
+from ...kit.primitives import facing, side_view, vessel
 from ...kit.shapes import Shape, category, shape
 from ...kit.solids import (
     Solid,
     block,
     box,
     cylinder,
-    ellipsoid,
     join,
     lathe,
-    loft,
-    prism,
     torus,
     tube,
 )
@@ -68,35 +64,6 @@ def trivet(look: Look) -> Shape:
     return shape([(join([*rings, *spokes, *feet]), skin)], [cylinder_part(0.49 * x, h)])
 
 
-@category("knife_block", size=(0.108, 0.188, 0.278), mass=2.2, material="wood", assembled=True,
-          aliases=("knife holder", "block of knives", "knife set", "knife stand"),
-          themes=("kitchen",), roles=("tall", "big"), colors=("wooden",),
-          opened="empty_knife_block")  # fmt: skip
-def knife_block(look: Look) -> Shape:
-    """A slanted wooden knife block with knife handles sticking out."""
-    x, y, h = look.between(0.1, 0.12), look.between(0.13, 0.15), look.between(0.2, 0.23)
-    color = look.color("wooden", "brown", "black", "tan", "white")
-    skin = look.surface(color, "wood")
-    side = np.array([(-0.5 * y, 0), (0.5 * y, 0), (0.62 * y, 0.62 * h), (0.02 * y, h),
-                     (-0.28 * y, 0.86 * h)])  # fmt: skip
-    body = prism(side, -x / 2, x / 2).turn(0, np.pi / 2).turn(2, np.pi / 2)
-    dark = look.surface(look.own_color("black", "black", "charcoal", "brown", "silver"), "plastic")
-    grips, studs = [], []
-    for u, long in ((0.24, 0.11), (0.5, 0.1), (0.76, 0.09)):
-        for j in (-1, 0, 1):
-            at = np.array([0.02, 1.0]) * (1 - u) + np.array([0.62, 0.62]) * u
-            grip = block(0.019, 0.014, long, 0.006, 0.003).turn(0, -0.55)
-            spot = (j * 0.3 * x, at[0] * y, at[1] * h - 0.012)
-            grips.append(grip.move(*spot))
-            stud = cylinder(0.0025, 0.02, 8).turn(1, np.pi / 2).move(x=-0.01)
-            studs.append(stud.move(spot[0], spot[1] + 0.03, spot[2] + 0.045))
-    sharp = [hull_of(*grips[3 * k : 3 * k + 3]) for k in range(3)]
-    return shape(
-        [(body, skin), (join(grips), dark), (join(studs), surfaces.plain((200, 196, 186)))],
-        [hull_of(body), *sharp],
-    )
-
-
 @category("cooling_rack", size=(0.372, 0.258, 0.028), mass=0.4, material="metal", assembled=True,
           aliases=("wire rack", "cake rack", "baking rack", "cake cooling rack"),
           themes=("kitchen",), roles=("support", "flat", "big"), colors=("silver",))  # fmt: skip
@@ -143,19 +110,6 @@ def spice_rack(look: Look) -> Shape:
             caps.append(cylinder(0.019, 0.07 * h, 18).move(u, 0, z + 0.3 * h))
     pieces.append((join(caps), surfaces.plain(look.own_color("black", "silver", "white"))))
     return shape(pieces, [box_part(x, y, h)])
-
-
-@category("utensil_crock", size=(0.124, 0.124, 0.1625), mass=0.9, material="ceramic",
-          aliases=("utensil holder", "utensil crock", "utensil jar", "utensil pot",
-          "cutlery holder", "spoon holder", "kitchen utensil holder"), themes=("kitchen",),
-          roles=("container", "round", "tall"), colors=("white", "cream"))  # fmt: skip
-def utensil_crock(look: Look) -> Shape:
-    """An empty stoneware crock for wooden spoons and whisks."""
-    r, h = look.between(0.058, 0.066), look.between(0.15, 0.175)
-    color = look.color("white", "cream", "sage", "navy", "terracotta", "charcoal")
-    side = [(0.92 * r, 0), (r, 0.12 * h), (0.98 * r, 0.85 * h), (r, h)]
-    body, parts = open_vessel(side, 0.005, 0.01)
-    return shape([(body, surfaces.fit(glaze_tile(look, color), 128, 128))], parts)
 
 
 def _rod(a: tuple[float, float, float], b: tuple[float, float, float], r: float) -> Solid:
@@ -249,7 +203,7 @@ def wine_rack(look: Look) -> Shape:
     return shape(pieces, [*frame, *shelves, *(hull_of(b) for b in bottles)])
 
 
-_PLAY = 0.003  # clearance in a slot beside the object, metres
+PLAY = 0.003  # clearance in a slot beside the object, metres
 _Placed = tuple[float, float, float, float, float, float]  # dimensions of a box, and its position
 
 
@@ -290,7 +244,7 @@ def empty_dish_rack(look: Look) -> Shape:
     wire = look.surface(color, "metal")
     tray_tile = look.surface(look.own_color("white", "black", "gray", "sky"), "plastic")
     r = 0.003
-    pitch = max(a + _PLAY, 0.02) + 2 * r
+    pitch = max(a + PLAY, 0.02) + 2 * r
     cells = max(count, round(0.24 / pitch))
     x, y = cells * pitch + 0.02, max(b + 0.02, 0.2)
     rail, peg = 0.018 + 0.1 * b, 0.5 * c
@@ -335,49 +289,6 @@ def empty_wine_rack(look: Look) -> Shape:
     return shape([(join(solids), wood)], parts, slots=slots)
 
 
-@category("empty_knife_block", size=(0.127, 0.057, 0.155), mass=1.2, material="wood",
-          aliases=("empty knife holder",), themes=("kitchen",), roles=("tall",), colors=("wooden",),
-          holder=Holder("end", (0.04, 0.09, 0.38)))  # fmt: skip
-def empty_knife_block(look: Look) -> Shape:
-    """An empty wooden knife block with slots."""
-    count, (a, b, c) = read_request(look, 5, (0.014, 0.04, 0.25))
-    skin = look.surface(look.color("wooden", "brown", "black", "tan", "white"), "wood")
-    wall, floor, h = 0.007, 0.012, 0.62 * c
-    cells, pitch = max(count, 3), a + _PLAY + wall
-    x, y = cells * pitch + wall, b + _PLAY
-    boards = [(x, y + 2 * wall, floor, 0.0, 0.0, 0.0)]
-    boards += [(wall, y, h - floor, u, 0.0, floor) for u in centres(cells + 1, pitch)]
-    boards += [(x, wall, h - floor, 0.0, s * (y + wall) / 2, floor) for s in (-1, 1)]
-    solids, parts = _boards(boards)
-    slots = choose_slots(centres(cells, pitch), count, floor)
-    return shape([(join(solids), skin)], parts, slots=slots)
-
-
-@category("spoon_rest", size=(0.162, 0.0946, 0.0162), mass=0.2, material="ceramic",
-          aliases=("ladle rest",), themes=("kitchen",), roles=("flat",),
-          colors=("white",))  # fmt: skip
-def spoon_rest(look: Look) -> Shape:
-    """A spoon rest: a shallow, glazed dish in the shape of a big spoon."""
-    k, color = (look.between(0.88, 1.1), look.color("white", "sky", "red", "yellow", "teal",
-                                                    "cream", "gray"))  # fmt: skip
-    a = np.linspace(0.32, 2 * np.pi - 0.32, 26)
-    outline = np.concatenate([[(0.115, 0.022)], np.column_stack([0.056 * np.cos(a), 0.05
-                                                                 * np.sin(a)]),
-                              [(0.115, -0.022)]]) - [0.02, 0]  # fmt: skip
-
-    def ring(s: float, z: float) -> np.ndarray:
-        c = np.array([0.02, 0])
-        return np.column_stack([c + (outline - c) * s, np.full(len(outline), z)])
-
-    body = loft(
-        np.stack([ring(0.86, 0), ring(1.0, 0.016), ring(0.94, 0.017), ring(0.8, 0.006)]), outline
-    )
-    tile = (surfaces.spots(look.rng, color, tint_color(color, 0.7 if sum(color) > 380 else 1.4),
-                           0.03) if look.chance(0.5)
-            else look.surface(color, "ceramic"))  # fmt: skip
-    return shape([(body.scale(k, k, k), tile)], [hull_of(body.scale(k, k, 0.4 * k))])
-
-
 @category("taco_holder", size=(0.192, 0.0958, 0.0493), mass=0.15, material="metal",
           aliases=("taco stand", "taco rack"), themes=("kitchen",), colors=("silver",))  # fmt: skip
 def taco_holder(look: Look) -> Shape:
@@ -392,47 +303,3 @@ def taco_holder(look: Look) -> Shape:
                                0.1).scale(k, k, k)) for i in range(0, 27, 2)]  # fmt: skip
     return shape([(sheet.scale(k, k, k), look.surface(color, "steel" if color[2] > 150
                                                       else "plastic"))], parts)  # fmt: skip
-
-
-@category("tea_warmer", size=(0.133, 0.131, 0.054), mass=0.4, material="ceramic",
-          aliases=("teapot warmer", "teapot stand", "rechaud"), themes=("kitchen",),
-          roles=("round", "support"), colors=("white",))  # fmt: skip
-def tea_warmer(look: Look) -> Shape:
-    """A tea warmer: a perforated ring for a pot, with a tea light inside."""
-    k, color = look.between(0.88, 1.1), look.color("white", "black", "teal", "silver", "terracotta")
-    wall = lathe([(0.058, 0), (0.066, 0), (0.068, 0.05), (0.06, 0.056), (0.05, 0.056),
-                  (0.058, 0.046)], 34, loop=True)  # fmt: skip
-    floor, candle = (cylinder(0.06, 0.004, 30), lathe([(0, 0.004), (0.019, 0.004), (0.019, 0.018),
-                                                       (0, 0.018)], 18))  # fmt: skip
-    flame = ellipsoid(0.006, 0.006, 0.014, 8, 6).move(z=0.026)
-    holes = [facing(cylinder(0.009, 0.002, 14)).move(y=-0.0662, z=0.026).turn(2, a)
-             for a in np.arange(9) * 0.698]  # fmt: skip
-    made = [(join([wall, floor]), look.surface(color, "ceramic")),
-            (candle, surfaces.plain((246, 242, 230))), (flame, surfaces.plain((255, 190, 70))),
-            (join(holes), surfaces.plain((52, 40, 34)))]  # fmt: skip
-    made = [(s.scale(k, k, k), t) for s, t in made]
-    return shape(made, [*ring_parts([(0.062 * k, 0), (0.067 * k, 0.05 * k), (0.062 * k, 0.056 * k)],
-                                    [(0.05 * k, 0.056 * k), (0.057 * k, 0.0)], 12),
-                        hull_of(floor.scale(k, k, k))])  # fmt: skip
-
-
-@category("spoon_dish", size=(0.13, 0.107, 0.0183), mass=0.08, material="ceramic", hollow=True,
-          aliases=("teaspoon dish", "tea bag tidy", "teabag tidy", "tea bag holder", "tea bag rest",
-          "teaspoon rest", "teabag dish", "tea bag dish"), themes=("kitchen",),
-          roles=("container",), colors=("white",))  # fmt: skip
-def spoon_dish(look: Look) -> Shape:
-    """A tiny, shallow dish for a teaspoon or a used tea bag, sometimes shaped like a teapot."""
-    k, color = (look.between(0.88, 1.12), look.color("white", "sky", "pink", "mint", "yellow",
-                                                     "teal"))  # fmt: skip
-    body, parts = open_vessel(
-        [(0.034 * k, 0), (0.044 * k, 0.006 * k), (0.052 * k, 0.016 * k)], 0.003, 0.003
-    )
-    tile = look.surface(color, "ceramic")
-    pieces = [(body, tile)]
-    if look.chance(0.6):
-        grip = torus(0.014 * k, 0.0035 * k, 18, 7).move(0.06 * k, 0, 0.012 * k)
-        spout = limb([(-0.046 * k, 0, 0.008 * k), (-0.062 * k, 0, 0.012 * k),
-                      (-0.072 * k, 0, 0.016 * k)], [0.008 * k, 0.006 * k, 0.004 * k],
-                     8)  # fmt: skip
-        pieces.append((join([grip, spout]), tile))
-    return shape(pieces, parts)

@@ -7,9 +7,11 @@ from collections.abc import Callable
 import numpy as np
 
 from ...kit import surfaces
-from ...kit.primitives import bent_rod, scatter
+from ...kit.materials import skin
+from ...kit.outlines import smooth
+from ...kit.primitives import bent_rod, limb, scatter
 from ...kit.shapes import Category, Shape, category, settle, vary
-from ...kit.solids import ellipsoid, lathe, prism, torus
+from ...kit.solids import box, ellipsoid, join, lathe, prism, torus
 from ...kit.surfaces import RGB, Look, tint_color
 from .nuts import Heap, heap
 
@@ -107,6 +109,30 @@ def pani_puri(look: Look) -> Shape:
     gold = surfaces.spots(look.rng, look.color("amber", "tan"), (170, 104, 44), 0.2)
     return settle([(ball_, gold), (fill, surfaces.speckles(look.rng, (116, 140, 60), 16))], 0.1,
                   hulls=[[0]])  # fmt: skip
+
+
+@category("pretzel", size=(0.152, 0.11, 0.0212), mass=0.08, material="food",
+          aliases=("soft pretzel", "brezel", "salted pretzel"), themes=("kitchen", "dining"),
+          roles=("edible", "flat"), colors=("brown",), state="lying flat")  # fmt: skip
+def pretzel(look: Look) -> Shape:
+    """A salted pretzel knot lying flat."""
+    k, r = look.between(0.95, 1.15), look.between(0.0072, 0.009)
+    half = [(0.0, -0.054), (0.036, -0.046), (0.062, -0.014), (0.057, 0.024), (0.03, 0.032),
+            (0.004, 0.002), (-0.024, -0.04)]  # fmt: skip
+    first = [(x, y, 0.0 if n < 4 else 0.0035) for n, (x, y) in enumerate(half)]
+    second = [(-x, y, 0.0 if n < 4 else 0.0065) for n, (x, y) in enumerate(half)]
+    path = k * np.array([*second[::-1], *first[1:]])
+    radii = r * np.concatenate([[0.55, 0.7], np.full(len(path) - 4, 1.0), [0.7, 0.55]])
+    knot = limb(path, [*radii], 10)
+    salt = []
+    points = smooth(path, 4)
+    for _ in range(22):
+        n = int(look.rng.integers(4, len(points) - 4))
+        x, y, z = points[n]
+        salt.append(box(0.003, 0.0025, 0.0022).turn(2, look.between(0, 3)).move(
+            x, y, z + 0.85 * r))  # fmt: skip
+    brown = skin(look, look.color("bronze", "brown", "copper"), (104, 56, 26), 0.6)
+    return settle([(knot, brown), (join(salt), surfaces.plain((250, 248, 240)))], 0.15)
 
 
 CATEGORIES = (

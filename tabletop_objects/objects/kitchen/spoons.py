@@ -6,13 +6,13 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.outlines import ellipse, rectangle, smooth
-from ...kit.parts import hull_above, hull_of, hull_part
+from ...kit.parts import hull_above, hull_of, hull_part, open_vessel
 from ...kit.primitives import limb
-from ...kit.shapes import Category, Pieces, Shape, category, keep_still, settle, shape
-from ...kit.solids import cylinder, ellipsoid, join, lathe, loft, prism, sweep, torus
+from ...kit.shapes import Category, Pieces, Shape, category, keep_still, shape
+from ...kit.solids import ellipsoid, join, lathe, loft, prism, sweep, torus
 from ...kit.surfaces import RGB, Look, tint_color
 from ..dining.cutlery import _spoon, hollow
-from .utensils import bright_steel, steel, with_handle
+from .utensils import bright_steel, with_handle
 
 GRIPS = ("black", "red", "teal", "wooden", "white", "navy", "sage", "silver")
 
@@ -49,26 +49,6 @@ def rice_paddle(look: Look) -> Shape:
     grip = sweep([(-0.12 * long, 0, 0.0035), (0.1 * long, 0, 0.0045), (0.5 * long, 0, 0.005)],
                  rectangle(0.024, 0.009, 0.004, 3), [1.3, 0.85, 1.0])  # fmt: skip
     return shape([(head, tile), (grip, tile)], [hull_of(head), hull_above(grip)])
-
-
-@category("honey_dipper", size=(0.15, 0.0287, 0.0258), mass=0.02, material="wood",
-          aliases=("honey stick", "honey spoon", "honey wand"), themes=("kitchen",),
-          colors=("wooden",), state="lying flat")  # fmt: skip
-def honey_dipper(look: Look) -> Shape:
-    """A grooved wooden honey dipper, lying flat."""
-    long, r = look.between(0.14, 0.165), look.between(0.013, 0.016)
-    wood = look.surface(look.color("wooden", "tan", "brown"), "wood")
-    head = []
-    for k in range(6):
-        u = (k + 0.5) / 6
-        wide = r * np.sqrt(1 - (2 * u - 1) ** 2 * 0.72)
-        head.append(cylinder(wide, 0.0046, 20, bevel=0.001).turn(1, np.pi / 2).move(
-            -0.5 * long + 0.0062 * k))  # fmt: skip
-    core = cylinder(0.5 * r, 0.038, 14).turn(1, np.pi / 2).move(x=-0.5 * long)
-    stick = limb([(-0.5 * long + 0.03, 0, 0), (0.2 * long, 0, -0.2 * r),
-                  (0.48 * long, 0, -0.62 * r), (0.5 * long, 0, -0.65 * r)],
-                 [0.0036, 0.0036, 0.0046, 0.003], 10)  # fmt: skip
-    return settle([(join([*head, core]), wood), (stick, wood)], 0.1)
 
 
 @category("ice_cream_scoop", size=(0.202, 0.0528, 0.0264), mass=0.14, material="metal",
@@ -173,13 +153,6 @@ def ladle(look: Look) -> Shape:
                   hull_of(grip)])  # fmt: skip
 
 
-def _scoop(look: Look, color: RGB, z: float) -> Pieces:
-    bowl = lathe(
-        [(0, -0.012), (0.009, -0.009), (0.0135, 0), (0.0125, 0), (0.008, -0.008), (0, -0.0108)], 20
-    )
-    return [(bowl.move(-0.014, 0, z + 0.002), steel(look))]
-
-
 def _fork_head(look: Look, color: RGB, z: float) -> Pieces:
     bowl = ellipsoid(0.085, 0.06, 0.026, 22, 10).bend(
         lambda p: np.column_stack([p[:, :2], np.where(p[:, 2] > 0, -0.55 * p[:, 2], p[:, 2])])
@@ -206,11 +179,54 @@ def _spork(look: Look, color: RGB, z: float) -> Pieces:
     return [(head.move(z=z - 0.006), surfaces.plain(color))]
 
 
+@category("spoon_rest", size=(0.162, 0.0946, 0.0162), mass=0.2, material="ceramic",
+          aliases=("ladle rest",), themes=("kitchen",), roles=("flat",),
+          colors=("white",))  # fmt: skip
+def spoon_rest(look: Look) -> Shape:
+    """A spoon rest: a shallow, glazed dish in the shape of a big spoon."""
+    k, color = (look.between(0.88, 1.1), look.color("white", "sky", "red", "yellow", "teal",
+                                                    "cream", "gray"))  # fmt: skip
+    a = np.linspace(0.32, 2 * np.pi - 0.32, 26)
+    outline = np.concatenate([[(0.115, 0.022)], np.column_stack([0.056 * np.cos(a), 0.05
+                                                                 * np.sin(a)]),
+                              [(0.115, -0.022)]]) - [0.02, 0]  # fmt: skip
+
+    def ring(s: float, z: float) -> np.ndarray:
+        c = np.array([0.02, 0])
+        return np.column_stack([c + (outline - c) * s, np.full(len(outline), z)])
+
+    body = loft(
+        np.stack([ring(0.86, 0), ring(1.0, 0.016), ring(0.94, 0.017), ring(0.8, 0.006)]), outline
+    )
+    tile = (surfaces.spots(look.rng, color, tint_color(color, 0.7 if sum(color) > 380 else 1.4),
+                           0.03) if look.chance(0.5)
+            else look.surface(color, "ceramic"))  # fmt: skip
+    return shape([(body.scale(k, k, k), tile)], [hull_of(body.scale(k, k, 0.4 * k))])
+
+
+@category("spoon_dish", size=(0.13, 0.107, 0.0183), mass=0.08, material="ceramic", hollow=True,
+          aliases=("teaspoon dish", "tea bag tidy", "teabag tidy", "tea bag holder", "tea bag rest",
+          "teaspoon rest", "teabag dish", "tea bag dish"), themes=("kitchen",),
+          roles=("container",), colors=("white",))  # fmt: skip
+def spoon_dish(look: Look) -> Shape:
+    """A tiny, shallow dish for a teaspoon or a used tea bag, sometimes shaped like a teapot."""
+    k, color = (look.between(0.88, 1.12), look.color("white", "sky", "pink", "mint", "yellow",
+                                                     "teal"))  # fmt: skip
+    body, parts = open_vessel(
+        [(0.034 * k, 0), (0.044 * k, 0.006 * k), (0.052 * k, 0.016 * k)], 0.003, 0.003
+    )
+    tile = look.surface(color, "ceramic")
+    pieces = [(body, tile)]
+    if look.chance(0.6):
+        grip = torus(0.014 * k, 0.0035 * k, 18, 7).move(0.06 * k, 0, 0.012 * k)
+        spout = limb([(-0.046 * k, 0, 0.008 * k), (-0.062 * k, 0, 0.012 * k),
+                      (-0.072 * k, 0, 0.016 * k)], [0.008 * k, 0.006 * k, 0.004 * k],
+                     8)  # fmt: skip
+        pieces.append((join([grip, spout]), tile))
+    return shape(pieces, parts)
+
+
 CATEGORIES = (
-    Category("melon_baller", keep_still(with_handle(_scoop, (0.08, 0.1), 0.045)),
-             size=(0.164, 0.0273, 0.0203), mass=0.04, material="plastic",
-             aliases=("melon scoop", "fruit baller", "parisienne scoop"), themes=("kitchen",),
-             colors=("black", "red"), state="lying flat"),
     Category("pasta_server", keep_still(with_handle(_fork_head, (0.15, 0.18), 0.05)),
              size=(0.307, 0.0713, 0.0316), mass=0.08, material="plastic",
              aliases=("spaghetti server", "pasta fork", "pasta spoon", "spaghetti spoon"),

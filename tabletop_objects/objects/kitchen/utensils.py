@@ -16,6 +16,7 @@ from ...kit.parts import (
     hull_above,
     hull_of,
     hull_part,
+    open_vessel,
     ring_parts,
 )
 from ...kit.primitives import ball, bent_rod, limb, lobe, straight
@@ -28,7 +29,6 @@ from ...kit.solids import (
     ellipsoid,
     join,
     lathe,
-    loft,
     prism,
     sweep,
     torus,
@@ -406,81 +406,6 @@ def tongs(look: Look) -> Shape:
     )
 
 
-@category("peeler", size=(0.149, 0.0548, 0.0125), mass=0.045, material="plastic",
-          aliases=("vegetable peeler", "potato peeler", "y peeler", "swivel peeler"),
-          themes=("kitchen",), roles=("flat",), colors=("black", "red"),
-          state="lying flat")  # fmt: skip
-def peeler(look: Look) -> Shape:
-    """A vegetable peeler lying flat: a Y-peeler or a straight one."""
-    color = look.color("black", "red", "green", "white", "orange", "teal", "silver", "yellow")
-    skin, steel = look.surface(color, "plastic"), bright_steel(look)
-    if look.chance(0.6):
-        wide = look.between(0.058, 0.066)
-        grip = sweep([(-0.005, 0, 0.006), (0.03, 0, 0.0065), (0.075, 0, 0.006)],
-                     rectangle(0.02, 0.012, 0.005, 3), [0.7, 1.0, 0.85])  # fmt: skip
-        fork = sweep(smooth([(-0.06, -wide / 2, 0.006), (-0.03, -wide / 2, 0.006),
-                             (-0.004, 0, 0.006), (-0.03, wide / 2, 0.006),
-                             (-0.06, wide / 2, 0.006)], 4),
-                     rectangle(0.01, 0.0115, 0.003, 2))  # fmt: skip
-        edge = [box(0.004, wide - 0.004, 0.0016).turn(1, 0.5).move(x=u, z=0.006)
-                for u in (-0.058, -0.051)]  # fmt: skip
-        x = fork.vertices[:, 0]
-        y = fork.vertices[:, 1]
-        arms = [hull_part(fork.vertices[(s * y > 0.35 * wide)]) for s in (-1, 1)]
-        return shape([(join([grip, fork]), skin), (join(edge), steel)],
-                     [hull_of(grip), *arms, hull_part(fork.vertices[x > -0.028]),
-                      hull_of(*edge)])  # fmt: skip
-    grip = grip_bar(-0.01, 0.09, 0.021, 0.0066)
-    ring = np.array([(0.5, 0), (0, 0.4), (-0.5, 0), (0, -0.12)])
-    long = look.between(0.075, 0.085)
-    path = np.column_stack([-0.005 - long * np.linspace(0, 1, 6), np.zeros(6), np.full(6, 0.006)])
-    blade = sweep(path, ring, 0.017 * np.array([0.5, 0.9, 1, 1, 0.9, 0.2]))
-    return shape([(grip, skin), (blade, steel)], [hull_of(grip), hull_of(blade)])
-
-
-@category("grater", size=(0.11, 0.085, 0.24), mass=0.25, material="metal",
-          aliases=("cheese grater", "box grater", "vegetable grater", "shredder"),
-          themes=("kitchen",), roles=("tall",), colors=("silver", "black"))  # fmt: skip
-def grater(look: Look) -> Shape:
-    """A four-sided box grater with a handle on top."""
-    x, y, h = look.between(0.095, 0.115), look.between(0.075, 0.085), look.between(0.19, 0.22)
-    color = look.color("black", "red", "green", "teal", "orange", "silver", "white")
-    face = surfaces.brushed_metal(look.rng, (196, 199, 204), 128).copy()
-    face = surfaces.fit(face, 128, 128).copy()
-    count = look.pick([7, 9])
-    v, u = np.mgrid[0:128, 0:128] / 128
-    cells = np.hypot(
-        (u * count) % 1 - 0.5, ((v * count + 0.5 * (np.floor(u * count) % 2)) % 1) - 0.5
-    )
-    keep = (u > 0.1) & (u < 0.9) & (v > 0.12) & (v < 0.86)
-    face[(cells < 0.36) & keep] = (236, 238, 242)
-    face[(cells < 0.24) & keep] = (52, 54, 58)
-    square = rectangle(1, 1)
-    rings = np.stack([np.column_stack([square * [x * k, y * k], np.full(4, z)])
-                      for k, z in ((1.0, 0.008), (0.78, h))])  # fmt: skip
-    sides = []
-    for k in range(4):
-        a, b = rings[0][k], rings[0][(k + 1) % 4]
-        c, d = rings[1][(k + 1) % 4], rings[1][k]
-        inward = -0.002 * np.append((a + b)[:2] / np.linalg.norm((a + b)[:2]), 0)
-        corners = np.array([a, b, c, d])
-        quad = np.concatenate([corners, corners + inward])
-        faces = np.array([[0, 1, 2], [0, 2, 3], [5, 4, 7], [5, 7, 6], [0, 4, 5], [0, 5, 1],
-                          [1, 5, 6], [1, 6, 2], [2, 6, 7], [2, 7, 3], [3, 7, 4],
-                          [3, 4, 0]])  # fmt: skip
-        uv = np.array([(0, 0), (1, 0), (1, 1), (0, 1)] * 2, float)
-        sides.append(Solid(quad, faces, uv))
-    body = join(sides)
-    skin = look.surface(color, "plastic")
-    lid = block(0.8 * x, 0.8 * y, 0.012, 0.012, 0.003).move(z=h - 0.004)
-    foot = loft(np.stack([np.column_stack([rectangle(x * k, y * k), np.full(4, z)])
-                          for k, z in ((1.03, 0), (1.02, 0.012))]), square)  # fmt: skip
-    ear = tube(smooth([(-0.3 * x, 0, h), (-0.27 * x, 0, h + 0.035), (0.27 * x, 0, h + 0.035),
-                       (0.3 * x, 0, h)], 4), 0.007, 8)  # fmt: skip
-    return shape([(body, face), (join([lid, foot, ear]), skin)],
-                 [hull_of(body, foot), hull_of(lid), hull_of(ear)])  # fmt: skip
-
-
 @category("ricer", size=(0.268, 0.0832, 0.105), mass=0.5, material="metal",
           aliases=("potato ricer", "potato press", "spaetzle press"), themes=("kitchen",),
           colors=("silver",), state="lying")  # fmt: skip
@@ -502,7 +427,6 @@ def ricer(look: Look) -> Shape:
 
 APPLE_CORER_STEEL: RGB = (188, 192, 198)
 HUES = ("black", "red", "wooden", "gray", "teal", "blue", "green", "white", "wooden")
-
 Head = Callable[[Look, RGB, float], Pieces]
 """Makes the head that starts at x = 0 and reaches to the left, at height z."""
 
@@ -542,37 +466,6 @@ def steel(look: Look) -> surfaces.Tile:
     return surfaces.brushed_metal(look.rng, APPLE_CORER_STEEL)
 
 
-def _tube_head(look: Look, color: RGB, z: float) -> Pieces:
-    pipe = (lathe([(0.0095, 0), (0.0108, 0), (0.0108, 0.09), (0.0095, 0.09)], 18,
-                  loop=True).turn(1, -np.pi / 2).move(0, 0, z))  # fmt: skip
-    teeth = [box(0.006, 0.003, 0.004).move(-0.092, 0, 0.0085).turn(0, a).move(z=z) for a in 2
-             * np.pi * np.arange(8) / 8]  # fmt: skip
-    return [(join([pipe, *teeth]), steel(look))]
-
-
-def _rasp(long: float, wide: float) -> Head:
-    def make(look: Look, color: RGB, z: float) -> Pieces:
-        plate = prism(rectangle(long, wide, 0.004), 0, 0.0022).move(-long / 2, 0, z)
-        image = surfaces.fit(steel(look), 64, 192).copy()
-        for i in range(26):
-            for j in range(5):
-                at = ((i + 0.5 + 0.5 * (j % 2)) / 27, (j + 0.7) / 5.4)
-                prints.disc(image, *at, 0.055, (60, 62, 68))
-                prints.disc(image, at[0] - 0.006, at[1], 0.03, (230, 232, 236))
-        rails = [box(long, 0.003, 0.006).move(-long / 2, s * wide / 2, z - 0.003) for s in (-1, 1)]
-        face = box(0.96 * long, 0.9 * wide, 0.0004).move(-long / 2, 0, z + 0.0021)
-        return [(join([plate, *rails]), steel(look)), (face, image)]
-
-    return make
-
-
-def _holes_tip(look: Look, color: RGB, z: float) -> Pieces:
-    head = prism(rectangle(0.018, 0.02, 0.006), 0, 0.006).move(-0.009, 0, z - 0.003)
-    rings = [torus(0.0022, 0.0009, 10, 5).turn(1, np.pi / 2).move(-0.019, y, z)
-             for y in (-0.007, -0.0023, 0.0023, 0.007)]  # fmt: skip
-    return [(head, steel(look)), (join(rings), surfaces.plain((60, 62, 68)))]
-
-
 def _mallet(look: Look, color: RGB, z: float) -> Pieces:
     head = box(0.05, 0.055, 0.05).move(-0.02, 0, -0.0145 + z - 0.0105)
     spikes = [cylinder(0.006, 0.006, 4, top=0.0005).turn(2, np.pi / 4).turn(0,
@@ -600,52 +493,6 @@ def cherry_pitter(look: Look) -> Shape:
     made = [(join(arms), look.surface(color, "plastic")), (join([ring, pin, bow]), metal(look)),
             (cherry, surfaces.speckles(look.rng, (150, 20, 40), 8))]  # fmt: skip
     return settle([(s.scale(k, k, k), t) for s, t in made], 0.02, hulls=[[0], [1]])
-
-
-@category("piping_nozzle", size=(0.027, 0.0273, 0.0444), mass=0.008, material="metal",
-          aliases=("icing nozzle", "piping tip", "icing tip", "cake nozzle"), themes=("kitchen",),
-          roles=("round",), colors=("silver",))  # fmt: skip
-def piping_nozzle(look: Look) -> Shape:
-    """A piping nozzle standing on its wide end: a small steel cone with a star-shaped tip."""
-    k, color = look.between(0.85, 1.3), look.color("silver", "silver", "gray", "gold")
-    body = lathe([(0, 0), (0.012, 0), (0.0115, 0.004), (0.0045, 0.034), (0, 0.034)], 24)
-    teeth = [prism([(-0.0018, 0), (0.0018, 0), (0, 0.006)], -0.0005,
-                   0.0005).turn(0, np.pi / 2).move(y=-0.0042).turn(2, a).move(z=0.0335)
-             for a in np.arange(6) * 1.047]  # fmt: skip
-    seam = box(0.0006, 0.001, 0.03).turn(0, -0.22).move(y=-0.0118, z=0.002)
-    made = join([body, *teeth, seam]).scale(k, k, k)
-    return shape([(made, look.surface(color, "steel"))], [hull_of(body.scale(k, k, k))])
-
-
-@category("tortilla_press", size=(0.2, 0.272, 0.211), mass=1.5, material="metal",
-          aliases=("roti press",), themes=("kitchen",), roles=("big",),
-          colors=("black",))  # fmt: skip
-def tortilla_press(look: Look) -> Shape:
-    """A tortilla press: two hinged round plates with a lever and a ball of dough."""
-    k, color = look.between(0.88, 1.06), look.color("black", "silver", "red", "gray")
-    low = cylinder(0.1, 0.014, 34, bevel=0.002).move(z=0.008)
-    feet = [cylinder(0.012, 0.01, 12).move(0.07 * np.cos(a), 0.07 * np.sin(a), 0)
-            for a in np.arange(4) * 1.57 + 0.8]  # fmt: skip
-    up = [
-        s.turn(0, -1.0).move(y=0.1, z=0.03)
-        for s in (
-            cylinder(0.1, 0.012, 34, bevel=0.002).move(y=-0.1),
-            box(0.02, 0.2, 0.01).move(0, -0.1, 0.012),
-        )
-    ]
-    hinge = box(0.05, 0.02, 0.03).move(y=0.105, z=0.006)
-    lever = (tube([(0, -0.1, 0.018), (0, -0.135, 0.03), (0, -0.2, 0.034)], 0.0085,
-                  9).turn(2, np.pi).move(0, -0.03, 0.0))  # fmt: skip
-    dough = ellipsoid(0.05, 0.05, 0.024, 16, 9).move(z=0.03)
-    made = [
-        (join([low, *up, hinge]), look.surface(color, "iron" if sum(color) < 300 else "plastic")),
-        (join([*feet, lever]), surfaces.plain((36, 36, 40))),
-        (dough, surfaces.speckles(look.rng, (244, 228, 176), 8)),
-    ]
-    made = [(s.scale(k, k, k), t) for s, t in made]
-    return shape(made, [hull_of(*[s.scale(k, k, k) for s in (low, *feet)]),
-                        hull_of(*[s.scale(k, k, k) for s in up]),
-                        hull_of(lever.scale(k, k, k))])  # fmt: skip
 
 
 @category("toothpick", size=(0.0656, 0.00214, 0.00214), mass=0.0002, material="wood",
@@ -738,19 +585,130 @@ def _spatula_scraper(look: Look, color: RGB, z: float) -> Pieces:
              surfaces.plain(tint_color(color, 1.2)))]  # fmt: skip
 
 
+@category("colander", size=(0.289, 0.223, 0.119), mass=0.35, material="metal", hollow=True,
+          aliases=("pasta strainer", "salad strainer", "drainer"), themes=("kitchen",),
+          roles=("container", "round", "big"), colors=("silver", "white"))  # fmt: skip
+def colander(look: Look) -> Shape:
+    """A colander: a perforated bowl on feet with two handles."""
+    r, h = look.between(0.1, 0.12), look.between(0.085, 0.105)
+    color = look.color("silver", "silver", "white", "red", "mint", "sky", "cream", "yellow")
+    t = np.linspace(0, np.pi / 2, 8)
+    side = [((0.5 + 0.5 * np.sin(a)) * r, h * (1 - np.cos(a)) ** 0.85) for a in t]
+    body, parts = open_vessel(side, 0.003, 0.004, 34)
+    skin = surfaces.fit(look.surface(color, "metal"), 256, 256).copy()
+    v, u = np.mgrid[0:256, 0:256] / 256
+    count, rows = 30, 26
+    dots = np.hypot((u * count + 0.5 * (np.floor(v * rows) % 2)) % 1 - 0.5, (v * rows) % 1 - 0.5)
+    near = np.minimum(np.abs(v - 0.5), np.abs(1 - v))
+    holes = (dots < 0.27) & (np.abs(v - 0.5) > 0.08) & (near > 0.06)
+    skin[holes] = np.array(tint_color(color, 0.28)).astype(np.uint8)
+    plain = look.surface(color, "metal")
+    foot = lathe([(0.5 * r, -0.016), (0.53 * r, -0.016), (0.56 * r, 0.008), (0.53 * r, 0.008)], 30,
+                 loop=True)  # fmt: skip
+    ears = [tube(smooth([(s * 0.97 * r, -0.035, h - 0.006), (s * (r + 0.028), -0.026, h),
+                         (s * (r + 0.028), 0.026, h), (s * 0.97 * r, 0.035, h - 0.006)], 3),
+                 0.004, 8) for s in (-1, 1)]  # fmt: skip
+    rim = torus(r - 0.001, 0.0035, 36, 6).move(z=h - 0.003)
+    pieces = [(body, skin), (join([foot, rim, *ears]), plain)]
+    up = [(solid.move(z=0.016), tile) for solid, tile in pieces]
+    raised = [type(p)(p.vertices + np.array([0, 0, 0.016]), p.kind, p.axis) for p in parts]
+    lugs = [box_part(0.03, 0.06, 0.006, (s * (r + 0.012), 0, h + 0.011)) for s in (-1, 1)]
+    return shape(up, [*raised, cylinder_part(0.53 * r, 0.018), *lugs])
+
+
+@category("measuring_cup", size=(0.161, 0.0799, 0.0558), mass=0.3, material="glass", hollow=True,
+          aliases=("measuring jug", "measure cup", "measuring glass", "glass measuring cup"),
+          themes=("kitchen",), roles=("container",), colors=("silver", "red"))  # fmt: skip
+def measuring_cup(look: Look) -> Shape:
+    """A glass measuring jug with a red scale, or a steel measuring cup with a long handle."""
+    if look.chance(0.6):
+        r, h = look.between(0.042, 0.055), look.between(0.085, 0.12)
+        ink = look.color("red", "red", "blue", "green", "black")
+        body, parts = open_vessel([(0.82 * r, 0), (0.88 * r, 0.3 * h), (0.95 * r, 0.7 * h), (r, h)],
+                                  0.004, 0.006)  # fmt: skip
+        face = prints.canvas(160, 96, (214, 226, 230))
+        for k in range(6):
+            long = 0.09 if k % 2 == 0 else 0.05
+            prints.fill(face, 0.47, 0.14 + 0.13 * k, long, 0.03, ink)
+            if k % 2 == 0:
+                prints.write(face[:, 50:74], str(600 - 100 * k), 0.5, 0.16 + 0.13 * k, 0.11, ink)
+        glass = surfaces.plain((206, 220, 224))
+        tile = surfaces.stack((face, 50), (glass, 50), side=192)
+
+        def lip_profile(p: np.ndarray) -> np.ndarray:
+            up = np.clip((p[:, 2] / h - 0.7) / 0.3, 0, 1) ** 2
+            left = np.clip(-p[:, 0] / r, 0, 1) ** 6
+            return p + np.column_stack([-0.013 * up * left, 0 * up, 0 * up])
+
+        ear = tube(smooth([(0.95 * r, 0, 0.88 * h), (r + 0.035, 0, 0.86 * h),
+                           (r + 0.035, 0, 0.3 * h), (0.86 * r, 0, 0.2 * h)], 4), 0.006,
+                   8)  # fmt: skip
+        return shape([(body.bend(lip_profile), tile), (ear, glass)],
+                     [*parts, box_part(0.025, 0.012, 0.6 * h, (r + 0.026, 0, 0.24 * h))],
+                     opacity=0.75)  # fmt: skip
+    r, h = look.between(0.032, 0.044), look.between(0.035, 0.048)
+    color = look.color("silver", "silver", "copper", "red", "teal", "white", "yellow", "black")
+    skin = look.surface(color, "metal")
+    body, parts = open_vessel([(0.85 * r, 0), (0.92 * r, 0.2 * h), (r, h)], 0.0016, 0.002)
+    long = look.between(0.08, 0.1)
+    grip = sweep([(0.95 * r, 0, h - 0.003), (r + long, 0, h - 0.0035)],
+                 rectangle(0.018, 0.003, 0.0012, 2), [0.7, 1.0])  # fmt: skip
+    mark = box(0.03, 0.009, 0.0004).move(r + 0.6 * long, 0, h - 0.0021)
+    sign = prints.canvas(64, 20, tint_color(color, 0.95))
+    prints.write(sign, look.pick(["1 CUP", "1/2", "1/3", "1/4"]), 0.5, 0.5, 0.7, (30, 30, 34))
+    return shape([(body, skin), (grip, skin), (mark, sign)], [*parts, hull_of(grip)])
+
+
+@category("honey_dipper", size=(0.15, 0.0287, 0.0258), mass=0.02, material="wood",
+          aliases=("honey stick", "honey spoon", "honey wand"), themes=("kitchen",),
+          colors=("wooden",), state="lying flat")  # fmt: skip
+def honey_dipper(look: Look) -> Shape:
+    """A grooved wooden honey dipper, lying flat."""
+    long, r = look.between(0.14, 0.165), look.between(0.013, 0.016)
+    wood = look.surface(look.color("wooden", "tan", "brown"), "wood")
+    head = []
+    for k in range(6):
+        u = (k + 0.5) / 6
+        wide = r * np.sqrt(1 - (2 * u - 1) ** 2 * 0.72)
+        head.append(cylinder(wide, 0.0046, 20, bevel=0.001).turn(1, np.pi / 2).move(
+            -0.5 * long + 0.0062 * k))  # fmt: skip
+    core = cylinder(0.5 * r, 0.038, 14).turn(1, np.pi / 2).move(x=-0.5 * long)
+    stick = limb([(-0.5 * long + 0.03, 0, 0), (0.2 * long, 0, -0.2 * r),
+                  (0.48 * long, 0, -0.62 * r), (0.5 * long, 0, -0.65 * r)],
+                 [0.0036, 0.0036, 0.0046, 0.003], 10)  # fmt: skip
+    return settle([(join([*head, core]), wood), (stick, wood)], 0.1)
+
+
+def _scoop(look: Look, color: RGB, z: float) -> Pieces:
+    bowl = lathe(
+        [(0, -0.012), (0.009, -0.009), (0.0135, 0), (0.0125, 0), (0.008, -0.008), (0, -0.0108)], 20
+    )
+    return [(bowl.move(-0.014, 0, z + 0.002), steel(look))]
+
+
+@category("salad_spinner", size=(0.247, 0.247, 0.178), mass=0.9, material="plastic", hollow=True,
+          aliases=("lettuce spinner", "salad dryer", "salad drier"), themes=("kitchen",),
+          roles=("big", "round"), colors=("green", "white"))  # fmt: skip
+def salad_spinner(look: Look) -> Shape:
+    """A salad spinner: a clear bowl, a slotted basket with leaves and a lid with a knob."""
+    k, color = look.between(0.88, 1.06), look.color("green", "white", "red", "gray", "lime", "teal")
+    bowl = lathe([(0, 0), (0.08, 0), (0.1, 0.01), (0.122, 0.1), (0.124, 0.12), (0, 0.12)], 36)
+    image = prints.canvas(192, 96, (222, 230, 232))
+    for n in range(40):
+        prints.fill(image, n / 40, 0.2, 0.01, 0.62, (120, 170, 110) if n % 3 else (200, 210, 206))
+    lid = lathe([(0, 0.118), (0.128, 0.118), (0.126, 0.13), (0.06, 0.145), (0, 0.147)], 36)
+    knob = lathe(
+        [(0, 0.14), (0.03, 0.14), (0.026, 0.158), (0.03, 0.17), (0.018, 0.182), (0, 0.184)], 24
+    )
+    ring = torus(0.08, 0.003, 36, 6).move(z=0.139)
+    tile = look.surface(color, "plastic")
+    made = [(bowl, image), (lid, tile),
+            (join([knob, ring]), surfaces.plain(tint_color(color, 0.7)))]  # fmt: skip
+    made = [(s.scale(k, k, k), t) for s, t in made]
+    return shape(made, [hull_of(made[0][0]), hull_of(made[1][0]), hull_of(knob.scale(k, k, k))])
+
+
 CATEGORIES = (
-    Category("apple_corer", keep_still(with_handle(_tube_head, (0.08, 0.1), 0.012, r=0.011)),
-             size=(0.199, 0.0253, 0.0248), mass=0.06, material="plastic",
-             aliases=("corer", "pineapple corer"), themes=("kitchen",), colors=("black", "red"),
-             state="lying flat"),
-    Category("zester", keep_still(with_handle(_rasp(0.17, 0.03), (0.1, 0.12), 0.01)),
-             size=(0.292, 0.0332, 0.0208), mass=0.09, material="plastic", aliases=("microplane",
-             "lemon zester", "rasp grater", "hand grater", "nutmeg grater", "fine grater"),
-             themes=("kitchen",), colors=("black", "red"), state="lying flat"),
-    Category("citrus_zester", keep_still(with_handle(_holes_tip, (0.08, 0.1), 0.03)),
-             size=(0.142, 0.0212, 0.0203), mass=0.05, material="plastic",
-             aliases=("channel knife", "five hole zester"), themes=("kitchen",),
-             colors=("black", "red"), state="lying flat"),
     Category("meat_tenderiser", keep_still(with_handle(_mallet, (0.13, 0.16), 0.01, r=0.01)),
              size=(0.203, 0.0562, 0.0501), mass=0.35, material="metal",
              aliases=("meat tenderizer", "meat mallet", "meat hammer", "steak hammer"),
@@ -779,5 +737,9 @@ CATEGORIES = (
              size=(0.204, 0.0601, 0.0201), mass=0.06, material="plastic",
              aliases=("bowl scraper", "silicone scraper", "jar spatula", "dish scraper"),
              themes=("kitchen",), colors=("black", "red"), state="lying flat"),
+    Category("melon_baller", keep_still(with_handle(_scoop, (0.08, 0.1), 0.045)),
+             size=(0.164, 0.0273, 0.0203), mass=0.04, material="plastic",
+             aliases=("melon scoop", "fruit baller", "parisienne scoop"), themes=("kitchen",),
+             colors=("black", "red"), state="lying flat"),
 )  # fmt: skip
 """Objects that share their drawing functions."""

@@ -98,42 +98,6 @@ def eggplant(look: Look) -> Shape:
 LEAF: RGB = (78, 130, 58)
 
 
-@category("avocado", size=(0.104, 0.065, 0.045), mass=0.13, material="food",
-          aliases=("avocado half", "half avocado"), themes=("kitchen", "food"), roles=("edible",),
-          colors=("green",), state="lying flat", common=True)  # fmt: skip
-def avocado(look: Look) -> Shape:
-    """A whole avocado, or half of one with its stone, lying flat."""
-    x, d = look.between(0.095, 0.115), look.between(0.06, 0.07)
-    t = np.linspace(0, np.pi, 15)
-    radius = d / 2 * np.sin(t) ** 0.85 * (1 - 0.3 * np.cos(t / 1.0) * (t < 2.2) * 0.9)
-    radius[[0, -1]] = 0
-    profile = np.column_stack([radius, -x / 2 * np.cos(t)])
-    body = lathe(profile, 24).turn(1, -np.pi / 2)
-    peel = look.color("green", "olive", "charcoal", "maroon", "olive")
-    rough = surfaces.spots(look.rng, tint_color(peel, 0.55), tint_color(peel, 0.4), 0.2)
-    wide = float(np.ptp(body.vertices[:, 1])) / 2
-    if look.chance(0.4):
-        whole = press_flat(body, 0.88 * wide)
-        return shape([(whole, rough)], [flat_foot(whole.vertices)])
-    lower = body.bend(lambda p: np.column_stack([p[:, :2], np.minimum(p[:, 2], 0)]))
-    lower = press_flat(lower, 0.88 * wide)
-    top = float(lower.vertices[:, 2].max())
-    rim = np.concatenate([np.column_stack([-profile[:, 1], -profile[:, 0]])[::-1],
-                          np.column_stack([-profile[:, 1], profile[:, 0]])[1:-1]])  # fmt: skip
-    (ax, ay), (bx, by) = rim[1] - rim[0], rim[2] - rim[1]
-    rim = rim if ax * by > ay * bx else rim[::-1]
-    pale = surfaces.speckles(look.rng, (214, 214, 128), 8)
-    edge = prism(0.985 * rim, top - 0.001, top + 0.0008)
-    flesh = prism(0.87 * rim, top, top + 0.0014)
-    middle = 0.16 * x
-    stone = ellipsoid(0.036, 0.036, 0.03, 18, 10).move(middle, 0, top)
-    brown = skin(look, (126, 78, 42), (92, 54, 30))
-    return shape(
-        [(lower, rough), (edge, surfaces.plain((150, 176, 84))), (flesh, pale), (stone, brown)],
-        [flat_foot(lower.vertices), hull_part(stone.vertices[stone.vertices[:, 2] >= top])],
-    )
-
-
 @category("onion", size=(0.074, 0.074, 0.085), mass=0.16, material="food",
           aliases=("red onion", "white onion", "shallot"), themes=("kitchen", "food"),
           roles=("round", "edible"), colors=("amber", "maroon"), common=True)  # fmt: skip

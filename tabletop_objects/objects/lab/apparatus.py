@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import dye, plastic, shine, wood
+from ...kit.materials import dye, plastic, shine, steel, wood
 from ...kit.outlines import rectangle, smooth
 from ...kit.parts import above, box_part, cylinder_part, hull_of
 from ...kit.primitives import (
@@ -13,6 +13,7 @@ from ...kit.primitives import (
     at_box,
     ball,
     disc,
+    drum,
     facing,
     lay_down,
     rod,
@@ -20,9 +21,9 @@ from ...kit.primitives import (
     standing,
     straight,
 )
-from ...kit.shapes import Pieces, Shape, category, from_pieces, in_sizes, shape
+from ...kit.shapes import Pieces, Shape, category, from_pieces, in_sizes, put_down, shape
 from ...kit.solids import Solid, block, box, cylinder, join, lathe, prism, sweep, torus, tube
-from ...kit.surfaces import RGB, Look, tint_color
+from ...kit.surfaces import RGB, Look, plain, tint_color
 from .labware import marks
 
 WIRES = ("red", "black", "blue", "green", "yellow", "orange", "white")
@@ -398,7 +399,6 @@ def display(text: str) -> prints.Canvas:
 
 
 KIPPS_APPARATUS_GLASS = surfaces.plain((210, 228, 232))
-WHITE = surfaces.plain((242, 242, 240))
 
 
 @category("plant_press", size=(0.22, 0.164, 0.066), mass=0.9, material="wood",
@@ -466,19 +466,6 @@ def kipps_apparatus(look: Look) -> Pieces:
             (middle, KIPPS_APPARATUS_GLASS), (upper, surfaces.gradient(color, (226, 236, 238),
                                                                        look.rng)),
             (neck, KIPPS_APPARATUS_GLASS), (join(tap), dye(look, "brown", "gray"))]  # fmt: skip
-
-
-@category("owl_pellet", size=(0.055, 0.028, 0.024), mass=0.01, material="plastic",
-          aliases=("pellet",), themes=("lab",), colors=("gray",))  # fmt: skip
-@from_pieces(foot=0.08, bodies=1)
-def owl_pellet(look: Look) -> Pieces:
-    """A furry owl pellet with four pieces of white bone on top."""
-    color = look.color("gray", "charcoal", "brown")
-    body = ball(0.055, 0.028, 0.026, (0, 0, 0.011), 18)
-    bits = [rod([(x, y, 0.019), (x + 0.01, y + 0.006, 0.0235)], 0.0009, 5) for x,
-            y in ((-0.016, -0.004), (-0.004, 0.003), (0.008, -0.006), (0.012, 0.002))]  # fmt: skip
-    return [(body, surfaces.scratches(look.rng, color, tint_color(color, 1.4), 160)),
-            (join(bits), WHITE)]  # fmt: skip
 
 
 @category("quadrat", size=(0.25, 0.25, 0.01), mass=0.15, material="plastic",
@@ -559,3 +546,21 @@ def water_bath(look: Look) -> Pieces:
     return [(at_block(0.25, 0.19, 0.032, 0.01), shell), *((w, shine(look)) for w in walls),
             (at_box(0.222, 0.162, 0.1, (0, 0, 0.03)), surfaces.plain((150, 200, 222))),
             (at_box(0.06, 0.002, 0.022, (0, -0.0945, 0.005)), display("60.0 C"))]  # fmt: skip
+
+
+@category("lever", size=(0.105, 0.0633, 0.152), mass=0.35, material="plastic",
+          aliases=("control lever", "hand lever", "lever handle"), themes=("lab",), roles=("tall",),
+          colors=("red",))  # fmt: skip
+def lever(look: Look) -> Shape:
+    """A lever on a stand, with a ball at its end."""
+    color = look.color("red", "black", "blue", "yellow", "green")
+    k = look.between(0.85, 1.15)
+    base = block(0.1, 0.06, 0.018, 0.006, 0.003)
+    cheeks = [at_box(0.03, 0.008, 0.035, (0, s * 0.014, 0.016)) for s in (-1, 1)]
+    pin = drum(0.005, 0.042, (0, -0.021, 0.04), 1, sides=14)
+    lean = look.between(-0.03, 0.03)
+    arm = rod([(0, 0, 0.03), (lean, 0, 0.12)], 0.006, 12)
+    end = drum(0.013, 0.026, (lean, 0, 0.118), bevel=0.006)
+    return put_down([(base, surfaces.speckles(look.rng, look.own_color("gray", "charcoal", "white"),
+                                              4)), (join([*cheeks, pin, arm]), steel(look)),
+                     (end, plain(color))], base, join(cheeks), arm, end, factor=k)  # fmt: skip

@@ -152,6 +152,22 @@ def anatomical_model(look: Look) -> Pieces:
             (gut, surfaces.plain((226, 168, 110)))]  # fmt: skip
 
 
+WHITE = surfaces.plain((242, 242, 240))
+
+
+@category("owl_pellet", size=(0.055, 0.028, 0.024), mass=0.01, material="plastic",
+          aliases=("pellet",), themes=("lab",), colors=("gray",))  # fmt: skip
+@from_pieces(foot=0.08, bodies=1)
+def owl_pellet(look: Look) -> Pieces:
+    """A furry owl pellet with four pieces of white bone on top."""
+    color = look.color("gray", "charcoal", "brown")
+    body = ball(0.055, 0.028, 0.026, (0, 0, 0.011), 18)
+    bits = [rod([(x, y, 0.019), (x + 0.01, y + 0.006, 0.0235)], 0.0009, 5) for x,
+            y in ((-0.016, -0.004), (-0.004, 0.003), (0.008, -0.006), (0.012, 0.002))]  # fmt: skip
+    return [(body, surfaces.scratches(look.rng, color, tint_color(color, 1.4), 160)),
+            (join(bits), WHITE)]  # fmt: skip
+
+
 CATEGORIES = (
     Category("tooth_model", from_pieces()(_tooth(False, 0.1)), size=(0.0599, 0.0546, 0.101),
              mass=0.15, material="ceramic",

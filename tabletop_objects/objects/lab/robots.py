@@ -112,21 +112,3 @@ def task_board(look: Look) -> Shape:
                      (door, plain(tint_color(color, 0.75))),
                      (join([handle, cable]), plain((60, 62, 68))), (screen, plain((40, 110, 90)))],
                     board, knob, *buttons, join([door, handle]), cable, factor=k)  # fmt: skip
-
-
-@category("lever", size=(0.105, 0.0633, 0.152), mass=0.35, material="plastic",
-          aliases=("control lever", "hand lever", "lever handle"), themes=("lab",), roles=("tall",),
-          colors=("red",))  # fmt: skip
-def lever(look: Look) -> Shape:
-    """A lever on a stand, with a ball at its end."""
-    color = look.color("red", "black", "blue", "yellow", "green")
-    k = look.between(0.85, 1.15)
-    base = block(0.1, 0.06, 0.018, 0.006, 0.003)
-    cheeks = [at_box(0.03, 0.008, 0.035, (0, s * 0.014, 0.016)) for s in (-1, 1)]
-    pin = drum(0.005, 0.042, (0, -0.021, 0.04), 1, sides=14)
-    lean = look.between(-0.03, 0.03)
-    arm = rod([(0, 0, 0.03), (lean, 0, 0.12)], 0.006, 12)
-    end = drum(0.013, 0.026, (lean, 0, 0.118), bevel=0.006)
-    return put_down([(base, surfaces.speckles(look.rng, look.own_color("gray", "charcoal", "white"),
-                                              4)), (join([*cheeks, pin, arm]), steel(look)),
-                     (end, plain(color))], base, join(cheeks), arm, end, factor=k)  # fmt: skip

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from ...kit import surfaces
-from ...kit.parts import hull_above, hull_of
-from ...kit.primitives import ball, blade, limb, lobe, rod
+from ...kit.parts import hull_above, hull_of, open_vessel
+from ...kit.primitives import ball, blade, limb, lobe, rod, straight
 from ...kit.shapes import Category, Pieces, Shape, category, put_down, settle, shape
 from ...kit.solids import Solid, cylinder, ellipsoid, join, lathe, loft, prism, tube
 from ...kit.surfaces import RGB, Look, tint_color
@@ -499,6 +499,27 @@ def snake(look: Look) -> Shape:
                   (join(fork), surfaces.plain((206, 30, 50)))], [hull_above(body.scale(1, 1, 0.42)),
                                                                  hull_of(head)])  # fmt: skip
     return made.scale(k)
+
+
+@category("nest", size=(0.135, 0.135, 0.05), mass=0.06, material="wood", hollow=True,
+          aliases=("bird nest", "birds nest", "bird's nest", "easter nest"), themes=("living",),
+          roles=("container", "round"), colors=("brown",))  # fmt: skip
+def nest(look: Look) -> Shape:
+    """An open bird's nest of straw, sometimes with three eggs."""
+    color = look.color("brown", "tan", "bronze", "beige", "terracotta")
+    r = look.between(0.06, 0.075)
+    body, parts = open_vessel([(0.6 * r, 0), (0.92 * r, 0.014), (r, 0.032), (0.92 * r, 0.042)],
+                              0.022, 0.012)  # fmt: skip
+    straws: list[Solid] = []
+    for k in range(46):
+        a, z = 2.4 * k, 0.01 + 0.034 * ((k * 7) % 46) / 46
+        out = 0.93 * r + look.between(-0.004, 0.003)
+        b = a + look.between(0.35, 0.6)
+        straws.append(straight((out * np.cos(a), out * np.sin(a), z),
+                               (out * np.cos(b), out * np.sin(b), z + look.between(-0.008, 0.008)),
+                               0.0016, 4))  # fmt: skip
+    straw = surfaces.scratches(look.rng, color, tint_color(color, 0.6), 90)
+    return shape([(body, straw), (join(straws), surfaces.plain(tint_color(color, 1.25)))], parts)
 
 
 CATEGORIES = (

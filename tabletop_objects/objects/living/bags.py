@@ -7,8 +7,8 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.materials import BRASS_TONE, glaze_tile, leather, steel
 from ...kit.outlines import arc, rectangle, smooth
-from ...kit.parts import above, box_part, cylinder_part, hull_of, hull_part
-from ...kit.primitives import at_box, ball, drum, lobe, pad, pillow, rod, side_view, spread
+from ...kit.parts import box_part, hull_of, hull_part
+from ...kit.primitives import at_box, ball, drum, pad, rod, side_view, spread
 from ...kit.shapes import Category, Pieces, Shape, category, put_down, settle, shape
 from ...kit.solids import (
     Solid,
@@ -124,39 +124,6 @@ def tote_bag(look: Look) -> Shape:
                     *handles, factor=k)  # fmt: skip
 
 
-@category("chips_bag", size=(0.17, 0.22, 0.047), mass=0.12, material="paper",
-          aliases=("bag of chips", "chip bag", "crisps", "potato chips", "chips", "snack bag",
-          "snack", "crisp packet", "packet of crisps", "packet of chips", "pack of crisps",
-          "bag of crisps"), themes=("living", "dining"), roles=("flat",), colors=("red", "yellow"),
-          state="lying flat", common=True)  # fmt: skip
-def chips_bag(look: Look) -> Shape:
-    """A puffed bag of crisps, lying on its back."""
-    x, y, z = look.between(0.15, 0.19), look.between(0.19, 0.25), look.between(0.045, 0.06)
-    color = look.color("red", "yellow", "green", "blue", "orange", "purple")
-    other = look.own_color("yellow", "white", "red", "orange")
-    front = prints.canvas(128, 160, color)
-    prints.disc(front, 0.5, 0.4, 0.3, other)
-    prints.disc(front, 0.5, 0.4, 0.26, tint_color(color, 0.8))
-    word = look.pick(["CHIPS", "CRISPS", "NACHO", "SALTY", "CORN"])
-    prints.write(front[:, 16:-16], word, 0.5, 0.4, 0.15, (255, 250, 235), bold=True)
-    for _ in range(4):
-        a, b = look.rng.uniform(0.2, 0.8), look.rng.uniform(0.68, 0.84)
-        prints.disc(front, a, b, 0.075, (236, 196, 96))
-    for v in (0.0, 0.95):
-        prints.fill(front, 0, v, 1, 0.05, (212, 212, 216))
-    n = 14
-    u, v = np.meshgrid(np.linspace(-1, 1, n), np.linspace(-1, 1, n))
-    puff = (np.clip(1 - u**4, 0, 1) * np.clip(1 - v**4, 0, 1)) ** 0.6
-    crease = 1 + 0.06 * surfaces.noise(look.rng, n, n, (3, 3), 1)
-    lift = np.maximum(0.5 * z * puff * crease, 0.0006)
-    wave = 1 - 0.05 * (1 - np.abs(v) ** 2)
-    bag = pillow(u * wave * x / 2, v * y / 2, lift)
-    return shape(
-        [(bag.move(z=0.42 * z), front)],
-        [box_part(0.62 * x, 0.66 * y, 0.84 * z), hull_of(bag.move(z=0.42 * z).bend(above))],
-    )
-
-
 @category("lavender_sachet", size=(0.0658, 0.053, 0.1), mass=0.03, material="fabric",
           aliases=("scented sachet", "lavender bag", "potpourri sachet", "drawer sachet"),
           themes=("living",), colors=("lavender",))  # fmt: skip
@@ -211,41 +178,6 @@ def fertilizer_bag(look: Look) -> Shape:
         [(body, surfaces.speckles(look.rng, color, 4)), (front, image)],
         [hull_part(body.vertices[z < 0.7 * h]), hull_part(body.vertices[z > 0.5 * h])],
     )
-
-
-@category("keys", size=(0.07, 0.12, 0.0065), mass=0.06, material="metal", assembled=True,
-          aliases=("key", "key ring", "keyring", "bunch of keys", "key chain", "keychain",
-          "set of keys", "car key", "house key", "chatelaine", "iron key"),
-          themes=("living", "office"), roles=("flat",), colors=("red", "blue"), state="lying flat",
-          common=True)  # fmt: skip
-def keys(look: Look) -> Shape:
-    """A ring of keys with a tag."""
-    tones = ((196, 198, 202), (206, 172, 92), (176, 148, 110))
-    metals = [surfaces.brushed_metal(look.rng, tone) for tone in tones]
-    ring = torus(0.014, 0.0013, 28, 6).move(z=0.0035)
-    pieces = [(ring, metals[0])]
-    parts = [cylinder_part(0.0148, 0.0035, (0, 0, 0.0004))]
-    count = int(look.rng.integers(2, 5))
-    for k in range(count):
-        angle = -np.pi / 2 + (k - count / 2) * 0.55 + look.between(-0.1, 0.1)
-        bow = lobe(cylinder(0.0115, 0.0022, 24), int(look.pick([3, 4, 8])), 0.25)
-        long = look.between(0.028, 0.036)
-        teeth = [(0.009 + long * u, -0.0025 - 0.0016 * (n % 2)) for n, u in
-                 enumerate(np.linspace(0.35, 0.96, 8))]  # fmt: skip
-        shank = prism([(0.006, -0.0028), *teeth, (0.009 + long, 0.002), (0.006, 0.0032)], 0, 0.002)
-        z = 0.0002 + 0.0019 * k
-        key = join([bow, shank]).move(x=0.022).turn(2, angle).move(z=z)
-        pieces.append((key, metals[int(look.rng.integers(3))]))
-        parts.append(hull_of(key))
-    color = look.color("red", "blue", "brown", "green", "black", "yellow", "pink")
-    kind, turn = int(look.rng.integers(3)), np.pi / 2 + look.between(-0.4, 0.4)
-    tag = [block(0.046, 0.024, 0.004, 0.007, 0.001), cylinder(0.017, 0.004, 26, bevel=0.001),
-           lobe(cylinder(0.018, 0.006, 40, bevel=0.001), 5, 0.5)][kind]  # fmt: skip
-    tag = tag.move(x=0.04).turn(2, turn).move(z=0.0003)
-    loop = tube([(0.012, 0, 0.0042), (0.018, 0, 0.005), (0.026, 0, 0.003)], 0.0014, 6)
-    loop = loop.turn(2, turn)
-    pieces += [(tag, surfaces.speckles(look.rng, color, 8)), (loop, metals[0])]
-    return shape(pieces, [*parts, hull_of(tag)])
 
 
 @category("wallet", size=(0.109, 0.09, 0.02), mass=0.12, material="leather",
@@ -458,23 +390,6 @@ def duffel_bag(look: Look) -> Shape:
                      (zip_, surfaces.plain((206, 208, 212)))], body, join(handles))  # fmt: skip
 
 
-@category("glasses_case", size=(0.163, 0.066, 0.047), mass=0.09, material="leather",
-          aliases=("sunglasses case", "eyeglasses case", "spectacle case", "eyeglass case",
-          "case for glasses", "spectacles case", "lens case", "key case", "lorgnette case",
-          "camera case", "calling card case", "contact lens case", "retainer case"),
-          themes=("living",), colors=("black", "brown"), state="lying")  # fmt: skip
-def glasses_case(look: Look) -> Shape:
-    """A closed hard case for glasses, lying flat."""
-    x, y, h = look.between(0.155, 0.17), look.between(0.06, 0.07), look.between(0.042, 0.052)
-    color = look.color("black", "brown", "navy", "red", "tan", "teal", "pink")
-    body = pad(x, y, h, 0.03, soft=0.75, steps=6)
-    seam = block(x + 0.0012, y + 0.0012, 0.002, 0.03).move(z=h / 2 - 0.001)
-    mark = box(0.035, 0.008, 0.0006).move(0, 0, h - 0.0003)
-    return put_down([(body, leather(look.rng, color)),
-                     (seam, surfaces.plain(tint_color(color, 0.5))), (mark, _metal(look))],
-                    body)  # fmt: skip
-
-
 BRIGHT = ("red", "teal", "navy", "pink", "white", "lavender", "black", "sage", "mustard", "sky")
 
 
@@ -512,6 +427,69 @@ def gift_bag(look: Look) -> Shape:
     pieces.append((sheet, tissue))
     return shape(pieces, [box_part(x, y, h), hull_part(np.array([p for p in sheet.vertices
                                                                 if p[2] > h - 0.02]))])  # fmt: skip
+
+
+@category("luggage_tag", size=(0.165, 0.0619, 0.00802), mass=0.02, material="leather",
+          assembled=True, aliases=("baggage tag", "suitcase tag", "bag tag", "bookmark tag"),
+          themes=("living",), roles=("flat",), colors=("brown", "red"),
+          state="lying flat")  # fmt: skip
+def luggage_tag(look: Look) -> Shape:
+    """A luggage tag with a strap, lying flat."""
+    color = look.color("brown", "red", "black", "teal", "tan", "navy", "pink")
+    k = look.between(0.9, 1.15)
+    body = prism([(-0.05, -0.018), (-0.034, -0.03), (0.05, -0.03), (0.05, 0.03), (-0.034, 0.03),
+                  (-0.05, 0.018)], 0, 0.004)  # fmt: skip
+    window = box(0.06, 0.04, 0.0006).move(0.012, 0, 0.0038)
+    image = prints.canvas(96, 64, (246, 244, 238))
+    prints.lines(image, look.rng, (0.1, 0.2, 0.8, 0.6), 4, (90, 90, 96), 0.3)
+    strap = rod([(-0.04, 0, 0.004), (-0.07, 0.012, 0.004), (-0.105, 0.004, 0.003),
+                 (-0.1, -0.012, 0.003), (-0.07, -0.01, 0.004), (-0.04, -0.002, 0.005)], 0.0032,
+                6)  # fmt: skip
+    return put_down([(join([body, strap]), surfaces.speckles(look.rng, color, 7)), (window, image)],
+                   body, strap, factor=k)  # fmt: skip
+
+
+@category("bag_roll", size=(0.0687, 0.0805, 0.0335), mass=0.03, material="plastic",
+          aliases=("poop bag roll", "poo bag roll", "dog poop bag", "dog waste bag", "poop bag",
+          "poo bag", "roll of poop bags", "roll of poo bags"), themes=("living",),
+          colors=("black",), state="lying")  # fmt: skip
+def bag_roll(look: Look) -> Shape:
+    """A small roll of bags in a bone-shaped or tubular dispenser, with a bag hanging out."""
+    k, color = look.between(0.9, 1.15), look.color("black", "blue", "green", "pink", "red")
+    roll = cylinder(0.016, 0.06, 22, bevel=0.002).turn(1, np.pi / 2).move(-0.03, 0, 0.016)
+    core = cylinder(0.007, 0.064, 14).turn(1, np.pi / 2).move(-0.032, 0, 0.016)
+    tail = prism(rectangle(0.056, 0.05, 0.002), 0, 0.0012).move(y=-0.034)
+    paws = prints.canvas(128, 64, color)
+    for n in range(8):
+        x, y = (n % 4 + 0.5) / 4, 0.3 + 0.45 * (n // 4)
+        prints.disc(paws, x, y, 0.07, tint_color(color, 1.6))
+        for s in (-1, 0, 1):
+            prints.disc(paws, x + 0.03 * s, y - 0.12 + 0.03 * abs(s), 0.03, tint_color(color, 1.6))
+    return settle([(roll, paws), (core, surfaces.plain((226, 214, 190))),
+                   (tail, surfaces.plain(tint_color(color, 1.15)))],
+                  0.02, hulls=[[0], [2]]).scale(k)  # fmt: skip
+
+
+@category("ice_pack", size=(0.172, 0.0903, 0.0278), mass=0.35, material="plastic",
+          aliases=("freezer block", "cool pack", "freezer pack", "ice block", "gel pack",
+          "cooling pack"), themes=("living",), roles=("flat",), colors=("blue",),
+          state="lying flat")  # fmt: skip
+def ice_pack(look: Look) -> Shape:
+    """A flat, ribbed plastic ice pack of blue gel with a cap."""
+    k, color = look.between(0.9, 1.12), look.color("blue", "sky", "cyan", "white", "teal")
+    body = pad(0.16 * k, 0.09 * k, 0.026 * k, 0.014 * k, soft=0.3)
+    ribs = [
+        box(0.012 * k, 0.064 * k, 0.002).move(i * 0.024 * k, 0, 0.0252 * k) for i in range(-2, 3)
+    ]
+    cap = cylinder(0.009 * k, 0.012, 16).turn(1, np.pi / 2).move(0.079 * k, 0.025 * k, 0.013 * k)
+    label = prints.canvas(120, 40, (250, 250, 250))
+    prints.write(label, look.pick(["ICE", "COOL", "FREEZE"]), 0.5, 0.5, 0.6, color
+                 if sum(color) < 600 else (50, 90, 170), bold=True)  # fmt: skip
+    plate = box(0.06 * k, 0.02 * k, 0.0006).move(0, 0, 0.0271 * k)
+    return shape([(body, look.surface(color, "plastic")),
+                  (join(ribs), surfaces.plain(tint_color(color, 0.85))),
+                  (cap, surfaces.plain((246, 246, 246))), (plate, label)],
+                 [hull_of(body)])  # fmt: skip
 
 
 CATEGORIES = (

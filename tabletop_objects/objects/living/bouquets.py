@@ -6,12 +6,11 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...kit import prints, surfaces
-from ...kit.outlines import ellipse, smooth
-from ...kit.parts import box_part, flat_foot, hull_of, hull_part
-from ...kit.primitives import ball, blade, limb, rod
+from ...kit import surfaces
+from ...kit.outlines import ellipse
+from ...kit.parts import flat_foot, hull_of, hull_part
+from ...kit.primitives import blade, limb, rod
 from ...kit.shapes import (
-    Category,
     Pieces,
     Shape,
     at_rest,
@@ -21,28 +20,11 @@ from ...kit.shapes import (
     settle,
     shape,
 )
-from ...kit.solids import Solid, box, ellipsoid, join, loft, prism, refine, torus, tube
+from ...kit.solids import Solid, ellipsoid, join, loft, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
-from .flowers import layered_head, on_stem
+from .flowers import layered_head
 
 GREEN: RGB = (84, 126, 64)
-
-
-@category("petal", size=(0.0459, 0.0386, 0.00899), mass=0.001, material="food", assembled=True,
-          aliases=("rose petal", "flower petal", "petal of a rose"), themes=("living",),
-          colors=("red", "pink"), state="lying flat")  # fmt: skip
-@keep_still
-def petal(look: Look) -> Shape:
-    """One fallen, slightly cupped petal."""
-    k = look.between(0.85, 1.2)
-    color = look.color("red", "pink", "white", "crimson", "yellow")
-    ring = [(-0.022, 0), (-0.012, -0.012), (0.006, -0.018), (0.02, -0.011), (0.0195, 0),
-            (0.02, 0.011), (0.006, 0.018), (-0.012, 0.012), (-0.022, 0)]  # fmt: skip
-    flat = refine(refine(prism(smooth(ring, 3)[:-1], 0, 0.0011)))
-    one = flat.bend(
-        lambda p: p + np.column_stack([0 * p[:, :2], 14 * (p[:, 0] ** 2 + p[:, 1] ** 2)])
-    )
-    return put_down([(one, surfaces.speckles(look.rng, color, 9))], factor=k)
 
 
 @category("corsage", size=(0.077, 0.095, 0.0206), mass=0.015, material="food", assembled=True,
@@ -63,31 +45,6 @@ def corsage(look: Look) -> Shape:
     sheen = surfaces.plain(look.own_color("white", "pink", "silver", "gold"))
     pieces: Pieces = [(join(leaves), surfaces.plain(GREEN)), (join(bow), sheen), *bloom]
     return put_down(pieces, join([*leaves, *bow]), join([s for s, _ in bloom]), factor=k)
-
-
-@category("pressed_flower", size=(0.0869, 0.124, 0.0016), mass=0.006, material="paper",
-          assembled=True, aliases=("flower pressing", "herbarium sheet"), themes=("living",),
-          roles=("flat",), colors=("purple",), state="lying flat")  # fmt: skip
-def pressed_flower(look: Look) -> Shape:
-    """A card with a pressed flower, lying flat."""
-    k = look.between(0.9, 1.1)
-    color = look.color("purple", "pink", "yellow", "blue", "red")
-    image = prints.canvas(112, 160, (246, 240, 224))
-    prints.stroke(image, [(0.5, 0.9), (0.47, 0.65), (0.5, 0.36)], 0.02, (96, 120, 70))
-    for s in (-1, 1):
-        prints.polygon(image, [(0.48, 0.68), (0.48 + s * 0.2, 0.56), (0.48 + s * 0.24, 0.62),
-                               (0.48 + s * 0.12, 0.7)], (112, 134, 80))  # fmt: skip
-    for a in np.linspace(0, 2 * np.pi, 8)[:-1]:
-        ring = ellipse(0.16, 0.26, 12) @ np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]])
-        away = 0.16 * np.array([np.sin(a), np.cos(a)])
-        points = [(0.5 + 1.2 * (x + away[0]), 0.33 + 0.8 * (y + away[1])) for x, y in ring * 0.7]
-        prints.polygon(image, points, tint_color(color, look.between(0.8, 1.1)))
-    prints.disc(image, 0.5, 0.33, 0.04, (222, 176, 60))
-    x, y = 0.09 * k, 0.128 * k
-    face = box(0.99 * x, 0.99 * y, 0.0004).move(z=0.0012)
-    card = box(x, y, 0.0014)
-    return shape([(card, surfaces.plain((240, 232, 212))), (face, image)],
-                 [box_part(x, y, 0.0014)])  # fmt: skip
 
 
 @category("bouquet", size=(0.377, 0.153, 0.0912), mass=0.3, material="paper", assembled=True,
@@ -146,14 +103,6 @@ def bouquet(look: Look) -> Shape:
         ],
         [flat_foot(cone.vertices, 0.12), hull_of(every.move(z=up)), hull_of(*stems)],
     )
-
-
-def _wheat(look: Look, color: RGB) -> Pieces:
-    grains = [ball(0.006, 0.0055, 0.013, (0.0042 * np.cos(2.4 * k), 0.0042 * np.sin(2.4 * k),
-                   0.0035 * k - 0.01), 8) for k in range(18)]  # fmt: skip
-    awns = [rod([(0, 0, 0.004 * k), (0.012 * np.cos(2.4 * k), 0.012 * np.sin(2.4 * k),
-                 0.04 + 0.005 * k)], 0.0005, 4, 1) for k in range(8)]  # fmt: skip
-    return [(join([*grains, *awns]), surfaces.speckles(look.rng, color, 14))]
 
 
 _COUNT = 11
@@ -237,14 +186,3 @@ def boutonniere(look: Look) -> Shape:
                    (join([*buds, pearl]), surfaces.plain((250, 248, 240))),
                    (stem, surfaces.stripes([(240, 234, 216), (214, 204, 180)], 10, upright=True)),
                    (pin, surfaces.plain(GOLD))], 0.04, hulls=[[0], [3]]).scale(k)  # fmt: skip
-
-
-CATEGORIES = (
-    Category("dried_flower", on_stem(_wheat, ("tan", "gold", "beige", "amber", "coral"), 0.2,
-             leaves=1, nod=0.04, leaf=(0.06, 0.006), stem=(190, 160, 100)),
-             size=(0.246, 0.0405, 0.0276), mass=0.004, material="food", assembled=True,
-             aliases=("ear of wheat", "wheat", "dried grass", "wheat stalk", "wheat ear",
-             "dried flower bundle", "raffia bundle"), themes=("living",), colors=("tan",),
-             state="lying flat"),
-)  # fmt: skip
-"""Objects that share their drawing functions."""

@@ -5,10 +5,16 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import BRASS_TONE, dye, glaze_tile, plastic, steel
+from ...kit.materials import BRASS_TONE, dye, glaze_tile, leather, plastic, steel
 from ...kit.outlines import ellipse, rectangle, smooth
-from ...kit.parts import box_part, cylinder_part, frame_parts, hull_of, open_vessel, ring_parts
-from ...kit.primitives import at_box, ball, drum, pad, plate, rod, straight
+from ...kit.parts import (
+    box_part,
+    cylinder_part,
+    frame_parts,
+    hull_of,
+    hull_part,
+)
+from ...kit.primitives import at_box, ball, drum, pad, plate, straight
 from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import (
     Solid,
@@ -23,8 +29,9 @@ from ...kit.solids import (
     torus,
     tube,
 )
-from ...kit.surfaces import RGB, Look, plain, readable_on, speck, tint_color
+from ...kit.surfaces import Look, plain, speck, tint_color
 from ..workbench.boxes import walls
+from .bags import _metal
 
 
 @category("heart_box", size=(0.167, 0.151, 0.055), mass=0.2, material="paper",
@@ -44,28 +51,6 @@ def heart_box(look: Look) -> Pieces:
     return [(body, tile := plastic(look, "red", "pink", "crimson", "purple")), (lid, tile),
             (join([*bow, knot]), ribbon := dye(look, "white", "gold", "pink")),
             (band, ribbon)]  # fmt: skip
-
-
-@category("easter_basket", size=(0.189, 0.183, 0.0791), mass=0.25, material="wood", hollow=True,
-          aliases=("egg basket", "gift basket", "basket with a handle", "flower basket"),
-          themes=("living",), roles=("container", "round"), colors=("tan",))  # fmt: skip
-def easter_basket(look: Look) -> Shape:
-    """A small, round, open basket with its handle folded down at the back."""
-    r, h = look.between(0.07, 0.09), look.between(0.065, 0.08)
-    color = look.color("tan", "brown", "white", "pink", "sky", "bronze", "mint")
-    body, _ = open_vessel([(0.8 * r, 0), (0.93 * r, 0.5 * h), (r, h)], 0.006, 0.006)
-    rim = torus(0.98 * r, 0.006, 32, 8).move(z=h)
-    grip = rod([(-1.04 * r, 0, h), (-0.85 * r, 0.75 * r, h - 0.004), (0, 1.16 * r, h - 0.008),
-                (0.85 * r, 0.75 * r, h - 0.004), (1.04 * r, 0, h)], 0.006, 8)  # fmt: skip
-    loops = [
-        ball(0.034, 0.01, 0.024, (-0.97 * r + 0.006 * s, s * 0.018, h - 0.004), 8) for s in (-1, 1)
-    ]
-    weave = surfaces.basketwork(look.rng, color, 14)
-    knot = surfaces.plain(look.own_color("pink", "yellow", "lavender", "red"))
-    wall = ring_parts([(0.8 * r, 0), (0.93 * r, 0.5 * h), (r, h)],
-                      [(r - 0.006, h), (0.8 * r - 0.006, 0.006)], 14)  # fmt: skip
-    return shape([(body, weave), (join([rim, grip]), surfaces.plain(tint_color(color, 0.85))),
-                  (join(loops), knot)], [*wall, cylinder_part(0.78 * r, 0.006)])  # fmt: skip
 
 
 @category("tissue_box", size=(0.19, 0.114, 0.145), mass=0.16, material="paper",
@@ -169,32 +154,6 @@ def butterfly_case(look: Look) -> Shape:
          (join([*spots, body]), plain((36, 32, 32)))], back, *bars, factor=k)  # fmt: skip
 
 
-@category("egg_dye_kit", size=(0.151, 0.0459, 0.182), mass=0.15, material="paper",
-          aliases=("egg dye", "egg decorating kit", "egg colouring kit", "egg coloring kit",
-          "egg painting kit", "easter egg dye", "egg dyeing kit"), themes=("living",),
-          colors=("pink",))  # fmt: skip
-def egg_dye_kit(look: Look) -> Shape:
-    """A boxed egg dyeing kit with painted eggs and pots of colour on its front."""
-    k, color = look.between(0.9, 1.1), look.color("pink", "yellow", "sky", "mint", "lavender")
-    x, y, h = 0.15 * k, 0.045 * k, 0.18 * k
-    image = prints.canvas(170, 200, color)
-    prints.write(image, "EGG DYE", 0.5, 0.13, 0.13, readable_on(color), bold=True)
-    prints.write(image, "KIT", 0.5, 0.26, 0.1, readable_on(color), bold=True)
-    hues: tuple[RGB, ...] = ((236, 84, 110), (250, 206, 60), (80, 160, 220), (110, 180, 90),
-                             (150, 100, 190))  # fmt: skip
-    for n, hue in enumerate(hues):
-        at = 0.14 + 0.18 * n
-        prints.disc(image, at, 0.54 + 0.05 * (n % 2), 0.08, hue)
-        prints.disc(image, at, 0.51 + 0.05 * (n % 2), 0.07, hue)
-        prints.fill(image, at - 0.07, 0.54 + 0.05 * (n % 2), 0.14, 0.02, (250, 248, 240))
-        prints.fill(image, at - 0.06, 0.78, 0.12, 0.14, hue)
-        prints.fill(image, at - 0.07, 0.75, 0.14, 0.04, (250, 250, 250))
-    panel = box(x, 0.0005, h)
-    return shape([(box(x, y, h), surfaces.plain(tint_color(color, 0.85))),
-                  (panel.move(y=-y / 2), image), (panel.move(y=y / 2), image)],
-                 [box_part(x, y, h)])  # fmt: skip
-
-
 @category("picnic_hamper", size=(0.332, 0.26, 0.198), mass=1.8, material="wood", hollow=True,
           aliases=("picnic basket", "wicker hamper"), themes=("living",), roles=("big", "support"),
           colors=("tan",))  # fmt: skip
@@ -230,53 +189,7 @@ def picnic_hamper(look: Look) -> Shape:
     return shape(pieces, [hull_of(body), hull_of(lid), hull_of(grip)])
 
 
-@category("ice_pack", size=(0.172, 0.0903, 0.0278), mass=0.35, material="plastic",
-          aliases=("freezer block", "cool pack", "freezer pack", "ice block", "gel pack",
-          "cooling pack"), themes=("living",), roles=("flat",), colors=("blue",),
-          state="lying flat")  # fmt: skip
-def ice_pack(look: Look) -> Shape:
-    """A flat, ribbed plastic ice pack of blue gel with a cap."""
-    k, color = look.between(0.9, 1.12), look.color("blue", "sky", "cyan", "white", "teal")
-    body = pad(0.16 * k, 0.09 * k, 0.026 * k, 0.014 * k, soft=0.3)
-    ribs = [
-        box(0.012 * k, 0.064 * k, 0.002).move(i * 0.024 * k, 0, 0.0252 * k) for i in range(-2, 3)
-    ]
-    cap = cylinder(0.009 * k, 0.012, 16).turn(1, np.pi / 2).move(0.079 * k, 0.025 * k, 0.013 * k)
-    label = prints.canvas(120, 40, (250, 250, 250))
-    prints.write(label, look.pick(["ICE", "COOL", "FREEZE"]), 0.5, 0.5, 0.6, color
-                 if sum(color) < 600 else (50, 90, 170), bold=True)  # fmt: skip
-    plate = box(0.06 * k, 0.02 * k, 0.0006).move(0, 0, 0.0271 * k)
-    return shape([(body, look.surface(color, "plastic")),
-                  (join(ribs), surfaces.plain(tint_color(color, 0.85))),
-                  (cap, surfaces.plain((246, 246, 246))), (plate, label)],
-                 [hull_of(body)])  # fmt: skip
-
-
 BRASS = (206, 172, 96)
-
-
-@category("piggy_bank", size=(0.14, 0.093, 0.115), mass=0.35, material="ceramic", hollow=True,
-          aliases=("money box", "coin bank", "pig bank", "savings bank", "money bank"),
-          themes=("living",), colors=("pink",))  # fmt: skip
-def piggy_bank(look: Look) -> Shape:
-    """A porcelain pig with a slot in its back."""
-    color = look.color("pink", "pink", "white", "sky", "gold", "red")
-    skin = surfaces.speckles(look.rng, color, 4)
-    body = ball(0.115, 0.092, 0.09, (0, 0, 0.056), 24)
-    snout = cylinder(0.02, 0.022, 20, bevel=0.003).turn(1, -np.pi / 2).move(-0.046, 0, 0.055)
-    holes = [ball(0.004, 0.008, 0.011, (-0.068, s * 0.008, 0.056), 8) for s in (-1, 1)]
-    eyes = [ball(0.008, 0.008, 0.009, (-0.045, s * 0.024, 0.075), 10) for s in (-1, 1)]
-    ears = [cylinder(0.015, 0.024, 4, top=0.001).scale(0.6, 1, 1).turn(0, -s * 0.5)
-            .move(-0.03, s * 0.027, 0.086) for s in (-1, 1)]  # fmt: skip
-    legs = [cylinder(0.0145, 0.035, 16, top=0.017).move(sx * 0.032, sy * 0.025)
-            for sx in (-1, 1) for sy in (-1, 1)]  # fmt: skip
-    tail = rod([(0.055, 0, 0.06), (0.066, 0.006, 0.068), (0.064, -0.004, 0.076), (0.07, 0.0, 0.08)],
-               0.003, 7)  # fmt: skip
-    slot = box(0.034, 0.005, 0.004).move(0.004, 0, 0.0982)
-    dark = surfaces.plain((44, 34, 36))
-    return put_down([(join([body, snout, *ears, *legs, tail]), skin), (join([*holes, *eyes, slot]),
-                                                                       dark)], body, join(legs),
-                    join([snout]), factor=look.between(0.85, 1.15))  # fmt: skip
 
 
 @category("treasure_chest", size=(0.163, 0.106, 0.097), mass=0.5, material="wood", aliases=("chest",
@@ -372,3 +285,55 @@ def gift_box(look: Look) -> Shape:
     cover = surfaces.fit(look.pick([paper, surfaces.plain(tint_color(color, 0.8))]), 128, 128)
     return shape([(box(x, y, h - 0.01), paper), (lid, cover), (join(bands), ribbon), (top, ribbon)],
                  [box_part(x, y, h - 0.01), hull_of(lid), hull_of(top)])  # fmt: skip
+
+
+@category("glasses_case", size=(0.163, 0.066, 0.047), mass=0.09, material="leather",
+          aliases=("sunglasses case", "eyeglasses case", "spectacle case", "eyeglass case",
+          "case for glasses", "spectacles case", "lens case", "key case", "lorgnette case",
+          "camera case", "calling card case", "contact lens case", "retainer case"),
+          themes=("living",), colors=("black", "brown"), state="lying")  # fmt: skip
+def glasses_case(look: Look) -> Shape:
+    """A closed hard case for glasses, lying flat."""
+    x, y, h = look.between(0.155, 0.17), look.between(0.06, 0.07), look.between(0.042, 0.052)
+    color = look.color("black", "brown", "navy", "red", "tan", "teal", "pink")
+    body = pad(x, y, h, 0.03, soft=0.75, steps=6)
+    seam = block(x + 0.0012, y + 0.0012, 0.002, 0.03).move(z=h / 2 - 0.001)
+    mark = box(0.035, 0.008, 0.0006).move(0, 0, h - 0.0003)
+    return put_down([(body, leather(look.rng, color)),
+                     (seam, surfaces.plain(tint_color(color, 0.5))), (mark, _metal(look))],
+                    body)  # fmt: skip
+
+
+@category("laundry_basket", size=(0.307, 0.217, 0.145), mass=0.5, material="plastic", hollow=True,
+          aliases=("clothes basket", "washing basket", "plastic basket", "laundry hamper"),
+          themes=("living",), roles=("container", "big"), colors=("white", "blue"))  # fmt: skip
+def laundry_basket(look: Look) -> Shape:
+    """A small, oblong laundry basket with slits in its walls."""
+    color = look.color("white", "blue", "teal", "gray", "pink", "green")
+    x, y, h = look.between(0.27, 0.32), look.between(0.19, 0.22), look.between(0.13, 0.16)
+    outline = rectangle(1, 1, 0.18, 5)
+    t = 0.005
+    levels = [(x - 0.03, y - 0.03, 0), (x, y, h), (x - 2 * t, y - 2 * t, h),
+              (x - 0.03 - 2 * t, y - 0.03 - 2 * t, t)]  # fmt: skip
+    body = loft(np.stack([np.column_stack([outline * [a, b], np.full(len(outline), z)])
+                          for a, b, z in levels]), outline)  # fmt: skip
+    slits = [box(0.012, 0.004, 0.6 * h).turn(0, s * 0.055).move(0.028 * n, s * (y / 2 - 0.009), 0.2
+                                                                * h) for n in range(-4, 5)
+             for s in (-1, 1)]  # fmt: skip
+    rim = [np.column_stack([outline * [x + 0.012, y + 0.012], np.full(len(outline), z)])
+           for z in (h - 0.012, h - 0.002)]  # fmt: skip
+    inner = [np.column_stack([outline * [x - 0.006, y - 0.006], np.full(len(outline), z)])
+             for z in (h - 0.002, h - 0.012)]  # fmt: skip
+    lip = loft(np.stack([*rim, *inner]), None, loop=True)
+    walls = [box_part(x - 0.04, y - 0.04, t)]
+    for s in (-1, 1):
+        for wide, deep, along in ((x, y, 0), (y, x, 1)):
+            low, top = deep / 2 - 0.015, deep / 2
+            corners = [(u * (wide / 2 - (0.015 if z == 0 else 0) - 0.012), s * (v - k * t * 1.2), z)
+                       for u in (-1, 1) for z, v in ((0, low), (h, top))
+                       for k in (0, 1)]  # fmt: skip
+            pts = np.array(corners)
+            walls.append(hull_part(pts if along == 0 else pts[:, [1, 0, 2]]))
+    dark = surfaces.plain(tint_color(color, 0.45))
+    return shape([(body, look.surface(color, "plastic")), (join(slits), dark),
+                  (lip, surfaces.plain(tint_color(color, 0.9)))], walls)  # fmt: skip

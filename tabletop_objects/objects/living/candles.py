@@ -8,8 +8,8 @@ from ...kit import prints, surfaces
 from ...kit.outlines import rectangle, smooth
 from ...kit.parts import box_part, cylinder_part, hull_of, hull_part
 from ...kit.primitives import ball, bent_rod, limb, lobe, straight
-from ...kit.shapes import Pieces, Shape, category, keep_still, put_down, settle, shape
-from ...kit.solids import block, box, cylinder, join, lathe, open_box, prism, sweep, tube
+from ...kit.shapes import Pieces, Shape, category, put_down, settle, shape
+from ...kit.solids import box, cylinder, join, lathe, open_box, prism, sweep
 from ...kit.surfaces import Look, tint_color
 from .religious_items import branch
 
@@ -25,26 +25,6 @@ def wax_melt(look: Look) -> Shape:
     flute = body.bend(lambda p: p * np.column_stack([*[1 + 0.08 * np.cos(8 * np.arctan2(
         p[:, 1], p[:, 0]))] * 2, np.ones(len(p))]))  # fmt: skip
     return shape([(flute, surfaces.speckles(look.rng, color, 6))], [hull_of(flute)]).scale(k)
-
-
-@category("sparkler", size=(0.235, 0.0364, 0.025), mass=0.006, material="metal", assembled=True,
-          aliases=("lit sparkler", "party sparkler", "cake sparkler"), themes=("living",),
-          colors=("gray",), state="lying flat")  # fmt: skip
-@keep_still
-def sparkler(look: Look) -> Shape:
-    """A sparkler lying flat, burning at its tip."""
-    k = look.between(0.9, 1.1)
-    color = look.color("gray", "silver", "gold")
-    wire = straight((-0.11, 0, 0.0025), (0.0, 0, 0.0025), 0.0011, 6)
-    coat = straight((-0.005, 0, 0.0025), (0.11, 0, 0.0025), 0.0025, 7)
-    sparks = [tube([(0.11, 0, 0.004), (0.11 + d * np.cos(a) * np.cos(b), d * np.sin(a) * np.cos(b),
-                   0.004 + d * abs(np.sin(b)))], [0.0011, 0.0004], 4)
-              for a, b, d in ((2.4 * n, 0.35 + 0.9 * ((n * 5) % 7) / 7, 0.016 + 0.012 * (n % 3) / 3)
-                              for n in range(26))]  # fmt: skip
-    return settle([(wire, surfaces.plain((180, 182, 186))),
-                   (coat, surfaces.speckles(look.rng, tint_color(color, 0.8), 14)),
-                   (join(sparks), surfaces.plain((255, 226, 120)))], 0.02,
-                  hulls=[[0, 1], [2]]).scale(k)  # fmt: skip
 
 
 WAXES = ("white", "cream", "red", "green", "navy", "pink", "purple", "yellow", "sage")
@@ -163,25 +143,6 @@ def oil_burner(look: Look) -> Shape:
     return put_down(pieces, pot, dish)
 
 
-@category("lighter", size=(0.025, 0.013, 0.079), mass=0.02, material="plastic",
-          aliases=("cigarette lighter", "pocket lighter", "gas lighter", "plastic lighter",
-          "firesteel", "blowtorch"), themes=("living",), roles=("tall",),
-          colors=("red", "blue"))  # fmt: skip
-def lighter(look: Look) -> Shape:
-    """A pocket lighter standing upright, with a wheel and a button below its metal hood."""
-    color = look.color("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
-    body = block(0.024, 0.0125, 0.056, 0.006)
-    hood = block(0.022, 0.0115, 0.016, 0.005).move(z=0.0555)
-    slot = box(0.01, 0.0118, 0.006).move(-0.004, 0, 0.0605)
-    wheel = cylinder(0.0048, 0.006, 14).move(z=-0.003).turn(0, np.pi / 2).move(0.004, 0, 0.0725)
-    key = box(0.008, 0.007, 0.006).turn(1, 0.3).move(0.0095, 0, 0.068)
-    pieces: Pieces = [(body, look.surface(color, "plastic")),
-                      (hood, surfaces.brushed_metal(look.rng, (196, 198, 204))),
-                      (join([slot, wheel]), surfaces.plain((66, 66, 70))),
-                      (key, surfaces.plain(tint_color(color, 0.6)))]  # fmt: skip
-    return put_down(pieces, body, hood, factor=look.between(0.92, 1.12))
-
-
 @category("matchbox", size=(0.085, 0.042, 0.018), mass=0.012, material="paper",
           aliases=("box of matches", "match box", "matches box", "matchbox collection"),
           themes=("living", "kitchen"), colors=("red", "blue"), state="lying")  # fmt: skip
@@ -210,19 +171,6 @@ def matchbox(look: Look) -> Shape:
                       (join(heads), surfaces.plain((190, 44, 40)))]  # fmt: skip
     made = shape(pieces, [box_part(x, y, h), hull_of(*drawer)])
     return made.scale(look.between(0.95, 1.3))
-
-
-@category("match", size=(0.06, 0.0042, 0.0035), mass=0.0003, material="wood",
-          aliases=("matchstick", "match stick", "wooden match"), themes=("living",),
-          colors=("red",), state="lying")  # fmt: skip
-def match(look: Look) -> Shape:
-    """A match, lying flat."""
-    color = look.color("red", "brown", "blue", "green", "black", "pink")
-    long = look.between(0.045, 0.07)
-    stick = box(long, 0.0024, 0.0024)
-    head = ball(0.006, 0.0042, 0.004, (-long / 2 + 0.001, 0, 0.0015), 10)
-    return put_down([(stick, surfaces.wood(look.rng, (226, 196, 140))),
-                     (head, surfaces.plain(color))], stick, head)  # fmt: skip
 
 
 GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "teal")
@@ -260,28 +208,3 @@ def candle_snuffer(look: Look) -> Shape:
                                                                                    "black"),
                                                                     "wood"))], 0.02,
                   hulls=[[0], [1]]).scale(k)  # fmt: skip
-
-
-@category("matchbook", size=(0.0411, 0.0587, 0.0476), mass=0.006, material="paper",
-          aliases=("book of matches", "paper matches", "book matches"), themes=("living",),
-          colors=("red",), state="lying flat")  # fmt: skip
-def matchbook(look: Look) -> Shape:
-    """An open matchbook lying flat: a folded card with a comb of paper matches."""
-    k = look.between(0.94, 1.12)
-    color = look.color("red", "navy", "green", "black", "yellow", "white")
-    x, y = 0.04 * k, 0.048 * k
-    base = box(x, y, 0.003)
-    lip = box(x, 0.011 * k, 0.003).move(y=-0.5 * y + 0.0055 * k, z=0.003)
-    cover = box(x, y, 0.0014).turn(0, -1.15).move(y=0.46 * y, z=0.021 * k)
-    cover = cover.move(z=0.002 - float(cover.bounds[0, 2]))
-    rough = box(0.96 * x, 0.005, 0.0004).move(y=-0.5 * y + 0.005, z=0.006)
-    sticks = [box(0.0028, 0.036 * k, 0.0016).move((n - 4.5) * 0.0039 * k, -0.002, 0.0032)
-              for n in range(10)]  # fmt: skip
-    heads = [ball(0.0038, 0.0065, 0.0034, ((n - 4.5) * 0.0039 * k, 0.0165 * k, 0.004), 7)
-             for n in range(10)]  # fmt: skip
-    tip = surfaces.plain(look.own_color("red", "brown", "green"))
-    return shape([(join([base, lip]), surfaces.plain(color)),
-                  (cover, surfaces.plain(tint_color(color, 0.9))),
-                  (rough, surfaces.plain((90, 60, 50))),
-                  (join(sticks), surfaces.plain((240, 232, 214))), (join(heads), tip)],
-                 [hull_of(base, lip), hull_of(cover), hull_of(*sticks, *heads)])  # fmt: skip

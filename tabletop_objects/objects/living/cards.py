@@ -8,8 +8,7 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.parts import box_part, hull_of
-from ...kit.primitives import at_block, at_box
-from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, shape, vary
+from ...kit.shapes import Category, Shape, category, shape, vary
 from ...kit.solids import block, box, cylinder, join
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
 
@@ -152,27 +151,6 @@ def card_shuffler(look: Look) -> Shape:
 
 _NIGHT = ("navy", "purple", "maroon", "teal")
 _GAY = ("yellow", "red", "sky", "green", "purple", "orange")
-BLACK = surfaces.plain((34, 34, 37))
-
-
-@category("card_display", size=(0.086, 0.055, 0.13), mass=0.1, material="plastic",
-          aliases=("sports card case", "graded card", "card slab"), themes=("living",),
-          colors=("blue",))  # fmt: skip
-@from_pieces()
-def card_display(look: Look) -> Pieces:
-    """A trading card in a clear case on a stand."""
-    color = look.color("blue", "red", "green", "gold", "purple")
-    image = prints.canvas(80, 112, color)
-    prints.fill(image, 0.06, 0.04, 0.88, 0.92, (246, 240, 220))
-    image[14:66, 10:70] = surfaces.fit(prints.artwork(look.rng, 60, 52), 52, 60)
-    prints.lines(image, look.rng, (0.14, 0.66, 0.72, 0.24), 4, (110, 110, 116))
-    tilt = -0.2
-    case = at_block(0.086, 0.126, 0.008, 0.004).turn(0, np.pi / 2 + tilt)
-    card = at_box(0.07, 0.1, 0.001, (0, 0, 0.0078)).turn(0, np.pi / 2 + tilt)
-    low = float(case.bounds[0, 2])
-    foot = at_box(0.06, 0.05, 0.01, (0, 0.012, 0))
-    return [(case.move(z=-low + 0.004), surfaces.plain((206, 222, 230))), (foot, BLACK),
-            (card.move(z=-low + 0.004), image)]  # fmt: skip
 
 
 CATEGORIES = (

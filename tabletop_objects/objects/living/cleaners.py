@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import DARK, steel
-from ...kit.outlines import rectangle, smooth
-from ...kit.parts import box_part, hull_of, hull_part, open_vessel
+from ...kit.materials import DARK
+from ...kit.parts import hull_of, open_vessel
 from ...kit.primitives import at_box, ball, drum, pad, plate, rod, side_view, standing, straight
 from ...kit.shapes import Shape, category, put_down, shape, vessel_shape
-from ...kit.solids import Solid, block, box, cylinder, join, loft, prism, torus
+from ...kit.solids import Solid, block, box, join, prism, torus
 from ...kit.surfaces import Look, plain, readable_on, tint_color
 
 
@@ -184,31 +183,6 @@ def hand_brush(look: Look) -> Shape:
                     join(tufts), head, handle, factor=k)  # fmt: skip
 
 
-@category("mouse_trap", size=(0.105, 0.0502, 0.019), mass=0.03, material="wood",
-          aliases=("mousetrap", "rat trap", "spring trap"), themes=("living",), roles=("flat",),
-          colors=("tan",))  # fmt: skip
-def mouse_trap(look: Look) -> Shape:
-    """A spring mousetrap, set and baited with a bit of cheese."""
-    color = look.color("tan", "wooden", "beige")
-    k = look.between(0.85, 1.25)
-    base = at_box(0.1, 0.048, 0.008)
-    hoop = rod([(0.002, 0.019, 0.0105), (0.042, 0.019, 0.0105), (0.042, -0.019, 0.0105),
-                (0.002, -0.019, 0.0105)], 0.0014, 6, 1)  # fmt: skip
-    coil = drum(0.0042, 0.04, (0.0, -0.02, 0.0115), 1, sides=12)
-    pin = straight((-0.046, 0, 0.0105), (0.036, 0.004, 0.0125), 0.001, 6)
-    pad_, cheese = (at_box(0.018, 0.016, 0.0014, (-0.022, 0, 0.009)),
-                    plate([(-0.008, -0.005), (0.008, -0.002), (-0.005, 0.007)], 0.008))  # fmt: skip
-    print_ = prints.canvas(96, 48, color)
-    prints.write(
-        print_, look.pick(["SNAP", "TRAP", "MOUSE"]), 0.75, 0.5, 0.24, (180, 40, 40), bold=True
-    )
-    return put_down([(base, surfaces.wood(look.rng, color)), (at_box(0.098, 0.046, 0.0006,
-                                                                     (0, 0, 0.0077)), print_),
-                     (join([hoop, coil, pin]), steel(look)), (pad_, steel(look, (190, 150, 80))),
-                     (cheese.move(-0.022, 0, 0.0102), plain((244, 206, 70)))], base, hoop,
-                    factor=k)  # fmt: skip
-
-
 @category("wet_wipes", size=(0.184, 0.0977, 0.0515), mass=0.3, material="plastic",
           aliases=("wet wipe packet", "pack of wet wipes", "baby wipes", "packet of wet wipes",
           "pack of baby wipes"), themes=("living",), colors=("sky",),
@@ -254,41 +228,6 @@ def bucket(look: Look) -> Shape:
                   (bail, surfaces.plain((206, 208, 212)))], parts)  # fmt: skip
 
 
-@category("laundry_basket", size=(0.307, 0.217, 0.145), mass=0.5, material="plastic", hollow=True,
-          aliases=("clothes basket", "washing basket", "plastic basket", "laundry hamper"),
-          themes=("living",), roles=("container", "big"), colors=("white", "blue"))  # fmt: skip
-def laundry_basket(look: Look) -> Shape:
-    """A small, oblong laundry basket with slits in its walls."""
-    color = look.color("white", "blue", "teal", "gray", "pink", "green")
-    x, y, h = look.between(0.27, 0.32), look.between(0.19, 0.22), look.between(0.13, 0.16)
-    outline = rectangle(1, 1, 0.18, 5)
-    t = 0.005
-    levels = [(x - 0.03, y - 0.03, 0), (x, y, h), (x - 2 * t, y - 2 * t, h),
-              (x - 0.03 - 2 * t, y - 0.03 - 2 * t, t)]  # fmt: skip
-    body = loft(np.stack([np.column_stack([outline * [a, b], np.full(len(outline), z)])
-                          for a, b, z in levels]), outline)  # fmt: skip
-    slits = [box(0.012, 0.004, 0.6 * h).turn(0, s * 0.055).move(0.028 * n, s * (y / 2 - 0.009), 0.2
-                                                                * h) for n in range(-4, 5)
-             for s in (-1, 1)]  # fmt: skip
-    rim = [np.column_stack([outline * [x + 0.012, y + 0.012], np.full(len(outline), z)])
-           for z in (h - 0.012, h - 0.002)]  # fmt: skip
-    inner = [np.column_stack([outline * [x - 0.006, y - 0.006], np.full(len(outline), z)])
-             for z in (h - 0.002, h - 0.012)]  # fmt: skip
-    lip = loft(np.stack([*rim, *inner]), None, loop=True)
-    walls = [box_part(x - 0.04, y - 0.04, t)]
-    for s in (-1, 1):
-        for wide, deep, along in ((x, y, 0), (y, x, 1)):
-            low, top = deep / 2 - 0.015, deep / 2
-            corners = [(u * (wide / 2 - (0.015 if z == 0 else 0) - 0.012), s * (v - k * t * 1.2), z)
-                       for u in (-1, 1) for z, v in ((0, low), (h, top))
-                       for k in (0, 1)]  # fmt: skip
-            pts = np.array(corners)
-            walls.append(hull_part(pts if along == 0 else pts[:, [1, 0, 2]]))
-    dark = surfaces.plain(tint_color(color, 0.45))
-    return shape([(body, look.surface(color, "plastic")), (join(slits), dark),
-                  (lip, surfaces.plain(tint_color(color, 0.9)))], walls)  # fmt: skip
-
-
 @category("duster", size=(0.3, 0.09, 0.08), mass=0.08, material="fabric", assembled=True,
           aliases=("feather duster", "dust brush", "bundle of dusters", "lint brush"),
           themes=("living",), colors=("pink", "blue"), state="lying")  # fmt: skip
@@ -325,47 +264,3 @@ def clothes_peg(look: Look) -> Shape:
     return put_down([(join(legs), look.surface(color, "wood" if color[0] > 180 and color[2] < 120
                     else "plastic")), (join([*spring, *arms]), surfaces.plain(STEEL))], join(legs),
                    factor=look.between(0.85, 1.2))  # fmt: skip
-
-
-@category("clothes_hanger", size=(0.35, 0.146, 0.0142), mass=0.09, material="wood", assembled=True,
-          aliases=("hanger", "coat hanger", "wooden hanger"), themes=("living",),
-          roles=("big", "flat"), colors=("wooden",), state="lying flat")  # fmt: skip
-def clothes_hanger(look: Look) -> Shape:
-    """A clothes hanger, lying flat."""
-    color = look.color("wooden", "black", "white", "pink", "brown", "blue")
-    k = look.between(0.75, 0.95)
-    wood = look.surface(color, "wood")
-    arms = [rod([(0, 0.03, 0.008), (s * 0.08, 0.012, 0.008), (s * 0.2, -0.045, 0.008)],
-                [0.0085, 0.008, 0.007], 10) for s in (-1, 1)]  # fmt: skip
-    bar = straight((-0.19, -0.042, 0.008), (0.19, -0.042, 0.008), 0.004, 8)
-    hook = rod([(0, 0.03, 0.008), (0, 0.06, 0.006), (0.024, 0.085, 0.003), (0.004, 0.112, 0.003),
-                (-0.022, 0.092, 0.003)], 0.0022, 8)  # fmt: skip
-    return put_down([(join([*arms, bar]), wood), (hook, surfaces.brushed_metal(look.rng, STEEL))],
-                   *arms, bar, hook, factor=k)  # fmt: skip
-
-
-@category("iron", size=(0.24, 0.125, 0.118), mass=1.0, material="metal",
-          aliases=("steam iron", "clothes iron", "flatiron", "electric iron"), themes=("living",),
-          roles=("big",), colors=("white", "blue"))  # fmt: skip
-def iron(look: Look) -> Shape:
-    """A clothes iron resting on its sole plate, with its tip on the left."""
-    color = look.color("white", "blue", "teal", "purple", "red", "green")
-    base = smooth([(-0.12, 0), (-0.08, -0.03), (-0.02, -0.05), (0.08, -0.052), (0.095, -0.04),
-                   (0.095, 0.04), (0.08, 0.052), (-0.02, 0.05), (-0.08, 0.03), (-0.12, 0)],
-                  2)[:-1]  # fmt: skip
-    n = len(base)
-    sole = prism(base, 0, 0.006)
-    body = loft(np.stack([np.column_stack([base * [a, b] + [x, 0], np.full(n, z)]) for a, b, x,
-                          z in ((0.95, 0.94, 0, 0.005), (0.9, 0.9, 0.002, 0.03),
-                                (0.7, 0.6, 0.012, 0.055), (0.5, 0.4, 0.02, 0.062))]),
-                base)  # fmt: skip
-    grip = rod([(-0.055, 0, 0.05), (-0.06, 0, 0.09), (-0.02, 0, 0.112), (0.06, 0, 0.108),
-                (0.085, 0, 0.07), (0.085, 0, 0.02)], 0.0125, 12)  # fmt: skip
-    dial = cylinder(0.018, 0.008, 20, bevel=0.001).move(0.012, 0, 0.06)
-    cord = rod([(0.085, 0, 0.1), (0.12, 0, 0.08), (0.135, 0.02, 0.02), (0.12, 0.05, 0.004),
-                (0.07, 0.075, 0.004)], 0.0032, 7)  # fmt: skip
-    other = surfaces.plain(tint_color(color, 0.5) if sum(color) < 600 else (70, 90, 140))
-    return put_down([(sole, surfaces.brushed_metal(look.rng, STEEL)),
-                     (body, look.surface(color, "plastic")), (join([grip, dial]), other),
-                     (cord, surfaces.plain((60, 60, 64)))], sole, body, grip,
-                    factor=look.between(0.85, 1.05))  # fmt: skip

@@ -25,6 +25,7 @@ from ...kit.solids import (
     tube,
 )
 from ...kit.surfaces import RGB, Look, Tile, plain, readable_on, tint_color
+from .cleaners import STEEL
 
 
 @category("sash", size=(0.289, 0.18, 0.00865), mass=0.03, material="fabric", assembled=True,
@@ -66,42 +67,6 @@ def buckle(look: Look) -> Shape:
     rail = at_box(0.004, 0.046, 0.004, (-0.008, 0, 0.001))
     prong = rod([(-0.008, 0, 0.006), (0.01, 0, 0.0085), (0.031, 0, 0.0078)], 0.0019, 8)
     return put_down([(join([frame, rail, prong]), steel(look, color))], frame, factor=k)
-
-
-@category("gauntlet", size=(0.189, 0.116, 0.0658), mass=0.6, material="metal",
-          aliases=("armored glove", "knight's glove", "armoured glove", "steel glove"),
-          themes=("living",), roles=("big",), colors=("silver",))  # fmt: skip
-def gauntlet(look: Look) -> Shape:
-    """A plate-armour gauntlet with a flared cuff, lying flat."""
-    color = look.color("silver", "gray", "bronze", "charcoal")
-    k = look.between(0.85, 1.1)
-    cuff = [drum(0.036 + 0.006 * n, 0.04, (-0.045 - 0.036 * n, 0, 0.05), 0, top=0.034 + 0.004 * n)
-            for n in range(2)]  # fmt: skip
-    cuff = [one.scale(1, 1.1, 0.75) for one in cuff]
-    hand = [ball(0.075, 0.085, 0.05, (0.02, 0, 0.03), 16)]
-    plates = [at_box(0.02, 0.082 - 0.004 * n, 0.008, (0.0 + 0.018 * n, 0, 0.048 - 0.002 * n))
-              for n in range(3)]  # fmt: skip
-    fingers, joints = [], []
-    for n in range(4):
-        y = 0.03 - 0.02 * n
-        fingers.append(rod([(0.045, y, 0.03), (0.085, y, 0.022), (0.11 - 0.006 * abs(n - 1), y,
-                                                                  0.011)], 0.0105, 8))  # fmt: skip
-        joints += [torus(0.0105, 0.002, 12, 5).turn(1, 1.2).move(x, y, z) for x,
-                   z in ((0.06, 0.027), (0.082, 0.022))]  # fmt: skip
-    thumb = rod([(0.0, 0.036, 0.026), (0.03, 0.06, 0.02), (0.06, 0.062, 0.012)], 0.0115, 8)
-    metal = steel(look, color)
-    return put_down(
-        [
-            (join([*cuff, *hand, *fingers, thumb]), metal),
-            (join([*plates, *joints]), steel(look, tint_color(color, 0.75))),
-        ],
-        *cuff,
-        *hand,
-        join(fingers),
-        thumb,
-        factor=k,
-        foot=0.3,
-    )
 
 
 CLOTH = ("navy", "red", "gray", "teal", "black", "pink", "sky", "green", "white")
@@ -388,42 +353,6 @@ def veil(look: Look) -> Shape:
                  [hull_of(sheet), hull_of(comb)])  # fmt: skip
 
 
-BRASS = (206, 172, 96)
-
-
-@category("folding_fan", size=(0.384, 0.193, 0.00833), mass=0.05, material="paper", assembled=True,
-          aliases=("hand fan", "paper fan", "japanese fan", "folding hand fan", "spanish fan"),
-          themes=("living",), roles=("flat", "big"), colors=("red",),
-          state="lying open")  # fmt: skip
-def folding_fan(look: Look) -> Shape:
-    """An open, pleated folding fan lying flat, with sticks that meet at a rivet."""
-    color = look.color("red", "black", "pink", "blue", "white", "green", "purple")
-    n = 19
-    k = look.between(0.85, 1.1)
-    a = np.linspace(0.12, np.pi - 0.12, n)
-    rows = []
-    for r in (0.075, 0.13, 0.185):
-        z = 0.004 + 0.004 * (np.arange(n) % 2)
-        rows.append(np.column_stack([-r * np.cos(a), r * np.sin(a) - 0.09, z]))
-    leaf = spread(np.stack(rows), 0.0012)
-    sticks = [
-        box(0.19 if i in (0, n - 1) else 0.09, 0.006, 0.0018)
-        .move(0.095 if i in (0, n - 1) else 0.045)
-        .turn(2, float(np.pi - a[i]))
-        .move(0, -0.09, 0.0025 + 0.00009 * i)
-        for i in range(0, n, 2)
-    ]
-    pin = cylinder(0.005, 0.006, 14).move(0, -0.09, 0.001)
-    image = prints.canvas(160, 96, color)
-    ink = tint_color(color, 1.7) if sum(color) < 560 else (200, 60, 70)
-    for j in range(5):
-        prints.disc(image, 0.15 + 0.175 * j, 0.5 + 0.16 * (-1) ** j, 0.1, ink)
-        prints.disc(image, 0.15 + 0.175 * j, 0.5 + 0.16 * (-1) ** j, 0.04, color)
-    return put_down([(leaf, image), (join(sticks), surfaces.wood(look.rng, (110, 74, 48))),
-                     (pin, surfaces.plain(BRASS))], leaf, join([*sticks, pin]),
-                    factor=k)  # fmt: skip
-
-
 @category("umbrella", size=(0.38, 0.085, 0.045), mass=0.35, material="fabric", assembled=True,
           aliases=("folded umbrella", "rolled umbrella", "closed umbrella", "parasol",
           "compact umbrella", "brolly"), themes=("living",), roles=("big",),
@@ -697,3 +626,45 @@ def belt(look: Look) -> Shape:
     made = shape([(coil, leather(look.rng, color)), (join([buckle, prong]), metal)],
                  [hull_part(coil.vertices), hull_part(above(buckle.vertices))])  # fmt: skip
     return made.scale(look.between(0.92, 1.15))
+
+
+@category("clothes_hanger", size=(0.35, 0.146, 0.0142), mass=0.09, material="wood", assembled=True,
+          aliases=("hanger", "coat hanger", "wooden hanger"), themes=("living",),
+          roles=("big", "flat"), colors=("wooden",), state="lying flat")  # fmt: skip
+def clothes_hanger(look: Look) -> Shape:
+    """A clothes hanger, lying flat."""
+    color = look.color("wooden", "black", "white", "pink", "brown", "blue")
+    k = look.between(0.75, 0.95)
+    wood = look.surface(color, "wood")
+    arms = [rod([(0, 0.03, 0.008), (s * 0.08, 0.012, 0.008), (s * 0.2, -0.045, 0.008)],
+                [0.0085, 0.008, 0.007], 10) for s in (-1, 1)]  # fmt: skip
+    bar = straight((-0.19, -0.042, 0.008), (0.19, -0.042, 0.008), 0.004, 8)
+    hook = rod([(0, 0.03, 0.008), (0, 0.06, 0.006), (0.024, 0.085, 0.003), (0.004, 0.112, 0.003),
+                (-0.022, 0.092, 0.003)], 0.0022, 8)  # fmt: skip
+    return put_down([(join([*arms, bar]), wood), (hook, surfaces.brushed_metal(look.rng, STEEL))],
+                   *arms, bar, hook, factor=k)  # fmt: skip
+
+
+@category("eye_mask", size=(0.2, 0.125, 0.0125), mass=0.03, material="fabric", assembled=True,
+          aliases=("sleep mask", "sleeping mask", "blindfold"), themes=("living",), roles=("flat",),
+          colors=("black", "navy"), state="lying flat")  # fmt: skip
+def eye_mask(look: Look) -> Shape:
+    """A padded sleeping mask with an elastic band, lying flat."""
+    color = look.color("black", "navy", "pink", "lavender", "gray", "teal")
+    k = look.between(0.9, 1.1)
+    side = smooth([(-0.1, 0.006), (-0.07, 0.042), (0, 0.034), (0.07, 0.042), (0.1, 0.006),
+                   (0.07, -0.04), (0.02, -0.036), (0, -0.012), (-0.02, -0.036), (-0.07, -0.04),
+                   (-0.1, 0.006)], 3)[:-1]  # fmt: skip
+    side = side[::-1]
+    n = len(side)
+    body = loft(np.stack([np.column_stack([side * g, np.full(n, z)]) for g, z in (
+        (0.95, 0), (1.0, 0.004), (0.96, 0.009), (0.8, 0.012))]), side)  # fmt: skip
+    band = rod([(-0.096, 0, 0.005), (-0.09, 0.05, 0.004), (0, 0.085, 0.004), (0.09, 0.05, 0.004),
+                (0.096, 0, 0.005)], 0.0035, 6)  # fmt: skip
+    lids = [rod([(s * 0.05 - 0.024, 0.006, 0.011), (s * 0.05, -0.008, 0.0125),
+                 (s * 0.05 + 0.024, 0.006, 0.011)], 0.0013, 5) for s in (-1, 1)]  # fmt: skip
+    ink = surfaces.plain((250, 246, 240) if sum(color) < 400 else (70, 60, 80))
+    return put_down([(body, surfaces.fabric(look.rng, color)),
+                     (band, surfaces.plain(tint_color(color, 0.7) if sum(color) > 200
+                                           else (90, 90, 96))), (join(lids), ink)], body,
+                    factor=k)  # fmt: skip

@@ -7,15 +7,26 @@ from collections.abc import Callable
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import PAINTS, dye, glaze_tile, steel, wood
+from ...kit.materials import PAINTS, dye, glaze_tile, metal, steel, wood
 from ...kit.outlines import ellipse, smooth
-from ...kit.parts import above, cylinder_part, flat_foot, hull_above, hull_of, hull_part, ring_parts
+from ...kit.parts import (
+    above,
+    box_part,
+    cylinder_part,
+    flat_foot,
+    hull_above,
+    hull_of,
+    hull_part,
+    open_vessel,
+    ring_parts,
+)
 from ...kit.primitives import (
     at_box,
     ball,
     disc,
     drum,
     limb,
+    lobe,
     pad,
     plate,
     rod,
@@ -33,9 +44,11 @@ from ...kit.shapes import (
     at_rest,
     category,
     from_pieces,
+    keep_still,
     put_down,
     settle,
     shape,
+    vary,
 )
 from ...kit.solids import (
     Solid,
@@ -47,10 +60,11 @@ from ...kit.solids import (
     lathe,
     loft,
     prism,
+    refine,
     torus,
     tube,
 )
-from ...kit.surfaces import RGB, Look, plain, tint_color
+from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
 from .figurines import person
 
 
@@ -901,6 +915,279 @@ def wind_chime(look: Look) -> Shape:
     return put_down([(join([top, sail]), wood), (join(tubes), steel(look, color)),
                      (join([loop, *cords, line]), plain((220, 214, 200)))],
                     top, *tubes, sail, factor=k, foot=0.3)  # fmt: skip
+
+
+@category("feather", size=(0.17, 0.031, 0.012), mass=0.001, material="paper", assembled=True,
+          aliases=("bird feather", "quill", "plume"), themes=("living",), colors=("white", "gray"),
+          state="lying flat")  # fmt: skip
+def feather(look: Look) -> Shape:
+    """A feather with its quill, lying flat."""
+    color = look.color("white", "gray", "blue", "brown", "black", "red", "green")
+    long = look.between(0.14, 0.2)
+    half = np.array(
+        smooth([(-0.22, 0.002), (-0.16, 0.07), (0.1, 0.1), (0.38, 0.075), (0.5, 0.0)], 4)
+    )
+    outline = np.concatenate([half[::-1], half[:-1] * [1, -0.8]]) * long
+
+    def bow(p: np.ndarray) -> np.ndarray:
+        return np.column_stack([p[:, :2], p[:, 2] + 0.6 * (p[:, 0] - 0.1 * long) ** 2 / long * 0.6])
+
+    vane = prism(outline, 0.0008, 0.0018).bend(bow)
+    quill = rod([(-0.5 * long, 0, 0.0035), (-0.2 * long, 0, 0.0026), (0.1 * long, 0, 0.0018),
+                 (0.46 * long, 0, 0.0036)], [0.0012, 0.0012, 0.0009, 0.0004], 6)  # fmt: skip
+    barbs = surfaces.stripes([color, tint_color(color, 0.86)], 22, upright=True, side=96)
+    return put_down([(vane, barbs), (quill, surfaces.plain((240, 232, 214)))], vane, quill)
+
+
+@category("gingerbread_house", size=(0.155, 0.14, 0.13), mass=0.5, material="food",
+          aliases=("ginger bread house", "candy house"), themes=("living",),
+          colors=("brown",))  # fmt: skip
+def gingerbread_house(look: Look) -> Shape:
+    """A gingerbread house with icing, sweets, a door and a chimney."""
+    color = look.color("bronze", "brown", "copper", "terracotta")
+    k = look.between(0.9, 1.15)
+    w, d, h = 0.1, 0.085, 0.06
+    crust = surfaces.speckles(look.rng, color, 12)
+    walls = side_view([(-w / 2, 0), (w / 2, 0), (w / 2, h), (0, h + 0.055), (-w / 2, h)], d)
+    long = 0.088
+    slabs = [box(long, d + 0.024, 0.009).move(x=s * (long / 2 - 0.004)).turn(1, s * 0.832)
+             .move(0, 0, h + 0.057) for s in (-1, 1)]  # fmt: skip
+    edge = [rod([(s * 0.064, y, h - 0.006), (s * 0.03, y, h + 0.03), (0, y, h + 0.066)], 0.0045, 6)
+            for s in (-1, 1) for y in (-d / 2 - 0.012, d / 2 + 0.012)]  # fmt: skip
+    ridge = straight((0, -d / 2 - 0.012, h + 0.066), (0, d / 2 + 0.012, h + 0.066), 0.006)
+    base = box(w + 0.05, d + 0.05, 0.006)
+    door = box(0.024, 0.003, 0.036).move(0, -d / 2, 0.006)
+    panes = [box(0.018, 0.003, 0.018).move(s * 0.032, -d / 2, 0.024) for s in (-1, 1)]
+    frames = [box(0.023, 0.002, 0.023).move(s * 0.032, -d / 2, 0.0215) for s in (-1, 1)]
+    chimney = box(0.018, 0.018, 0.04).move(0.03, 0.015, h + 0.025)
+    drops: list[list[Solid]] = [[], [], []]
+    for n in range(18):
+        s, row, col = (-1) ** n, (n // 2) % 3, (n // 6)
+        x = 0.018 + 0.02 * row
+        at = (s * x, (col - 1) * 0.032, h + 0.064 - 1.1 * x + 0.003)
+        drops[n % 3].append(ball(0.012, 0.012, 0.009, at, 8))
+    icing = surfaces.plain((250, 248, 244))
+    tints = [surfaces.plain(look.own_color(c)) for c in ("red", "green", "yellow")]
+    pieces: Pieces = [(join([walls, chimney]), crust), (join(slabs), surfaces.speckles(look.rng,
+                      tint_color(color, 0.75), 10)), (join([*edge, ridge, base, *frames]), icing),
+                      (door, surfaces.plain((110, 60, 40))),
+                      (join(panes), surfaces.plain((250, 214, 110)))]  # fmt: skip
+    pieces += [(join(d), t) for d, t in zip(drops, tints, strict=True)]
+    return put_down(pieces, base, walls, *slabs, factor=k)
+
+
+@category("jack_o_lantern", size=(0.13, 0.135, 0.12), mass=0.5, material="food",
+          aliases=("carved pumpkin", "jack-o-lantern", "jack o'lantern", "pumpkin lantern"),
+          themes=("living",), roles=("round",), colors=("orange",))  # fmt: skip
+def jack_o_lantern(look: Look) -> Shape:
+    """A carved pumpkin with eyes, a nose and a toothed grin."""
+    color = look.color("orange", "orange", "amber", "coral")
+    d = look.between(0.11, 0.15)
+    body = lobe(ellipsoid(d, d, 0.78 * d, 40, 14), 10, 0.12).move(z=0.37 * d)
+    stem = rod([(0, 0, 0.72 * d), (0.004, 0, 0.82 * d), (0.018, 0, 0.9 * d)],
+               [0.011, 0.008, 0.009], 8)  # fmt: skip
+    r = 0.53 * d
+
+    def carve(points: list[tuple[float, float]]) -> Solid:
+        """Return a dark patch on the front (x, z relative to the width)."""
+        plate = refine(refine(standing_plate(np.array(points) * d, 0.1 * d)))
+
+        def wrap(p: np.ndarray) -> np.ndarray:
+            z = (p[:, 2] - 0.37 * d) / (0.39 * d)
+            reach = r * np.sqrt(np.maximum(1 - z**2, 0.05)) * 0.995
+            depth = np.sqrt(np.maximum(reach**2 - p[:, 0] ** 2, 0))
+            return np.column_stack([p[:, 0], -depth + 0.4 * p[:, 1] - 0.012 * d, p[:, 2]])
+
+        return plate.bend(wrap)
+
+    eyes = [carve([(s * 0.19 - 0.08, 0.48), (s * 0.19 + 0.08, 0.48), (s * 0.19, 0.62)])
+            for s in (-1, 1)]  # fmt: skip
+    nose = carve([(-0.035, 0.41), (0.035, 0.41), (0.0, 0.48)])
+    grin = carve([(-0.28, 0.37), (-0.17, 0.26), (-0.09, 0.26), (-0.09, 0.295), (-0.03, 0.295),
+                  (-0.03, 0.24), (0.09, 0.25), (0.17, 0.26), (0.28, 0.37), (0.13, 0.32),
+                  (0.08, 0.33), (0.08, 0.295), (0.02, 0.295), (0.02, 0.325),
+                  (-0.13, 0.325)])  # fmt: skip
+    glow = surfaces.plain(look.pick([(30, 22, 18), (250, 206, 80)]))
+    skin = surfaces.stripes([color, tint_color(color, 0.88)], 10, upright=True, side=96)
+    return put_down([(body, skin), (stem, surfaces.plain((110, 120, 60))),
+                    (join([*eyes, nose, grin]), glow)], body, stem)  # fmt: skip
+
+
+@category("easter_basket", size=(0.189, 0.183, 0.0791), mass=0.25, material="wood", hollow=True,
+          aliases=("egg basket", "gift basket", "basket with a handle", "flower basket"),
+          themes=("living",), roles=("container", "round"), colors=("tan",))  # fmt: skip
+def easter_basket(look: Look) -> Shape:
+    """A small, round, open basket with its handle folded down at the back."""
+    r, h = look.between(0.07, 0.09), look.between(0.065, 0.08)
+    color = look.color("tan", "brown", "white", "pink", "sky", "bronze", "mint")
+    body, _ = open_vessel([(0.8 * r, 0), (0.93 * r, 0.5 * h), (r, h)], 0.006, 0.006)
+    rim = torus(0.98 * r, 0.006, 32, 8).move(z=h)
+    grip = rod([(-1.04 * r, 0, h), (-0.85 * r, 0.75 * r, h - 0.004), (0, 1.16 * r, h - 0.008),
+                (0.85 * r, 0.75 * r, h - 0.004), (1.04 * r, 0, h)], 0.006, 8)  # fmt: skip
+    loops = [
+        ball(0.034, 0.01, 0.024, (-0.97 * r + 0.006 * s, s * 0.018, h - 0.004), 8) for s in (-1, 1)
+    ]
+    weave = surfaces.basketwork(look.rng, color, 14)
+    knot = surfaces.plain(look.own_color("pink", "yellow", "lavender", "red"))
+    wall = ring_parts([(0.8 * r, 0), (0.93 * r, 0.5 * h), (r, h)],
+                      [(r - 0.006, h), (0.8 * r - 0.006, 0.006)], 14)  # fmt: skip
+    return shape([(body, weave), (join([rim, grip]), surfaces.plain(tint_color(color, 0.85))),
+                  (join(loops), knot)], [*wall, cylinder_part(0.78 * r, 0.006)])  # fmt: skip
+
+
+BRASS = (206, 172, 96)
+
+
+@category("mantel_clock", size=(0.16, 0.08, 0.162), mass=0.9, material="wood",
+          aliases=("mantle clock", "mantelpiece clock", "wooden clock", "antique clock",
+          "shelf clock", "grandfather clock", "grandfather clock model", "astronomical clock model",
+          "ship clock"), themes=("living",), colors=("brown",))  # fmt: skip
+def mantel_clock(look: Look) -> Shape:
+    """A wooden mantel clock with an arched top, a dial and feet."""
+    color = look.color("brown", "wooden", "black", "red", "tan")
+    k = look.between(0.85, 1.15)
+    a = np.linspace(0, np.pi, 13)
+    arch = np.column_stack([0.06 * np.cos(a), 0.085 + 0.06 * np.sin(a)])
+    outline = np.concatenate([[(-0.06, 0.018), (0.06, 0.018)], arch])
+    body = prism(outline, -0.03, 0.03).turn(0, np.pi / 2)
+    base = block(0.16, 0.08, 0.018, 0.004, 0.003)
+    ring = torus(0.043, 0.004, 32, 8).turn(0, np.pi / 2).move(0, -0.031, 0.085)
+    dial = cylinder(0.042, 0.002, 32).turn(0, np.pi / 2).move(0, -0.0295, 0.085)
+    face = prints.clock_face(look.rng, (246, 240, 224), (44, 38, 36))
+    knob = ball(0.016, 0.016, 0.02, (0, 0, 0.152), 12)
+    wood = surfaces.wood(look.rng, color)
+    return put_down([(join([body, base]), wood), (join([ring, knob]), surfaces.plain(BRASS)),
+                     (dial, face)], base, body, factor=k)  # fmt: skip
+
+
+@category("sparkler", size=(0.235, 0.0364, 0.025), mass=0.006, material="metal", assembled=True,
+          aliases=("lit sparkler", "party sparkler", "cake sparkler"), themes=("living",),
+          colors=("gray",), state="lying flat")  # fmt: skip
+@keep_still
+def sparkler(look: Look) -> Shape:
+    """A sparkler lying flat, burning at its tip."""
+    k = look.between(0.9, 1.1)
+    color = look.color("gray", "silver", "gold")
+    wire = straight((-0.11, 0, 0.0025), (0.0, 0, 0.0025), 0.0011, 6)
+    coat = straight((-0.005, 0, 0.0025), (0.11, 0, 0.0025), 0.0025, 7)
+    sparks = [tube([(0.11, 0, 0.004), (0.11 + d * np.cos(a) * np.cos(b), d * np.sin(a) * np.cos(b),
+                   0.004 + d * abs(np.sin(b)))], [0.0011, 0.0004], 4)
+              for a, b, d in ((2.4 * n, 0.35 + 0.9 * ((n * 5) % 7) / 7, 0.016 + 0.012 * (n % 3) / 3)
+                              for n in range(26))]  # fmt: skip
+    return settle([(wire, surfaces.plain((180, 182, 186))),
+                   (coat, surfaces.speckles(look.rng, tint_color(color, 0.8), 14)),
+                   (join(sparks), surfaces.plain((255, 226, 120)))], 0.02,
+                  hulls=[[0, 1], [2]]).scale(k)  # fmt: skip
+
+
+@category("egg_dye_kit", size=(0.151, 0.0459, 0.182), mass=0.15, material="paper",
+          aliases=("egg dye", "egg decorating kit", "egg colouring kit", "egg coloring kit",
+          "egg painting kit", "easter egg dye", "egg dyeing kit"), themes=("living",),
+          colors=("pink",))  # fmt: skip
+def egg_dye_kit(look: Look) -> Shape:
+    """A boxed egg dyeing kit with painted eggs and pots of colour on its front."""
+    k, color = look.between(0.9, 1.1), look.color("pink", "yellow", "sky", "mint", "lavender")
+    x, y, h = 0.15 * k, 0.045 * k, 0.18 * k
+    image = prints.canvas(170, 200, color)
+    prints.write(image, "EGG DYE", 0.5, 0.13, 0.13, readable_on(color), bold=True)
+    prints.write(image, "KIT", 0.5, 0.26, 0.1, readable_on(color), bold=True)
+    hues: tuple[RGB, ...] = ((236, 84, 110), (250, 206, 60), (80, 160, 220), (110, 180, 90),
+                             (150, 100, 190))  # fmt: skip
+    for n, hue in enumerate(hues):
+        at = 0.14 + 0.18 * n
+        prints.disc(image, at, 0.54 + 0.05 * (n % 2), 0.08, hue)
+        prints.disc(image, at, 0.51 + 0.05 * (n % 2), 0.07, hue)
+        prints.fill(image, at - 0.07, 0.54 + 0.05 * (n % 2), 0.14, 0.02, (250, 248, 240))
+        prints.fill(image, at - 0.06, 0.78, 0.12, 0.14, hue)
+        prints.fill(image, at - 0.07, 0.75, 0.14, 0.04, (250, 250, 250))
+    panel = box(x, 0.0005, h)
+    return shape([(box(x, y, h), surfaces.plain(tint_color(color, 0.85))),
+                  (panel.move(y=-y / 2), image), (panel.move(y=y / 2), image)],
+                 [box_part(x, y, h)])  # fmt: skip
+
+
+@category("message_in_a_bottle", size=(0.22, 0.068, 0.068), mass=0.3, material="glass",
+          aliases=("message in bottle", "letter in a bottle", "bottle message"), themes=("living",),
+          colors=("cream",))  # fmt: skip
+@from_pieces(foot=0.03, bodies=4)
+def message_in_a_bottle(look: Look) -> Pieces:
+    """A corked bottle lying flat, with a rolled paper inside."""
+    z = 0.034
+    glass = surfaces.plain((168, 206, 190))
+    hoops = [torus(r, 0.0016, 28, 5).turn(1, np.pi / 2).move(x, 0, z) for x,
+             r in ((-0.088, 0.03), (-0.03, 0.033), (0.03, 0.033))]  # fmt: skip
+    wires = [tube(smooth([(-0.09, 0.03 * np.cos(a), z + 0.03 * np.sin(a)),
+                          (0.0, 0.033 * np.cos(a), z + 0.033 * np.sin(a)),
+                          (0.04, 0.032 * np.cos(a), z + 0.032 * np.sin(a)),
+                          (0.07, 0.013 * np.cos(a), z + 0.013 * np.sin(a)),
+                          (0.11, 0.012 * np.cos(a), z + 0.012 * np.sin(a))], 5), 0.0012, 5)
+             for a in np.arange(9) * 0.698]  # fmt: skip
+    base = spindle((-0.09, 0.03), (-0.087, 0.032), z=z)
+    lip = torus(0.0125, 0.003, 22, 6).turn(1, np.pi / 2).move(0.11, 0, z)
+    scroll = spindle((-0.06, 0.014), (0.05, 0.014), z=0.018)
+    tie = spindle((-0.01, 0.0148), (0.0, 0.0148), z=0.018)
+    cork = spindle((0.1, 0.011), (0.13, 0.0125), z=z)
+    foot = at_box(0.12, 0.03, 0.003)
+    return [(join([*hoops, *wires]), glass), (base, glass), (cork, dye(look, "tan")), (foot, glass),
+            (lip, glass), (scroll, surfaces.spots(look.rng, look.color("cream", "beige"),
+                                                  (176, 146, 102), 0.05)),
+            (tie, dye(look, "crimson"))]  # fmt: skip
+
+
+@category("zen_garden", size=(0.245, 0.184, 0.0368), mass=0.8, material="wood",
+          aliases=("sand garden", "mini zen garden", "desktop zen garden", "japanese garden"),
+          themes=("living",), roles=("flat", "big"), colors=("brown",))  # fmt: skip
+@vary()
+@from_pieces(bodies=5)
+def zen_garden(look: Look) -> Pieces:
+    """A tray of raked sand with three stones and a small rake."""
+    tile = wood(look, "brown", "black", "wooden")
+    sides = [at_box(0.24, 0.012, 0.03, (0, s * 0.084, 0)) for s in (-1, 1)] + [
+        at_box(0.012, 0.156, 0.03, (s * 0.114, 0, 0)) for s in (-1, 1)
+    ]
+    image = np.zeros((96, 128, 3))
+    y, x = np.mgrid[0:96, 0:128].astype(float)
+    wave = np.sin(np.minimum(np.hypot(x - 84, y - 40), 34) * 0.9 + 0.0 * y)
+    far = np.hypot(x - 84, y - 40) > 32
+    wave = np.where(far, np.sin(0.9 * y + 0.6 * np.sin(0.05 * x)), wave)
+    image[:] = (230, 216, 186)
+    image = np.clip(image + 15 * wave[..., None], 0, 255).astype(np.uint8)
+    sand = at_box(0.217, 0.157, 0.02)
+    stones = [ball(a, b, c, (px, py, 0.021), 12) for a, b, c, px,
+              py in ((0.036, 0.03, 0.03, 0.035, 0.012), (0.022, 0.02, 0.018, 0.058, -0.006),
+                     (0.018, 0.022, 0.014, 0.026, -0.014))]  # fmt: skip
+    rake = [straight((-0.09, -0.05, 0.024), (-0.02, -0.02, 0.03), 0.0025, 8),
+            straight((-0.025, -0.004, 0.026), (-0.013, -0.034, 0.026), 0.0025, 8)]  # fmt: skip
+    return [*((s, tile) for s in sides), (sand, image), *((s, surfaces.speckles(look.rng, c, 8))
+                                                          for s,
+                                                          c in zip(stones,
+                                                                   ((70, 70, 74), (120, 116, 110),
+                                                                    (96, 92, 90)), strict=True)),
+            (join(rake), dye(look, "wooden", "tan"))]  # fmt: skip
+
+
+@category("wire_tree", size=(0.115, 0.123, 0.172), mass=0.3, material="metal", assembled=True,
+          aliases=("gem tree", "copper tree", "crystal tree", "money tree ornament", "jewelry tree",
+          "jewellery tree", "tree ornament sculpture"), themes=("living",), roles=("tall",),
+          colors=("copper",))  # fmt: skip
+@from_pieces(bodies=3)
+def wire_tree(look: Look) -> Pieces:
+    """A tree of twisted wire with bead leaves on a stone."""
+    wire = metal(look, "copper", "gold", "silver", "bronze")
+    rock = ball(0.08, 0.06, 0.036, (0, 0, 0.01), 12)
+    trunk = rod([(0, 0, 0.02), (0.006, 0.0, 0.06), (-0.004, 0, 0.095)], [0.011, 0.008, 0.007], 10)
+    boughs, leaves = [], []
+    for k in range(11):
+        a, r, z = 2.4 * k, 0.03 + 0.03 * ((k * 7) % 11) / 11, 0.12 + 0.05 * (k / 11)
+        tip = (r * np.cos(a), r * np.sin(a), z)
+        boughs.append(
+            rod([(-0.003, 0, 0.085), (0.4 * tip[0], 0.4 * tip[1], 0.5 * z + 0.045), tip], 0.0022, 6)
+        )
+        leaves += [ball(0.013, 0.013, 0.01, (tip[0] + 0.011 * np.cos(n * 1.6), tip[1] + 0.011
+                                             * np.sin(n * 1.6), z + 0.004 * (n % 2)), 7)
+                   for n in range(4)]  # fmt: skip
+    return [(rock, dye(look, "gray", "charcoal", "beige")), (trunk, wire), (join(boughs), wire),
+            (join(leaves), dye(look, "green", "pink", "teal", "purple", "amber"))]  # fmt: skip
 
 
 CATEGORIES = (

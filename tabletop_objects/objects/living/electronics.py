@@ -7,14 +7,15 @@ from collections.abc import Callable
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import BRASS_TONE, DARK, dye, plastic, steel
-from ...kit.outlines import ellipse
-from ...kit.parts import box_part, cylinder_part, hull_of
+from ...kit.materials import BRASS_TONE, DARK, dye, plastic, shine, steel
+from ...kit.outlines import ellipse, smooth
+from ...kit.parts import box_part, hull_of
 from ...kit.primitives import at_block, at_box, ball, disc, drum, facing, lies, rod, standing
 from ...kit.prints import word_plate
 from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, put_down, shape
-from ...kit.solids import block, box, cylinder, join, lathe, prism, torus, tube
+from ...kit.solids import block, box, cylinder, join, lathe, loft, prism, torus, tube
 from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
+from .cleaners import STEEL
 
 
 @category("humidifier", size=(0.117, 0.117, 0.18), mass=0.5, material="device",
@@ -146,39 +147,6 @@ def remote_control(look: Look) -> Shape:
                  [box_part(x, y, h)])  # fmt: skip
 
 
-@category("camera", size=(0.125, 0.085, 0.093), mass=0.45, material="device",
-          aliases=("photo camera", "digital camera", "dslr", "leica", "polaroid camera",
-          "film camera", "slr camera", "mirrorless camera"), themes=("living", "craft", "office"),
-          colors=("black", "silver"), common=True)  # fmt: skip
-def camera(look: Look) -> Shape:
-    """A photo camera with its lens towards the viewer."""
-    x, y, z = look.between(0.118, 0.132), look.between(0.042, 0.05), look.between(0.072, 0.082)
-    color = look.color("black", "black", "silver", "brown", "navy", "red", "teal", "cream", "pink")
-    leather = surfaces.spots(look.rng, tint_color(color, 0.85), tint_color(color, 0.6), 0.2)
-    metal = surfaces.speckles(look.rng, look.own_color("black", "silver", "charcoal"), 3, 32)
-    r, reach = look.between(0.3, 0.43) * z, look.between(0.02, 0.055)
-    body = block(x, y, z * 0.76, 0.012)
-    top = block(x, y, z * 0.24, 0.012, 0.002).move(z=z * 0.76)
-    tall, aside = look.between(0.006, 0.022), look.pick([0.0, 0.0, -0.25 * x])
-    hump = block(0.042, y * 0.9, tall, 0.4 * tall, 0.2 * tall).move(x=aside, z=z - 0.002)
-    lens = cylinder(r, reach, 28, bevel=0.002).turn(0, np.pi / 2).move(y=-y / 2 + 0.001, z=0.46 * z)
-    ring = torus(r - 0.003, 0.003, 28, 6).turn(0, np.pi / 2).move(y=-y / 2 - reach, z=0.46 * z)
-    glass = (
-        cylinder(r - 0.006, 0.001, 24).turn(0, np.pi / 2).move(y=-y / 2 - reach + 0.001, z=0.46 * z)
-    )
-    dial = cylinder(0.009, 0.007, 16).move(x=0.35 * x, z=z - 0.001)
-    button = cylinder(0.005, 0.006, 14).move(x=-0.37 * x, z=z - 0.001)
-    shine = prints.canvas(32, 32, (28, 34, 62))
-    prints.disc(shine, 0.35, 0.35, 0.15, (120, 140, 190))
-    low = 0.46 * z - r
-    pieces = [(body, leather), (top, metal), (hump, metal), (lens, metal),
-              (ring, surfaces.plain((70, 72, 78))), (glass, shine),
-              (dial, surfaces.plain((170, 172, 176))),
-              (button, surfaces.plain((190, 60, 50)))]  # fmt: skip
-    return shape(pieces, [box_part(x, y, z), box_part(0.042, y * 0.9, tall - 0.003, (aside, 0, z)),
-                          cylinder_part(r, reach, (0, -y / 2 - reach, low + r), 1)])  # fmt: skip
-
-
 RETRO_TELEVISION_DARK: RGB = (30, 30, 33)
 
 
@@ -201,29 +169,6 @@ def game_cartridge(look: Look) -> Shape:
                   (box(0.78 * x, 0.6 * y, 0.0005).move(y=-0.08 * y, z=h - 0.0002), art),
                   (join(grips), surfaces.plain(tint_color(color, 0.7)))],
                  [box_part(x, y, h)])  # fmt: skip
-
-
-@category("film_roll", size=(0.0576, 0.0284, 0.0505), mass=0.03, material="plastic", assembled=True,
-          aliases=("roll of film", "film canister", "camera film", "photo film", "35mm film",
-          "film", "microfilm reel", "negative strip", "film reel", "reel of film", "music roll"),
-          themes=("living",), roles=("round",), colors=("yellow",))  # fmt: skip
-def film_roll(look: Look) -> Shape:
-    """An upright 35 mm film canister with a strip of film sticking out."""
-    k = look.between(0.95, 1.1)
-    color = look.color("yellow", "green", "red", "blue", "black", "orange")
-    r, h = 0.0125 * k, 0.047 * k
-    body = cylinder(r, 0.9 * h, 26).move(z=0.03 * h)
-    image = prints.label(look.rng, look.pick(["FILM 400", "ISO 200", "35 mm"]), color,
-                         (246, 244, 236), width=192)  # fmt: skip
-    caps = [cylinder(1.06 * r, 0.05 * h, 26).move(z=z) for z in (0, 0.9 * h)]
-    caps.append(cylinder(0.45 * r, 0.08 * h, 14).move(z=0.92 * h))
-    tongue = box(0.03 * k, 0.001, 0.74 * h).move(r + 0.013 * k, 0.3 * r, 0.1 * h)
-    strip = prints.canvas(64, 64, (96, 66, 44))
-    for n in range(8):
-        for v in (0.05, 0.87):
-            prints.fill(strip, n / 8 + 0.03, v, 0.06, 0.08, (236, 230, 220))
-    return shape([(body, image), (join(caps), surfaces.plain((36, 36, 38))), (tongue, strip)],
-                 [cylinder_part(1.06 * r, 0.95 * h), hull_of(tongue)])  # fmt: skip
 
 
 @category("radio", size=(0.245, 0.082, 0.239), mass=0.8, material="device", assembled=True,
@@ -501,31 +446,6 @@ def mp3_player(look: Look) -> Pieces:
             (wheel, surfaces.plain((206, 208, 212))), (hub, shell)]  # fmt: skip
 
 
-BRASS = (206, 172, 96)
-
-
-@category("mantel_clock", size=(0.16, 0.08, 0.162), mass=0.9, material="wood",
-          aliases=("mantle clock", "mantelpiece clock", "wooden clock", "antique clock",
-          "shelf clock", "grandfather clock", "grandfather clock model", "astronomical clock model",
-          "ship clock"), themes=("living",), colors=("brown",))  # fmt: skip
-def mantel_clock(look: Look) -> Shape:
-    """A wooden mantel clock with an arched top, a dial and feet."""
-    color = look.color("brown", "wooden", "black", "red", "tan")
-    k = look.between(0.85, 1.15)
-    a = np.linspace(0, np.pi, 13)
-    arch = np.column_stack([0.06 * np.cos(a), 0.085 + 0.06 * np.sin(a)])
-    outline = np.concatenate([[(-0.06, 0.018), (0.06, 0.018)], arch])
-    body = prism(outline, -0.03, 0.03).turn(0, np.pi / 2)
-    base = block(0.16, 0.08, 0.018, 0.004, 0.003)
-    ring = torus(0.043, 0.004, 32, 8).turn(0, np.pi / 2).move(0, -0.031, 0.085)
-    dial = cylinder(0.042, 0.002, 32).turn(0, np.pi / 2).move(0, -0.0295, 0.085)
-    face = prints.clock_face(look.rng, (246, 240, 224), (44, 38, 36))
-    knob = ball(0.016, 0.016, 0.02, (0, 0, 0.152), 12)
-    wood = surfaces.wood(look.rng, color)
-    return put_down([(join([body, base]), wood), (join([ring, knob]), surfaces.plain(BRASS)),
-                     (dial, face)], base, body, factor=k)  # fmt: skip
-
-
 @category("travel_adapter", size=(0.068, 0.05, 0.0515), mass=0.1, material="plastic",
           aliases=("plug adapter", "adapter plug", "travel plug", "universal adapter",
           "socket adapter", "smart plug", "timer switch", "travel adaptor", "plug adaptor",
@@ -546,6 +466,58 @@ def travel_adapter(look: Look) -> Shape:
                                           else (70, 70, 74))), (join([*holes, *slots, *usb]), dark),
                      (join(pins), surfaces.brushed_metal(look.rng, (206, 208, 212)))], body,
                     join(pins), factor=k)  # fmt: skip
+
+
+@category("iron", size=(0.24, 0.125, 0.118), mass=1.0, material="metal",
+          aliases=("steam iron", "clothes iron", "flatiron", "electric iron"), themes=("living",),
+          roles=("big",), colors=("white", "blue"))  # fmt: skip
+def iron(look: Look) -> Shape:
+    """A clothes iron resting on its sole plate, with its tip on the left."""
+    color = look.color("white", "blue", "teal", "purple", "red", "green")
+    base = smooth([(-0.12, 0), (-0.08, -0.03), (-0.02, -0.05), (0.08, -0.052), (0.095, -0.04),
+                   (0.095, 0.04), (0.08, 0.052), (-0.02, 0.05), (-0.08, 0.03), (-0.12, 0)],
+                  2)[:-1]  # fmt: skip
+    n = len(base)
+    sole = prism(base, 0, 0.006)
+    body = loft(np.stack([np.column_stack([base * [a, b] + [x, 0], np.full(n, z)]) for a, b, x,
+                          z in ((0.95, 0.94, 0, 0.005), (0.9, 0.9, 0.002, 0.03),
+                                (0.7, 0.6, 0.012, 0.055), (0.5, 0.4, 0.02, 0.062))]),
+                base)  # fmt: skip
+    grip = rod([(-0.055, 0, 0.05), (-0.06, 0, 0.09), (-0.02, 0, 0.112), (0.06, 0, 0.108),
+                (0.085, 0, 0.07), (0.085, 0, 0.02)], 0.0125, 12)  # fmt: skip
+    dial = cylinder(0.018, 0.008, 20, bevel=0.001).move(0.012, 0, 0.06)
+    cord = rod([(0.085, 0, 0.1), (0.12, 0, 0.08), (0.135, 0.02, 0.02), (0.12, 0.05, 0.004),
+                (0.07, 0.075, 0.004)], 0.0032, 7)  # fmt: skip
+    other = surfaces.plain(tint_color(color, 0.5) if sum(color) < 600 else (70, 90, 140))
+    return put_down([(sole, surfaces.brushed_metal(look.rng, STEEL)),
+                     (body, look.surface(color, "plastic")), (join([grip, dial]), other),
+                     (cord, surfaces.plain((60, 60, 64)))], sole, body, grip,
+                    factor=look.between(0.85, 1.05))  # fmt: skip
+
+
+@category("amplifier", size=(0.268, 0.159, 0.28), mass=4.0, material="device",
+          aliases=("guitar amplifier", "guitar amp", "amp", "practice amp", "bass amp",
+          "combo amp"), themes=("living",), roles=("big",), colors=("black",))  # fmt: skip
+@from_pieces(bodies=2)
+def amplifier(look: Look) -> Pieces:
+    """A guitar amplifier with a cloth front, a row of knobs and a handle."""
+    shell = plastic(look, "black", "cream", "brown", "charcoal", "red")
+    body = at_block(0.26, 0.14, 0.24, 0.012)
+    grille = surfaces.fabric(look.rng, look.own_color("charcoal", "gray", "tan", "black"),
+                             look.own_color("gray", "charcoal"))  # fmt: skip
+    front = at_box(0.235, 0.004, 0.165, (0, -0.071, 0.016))
+    panel = at_box(0.235, 0.004, 0.036, (0, -0.071, 0.192))
+    knobs = [disc(0.009, 0.012).turn(0, np.pi / 2).move(x, -0.072, 0.21)
+             for x in np.linspace(-0.09, 0.06, 6)]  # fmt: skip
+    lamp = ball(0.009, 0.006, 0.009, (0.095, -0.074, 0.21), 10)
+    name = at_box(0.06, 0.002, 0.018, (0, -0.073, 0.155))
+    handle = rod(
+        [(-0.06, 0, 0.238), (-0.05, 0, 0.262), (0.05, 0, 0.262), (0.06, 0, 0.238)], 0.006, 8
+    )
+    return [(body, shell), (handle, dye(look, "black")), (front, grille), (panel, shine(look,
+             "gold", "silver")),
+            (join(knobs), dye(look, "black", "cream")), (lamp, surfaces.plain((220, 40, 36))),
+            (name, word_plate("AMP", (24, 24, 26), (230, 230, 226), 0.6))]  # fmt: skip
 
 
 CATEGORIES = (

@@ -844,6 +844,30 @@ def gargoyle(look: Look) -> Shape:
                  [hull_of(plinth), hull_above(thing)]).scale(k)  # fmt: skip
 
 
+@category("piggy_bank", size=(0.14, 0.093, 0.115), mass=0.35, material="ceramic", hollow=True,
+          aliases=("money box", "coin bank", "pig bank", "savings bank", "money bank"),
+          themes=("living",), colors=("pink",))  # fmt: skip
+def piggy_bank(look: Look) -> Shape:
+    """A porcelain pig with a slot in its back."""
+    color = look.color("pink", "pink", "white", "sky", "gold", "red")
+    skin = surfaces.speckles(look.rng, color, 4)
+    body = ball(0.115, 0.092, 0.09, (0, 0, 0.056), 24)
+    snout = cylinder(0.02, 0.022, 20, bevel=0.003).turn(1, -np.pi / 2).move(-0.046, 0, 0.055)
+    holes = [ball(0.004, 0.008, 0.011, (-0.068, s * 0.008, 0.056), 8) for s in (-1, 1)]
+    eyes = [ball(0.008, 0.008, 0.009, (-0.045, s * 0.024, 0.075), 10) for s in (-1, 1)]
+    ears = [cylinder(0.015, 0.024, 4, top=0.001).scale(0.6, 1, 1).turn(0, -s * 0.5)
+            .move(-0.03, s * 0.027, 0.086) for s in (-1, 1)]  # fmt: skip
+    legs = [cylinder(0.0145, 0.035, 16, top=0.017).move(sx * 0.032, sy * 0.025)
+            for sx in (-1, 1) for sy in (-1, 1)]  # fmt: skip
+    tail = rod([(0.055, 0, 0.06), (0.066, 0.006, 0.068), (0.064, -0.004, 0.076), (0.07, 0.0, 0.08)],
+               0.003, 7)  # fmt: skip
+    slot = box(0.034, 0.005, 0.004).move(0.004, 0, 0.0982)
+    dark = surfaces.plain((44, 34, 36))
+    return put_down([(join([body, snout, *ears, *legs, tail]), skin), (join([*holes, *eyes, slot]),
+                                                                       dark)], body, join(legs),
+                    join([snout]), factor=look.between(0.85, 1.15))  # fmt: skip
+
+
 CATEGORIES = (
     Category("virgin_mary_statue",
              from_pieces(bodies=4)(_robed_figure(("white", "cream"), ("sky", "blue"), True)),

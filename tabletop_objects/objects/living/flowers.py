@@ -6,15 +6,17 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ...kit import surfaces
-from ...kit.parts import above, hull_part, whole_hull
+from ...kit import prints, surfaces
+from ...kit.outlines import ellipse, smooth
+from ...kit.parts import above, box_part, hull_part, whole_hull
 from ...kit.primitives import ball, blade, rod
-from ...kit.shapes import Category, Pieces, Shape, category, put_down, shape, vary
-from ...kit.solids import Solid, cylinder, ellipsoid, join, lathe
+from ...kit.shapes import Category, Pieces, Shape, category, keep_still, put_down, shape, vary
+from ...kit.solids import Solid, box, cylinder, ellipsoid, join, lathe, prism, refine
 from ...kit.surfaces import RGB, Look, tint_color
 
 Rows = Sequence[tuple[int, float, float, float, float]]
 """Rings of petals: how many, their length and width, how steep, how high up."""
+
 
 GOLD: RGB = (238, 188, 50)
 GREEN: RGB = (84, 126, 64)
@@ -231,7 +233,6 @@ _CAMELLIA = layered_head([(7, 0.027, 0.024, 0.15, 0), (6, 0.023, 0.02, 0.5, 0.00
 _MAGNOLIA = layered_head([(6, 0.048, 0.028, 0.45, 0), (5, 0.042, 0.026, 0.95, 0.001)], 0.007,
                     (150, 160, 70), -0.04)  # fmt: skip
 _BLADE = (0.11, 0.011)
-
 Head = Callable[[Look, RGB], Pieces]
 """Makes a blossom at the origin that opens along +z."""
 
@@ -382,6 +383,91 @@ def _straight(
     return shape(pieces, [whole_hull(crown), *(whole_hull(s.vertices) for s in solids)])
 
 
+def _daisy(look: Look, color: RGB) -> Pieces:
+    petals = corolla(14, 0.024, 0.0095, 0.15)
+    return [
+        (join(petals), surfaces.speckles(look.rng, color, 5)),
+        (ball(0.017, 0.017, 0.01, (0, 0, 0.003), 12), surfaces.plain((240, 190, 50))),
+    ]
+
+
+def _wheat(look: Look, color: RGB) -> Pieces:
+    grains = [ball(0.006, 0.0055, 0.013, (0.0042 * np.cos(2.4 * k), 0.0042 * np.sin(2.4 * k),
+                   0.0035 * k - 0.01), 8) for k in range(18)]  # fmt: skip
+    awns = [rod([(0, 0, 0.004 * k), (0.012 * np.cos(2.4 * k), 0.012 * np.sin(2.4 * k),
+                 0.04 + 0.005 * k)], 0.0005, 4, 1) for k in range(8)]  # fmt: skip
+    return [(join([*grains, *awns]), surfaces.speckles(look.rng, color, 14))]
+
+
+@category("petal", size=(0.0459, 0.0386, 0.00899), mass=0.001, material="food", assembled=True,
+          aliases=("rose petal", "flower petal", "petal of a rose"), themes=("living",),
+          colors=("red", "pink"), state="lying flat")  # fmt: skip
+@keep_still
+def petal(look: Look) -> Shape:
+    """One fallen, slightly cupped petal."""
+    k = look.between(0.85, 1.2)
+    color = look.color("red", "pink", "white", "crimson", "yellow")
+    ring = [(-0.022, 0), (-0.012, -0.012), (0.006, -0.018), (0.02, -0.011), (0.0195, 0),
+            (0.02, 0.011), (0.006, 0.018), (-0.012, 0.012), (-0.022, 0)]  # fmt: skip
+    flat = refine(refine(prism(smooth(ring, 3)[:-1], 0, 0.0011)))
+    one = flat.bend(
+        lambda p: p + np.column_stack([0 * p[:, :2], 14 * (p[:, 0] ** 2 + p[:, 1] ** 2)])
+    )
+    return put_down([(one, surfaces.speckles(look.rng, color, 9))], factor=k)
+
+
+@category("blossom_branch", size=(0.269, 0.114, 0.0182), mass=0.02, material="food", assembled=True,
+          aliases=("cherry blossom branch", "cherry blossom", "branch of cherry blossom", "blossom",
+          "apple blossom", "blossom twig", "cherry blossom twig"), themes=("living",),
+          colors=("pink",), state="lying flat")  # fmt: skip
+def blossom_branch(look: Look) -> Shape:
+    """A twig with pink blossoms."""
+    k = look.between(0.9, 1.1)
+    color = look.color("pink", "pink", "white", "coral")
+    sticks = [rod([(-0.13, 0, 0.003), (-0.03, 0.012, 0.008), (0.06, -0.004, 0.006),
+                   (0.14, 0.01, 0.003)], [0.0034, 0.003, 0.002, 0.0012], 7),
+              rod([(-0.03, 0.012, 0.007), (0.02, 0.045, 0.006), (0.06, 0.055, 0.004)],
+                  [0.002, 0.001], 6),
+              rod([(0.02, 0.0, 0.007), (0.06, -0.035, 0.005)], [0.0018, 0.001], 6, 2)]  # fmt: skip
+    blooms: list[Solid] = []
+    hearts = []
+    spots = [(-0.06, 0.014), (-0.02, 0.004), (0.01, 0.042), (0.045, 0.056), (0.03, -0.008),
+             (0.06, -0.036), (0.085, 0.006), (0.12, 0.004), (0.065, 0.044),
+             (0.1, 0.014)]  # fmt: skip
+    for n, (x, y) in enumerate(spots):
+        ring = corolla(5, 0.013, 0.012, 0.3, n)
+        blooms += [p.turn(0, 0.3 * (-1) ** n).move(x, y, 0.011) for p in ring]
+        hearts.append(ball(0.005, 0.005, 0.004, (x, y, 0.0135), 6))
+    return put_down([(join(sticks), surfaces.speckles(look.rng, (96, 70, 54), 10)),
+                     (join(blooms), surfaces.speckles(look.rng, color, 6)),
+                     (join(hearts), surfaces.plain((214, 80, 100)))], factor=k)  # fmt: skip
+
+
+@category("pressed_flower", size=(0.0869, 0.124, 0.0016), mass=0.006, material="paper",
+          assembled=True, aliases=("flower pressing", "herbarium sheet"), themes=("living",),
+          roles=("flat",), colors=("purple",), state="lying flat")  # fmt: skip
+def pressed_flower(look: Look) -> Shape:
+    """A card with a pressed flower, lying flat."""
+    k = look.between(0.9, 1.1)
+    color = look.color("purple", "pink", "yellow", "blue", "red")
+    image = prints.canvas(112, 160, (246, 240, 224))
+    prints.stroke(image, [(0.5, 0.9), (0.47, 0.65), (0.5, 0.36)], 0.02, (96, 120, 70))
+    for s in (-1, 1):
+        prints.polygon(image, [(0.48, 0.68), (0.48 + s * 0.2, 0.56), (0.48 + s * 0.24, 0.62),
+                               (0.48 + s * 0.12, 0.7)], (112, 134, 80))  # fmt: skip
+    for a in np.linspace(0, 2 * np.pi, 8)[:-1]:
+        ring = ellipse(0.16, 0.26, 12) @ np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]])
+        away = 0.16 * np.array([np.sin(a), np.cos(a)])
+        points = [(0.5 + 1.2 * (x + away[0]), 0.33 + 0.8 * (y + away[1])) for x, y in ring * 0.7]
+        prints.polygon(image, points, tint_color(color, look.between(0.8, 1.1)))
+    prints.disc(image, 0.5, 0.33, 0.04, (222, 176, 60))
+    x, y = 0.09 * k, 0.128 * k
+    face = box(0.99 * x, 0.99 * y, 0.0004).move(z=0.0012)
+    card = box(x, y, 0.0014)
+    return shape([(card, surfaces.plain((240, 232, 212))), (face, image)],
+                 [box_part(x, y, 0.0014)])  # fmt: skip
+
+
 CATEGORIES = (
     Category("daffodil", on_stem(daffodil, ("yellow", "yellow", "white", "cream"), 0.2, leaves=2,
              nod=0.9, leaf=_BLADE), size=(0.212, 0.0687, 0.0468), mass=0.015, material="food",
@@ -521,6 +607,17 @@ CATEGORIES = (
              on_stem(_orchid, ("pink", "white", "purple", "magenta"), 0.22, leaves=0, nod=0.25),
              size=(0.205, 0.0587, 0.0615), mass=0.02, material="food", assembled=True,
              aliases=("orchid stem", "orchid flower"), themes=("living",), colors=("pink", "white"),
+             state="lying flat"),
+    Category("daisy", on_stem(_daisy, ("white", "white", "pink", "yellow"), 0.18, nod=0.8,
+             leaf=(0.04, 0.012)), size=(0.169, 0.0532, 0.038), mass=0.006, material="food",
+             assembled=True, aliases=("daisy flower", "marguerite", "chamomile", "daisies", "aster",
+             "artificial flower", "fake flower", "plastic flower", "single flower", "cut flower",
+             "wildflower"), themes=("living",), colors=("white",), state="lying flat"),
+    Category("dried_flower", on_stem(_wheat, ("tan", "gold", "beige", "amber", "coral"), 0.2,
+             leaves=1, nod=0.04, leaf=(0.06, 0.006), stem=(190, 160, 100)),
+             size=(0.246, 0.0405, 0.0276), mass=0.004, material="food", assembled=True,
+             aliases=("ear of wheat", "wheat", "dried grass", "wheat stalk", "wheat ear",
+             "dried flower bundle", "raffia bundle"), themes=("living",), colors=("tan",),
              state="lying flat"),
 )  # fmt: skip
 """Objects that share their drawing functions."""

@@ -9,7 +9,6 @@ from ...kit.materials import dye, metal, plastic, shine, wood
 from ...kit.outlines import rectangle
 from ...kit.parts import box_part, hull_of
 from ...kit.primitives import at_block, at_box, ball, disc, facing, rod, spindle, straight
-from ...kit.prints import word_plate
 from ...kit.shapes import Pieces, Shape, category, from_pieces, shape
 from ...kit.solids import box, cylinder, ellipsoid, join, lathe, loft, prism, tube
 from ...kit.surfaces import Look, tint_color
@@ -164,31 +163,6 @@ def guitar_pedal(look: Look) -> Pieces:
             (join(switch), shine(look)), (tag, name), (join(marks), surfaces.plain((240, 240,
              236))),
             (lamp, surfaces.plain((230, 40, 40))), (join(jacks), shine(look))]  # fmt: skip
-
-
-@category("amplifier", size=(0.268, 0.159, 0.28), mass=4.0, material="device",
-          aliases=("guitar amplifier", "guitar amp", "amp", "practice amp", "bass amp",
-          "combo amp"), themes=("living",), roles=("big",), colors=("black",))  # fmt: skip
-@from_pieces(bodies=2)
-def amplifier(look: Look) -> Pieces:
-    """A guitar amplifier with a cloth front, a row of knobs and a handle."""
-    shell = plastic(look, "black", "cream", "brown", "charcoal", "red")
-    body = at_block(0.26, 0.14, 0.24, 0.012)
-    grille = surfaces.fabric(look.rng, look.own_color("charcoal", "gray", "tan", "black"),
-                             look.own_color("gray", "charcoal"))  # fmt: skip
-    front = at_box(0.235, 0.004, 0.165, (0, -0.071, 0.016))
-    panel = at_box(0.235, 0.004, 0.036, (0, -0.071, 0.192))
-    knobs = [disc(0.009, 0.012).turn(0, np.pi / 2).move(x, -0.072, 0.21)
-             for x in np.linspace(-0.09, 0.06, 6)]  # fmt: skip
-    lamp = ball(0.009, 0.006, 0.009, (0.095, -0.074, 0.21), 10)
-    name = at_box(0.06, 0.002, 0.018, (0, -0.073, 0.155))
-    handle = rod(
-        [(-0.06, 0, 0.238), (-0.05, 0, 0.262), (0.05, 0, 0.262), (0.06, 0, 0.238)], 0.006, 8
-    )
-    return [(body, shell), (handle, dye(look, "black")), (front, grille), (panel, shine(look,
-             "gold", "silver")),
-            (join(knobs), dye(look, "black", "cream")), (lamp, surfaces.plain((220, 40, 36))),
-            (name, word_plate("AMP", (24, 24, 26), (230, 230, 226), 0.6))]  # fmt: skip
 
 
 @category("baton", size=(0.35, 0.02, 0.017), mass=0.02, material="wood",

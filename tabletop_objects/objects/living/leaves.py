@@ -6,17 +6,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...kit import materials, surfaces
-from ...kit.materials import dye
+from ...kit import surfaces
 from ...kit.outlines import smooth
-from ...kit.parts import above, flat_foot, hull_part, open_vessel
-from ...kit.primitives import ball, blade, limb, rod, standing, straight
+from ...kit.parts import above, flat_foot, hull_part
+from ...kit.primitives import ball, blade, limb, rod
 from ...kit.shapes import (
-    Category,
     Pieces,
     Shape,
     category,
-    from_pieces,
     keep_still,
     put_down,
     settle,
@@ -24,7 +21,6 @@ from ...kit.shapes import (
 )
 from ...kit.solids import Solid, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import Look, streaks, tint_color
-from .flowers import corolla
 
 
 @category("holly", size=(0.129, 0.133, 0.0116), mass=0.01, material="food", assembled=True,
@@ -74,33 +70,6 @@ def fern_frond(look: Look) -> Shape:
     return put_down([(body, surfaces.speckles(look.rng, color, 10))], factor=k)
 
 
-@category("blossom_branch", size=(0.269, 0.114, 0.0182), mass=0.02, material="food", assembled=True,
-          aliases=("cherry blossom branch", "cherry blossom", "branch of cherry blossom", "blossom",
-          "apple blossom", "blossom twig", "cherry blossom twig"), themes=("living",),
-          colors=("pink",), state="lying flat")  # fmt: skip
-def blossom_branch(look: Look) -> Shape:
-    """A twig with pink blossoms."""
-    k = look.between(0.9, 1.1)
-    color = look.color("pink", "pink", "white", "coral")
-    sticks = [rod([(-0.13, 0, 0.003), (-0.03, 0.012, 0.008), (0.06, -0.004, 0.006),
-                   (0.14, 0.01, 0.003)], [0.0034, 0.003, 0.002, 0.0012], 7),
-              rod([(-0.03, 0.012, 0.007), (0.02, 0.045, 0.006), (0.06, 0.055, 0.004)],
-                  [0.002, 0.001], 6),
-              rod([(0.02, 0.0, 0.007), (0.06, -0.035, 0.005)], [0.0018, 0.001], 6, 2)]  # fmt: skip
-    blooms: list[Solid] = []
-    hearts = []
-    spots = [(-0.06, 0.014), (-0.02, 0.004), (0.01, 0.042), (0.045, 0.056), (0.03, -0.008),
-             (0.06, -0.036), (0.085, 0.006), (0.12, 0.004), (0.065, 0.044),
-             (0.1, 0.014)]  # fmt: skip
-    for n, (x, y) in enumerate(spots):
-        ring = corolla(5, 0.013, 0.012, 0.3, n)
-        blooms += [p.turn(0, 0.3 * (-1) ** n).move(x, y, 0.011) for p in ring]
-        hearts.append(ball(0.005, 0.005, 0.004, (x, y, 0.0135), 6))
-    return put_down([(join(sticks), surfaces.speckles(look.rng, (96, 70, 54), 10)),
-                     (join(blooms), surfaces.speckles(look.rng, color, 6)),
-                     (join(hearts), surfaces.plain((214, 80, 100)))], factor=k)  # fmt: skip
-
-
 @category("mistletoe", size=(0.147, 0.119, 0.0124), mass=0.01, material="food", assembled=True,
           aliases=("sprig of mistletoe", "mistletoe sprig"), themes=("living",), colors=("green",),
           state="lying flat")  # fmt: skip
@@ -124,29 +93,6 @@ def mistletoe(look: Look) -> Shape:
     return put_down([(body, surfaces.plain(color)),
                      (join(berries), surfaces.plain((246, 246, 238))),
                      (knot, surfaces.plain((196, 36, 40)))], body, factor=k, foot=0.3)  # fmt: skip
-
-
-@category("pampas_grass", size=(0.167, 0.146, 0.37), mass=0.5, material="ceramic", assembled=True,
-          aliases=("dried pampas grass", "vase of pampas grass", "dried grass bouquet",
-          "pampas grass in a vase"), themes=("living",), roles=("tall", "big"),
-          colors=("cream",))  # fmt: skip
-@from_pieces(bodies=2)
-def pampas_grass(look: Look) -> Pieces:
-    """A vase with feathery grass."""
-    color = look.color("cream", "beige", "pink", "tan")
-    pot = standing((0.03, 0), (0.045, 0.03), (0.04, 0.08), (0.02, 0.115), (0.024, 0.13))
-    stems, plumes = [], []
-    for k in range(6):
-        a = 1.05 * k
-        tip = np.array([0.055 * np.cos(a), 0.055 * np.sin(a), 0.27 + 0.02 * (k % 3)])
-        stems.append(rod([(0, 0, 0.12), (0.5 * tip[0], 0.5 * tip[1], 0.2), tuple(tip)], 0.0016, 5))
-        plumes.append(rod([tuple(tip - [0.3 * tip[0], 0.3 * tip[1], 0.05]), tuple(tip),
-                           tuple(np.add(tip, (0.45 * tip[0], 0.45 * tip[1], 0.055)))],
-                          [0.009, 0.016, 0.003], 8))  # fmt: skip
-    fluff = surfaces.scratches(look.rng, color, tint_color(color, 0.8), 200)
-    return [(pot, materials.glaze_tile(look, look.own_color("white", "gray", "terracotta",
-                                                            "charcoal"))), (join(plumes), fluff),
-            (join(stems), dye(look, "tan"))]  # fmt: skip
 
 
 def bundle(palette: tuple[str, ...], fluff: float) -> Callable[[Look], Shape]:
@@ -325,28 +271,6 @@ def twig(look: Look) -> Shape:
                           flat_foot(above(join(forks).vertices), 0.4)])  # fmt: skip
 
 
-@category("feather", size=(0.17, 0.031, 0.012), mass=0.001, material="paper", assembled=True,
-          aliases=("bird feather", "quill", "plume"), themes=("living",), colors=("white", "gray"),
-          state="lying flat")  # fmt: skip
-def feather(look: Look) -> Shape:
-    """A feather with its quill, lying flat."""
-    color = look.color("white", "gray", "blue", "brown", "black", "red", "green")
-    long = look.between(0.14, 0.2)
-    half = np.array(
-        smooth([(-0.22, 0.002), (-0.16, 0.07), (0.1, 0.1), (0.38, 0.075), (0.5, 0.0)], 4)
-    )
-    outline = np.concatenate([half[::-1], half[:-1] * [1, -0.8]]) * long
-
-    def bow(p: np.ndarray) -> np.ndarray:
-        return np.column_stack([p[:, :2], p[:, 2] + 0.6 * (p[:, 0] - 0.1 * long) ** 2 / long * 0.6])
-
-    vane = prism(outline, 0.0008, 0.0018).bend(bow)
-    quill = rod([(-0.5 * long, 0, 0.0035), (-0.2 * long, 0, 0.0026), (0.1 * long, 0, 0.0018),
-                 (0.46 * long, 0, 0.0036)], [0.0012, 0.0012, 0.0009, 0.0004], 6)  # fmt: skip
-    barbs = surfaces.stripes([color, tint_color(color, 0.86)], 22, upright=True, side=96)
-    return put_down([(vane, barbs), (quill, surfaces.plain((240, 232, 214)))], vane, quill)
-
-
 @category("driftwood", size=(0.25, 0.085, 0.04), mass=0.12, material="wood",
           aliases=("piece of driftwood", "drift wood", "log", "wooden offcut", "wood offcut"),
           themes=("living",), colors=("gray",), state="lying")  # fmt: skip
@@ -366,33 +290,3 @@ def driftwood(look: Look) -> Shape:
     return shape([(join([main, fork, stub]), bark)], [hull_part(above(main.vertices[x < 0.02])),
                                                       hull_part(above(main.vertices[x > -0.02])),
                                                       hull_part(fork.vertices)])  # fmt: skip
-
-
-@category("nest", size=(0.135, 0.135, 0.05), mass=0.06, material="wood", hollow=True,
-          aliases=("bird nest", "birds nest", "bird's nest", "easter nest"), themes=("living",),
-          roles=("container", "round"), colors=("brown",))  # fmt: skip
-def nest(look: Look) -> Shape:
-    """An open bird's nest of straw, sometimes with three eggs."""
-    color = look.color("brown", "tan", "bronze", "beige", "terracotta")
-    r = look.between(0.06, 0.075)
-    body, parts = open_vessel([(0.6 * r, 0), (0.92 * r, 0.014), (r, 0.032), (0.92 * r, 0.042)],
-                              0.022, 0.012)  # fmt: skip
-    straws: list[Solid] = []
-    for k in range(46):
-        a, z = 2.4 * k, 0.01 + 0.034 * ((k * 7) % 46) / 46
-        out = 0.93 * r + look.between(-0.004, 0.003)
-        b = a + look.between(0.35, 0.6)
-        straws.append(straight((out * np.cos(a), out * np.sin(a), z),
-                               (out * np.cos(b), out * np.sin(b), z + look.between(-0.008, 0.008)),
-                               0.0016, 4))  # fmt: skip
-    straw = surfaces.scratches(look.rng, color, tint_color(color, 0.6), 90)
-    return shape([(body, straw), (join(straws), surfaces.plain(tint_color(color, 1.25)))], parts)
-
-
-CATEGORIES = (
-    Category("sage_bundle", bundle(("sage", "gray", "sage"), 1.5), size=(0.148, 0.046, 0.0279),
-             mass=0.03, material="food", assembled=True,
-             aliases=("smudge stick", "bundle of sage", "white sage bundle", "sage stick"),
-             themes=("living",), colors=("sage",), state="lying"),
-)  # fmt: skip
-"""Objects that share their drawing functions."""

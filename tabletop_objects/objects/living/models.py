@@ -23,7 +23,7 @@ from ...kit.primitives import (
     standing_plate,
     straight,
 )
-from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, vary
+from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down
 from ...kit.solids import box, join, lathe, torus, tube
 from ...kit.surfaces import RGB, Look, Tile, tint_color
 
@@ -198,34 +198,6 @@ def toy_castle(look: Look) -> Pieces:
             (gate, dye(look, "brown")), (join(flag), dye(look, "red", "yellow"))]  # fmt: skip
 
 
-@category("message_in_a_bottle", size=(0.22, 0.068, 0.068), mass=0.3, material="glass",
-          aliases=("message in bottle", "letter in a bottle", "bottle message"), themes=("living",),
-          colors=("cream",))  # fmt: skip
-@from_pieces(foot=0.03, bodies=4)
-def message_in_a_bottle(look: Look) -> Pieces:
-    """A corked bottle lying flat, with a rolled paper inside."""
-    z = 0.034
-    glass = surfaces.plain((168, 206, 190))
-    hoops = [torus(r, 0.0016, 28, 5).turn(1, np.pi / 2).move(x, 0, z) for x,
-             r in ((-0.088, 0.03), (-0.03, 0.033), (0.03, 0.033))]  # fmt: skip
-    wires = [tube(smooth([(-0.09, 0.03 * np.cos(a), z + 0.03 * np.sin(a)),
-                          (0.0, 0.033 * np.cos(a), z + 0.033 * np.sin(a)),
-                          (0.04, 0.032 * np.cos(a), z + 0.032 * np.sin(a)),
-                          (0.07, 0.013 * np.cos(a), z + 0.013 * np.sin(a)),
-                          (0.11, 0.012 * np.cos(a), z + 0.012 * np.sin(a))], 5), 0.0012, 5)
-             for a in np.arange(9) * 0.698]  # fmt: skip
-    base = spindle((-0.09, 0.03), (-0.087, 0.032), z=z)
-    lip = torus(0.0125, 0.003, 22, 6).turn(1, np.pi / 2).move(0.11, 0, z)
-    scroll = spindle((-0.06, 0.014), (0.05, 0.014), z=0.018)
-    tie = spindle((-0.01, 0.0148), (0.0, 0.0148), z=0.018)
-    cork = spindle((0.1, 0.011), (0.13, 0.0125), z=z)
-    foot = at_box(0.12, 0.03, 0.003)
-    return [(join([*hoops, *wires]), glass), (base, glass), (cork, dye(look, "tan")), (foot, glass),
-            (lip, glass), (scroll, surfaces.spots(look.rng, look.color("cream", "beige"),
-                                                  (176, 146, 102), 0.05)),
-            (tie, dye(look, "crimson"))]  # fmt: skip
-
-
 @category("toy_theatre", size=(0.22, 0.14, 0.215), mass=0.5, material="wood",
           aliases=("toy theater", "puppet theatre", "puppet theater", "model theatre",
           "puppet stage"), themes=("living",), roles=("big",), colors=("gold",))  # fmt: skip
@@ -249,38 +221,6 @@ def toy_theatre(look: Look) -> Pieces:
             (join(folds), red := dye(look, "crimson", "red", "maroon")), (join(swag), red),
             (actors[0], dye(look, "blue", "green")),
             (actors[1], dye(look, "yellow", "pink"))]  # fmt: skip
-
-
-@category("zen_garden", size=(0.245, 0.184, 0.0368), mass=0.8, material="wood",
-          aliases=("sand garden", "mini zen garden", "desktop zen garden", "japanese garden"),
-          themes=("living",), roles=("flat", "big"), colors=("brown",))  # fmt: skip
-@vary()
-@from_pieces(bodies=5)
-def zen_garden(look: Look) -> Pieces:
-    """A tray of raked sand with three stones and a small rake."""
-    tile = wood(look, "brown", "black", "wooden")
-    sides = [at_box(0.24, 0.012, 0.03, (0, s * 0.084, 0)) for s in (-1, 1)] + [
-        at_box(0.012, 0.156, 0.03, (s * 0.114, 0, 0)) for s in (-1, 1)
-    ]
-    image = np.zeros((96, 128, 3))
-    y, x = np.mgrid[0:96, 0:128].astype(float)
-    wave = np.sin(np.minimum(np.hypot(x - 84, y - 40), 34) * 0.9 + 0.0 * y)
-    far = np.hypot(x - 84, y - 40) > 32
-    wave = np.where(far, np.sin(0.9 * y + 0.6 * np.sin(0.05 * x)), wave)
-    image[:] = (230, 216, 186)
-    image = np.clip(image + 15 * wave[..., None], 0, 255).astype(np.uint8)
-    sand = at_box(0.217, 0.157, 0.02)
-    stones = [ball(a, b, c, (px, py, 0.021), 12) for a, b, c, px,
-              py in ((0.036, 0.03, 0.03, 0.035, 0.012), (0.022, 0.02, 0.018, 0.058, -0.006),
-                     (0.018, 0.022, 0.014, 0.026, -0.014))]  # fmt: skip
-    rake = [straight((-0.09, -0.05, 0.024), (-0.02, -0.02, 0.03), 0.0025, 8),
-            straight((-0.025, -0.004, 0.026), (-0.013, -0.034, 0.026), 0.0025, 8)]  # fmt: skip
-    return [*((s, tile) for s in sides), (sand, image), *((s, surfaces.speckles(look.rng, c, 8))
-                                                          for s,
-                                                          c in zip(stones,
-                                                                   ((70, 70, 74), (120, 116, 110),
-                                                                    (96, 92, 90)), strict=True)),
-            (join(rake), dye(look, "wooden", "tan"))]  # fmt: skip
 
 
 @category("model_tank", size=(0.2, 0.1, 0.078), mass=0.3, material="plastic",

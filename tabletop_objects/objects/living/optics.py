@@ -6,7 +6,7 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.materials import GLASS_TONE, steel
-from ...kit.parts import cylinder_part, hull_of
+from ...kit.parts import box_part, cylinder_part, hull_of
 from ...kit.primitives import at_box, drum, plate
 from ...kit.shapes import Shape, category, put_down, shape
 from ...kit.solids import Solid, block, box, cylinder, join, lathe, torus, tube
@@ -99,57 +99,6 @@ def _half_leg(n: int, k: float, high: float) -> tuple[float, float, float]:
     return 0.05 * k * float(np.cos(a)), 0.05 * k * float(np.sin(a)), 0.5 * (high - 0.02) * k
 
 
-@category("compass", size=(0.0607, 0.0792, 0.0333), mass=0.07, material="metal", assembled=True,
-          aliases=("pocket compass", "magnetic compass", "hiking compass", "navigation compass",
-          "sighting compass"), themes=("living", "office"), roles=("flat",),
-          colors=("brass", "silver"), state="lying flat")  # fmt: skip
-def compass(look: Look) -> Shape:
-    """A pocket compass lying flat with its needle up, sometimes with a lid or a base plate."""
-    r, h = look.between(0.026, 0.034), look.between(0.011, 0.015)
-    color = look.color("brass", "silver", "black", "copper", "gold", "red", "teal")
-    metal = look.surface(color, "metal")
-    face = prints.canvas(128, 128, look.pick([(246, 242, 228), (250, 250, 248), (34, 38, 46)]))
-    ink: RGB = (40, 40, 44) if int(face[0, 0, 0]) > 128 else (240, 240, 236)
-    for n in range(36):
-        a = np.pi * n / 18
-        way = [(0.5 + s * np.sin(a), 0.5 - s * np.cos(a)) for s in (0.4 if n % 3 else 0.37, 0.45)]
-        prints.stroke(face, way, 0.008, ink)
-    for n, word in enumerate("NESW"):
-        a = np.pi / 2 * n
-        prints.write(face, word, 0.5 + 0.29 * np.sin(a), 0.5 - 0.29 * np.cos(a), 0.13,
-                     (190, 40, 40) if word == "N" else ink, bold=True)  # fmt: skip
-    turn = look.between(0, 6.28)
-    for s, tone in ((1, (206, 40, 40)), (-1, (70, 90, 130))):
-        tip = (0.5 + s * 0.36 * np.sin(turn), 0.5 - s * 0.36 * np.cos(turn))
-        sides = [(0.5 + 0.045 * np.cos(turn) * e, 0.5 + 0.045 * np.sin(turn) * e) for e in (-1, 1)]
-        prints.polygon(face, [sides[0], tip, sides[1]], tone)
-    prints.disc(face, 0.5, 0.5, 0.03, (200, 164, 84))
-    kind = look.pick(["plain", "lid", "plate"])
-    base = 0.003 if kind == "plate" else 0.0
-    body = lathe([(0, 0), (0.96 * r, 0), (r, 0.003), (r, h), (0.9 * r, h), (0.88 * r, h - 0.003),
-                  (0, h - 0.003)], 36).move(z=base)  # fmt: skip
-    dial = cylinder(0.88 * r, 0.0006, 36).move(z=base + h - 0.0031)
-    pieces, parts = [(body, metal), (dial, face)], [cylinder_part(r, h, (0, 0, base))]
-    if kind == "lid":
-        lid = lathe([(0, 0), (r, 0), (r, 0.003), (0.8 * r, 0.005), (0, 0.005)], 36)
-        lid = lid.turn(0, 1.9).move(y=1.05 * r, z=h + 0.9 * r)
-        loop = torus(0.007, 0.0014, 18, 6).move(y=-r - 0.006, z=0.5 * h)
-        pieces.append((join([lid, loop]), metal))
-        hinge = box(0.012, 0.008, 0.006).move(y=r + 0.001, z=h - 0.005)
-        pieces.append((hinge, metal))
-        parts.append(hull_of(lid))
-    elif kind == "plate":
-        plate = block(2.3 * r, 3.6 * r, 0.0032, 0.006).move(y=0.4 * r)
-        grid = prints.canvas(96, 144, (206, 222, 226))
-        prints.fill(grid, 0.49, 0.04, 0.02, 0.3, (200, 40, 40))
-        for n in range(24):
-            prints.fill(grid, 0.0, 0.04 * n + 0.02, 0.05 + 0.03 * (n % 5 == 0), 0.006, (40, 40, 44))
-        top = box(2.2 * r, 3.5 * r, 0.0004).move(y=0.4 * r, z=0.003)
-        pieces += [(plate, surfaces.plain((206, 222, 226))), (top, grid)]
-        parts.append(hull_of(plate))
-    return shape(pieces, parts)
-
-
 @category("astrolabe", size=(0.124, 0.148, 0.0103), mass=0.4, material="metal",
           aliases=("astrolabe replica", "brass astrolabe"), themes=("living",), roles=("flat",),
           colors=("gold",))  # fmt: skip
@@ -200,3 +149,59 @@ def stereoscope(look: Look) -> Shape:
         [(join([rail, *foot, holder]), wood), (hood, steel(look, (150, 110, 72))),
          (join(eyes), plain(GLASS_TONE)), (card, image)],
         *foot, rail, hood, card, factor=k)  # fmt: skip
+
+
+@category("camera", size=(0.125, 0.085, 0.093), mass=0.45, material="device",
+          aliases=("photo camera", "digital camera", "dslr", "leica", "polaroid camera",
+          "film camera", "slr camera", "mirrorless camera"), themes=("living", "craft", "office"),
+          colors=("black", "silver"), common=True)  # fmt: skip
+def camera(look: Look) -> Shape:
+    """A photo camera with its lens towards the viewer."""
+    x, y, z = look.between(0.118, 0.132), look.between(0.042, 0.05), look.between(0.072, 0.082)
+    color = look.color("black", "black", "silver", "brown", "navy", "red", "teal", "cream", "pink")
+    leather = surfaces.spots(look.rng, tint_color(color, 0.85), tint_color(color, 0.6), 0.2)
+    metal = surfaces.speckles(look.rng, look.own_color("black", "silver", "charcoal"), 3, 32)
+    r, reach = look.between(0.3, 0.43) * z, look.between(0.02, 0.055)
+    body = block(x, y, z * 0.76, 0.012)
+    top = block(x, y, z * 0.24, 0.012, 0.002).move(z=z * 0.76)
+    tall, aside = look.between(0.006, 0.022), look.pick([0.0, 0.0, -0.25 * x])
+    hump = block(0.042, y * 0.9, tall, 0.4 * tall, 0.2 * tall).move(x=aside, z=z - 0.002)
+    lens = cylinder(r, reach, 28, bevel=0.002).turn(0, np.pi / 2).move(y=-y / 2 + 0.001, z=0.46 * z)
+    ring = torus(r - 0.003, 0.003, 28, 6).turn(0, np.pi / 2).move(y=-y / 2 - reach, z=0.46 * z)
+    glass = (
+        cylinder(r - 0.006, 0.001, 24).turn(0, np.pi / 2).move(y=-y / 2 - reach + 0.001, z=0.46 * z)
+    )
+    dial = cylinder(0.009, 0.007, 16).move(x=0.35 * x, z=z - 0.001)
+    button = cylinder(0.005, 0.006, 14).move(x=-0.37 * x, z=z - 0.001)
+    shine = prints.canvas(32, 32, (28, 34, 62))
+    prints.disc(shine, 0.35, 0.35, 0.15, (120, 140, 190))
+    low = 0.46 * z - r
+    pieces = [(body, leather), (top, metal), (hump, metal), (lens, metal),
+              (ring, surfaces.plain((70, 72, 78))), (glass, shine),
+              (dial, surfaces.plain((170, 172, 176))),
+              (button, surfaces.plain((190, 60, 50)))]  # fmt: skip
+    return shape(pieces, [box_part(x, y, z), box_part(0.042, y * 0.9, tall - 0.003, (aside, 0, z)),
+                          cylinder_part(r, reach, (0, -y / 2 - reach, low + r), 1)])  # fmt: skip
+
+
+@category("film_roll", size=(0.0576, 0.0284, 0.0505), mass=0.03, material="plastic", assembled=True,
+          aliases=("roll of film", "film canister", "camera film", "photo film", "35mm film",
+          "film", "microfilm reel", "negative strip", "film reel", "reel of film", "music roll"),
+          themes=("living",), roles=("round",), colors=("yellow",))  # fmt: skip
+def film_roll(look: Look) -> Shape:
+    """An upright 35 mm film canister with a strip of film sticking out."""
+    k = look.between(0.95, 1.1)
+    color = look.color("yellow", "green", "red", "blue", "black", "orange")
+    r, h = 0.0125 * k, 0.047 * k
+    body = cylinder(r, 0.9 * h, 26).move(z=0.03 * h)
+    image = prints.label(look.rng, look.pick(["FILM 400", "ISO 200", "35 mm"]), color,
+                         (246, 244, 236), width=192)  # fmt: skip
+    caps = [cylinder(1.06 * r, 0.05 * h, 26).move(z=z) for z in (0, 0.9 * h)]
+    caps.append(cylinder(0.45 * r, 0.08 * h, 14).move(z=0.92 * h))
+    tongue = box(0.03 * k, 0.001, 0.74 * h).move(r + 0.013 * k, 0.3 * r, 0.1 * h)
+    strip = prints.canvas(64, 64, (96, 66, 44))
+    for n in range(8):
+        for v in (0.05, 0.87):
+            prints.fill(strip, n / 8 + 0.03, v, 0.06, 0.08, (236, 230, 220))
+    return shape([(body, image), (join(caps), surfaces.plain((36, 36, 38))), (tongue, strip)],
+                 [cylinder_part(1.06 * r, 0.95 * h), hull_of(tongue)])  # fmt: skip

@@ -14,20 +14,10 @@ from ...kit.outlines import rectangle
 from ...kit.parts import above, box_part, flat_foot, hull_part
 from ...kit.primitives import at_box, ball, drum, rod, spread
 from ...kit.prints import Canvas, landscape
-from ...kit.shapes import Category, Shape, category, from_pieces, put_down, shape
+from ...kit.shapes import Category, Shape, category, put_down, shape
 from ...kit.solids import Solid, block, box, cylinder, join, loft, prism, torus
 from ...kit.surfaces import RGB, Look, Tile, readable_on, tint_color
-from .religious_items import tome
 from .signs import sheet_of, sign
-
-GILT: RGB = (206, 168, 84)
-
-
-def _pentagram(image: prints.Canvas) -> None:
-    a = np.pi / 2 + np.arange(5) * 4 * np.pi / 5
-    points = [(0.5 + 0.3 * np.cos(t), 0.5 - 0.22 * np.sin(t)) for t in a]
-    prints.disc(image, 0.5, 0.5, 0.25, GILT, 0.235)
-    prints.stroke(image, [*points, points[0]], 0.014, GILT)
 
 
 @category("wrapping_paper", size=(0.3, 0.06, 0.046), mass=0.12, material="paper",
@@ -556,32 +546,7 @@ def ticket(look: Look) -> Shape:
     return made.scale(look.between(0.9, 1.25))
 
 
-@category("luggage_tag", size=(0.165, 0.0619, 0.00802), mass=0.02, material="leather",
-          assembled=True, aliases=("baggage tag", "suitcase tag", "bag tag", "bookmark tag"),
-          themes=("living",), roles=("flat",), colors=("brown", "red"),
-          state="lying flat")  # fmt: skip
-def luggage_tag(look: Look) -> Shape:
-    """A luggage tag with a strap, lying flat."""
-    color = look.color("brown", "red", "black", "teal", "tan", "navy", "pink")
-    k = look.between(0.9, 1.15)
-    body = prism([(-0.05, -0.018), (-0.034, -0.03), (0.05, -0.03), (0.05, 0.03), (-0.034, 0.03),
-                  (-0.05, 0.018)], 0, 0.004)  # fmt: skip
-    window = box(0.06, 0.04, 0.0006).move(0.012, 0, 0.0038)
-    image = prints.canvas(96, 64, (246, 244, 238))
-    prints.lines(image, look.rng, (0.1, 0.2, 0.8, 0.6), 4, (90, 90, 96), 0.3)
-    strap = rod([(-0.04, 0, 0.004), (-0.07, 0.012, 0.004), (-0.105, 0.004, 0.003),
-                 (-0.1, -0.012, 0.003), (-0.07, -0.01, 0.004), (-0.04, -0.002, 0.005)], 0.0032,
-                6)  # fmt: skip
-    return put_down([(join([body, strap]), surfaces.speckles(look.rng, color, 7)), (window, image)],
-                   body, strap, factor=k)  # fmt: skip
-
-
 CATEGORIES = (
-    Category("grimoire",
-             from_pieces(bodies=2)(tome(_pentagram, "maroon", "purple", "black", "brown")),
-             size=(0.136, 0.219, 0.0392), mass=0.7, material="paper", aliases=("spell book",
-             "spellbook", "magic book", "book of spells", "old tome", "tome", "wizard book"),
-             themes=("living",), roles=("flat", "support"), colors=("maroon",), state="lying flat"),
     Category("table_plan", sign(("TABLE PLAN|A  B  C|1 . . . 2|3 . . . 4|5 . . . 6",
              "SEATING|1 . . . 2|3 . . . 4|5 . . . 6"), 0.2, 0.27, "easel", ("white", "cream",
              "sage", "black")), size=(0.192, 0.08, 0.272), mass=0.4, material="paper",

@@ -601,27 +601,6 @@ def cuttlebone(look: Look) -> Shape:
     return settle([(body, lines), (rim, surfaces.plain(tint_color(color, 0.86)))], 0.1).scale(k)
 
 
-@category("bag_roll", size=(0.0687, 0.0805, 0.0335), mass=0.03, material="plastic",
-          aliases=("poop bag roll", "poo bag roll", "dog poop bag", "dog waste bag", "poop bag",
-          "poo bag", "roll of poop bags", "roll of poo bags"), themes=("living",),
-          colors=("black",), state="lying")  # fmt: skip
-def bag_roll(look: Look) -> Shape:
-    """A small roll of bags in a bone-shaped or tubular dispenser, with a bag hanging out."""
-    k, color = look.between(0.9, 1.15), look.color("black", "blue", "green", "pink", "red")
-    roll = cylinder(0.016, 0.06, 22, bevel=0.002).turn(1, np.pi / 2).move(-0.03, 0, 0.016)
-    core = cylinder(0.007, 0.064, 14).turn(1, np.pi / 2).move(-0.032, 0, 0.016)
-    tail = prism(rectangle(0.056, 0.05, 0.002), 0, 0.0012).move(y=-0.034)
-    paws = prints.canvas(128, 64, color)
-    for n in range(8):
-        x, y = (n % 4 + 0.5) / 4, 0.3 + 0.45 * (n // 4)
-        prints.disc(paws, x, y, 0.07, tint_color(color, 1.6))
-        for s in (-1, 0, 1):
-            prints.disc(paws, x + 0.03 * s, y - 0.12 + 0.03 * abs(s), 0.03, tint_color(color, 1.6))
-    return settle([(roll, paws), (core, surfaces.plain((226, 214, 190))),
-                   (tail, surfaces.plain(tint_color(color, 1.15)))],
-                  0.02, hulls=[[0], [2]]).scale(k)  # fmt: skip
-
-
 @category("clicker", size=(0.12, 0.0371, 0.0237), mass=0.02, material="plastic",
           aliases=("training clicker", "dog clicker", "dog training clicker"), themes=("living",),
           colors=("blue",))  # fmt: skip

@@ -7,40 +7,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...kit import surfaces
-from ...kit.materials import dye, metal
+from ...kit import materials, prints, surfaces
+from ...kit.materials import dye
 from ...kit.outlines import smooth
-from ...kit.parts import cylinder_part, hull_of, hull_part
-from ...kit.primitives import ball, blade, limb, planter, rod
+from ...kit.parts import box_part, cylinder_part, hull_of, hull_part
+from ...kit.primitives import ball, blade, limb, planter, rod, standing
 from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import Solid, box, cylinder, ellipsoid, join, lathe, loft, prism, torus, tube
 from ...kit.surfaces import RGB, Look, rgb, tint_color
 from ...values import ConvexPart
-
-
-@category("wire_tree", size=(0.115, 0.123, 0.172), mass=0.3, material="metal", assembled=True,
-          aliases=("gem tree", "copper tree", "crystal tree", "money tree ornament", "jewelry tree",
-          "jewellery tree", "tree ornament sculpture"), themes=("living",), roles=("tall",),
-          colors=("copper",))  # fmt: skip
-@from_pieces(bodies=3)
-def wire_tree(look: Look) -> Pieces:
-    """A tree of twisted wire with bead leaves on a stone."""
-    wire = metal(look, "copper", "gold", "silver", "bronze")
-    rock = ball(0.08, 0.06, 0.036, (0, 0, 0.01), 12)
-    trunk = rod([(0, 0, 0.02), (0.006, 0.0, 0.06), (-0.004, 0, 0.095)], [0.011, 0.008, 0.007], 10)
-    boughs, leaves = [], []
-    for k in range(11):
-        a, r, z = 2.4 * k, 0.03 + 0.03 * ((k * 7) % 11) / 11, 0.12 + 0.05 * (k / 11)
-        tip = (r * np.cos(a), r * np.sin(a), z)
-        boughs.append(
-            rod([(-0.003, 0, 0.085), (0.4 * tip[0], 0.4 * tip[1], 0.5 * z + 0.045), tip], 0.0022, 6)
-        )
-        leaves += [ball(0.013, 0.013, 0.01, (tip[0] + 0.011 * np.cos(n * 1.6), tip[1] + 0.011
-                                             * np.sin(n * 1.6), z + 0.004 * (n % 2)), 7)
-                   for n in range(4)]  # fmt: skip
-    return [(rock, dye(look, "gray", "charcoal", "beige")), (trunk, wire), (join(boughs), wire),
-            (join(leaves), dye(look, "green", "pink", "teal", "purple", "amber"))]  # fmt: skip
-
 
 Point = tuple[float, float, float]
 
@@ -539,6 +514,56 @@ def terrarium(look: Look) -> Shape:
                       (join(stones), surfaces.plain((200, 196, 188))),
                       (join([*rods, *bands, knob]), metal)]  # fmt: skip
     return shape(pieces, [cylinder_part(r, 0.02), hull_of(dome)])
+
+
+@category("seed_packet", size=(0.086, 0.122, 0.0042), mass=0.012, material="paper",
+          aliases=("packet of seeds", "seeds", "pack of seeds", "flower seeds", "bag of seeds",
+          "seed bag"), themes=("living",), roles=("flat",), colors=("green",),
+          state="lying flat")  # fmt: skip
+def seed_packet(look: Look) -> Shape:
+    """A paper packet of seeds lying flat, with a flower or vegetable on its front."""
+    x, y = look.between(0.078, 0.095), look.between(0.11, 0.135)
+    color = look.color("green", "yellow", "red", "orange", "violet", "sky", "pink")
+    image = prints.canvas(96, 144, (248, 244, 230))
+    prints.fill(image, 0, 0, 1, 0.28, color)
+    word = look.pick(["SEEDS", "TOMATO", "BASIL", "POPPY", "CARROT", "SUNFLOWER"])
+    prints.write(image, word, 0.5, 0.2, 0.09, (250, 250, 246), bold=True)
+    prints.stroke(image, [(0.5, 0.94), (0.5, 0.55)], 0.02, (80, 130, 60))
+    prints.polygon(image, [(0.5, 0.82), (0.75, 0.7), (0.7, 0.84)], (96, 150, 70))
+    prints.polygon(image, [(0.5, 0.76), (0.25, 0.64), (0.3, 0.78)], (96, 150, 70))
+    for n in range(9):
+        a = 2 * np.pi * n / 9
+        prints.disc(image, 0.5 + 0.2 * np.cos(a), 0.52 + 0.133 * np.sin(a), 0.065, color)
+    prints.disc(image, 0.5, 0.52, 0.09, (110, 70, 40) if look.chance(0.5) else (246, 206, 80))
+    body = box(x, y, 0.0035)
+    flap = box(x, 0.014, 0.0008).move(y=y / 2 - 0.008, z=0.0034)
+    top = box(0.98 * x, 0.98 * y, 0.0004).move(z=0.0033)
+    side = surfaces.speckles(look.rng, (244, 240, 226), 4, 32)
+    return shape([(body, side), (top, image), (flap, surfaces.plain(tint_color(color, 0.85)))],
+                 [box_part(x, y, 0.0037)])  # fmt: skip
+
+
+@category("pampas_grass", size=(0.167, 0.146, 0.37), mass=0.5, material="ceramic", assembled=True,
+          aliases=("dried pampas grass", "vase of pampas grass", "dried grass bouquet",
+          "pampas grass in a vase"), themes=("living",), roles=("tall", "big"),
+          colors=("cream",))  # fmt: skip
+@from_pieces(bodies=2)
+def pampas_grass(look: Look) -> Pieces:
+    """A vase with feathery grass."""
+    color = look.color("cream", "beige", "pink", "tan")
+    pot = standing((0.03, 0), (0.045, 0.03), (0.04, 0.08), (0.02, 0.115), (0.024, 0.13))
+    stems, plumes = [], []
+    for k in range(6):
+        a = 1.05 * k
+        tip = np.array([0.055 * np.cos(a), 0.055 * np.sin(a), 0.27 + 0.02 * (k % 3)])
+        stems.append(rod([(0, 0, 0.12), (0.5 * tip[0], 0.5 * tip[1], 0.2), tuple(tip)], 0.0016, 5))
+        plumes.append(rod([tuple(tip - [0.3 * tip[0], 0.3 * tip[1], 0.05]), tuple(tip),
+                           tuple(np.add(tip, (0.45 * tip[0], 0.45 * tip[1], 0.055)))],
+                          [0.009, 0.016, 0.003], 8))  # fmt: skip
+    fluff = surfaces.scratches(look.rng, color, tint_color(color, 0.8), 200)
+    return [(pot, materials.glaze_tile(look, look.own_color("white", "gray", "terracotta",
+                                                            "charcoal"))), (join(plumes), fluff),
+            (join(stems), dye(look, "tan"))]  # fmt: skip
 
 
 CATEGORIES = (

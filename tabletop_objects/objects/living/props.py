@@ -7,12 +7,14 @@ import numpy as np
 from ...kit import prints, surfaces
 from ...kit.outlines import arc, smooth
 from ...kit.parts import box_part, hull_above, hull_of, lift_parts, open_vessel
-from ...kit.primitives import at_box, ball, limb, lobe, rod, standing_plate, straight
+from ...kit.primitives import at_box, ball, limb, spread, standing_plate, straight
 from ...kit.shapes import (
+    Category,
     Pieces,
     Shape,
     at_rest,
     category,
+    from_pieces,
     keep_still,
     put_down,
     settle,
@@ -28,11 +30,11 @@ from ...kit.solids import (
     join,
     lathe,
     prism,
-    refine,
     torus,
     tube,
 )
 from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
+from .religious_items import tome
 
 
 @category("devil_horns", size=(0.151, 0.181, 0.0298), mass=0.04, material="plastic", assembled=True,
@@ -146,43 +148,6 @@ def clapperboard(look: Look) -> Shape:
     high = at_box(0.26, 0.03, 0.012, (0.13, 0, 0)).turn(2, 0.18).move(-0.13, 0.128, 0)
     return put_down([(board, plain(color)), (sheet, face), (join([low, high]), stripes)], board,
                     low, high, factor=k)  # fmt: skip
-
-
-@category("jack_o_lantern", size=(0.13, 0.135, 0.12), mass=0.5, material="food",
-          aliases=("carved pumpkin", "jack-o-lantern", "jack o'lantern", "pumpkin lantern"),
-          themes=("living",), roles=("round",), colors=("orange",))  # fmt: skip
-def jack_o_lantern(look: Look) -> Shape:
-    """A carved pumpkin with eyes, a nose and a toothed grin."""
-    color = look.color("orange", "orange", "amber", "coral")
-    d = look.between(0.11, 0.15)
-    body = lobe(ellipsoid(d, d, 0.78 * d, 40, 14), 10, 0.12).move(z=0.37 * d)
-    stem = rod([(0, 0, 0.72 * d), (0.004, 0, 0.82 * d), (0.018, 0, 0.9 * d)],
-               [0.011, 0.008, 0.009], 8)  # fmt: skip
-    r = 0.53 * d
-
-    def carve(points: list[tuple[float, float]]) -> Solid:
-        """Return a dark patch on the front (x, z relative to the width)."""
-        plate = refine(refine(standing_plate(np.array(points) * d, 0.1 * d)))
-
-        def wrap(p: np.ndarray) -> np.ndarray:
-            z = (p[:, 2] - 0.37 * d) / (0.39 * d)
-            reach = r * np.sqrt(np.maximum(1 - z**2, 0.05)) * 0.995
-            depth = np.sqrt(np.maximum(reach**2 - p[:, 0] ** 2, 0))
-            return np.column_stack([p[:, 0], -depth + 0.4 * p[:, 1] - 0.012 * d, p[:, 2]])
-
-        return plate.bend(wrap)
-
-    eyes = [carve([(s * 0.19 - 0.08, 0.48), (s * 0.19 + 0.08, 0.48), (s * 0.19, 0.62)])
-            for s in (-1, 1)]  # fmt: skip
-    nose = carve([(-0.035, 0.41), (0.035, 0.41), (0.0, 0.48)])
-    grin = carve([(-0.28, 0.37), (-0.17, 0.26), (-0.09, 0.26), (-0.09, 0.295), (-0.03, 0.295),
-                  (-0.03, 0.24), (0.09, 0.25), (0.17, 0.26), (0.28, 0.37), (0.13, 0.32),
-                  (0.08, 0.33), (0.08, 0.295), (0.02, 0.295), (0.02, 0.325),
-                  (-0.13, 0.325)])  # fmt: skip
-    glow = surfaces.plain(look.pick([(30, 22, 18), (250, 206, 80)]))
-    skin = surfaces.stripes([color, tint_color(color, 0.88)], 10, upright=True, side=96)
-    return put_down([(body, skin), (stem, surfaces.plain((110, 120, 60))),
-                    (join([*eyes, nose, grin]), glow)], body, stem)  # fmt: skip
 
 
 @category("skull", size=(0.083, 0.11, 0.11), mass=0.35, material="plastic", aliases=("human skull",
@@ -401,24 +366,6 @@ def witch_broom(look: Look) -> Shape:
     return settle([(stick, look.surface(color, "wood")),
                    (join(twigs), surfaces.scratches(look.rng, STRAW, (150, 108, 56), 80)),
                    (join(rings), surfaces.plain((86, 60, 40)))], 0.06,
-                  hulls=[[0], [1]]).scale(k)  # fmt: skip
-
-
-@category("pitchfork", size=(0.39, 0.132, 0.01), mass=0.1, material="plastic", assembled=True,
-          aliases=("devil's pitchfork", "pitchfork prop", "toy pitchfork", "trident", "devil fork"),
-          themes=("living",), colors=("red",), state="lying flat")  # fmt: skip
-def pitchfork(look: Look) -> Shape:
-    """A devil's pitchfork lying flat: a shaft with three barbed prongs."""
-    k = look.between(0.9, 1.1)
-    color = look.color("red", "red", "black")
-    shaft = straight((-0.2, 0, 0.006), (0.08, 0, 0.006), 0.0055)
-    yoke = limb([(0.15, -0.05, 0.006), (0.09, -0.046, 0.006), (0.076, 0, 0.006),
-                 (0.09, 0.046, 0.006), (0.15, 0.05, 0.006)], [0.005] * 5, 8)  # fmt: skip
-    prong = straight((0.07, 0, 0.006), (0.16, 0, 0.006), 0.005)
-    tips = [prism(np.array([(0.145, y - 0.014), (0.185, y), (0.145, y + 0.014), (0.152, y)]), 0.002,
-                  0.01) for y in (-0.051, 0, 0.051)]  # fmt: skip
-    return settle([(shaft, surfaces.speckles(look.rng, tint_color(color, 0.9), 6)),
-                   (join([yoke, prong, *tips]), surfaces.speckles(look.rng, color, 6))], 0.1,
                   hulls=[[0], [1]]).scale(k)  # fmt: skip
 
 
@@ -670,3 +617,59 @@ def eyeball(look: Look) -> Shape:
     return settle([(globe, WHITE), (cap(0.62, 1.03), surfaces.plain(color)),
                    (cap(0.28, 1.06), BLACK), (join(veins), surfaces.plain((200, 50, 50)))], 0.12,
                   hulls=[[0]])  # fmt: skip
+
+
+BRASS = (206, 172, 96)
+
+
+@category("folding_fan", size=(0.384, 0.193, 0.00833), mass=0.05, material="paper", assembled=True,
+          aliases=("hand fan", "paper fan", "japanese fan", "folding hand fan", "spanish fan"),
+          themes=("living",), roles=("flat", "big"), colors=("red",),
+          state="lying open")  # fmt: skip
+def folding_fan(look: Look) -> Shape:
+    """An open, pleated folding fan lying flat, with sticks that meet at a rivet."""
+    color = look.color("red", "black", "pink", "blue", "white", "green", "purple")
+    n = 19
+    k = look.between(0.85, 1.1)
+    a = np.linspace(0.12, np.pi - 0.12, n)
+    rows = []
+    for r in (0.075, 0.13, 0.185):
+        z = 0.004 + 0.004 * (np.arange(n) % 2)
+        rows.append(np.column_stack([-r * np.cos(a), r * np.sin(a) - 0.09, z]))
+    leaf = spread(np.stack(rows), 0.0012)
+    sticks = [
+        box(0.19 if i in (0, n - 1) else 0.09, 0.006, 0.0018)
+        .move(0.095 if i in (0, n - 1) else 0.045)
+        .turn(2, float(np.pi - a[i]))
+        .move(0, -0.09, 0.0025 + 0.00009 * i)
+        for i in range(0, n, 2)
+    ]
+    pin = cylinder(0.005, 0.006, 14).move(0, -0.09, 0.001)
+    image = prints.canvas(160, 96, color)
+    ink = tint_color(color, 1.7) if sum(color) < 560 else (200, 60, 70)
+    for j in range(5):
+        prints.disc(image, 0.15 + 0.175 * j, 0.5 + 0.16 * (-1) ** j, 0.1, ink)
+        prints.disc(image, 0.15 + 0.175 * j, 0.5 + 0.16 * (-1) ** j, 0.04, color)
+    return put_down([(leaf, image), (join(sticks), surfaces.wood(look.rng, (110, 74, 48))),
+                     (pin, surfaces.plain(BRASS))], leaf, join([*sticks, pin]),
+                    factor=k)  # fmt: skip
+
+
+GILT: RGB = (206, 168, 84)
+
+
+def _pentagram(image: prints.Canvas) -> None:
+    a = np.pi / 2 + np.arange(5) * 4 * np.pi / 5
+    points = [(0.5 + 0.3 * np.cos(t), 0.5 - 0.22 * np.sin(t)) for t in a]
+    prints.disc(image, 0.5, 0.5, 0.25, GILT, 0.235)
+    prints.stroke(image, [*points, points[0]], 0.014, GILT)
+
+
+CATEGORIES = (
+    Category("grimoire",
+             from_pieces(bodies=2)(tome(_pentagram, "maroon", "purple", "black", "brown")),
+             size=(0.136, 0.219, 0.0392), mass=0.7, material="paper", aliases=("spell book",
+             "spellbook", "magic book", "book of spells", "old tome", "tome", "wizard book"),
+             themes=("living",), roles=("flat", "support"), colors=("maroon",), state="lying flat"),
+)  # fmt: skip
+"""Objects that share their drawing functions."""

@@ -37,6 +37,7 @@ from ...kit.shapes import (
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, torus, tube
 from ...kit.surfaces import RGB, Look, readable_on, tint_color
 from ..toys.shapes import body
+from .leaves import bundle
 
 
 def _cross(figure: bool, stepped: bool) -> Drawing:
@@ -454,19 +455,6 @@ def tefillin(look: Look) -> Pieces:
     return [(base, black), (top, black), (tube(smooth(path, 6), 0.004, 6, squash=0.4), black)]
 
 
-@category("book_rest", size=(0.191, 0.165, 0.17), mass=0.4, material="wood", aliases=("quran stand",
-          "rehal", "koran stand", "book stand with crossed boards", "folding book stand"),
-          themes=("living",), colors=("brown",))  # fmt: skip
-@from_pieces()
-def book_rest(look: Look) -> Pieces:
-    """A folding book stand: two crossed boards with perforated ends."""
-    tile = wood(look, "brown", "wooden", "tan")
-    one = at_box(0.19, 0.008, 0.2, (0, 0, -0.06))
-    pair = [one.turn(0, a) for a in (0.6, -0.6)]
-    low = min(float(p.bounds[0, 2]) for p in pair)
-    return [(p.move(z=-low), tile) for p in pair]
-
-
 @category("prayer_flags", size=(0.396, 0.0904, 0.00298), mass=0.02, material="fabric",
           assembled=True,
           aliases=("prayer flag", "string of prayer flags", "tibetan flags", "pennant garland"),
@@ -641,5 +629,9 @@ CATEGORIES = (
     Category("hexagram", from_pieces(foot=0.1)(body(_hexagram)), size=(0.0649, 0.071, 0.00789),
              mass=0.03, material="metal", aliases=("star of david", "six pointed star"),
              themes=("living",), roles=("flat",), colors=("gold", "blue")),
+    Category("sage_bundle", bundle(("sage", "gray", "sage"), 1.5), size=(0.148, 0.046, 0.0279),
+             mass=0.03, material="food", assembled=True,
+             aliases=("smudge stick", "bundle of sage", "white sage bundle", "sage stick"),
+             themes=("living",), colors=("sage",), state="lying"),
 )  # fmt: skip
 """Objects that share their drawing functions."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.parts import cylinder_part, hull_of
-from ...kit.primitives import ball, limb, rod, side_view, straight
-from ...kit.shapes import Pieces, Shape, category, put_down, settle, shape
-from ...kit.solids import Solid, box, cylinder, ellipsoid, join, lathe, torus, tube
+from ...kit.parts import above, box_part, cylinder_part, hull_of
+from ...kit.primitives import ball, limb, pillow
+from ...kit.shapes import Pieces, Shape, category, settle, shape
+from ...kit.solids import cylinder, ellipsoid, join, lathe, torus, tube
 from ...kit.surfaces import RGB, Look, tint_color
 
 BRIGHT = ("red", "orange", "yellow", "green", "pink", "purple", "sky", "crimson", "lime")
@@ -95,43 +95,6 @@ def licorice(look: Look) -> Shape:
     tail = limb([(0.93 * r, 0, 0), (0.96 * r, 0.5 * r, 0), (1.25 * r, 1.1 * r, 0)], [t / 2] * 3, 6)
     color = look.color("black", "black", "crimson", "brown")
     return settle([(join([lace, tail]), surfaces.speckles(look.rng, color, 6))], 0.15)
-
-
-@category("gingerbread_house", size=(0.155, 0.14, 0.13), mass=0.5, material="food",
-          aliases=("ginger bread house", "candy house"), themes=("living",),
-          colors=("brown",))  # fmt: skip
-def gingerbread_house(look: Look) -> Shape:
-    """A gingerbread house with icing, sweets, a door and a chimney."""
-    color = look.color("bronze", "brown", "copper", "terracotta")
-    k = look.between(0.9, 1.15)
-    w, d, h = 0.1, 0.085, 0.06
-    crust = surfaces.speckles(look.rng, color, 12)
-    walls = side_view([(-w / 2, 0), (w / 2, 0), (w / 2, h), (0, h + 0.055), (-w / 2, h)], d)
-    long = 0.088
-    slabs = [box(long, d + 0.024, 0.009).move(x=s * (long / 2 - 0.004)).turn(1, s * 0.832)
-             .move(0, 0, h + 0.057) for s in (-1, 1)]  # fmt: skip
-    edge = [rod([(s * 0.064, y, h - 0.006), (s * 0.03, y, h + 0.03), (0, y, h + 0.066)], 0.0045, 6)
-            for s in (-1, 1) for y in (-d / 2 - 0.012, d / 2 + 0.012)]  # fmt: skip
-    ridge = straight((0, -d / 2 - 0.012, h + 0.066), (0, d / 2 + 0.012, h + 0.066), 0.006)
-    base = box(w + 0.05, d + 0.05, 0.006)
-    door = box(0.024, 0.003, 0.036).move(0, -d / 2, 0.006)
-    panes = [box(0.018, 0.003, 0.018).move(s * 0.032, -d / 2, 0.024) for s in (-1, 1)]
-    frames = [box(0.023, 0.002, 0.023).move(s * 0.032, -d / 2, 0.0215) for s in (-1, 1)]
-    chimney = box(0.018, 0.018, 0.04).move(0.03, 0.015, h + 0.025)
-    drops: list[list[Solid]] = [[], [], []]
-    for n in range(18):
-        s, row, col = (-1) ** n, (n // 2) % 3, (n // 6)
-        x = 0.018 + 0.02 * row
-        at = (s * x, (col - 1) * 0.032, h + 0.064 - 1.1 * x + 0.003)
-        drops[n % 3].append(ball(0.012, 0.012, 0.009, at, 8))
-    icing = surfaces.plain((250, 248, 244))
-    tints = [surfaces.plain(look.own_color(c)) for c in ("red", "green", "yellow")]
-    pieces: Pieces = [(join([walls, chimney]), crust), (join(slabs), surfaces.speckles(look.rng,
-                      tint_color(color, 0.75), 10)), (join([*edge, ridge, base, *frames]), icing),
-                      (door, surfaces.plain((110, 60, 40))),
-                      (join(panes), surfaces.plain((250, 214, 110)))]  # fmt: skip
-    pieces += [(join(d), t) for d, t in zip(drops, tints, strict=True)]
-    return put_down(pieces, base, walls, *slabs, factor=k)
 
 
 GAY = ("red", "blue", "yellow", "green", "pink", "purple", "orange", "teal")
@@ -226,3 +189,36 @@ def chips_can(look: Look) -> Shape:
     tone = look.pick([(226, 230, 232), (226, 230, 232), tint_color(color, 0.7)])
     return shape([(body, image), (lid, surfaces.plain(tone)), (foot, steel)],
                  [cylinder_part(r, h - 0.01), hull_of(lid)])  # fmt: skip
+
+
+@category("chips_bag", size=(0.17, 0.22, 0.047), mass=0.12, material="paper",
+          aliases=("bag of chips", "chip bag", "crisps", "potato chips", "chips", "snack bag",
+          "snack", "crisp packet", "packet of crisps", "packet of chips", "pack of crisps",
+          "bag of crisps"), themes=("living", "dining"), roles=("flat",), colors=("red", "yellow"),
+          state="lying flat", common=True)  # fmt: skip
+def chips_bag(look: Look) -> Shape:
+    """A puffed bag of crisps, lying on its back."""
+    x, y, z = look.between(0.15, 0.19), look.between(0.19, 0.25), look.between(0.045, 0.06)
+    color = look.color("red", "yellow", "green", "blue", "orange", "purple")
+    other = look.own_color("yellow", "white", "red", "orange")
+    front = prints.canvas(128, 160, color)
+    prints.disc(front, 0.5, 0.4, 0.3, other)
+    prints.disc(front, 0.5, 0.4, 0.26, tint_color(color, 0.8))
+    word = look.pick(["CHIPS", "CRISPS", "NACHO", "SALTY", "CORN"])
+    prints.write(front[:, 16:-16], word, 0.5, 0.4, 0.15, (255, 250, 235), bold=True)
+    for _ in range(4):
+        a, b = look.rng.uniform(0.2, 0.8), look.rng.uniform(0.68, 0.84)
+        prints.disc(front, a, b, 0.075, (236, 196, 96))
+    for v in (0.0, 0.95):
+        prints.fill(front, 0, v, 1, 0.05, (212, 212, 216))
+    n = 14
+    u, v = np.meshgrid(np.linspace(-1, 1, n), np.linspace(-1, 1, n))
+    puff = (np.clip(1 - u**4, 0, 1) * np.clip(1 - v**4, 0, 1)) ** 0.6
+    crease = 1 + 0.06 * surfaces.noise(look.rng, n, n, (3, 3), 1)
+    lift = np.maximum(0.5 * z * puff * crease, 0.0006)
+    wave = 1 - 0.05 * (1 - np.abs(v) ** 2)
+    bag = pillow(u * wave * x / 2, v * y / 2, lift)
+    return shape(
+        [(bag.move(z=0.42 * z), front)],
+        [box_part(0.62 * x, 0.66 * y, 0.84 * z), hull_of(bag.move(z=0.42 * z).bend(above))],
+    )

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...kit import surfaces
+from ...kit import prints, surfaces
+from ...kit.materials import wood
 from ...kit.parts import box_part, hull_of, open_vessel
-from ...kit.primitives import at_box
-from ...kit.shapes import Shape, category, put_down, shape
+from ...kit.primitives import at_block, at_box
+from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import box, join, lathe
 from ...kit.surfaces import Look, tint_color
 from .models import _stone
@@ -87,3 +88,39 @@ def cake_pillar(look: Look) -> Shape:
     return shape(
         [(body, tile), (join(ribs), surfaces.plain(tint_color(color, 0.9)))], [hull_of(body)]
     )
+
+
+@category("book_rest", size=(0.191, 0.165, 0.17), mass=0.4, material="wood", aliases=("quran stand",
+          "rehal", "koran stand", "book stand with crossed boards", "folding book stand"),
+          themes=("living",), colors=("brown",))  # fmt: skip
+@from_pieces()
+def book_rest(look: Look) -> Pieces:
+    """A folding book stand: two crossed boards with perforated ends."""
+    tile = wood(look, "brown", "wooden", "tan")
+    one = at_box(0.19, 0.008, 0.2, (0, 0, -0.06))
+    pair = [one.turn(0, a) for a in (0.6, -0.6)]
+    low = min(float(p.bounds[0, 2]) for p in pair)
+    return [(p.move(z=-low), tile) for p in pair]
+
+
+BLACK = surfaces.plain((34, 34, 37))
+
+
+@category("card_display", size=(0.086, 0.055, 0.13), mass=0.1, material="plastic",
+          aliases=("sports card case", "graded card", "card slab"), themes=("living",),
+          colors=("blue",))  # fmt: skip
+@from_pieces()
+def card_display(look: Look) -> Pieces:
+    """A trading card in a clear case on a stand."""
+    color = look.color("blue", "red", "green", "gold", "purple")
+    image = prints.canvas(80, 112, color)
+    prints.fill(image, 0.06, 0.04, 0.88, 0.92, (246, 240, 220))
+    image[14:66, 10:70] = surfaces.fit(prints.artwork(look.rng, 60, 52), 52, 60)
+    prints.lines(image, look.rng, (0.14, 0.66, 0.72, 0.24), 4, (110, 110, 116))
+    tilt = -0.2
+    case = at_block(0.086, 0.126, 0.008, 0.004).turn(0, np.pi / 2 + tilt)
+    card = at_box(0.07, 0.1, 0.001, (0, 0, 0.0078)).turn(0, np.pi / 2 + tilt)
+    low = float(case.bounds[0, 2])
+    foot = at_box(0.06, 0.05, 0.01, (0, 0.012, 0))
+    return [(case.move(z=-low + 0.004), surfaces.plain((206, 222, 230))), (foot, BLACK),
+            (card.move(z=-low + 0.004), image)]  # fmt: skip

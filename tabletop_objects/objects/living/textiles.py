@@ -6,9 +6,8 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.materials import glaze_tile
-from ...kit.outlines import smooth
 from ...kit.parts import box_part, hull_of, hull_part
-from ...kit.primitives import pad, pillow, rod
+from ...kit.primitives import pad, pillow
 from ...kit.shapes import Pieces, Shape, category, put_down, shape
 from ...kit.solids import block, box, join, loft, prism, tube
 from ...kit.surfaces import RGB, Look, Tile, tint_color
@@ -174,31 +173,6 @@ def travel_pillow(look: Look) -> Shape:
     low = float(v[:, 2].min())
     made = shape([(body.move(z=-low), plush)], [type(p)(p.vertices - [0, 0, low]) for p in parts])
     return made.scale(k)
-
-
-@category("eye_mask", size=(0.2, 0.125, 0.0125), mass=0.03, material="fabric", assembled=True,
-          aliases=("sleep mask", "sleeping mask", "blindfold"), themes=("living",), roles=("flat",),
-          colors=("black", "navy"), state="lying flat")  # fmt: skip
-def eye_mask(look: Look) -> Shape:
-    """A padded sleeping mask with an elastic band, lying flat."""
-    color = look.color("black", "navy", "pink", "lavender", "gray", "teal")
-    k = look.between(0.9, 1.1)
-    side = smooth([(-0.1, 0.006), (-0.07, 0.042), (0, 0.034), (0.07, 0.042), (0.1, 0.006),
-                   (0.07, -0.04), (0.02, -0.036), (0, -0.012), (-0.02, -0.036), (-0.07, -0.04),
-                   (-0.1, 0.006)], 3)[:-1]  # fmt: skip
-    side = side[::-1]
-    n = len(side)
-    body = loft(np.stack([np.column_stack([side * g, np.full(n, z)]) for g, z in (
-        (0.95, 0), (1.0, 0.004), (0.96, 0.009), (0.8, 0.012))]), side)  # fmt: skip
-    band = rod([(-0.096, 0, 0.005), (-0.09, 0.05, 0.004), (0, 0.085, 0.004), (0.09, 0.05, 0.004),
-                (0.096, 0, 0.005)], 0.0035, 6)  # fmt: skip
-    lids = [rod([(s * 0.05 - 0.024, 0.006, 0.011), (s * 0.05, -0.008, 0.0125),
-                 (s * 0.05 + 0.024, 0.006, 0.011)], 0.0013, 5) for s in (-1, 1)]  # fmt: skip
-    ink = surfaces.plain((250, 246, 240) if sum(color) < 400 else (70, 60, 80))
-    return put_down([(body, surfaces.fabric(look.rng, color)),
-                     (band, surfaces.plain(tint_color(color, 0.7) if sum(color) > 200
-                                           else (90, 90, 96))), (join(lids), ink)], body,
-                    factor=k)  # fmt: skip
 
 
 @category("blanket", size=(0.297, 0.269, 0.0886), mass=0.8, material="fabric",

@@ -8,7 +8,7 @@ from ...kit import prints, surfaces
 from ...kit.outlines import arc, rectangle, smooth
 from ...kit.parts import box_part, hull_above, hull_of, hull_part, open_vessel
 from ...kit.primitives import ball, limb, rod, straight
-from ...kit.shapes import Shape, category, put_down, shape
+from ...kit.shapes import Pieces, Shape, category, put_down, shape
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus
 from ...kit.surfaces import Look, plain, tint_color
 
@@ -206,3 +206,60 @@ def smoking_pipe(look: Look) -> Shape:
                      (ash, surfaces.plain((70, 56, 46))), (bit, surfaces.plain((34, 32, 32)))],
                     join([bowl, foot]), stem, bit, factor=look.between(0.9, 1.15),
                     foot=0.3)  # fmt: skip
+
+
+@category("lighter", size=(0.025, 0.013, 0.079), mass=0.02, material="plastic",
+          aliases=("cigarette lighter", "pocket lighter", "gas lighter", "plastic lighter",
+          "firesteel", "blowtorch"), themes=("living",), roles=("tall",),
+          colors=("red", "blue"))  # fmt: skip
+def lighter(look: Look) -> Shape:
+    """A pocket lighter standing upright, with a wheel and a button below its metal hood."""
+    color = look.color("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
+    body = block(0.024, 0.0125, 0.056, 0.006)
+    hood = block(0.022, 0.0115, 0.016, 0.005).move(z=0.0555)
+    slot = box(0.01, 0.0118, 0.006).move(-0.004, 0, 0.0605)
+    wheel = cylinder(0.0048, 0.006, 14).move(z=-0.003).turn(0, np.pi / 2).move(0.004, 0, 0.0725)
+    key = box(0.008, 0.007, 0.006).turn(1, 0.3).move(0.0095, 0, 0.068)
+    pieces: Pieces = [(body, look.surface(color, "plastic")),
+                      (hood, surfaces.brushed_metal(look.rng, (196, 198, 204))),
+                      (join([slot, wheel]), surfaces.plain((66, 66, 70))),
+                      (key, surfaces.plain(tint_color(color, 0.6)))]  # fmt: skip
+    return put_down(pieces, body, hood, factor=look.between(0.92, 1.12))
+
+
+@category("match", size=(0.06, 0.0042, 0.0035), mass=0.0003, material="wood",
+          aliases=("matchstick", "match stick", "wooden match"), themes=("living",),
+          colors=("red",), state="lying")  # fmt: skip
+def match(look: Look) -> Shape:
+    """A match, lying flat."""
+    color = look.color("red", "brown", "blue", "green", "black", "pink")
+    long = look.between(0.045, 0.07)
+    stick = box(long, 0.0024, 0.0024)
+    head = ball(0.006, 0.0042, 0.004, (-long / 2 + 0.001, 0, 0.0015), 10)
+    return put_down([(stick, surfaces.wood(look.rng, (226, 196, 140))),
+                     (head, surfaces.plain(color))], stick, head)  # fmt: skip
+
+
+@category("matchbook", size=(0.0411, 0.0587, 0.0476), mass=0.006, material="paper",
+          aliases=("book of matches", "paper matches", "book matches"), themes=("living",),
+          colors=("red",), state="lying flat")  # fmt: skip
+def matchbook(look: Look) -> Shape:
+    """An open matchbook lying flat: a folded card with a comb of paper matches."""
+    k = look.between(0.94, 1.12)
+    color = look.color("red", "navy", "green", "black", "yellow", "white")
+    x, y = 0.04 * k, 0.048 * k
+    base = box(x, y, 0.003)
+    lip = box(x, 0.011 * k, 0.003).move(y=-0.5 * y + 0.0055 * k, z=0.003)
+    cover = box(x, y, 0.0014).turn(0, -1.15).move(y=0.46 * y, z=0.021 * k)
+    cover = cover.move(z=0.002 - float(cover.bounds[0, 2]))
+    rough = box(0.96 * x, 0.005, 0.0004).move(y=-0.5 * y + 0.005, z=0.006)
+    sticks = [box(0.0028, 0.036 * k, 0.0016).move((n - 4.5) * 0.0039 * k, -0.002, 0.0032)
+              for n in range(10)]  # fmt: skip
+    heads = [ball(0.0038, 0.0065, 0.0034, ((n - 4.5) * 0.0039 * k, 0.0165 * k, 0.004), 7)
+             for n in range(10)]  # fmt: skip
+    tip = surfaces.plain(look.own_color("red", "brown", "green"))
+    return shape([(join([base, lip]), surfaces.plain(color)),
+                  (cover, surfaces.plain(tint_color(color, 0.9))),
+                  (rough, surfaces.plain((90, 60, 50))),
+                  (join(sticks), surfaces.plain((240, 232, 214))), (join(heads), tip)],
+                 [hull_of(base, lip), hull_of(cover), hull_of(*sticks, *heads)])  # fmt: skip

@@ -5,12 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
+from ...kit.materials import steel
 from ...kit.outlines import rectangle, smooth
-from ...kit.parts import box_part, hull_of, hull_part
-from ...kit.primitives import ball, rod, straight
-from ...kit.shapes import Pieces, Shape, category, put_down, shape
+from ...kit.parts import box_part, cylinder_part, hull_of, hull_part
+from ...kit.primitives import at_box, ball, drum, limb, lobe, plate, rod, straight
+from ...kit.shapes import Pieces, Shape, category, put_down, settle, shape
 from ...kit.solids import (
     Solid,
+    block,
     box,
     cylinder,
     join,
@@ -22,7 +24,7 @@ from ...kit.solids import (
     torus,
     tube,
 )
-from ...kit.surfaces import Look, tint_color
+from ...kit.surfaces import RGB, Look, plain, tint_color
 
 
 @category("watering_can", size=(0.235, 0.115, 0.18), mass=0.4, material="metal", hollow=True,
@@ -88,33 +90,6 @@ def garden_trowel(look: Look) -> Shape:
     grip = grip.turn(1, np.pi / 2).move(x=0.05 * k, z=0.0155 * k)
     return shape([(scoop, steel), (neck, steel), (grip, look.surface(color, "wood"))],
                  [hull_of(scoop), hull_of(neck), hull_of(grip)])  # fmt: skip
-
-
-@category("seed_packet", size=(0.086, 0.122, 0.0042), mass=0.012, material="paper",
-          aliases=("packet of seeds", "seeds", "pack of seeds", "flower seeds", "bag of seeds",
-          "seed bag"), themes=("living",), roles=("flat",), colors=("green",),
-          state="lying flat")  # fmt: skip
-def seed_packet(look: Look) -> Shape:
-    """A paper packet of seeds lying flat, with a flower or vegetable on its front."""
-    x, y = look.between(0.078, 0.095), look.between(0.11, 0.135)
-    color = look.color("green", "yellow", "red", "orange", "violet", "sky", "pink")
-    image = prints.canvas(96, 144, (248, 244, 230))
-    prints.fill(image, 0, 0, 1, 0.28, color)
-    word = look.pick(["SEEDS", "TOMATO", "BASIL", "POPPY", "CARROT", "SUNFLOWER"])
-    prints.write(image, word, 0.5, 0.2, 0.09, (250, 250, 246), bold=True)
-    prints.stroke(image, [(0.5, 0.94), (0.5, 0.55)], 0.02, (80, 130, 60))
-    prints.polygon(image, [(0.5, 0.82), (0.75, 0.7), (0.7, 0.84)], (96, 150, 70))
-    prints.polygon(image, [(0.5, 0.76), (0.25, 0.64), (0.3, 0.78)], (96, 150, 70))
-    for n in range(9):
-        a = 2 * np.pi * n / 9
-        prints.disc(image, 0.5 + 0.2 * np.cos(a), 0.52 + 0.133 * np.sin(a), 0.065, color)
-    prints.disc(image, 0.5, 0.52, 0.09, (110, 70, 40) if look.chance(0.5) else (246, 206, 80))
-    body = box(x, y, 0.0035)
-    flap = box(x, 0.014, 0.0008).move(y=y / 2 - 0.008, z=0.0034)
-    top = box(0.98 * x, 0.98 * y, 0.0004).move(z=0.0033)
-    side = surfaces.speckles(look.rng, (244, 240, 226), 4, 32)
-    return shape([(body, side), (top, image), (flap, surfaces.plain(tint_color(color, 0.85)))],
-                 [box_part(x, y, 0.0037)])  # fmt: skip
 
 
 STEEL = (150, 154, 160)
@@ -257,3 +232,132 @@ def hose_nozzle(look: Look) -> Shape:
     pieces: Pieces = [(join([barrel, grip]), skin), (join([head, joint, lever]), dark)]
     return put_down(pieces, join([barrel, head]), join([grip, joint]), lever,
                    factor=look.between(0.9, 1.1), foot=0.3)  # fmt: skip
+
+
+@category("keys", size=(0.07, 0.12, 0.0065), mass=0.06, material="metal", assembled=True,
+          aliases=("key", "key ring", "keyring", "bunch of keys", "key chain", "keychain",
+          "set of keys", "car key", "house key", "chatelaine", "iron key"),
+          themes=("living", "office"), roles=("flat",), colors=("red", "blue"), state="lying flat",
+          common=True)  # fmt: skip
+def keys(look: Look) -> Shape:
+    """A ring of keys with a tag."""
+    tones = ((196, 198, 202), (206, 172, 92), (176, 148, 110))
+    metals = [surfaces.brushed_metal(look.rng, tone) for tone in tones]
+    ring = torus(0.014, 0.0013, 28, 6).move(z=0.0035)
+    pieces = [(ring, metals[0])]
+    parts = [cylinder_part(0.0148, 0.0035, (0, 0, 0.0004))]
+    count = int(look.rng.integers(2, 5))
+    for k in range(count):
+        angle = -np.pi / 2 + (k - count / 2) * 0.55 + look.between(-0.1, 0.1)
+        bow = lobe(cylinder(0.0115, 0.0022, 24), int(look.pick([3, 4, 8])), 0.25)
+        long = look.between(0.028, 0.036)
+        teeth = [(0.009 + long * u, -0.0025 - 0.0016 * (n % 2)) for n, u in
+                 enumerate(np.linspace(0.35, 0.96, 8))]  # fmt: skip
+        shank = prism([(0.006, -0.0028), *teeth, (0.009 + long, 0.002), (0.006, 0.0032)], 0, 0.002)
+        z = 0.0002 + 0.0019 * k
+        key = join([bow, shank]).move(x=0.022).turn(2, angle).move(z=z)
+        pieces.append((key, metals[int(look.rng.integers(3))]))
+        parts.append(hull_of(key))
+    color = look.color("red", "blue", "brown", "green", "black", "yellow", "pink")
+    kind, turn = int(look.rng.integers(3)), np.pi / 2 + look.between(-0.4, 0.4)
+    tag = [block(0.046, 0.024, 0.004, 0.007, 0.001), cylinder(0.017, 0.004, 26, bevel=0.001),
+           lobe(cylinder(0.018, 0.006, 40, bevel=0.001), 5, 0.5)][kind]  # fmt: skip
+    tag = tag.move(x=0.04).turn(2, turn).move(z=0.0003)
+    loop = tube([(0.012, 0, 0.0042), (0.018, 0, 0.005), (0.026, 0, 0.003)], 0.0014, 6)
+    loop = loop.turn(2, turn)
+    pieces += [(tag, surfaces.speckles(look.rng, color, 8)), (loop, metals[0])]
+    return shape(pieces, [*parts, hull_of(tag)])
+
+
+@category("compass", size=(0.0607, 0.0792, 0.0333), mass=0.07, material="metal", assembled=True,
+          aliases=("pocket compass", "magnetic compass", "hiking compass", "navigation compass",
+          "sighting compass"), themes=("living", "office"), roles=("flat",),
+          colors=("brass", "silver"), state="lying flat")  # fmt: skip
+def compass(look: Look) -> Shape:
+    """A pocket compass lying flat with its needle up, sometimes with a lid or a base plate."""
+    r, h = look.between(0.026, 0.034), look.between(0.011, 0.015)
+    color = look.color("brass", "silver", "black", "copper", "gold", "red", "teal")
+    metal = look.surface(color, "metal")
+    face = prints.canvas(128, 128, look.pick([(246, 242, 228), (250, 250, 248), (34, 38, 46)]))
+    ink: RGB = (40, 40, 44) if int(face[0, 0, 0]) > 128 else (240, 240, 236)
+    for n in range(36):
+        a = np.pi * n / 18
+        way = [(0.5 + s * np.sin(a), 0.5 - s * np.cos(a)) for s in (0.4 if n % 3 else 0.37, 0.45)]
+        prints.stroke(face, way, 0.008, ink)
+    for n, word in enumerate("NESW"):
+        a = np.pi / 2 * n
+        prints.write(face, word, 0.5 + 0.29 * np.sin(a), 0.5 - 0.29 * np.cos(a), 0.13,
+                     (190, 40, 40) if word == "N" else ink, bold=True)  # fmt: skip
+    turn = look.between(0, 6.28)
+    for s, tone in ((1, (206, 40, 40)), (-1, (70, 90, 130))):
+        tip = (0.5 + s * 0.36 * np.sin(turn), 0.5 - s * 0.36 * np.cos(turn))
+        sides = [(0.5 + 0.045 * np.cos(turn) * e, 0.5 + 0.045 * np.sin(turn) * e) for e in (-1, 1)]
+        prints.polygon(face, [sides[0], tip, sides[1]], tone)
+    prints.disc(face, 0.5, 0.5, 0.03, (200, 164, 84))
+    kind = look.pick(["plain", "lid", "plate"])
+    base = 0.003 if kind == "plate" else 0.0
+    body = lathe([(0, 0), (0.96 * r, 0), (r, 0.003), (r, h), (0.9 * r, h), (0.88 * r, h - 0.003),
+                  (0, h - 0.003)], 36).move(z=base)  # fmt: skip
+    dial = cylinder(0.88 * r, 0.0006, 36).move(z=base + h - 0.0031)
+    pieces, parts = [(body, metal), (dial, face)], [cylinder_part(r, h, (0, 0, base))]
+    if kind == "lid":
+        lid = lathe([(0, 0), (r, 0), (r, 0.003), (0.8 * r, 0.005), (0, 0.005)], 36)
+        lid = lid.turn(0, 1.9).move(y=1.05 * r, z=h + 0.9 * r)
+        loop = torus(0.007, 0.0014, 18, 6).move(y=-r - 0.006, z=0.5 * h)
+        pieces.append((join([lid, loop]), metal))
+        hinge = box(0.012, 0.008, 0.006).move(y=r + 0.001, z=h - 0.005)
+        pieces.append((hinge, metal))
+        parts.append(hull_of(lid))
+    elif kind == "plate":
+        plate = block(2.3 * r, 3.6 * r, 0.0032, 0.006).move(y=0.4 * r)
+        grid = prints.canvas(96, 144, (206, 222, 226))
+        prints.fill(grid, 0.49, 0.04, 0.02, 0.3, (200, 40, 40))
+        for n in range(24):
+            prints.fill(grid, 0.0, 0.04 * n + 0.02, 0.05 + 0.03 * (n % 5 == 0), 0.006, (40, 40, 44))
+        top = box(2.2 * r, 3.5 * r, 0.0004).move(y=0.4 * r, z=0.003)
+        pieces += [(plate, surfaces.plain((206, 222, 226))), (top, grid)]
+        parts.append(hull_of(plate))
+    return shape(pieces, parts)
+
+
+@category("pitchfork", size=(0.39, 0.132, 0.01), mass=0.1, material="plastic", assembled=True,
+          aliases=("devil's pitchfork", "pitchfork prop", "toy pitchfork", "trident", "devil fork"),
+          themes=("living",), colors=("red",), state="lying flat")  # fmt: skip
+def pitchfork(look: Look) -> Shape:
+    """A devil's pitchfork lying flat: a shaft with three barbed prongs."""
+    k = look.between(0.9, 1.1)
+    color = look.color("red", "red", "black")
+    shaft = straight((-0.2, 0, 0.006), (0.08, 0, 0.006), 0.0055)
+    yoke = limb([(0.15, -0.05, 0.006), (0.09, -0.046, 0.006), (0.076, 0, 0.006),
+                 (0.09, 0.046, 0.006), (0.15, 0.05, 0.006)], [0.005] * 5, 8)  # fmt: skip
+    prong = straight((0.07, 0, 0.006), (0.16, 0, 0.006), 0.005)
+    tips = [prism(np.array([(0.145, y - 0.014), (0.185, y), (0.145, y + 0.014), (0.152, y)]), 0.002,
+                  0.01) for y in (-0.051, 0, 0.051)]  # fmt: skip
+    return settle([(shaft, surfaces.speckles(look.rng, tint_color(color, 0.9), 6)),
+                   (join([yoke, prong, *tips]), surfaces.speckles(look.rng, color, 6))], 0.1,
+                  hulls=[[0], [1]]).scale(k)  # fmt: skip
+
+
+@category("mouse_trap", size=(0.105, 0.0502, 0.019), mass=0.03, material="wood",
+          aliases=("mousetrap", "rat trap", "spring trap"), themes=("living",), roles=("flat",),
+          colors=("tan",))  # fmt: skip
+def mouse_trap(look: Look) -> Shape:
+    """A spring mousetrap, set and baited with a bit of cheese."""
+    color = look.color("tan", "wooden", "beige")
+    k = look.between(0.85, 1.25)
+    base = at_box(0.1, 0.048, 0.008)
+    hoop = rod([(0.002, 0.019, 0.0105), (0.042, 0.019, 0.0105), (0.042, -0.019, 0.0105),
+                (0.002, -0.019, 0.0105)], 0.0014, 6, 1)  # fmt: skip
+    coil = drum(0.0042, 0.04, (0.0, -0.02, 0.0115), 1, sides=12)
+    pin = straight((-0.046, 0, 0.0105), (0.036, 0.004, 0.0125), 0.001, 6)
+    pad_, cheese = (at_box(0.018, 0.016, 0.0014, (-0.022, 0, 0.009)),
+                    plate([(-0.008, -0.005), (0.008, -0.002), (-0.005, 0.007)], 0.008))  # fmt: skip
+    print_ = prints.canvas(96, 48, color)
+    prints.write(
+        print_, look.pick(["SNAP", "TRAP", "MOUSE"]), 0.75, 0.5, 0.24, (180, 40, 40), bold=True
+    )
+    return put_down([(base, surfaces.wood(look.rng, color)), (at_box(0.098, 0.046, 0.0006,
+                                                                     (0, 0, 0.0077)), print_),
+                     (join([hoop, coil, pin]), steel(look)), (pad_, steel(look, (190, 150, 80))),
+                     (cheese.move(-0.022, 0, 0.0102), plain((244, 206, 70)))], base, hoop,
+                    factor=k)  # fmt: skip

@@ -9,7 +9,7 @@ from ...kit.materials import BRASS_TONE, DARK, STEEL_TONE, metal, steel
 from ...kit.outlines import ellipse
 from ...kit.primitives import at_box, ball, drum, plate, rod
 from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down
-from ...kit.solids import block, join, lathe
+from ...kit.solids import block, join, lathe, torus
 from ...kit.surfaces import Look, plain, tint_color
 
 
@@ -96,3 +96,39 @@ def arrowhead(look: Look) -> Shape:
                                                                             tint_color(color, 0.8),
                                                                             70))], base, ridge,
                     factor=k)  # fmt: skip
+
+
+@category("gauntlet", size=(0.189, 0.116, 0.0658), mass=0.6, material="metal",
+          aliases=("armored glove", "knight's glove", "armoured glove", "steel glove"),
+          themes=("living",), roles=("big",), colors=("silver",))  # fmt: skip
+def gauntlet(look: Look) -> Shape:
+    """A plate-armour gauntlet with a flared cuff, lying flat."""
+    color = look.color("silver", "gray", "bronze", "charcoal")
+    k = look.between(0.85, 1.1)
+    cuff = [drum(0.036 + 0.006 * n, 0.04, (-0.045 - 0.036 * n, 0, 0.05), 0, top=0.034 + 0.004 * n)
+            for n in range(2)]  # fmt: skip
+    cuff = [one.scale(1, 1.1, 0.75) for one in cuff]
+    hand = [ball(0.075, 0.085, 0.05, (0.02, 0, 0.03), 16)]
+    plates = [at_box(0.02, 0.082 - 0.004 * n, 0.008, (0.0 + 0.018 * n, 0, 0.048 - 0.002 * n))
+              for n in range(3)]  # fmt: skip
+    fingers, joints = [], []
+    for n in range(4):
+        y = 0.03 - 0.02 * n
+        fingers.append(rod([(0.045, y, 0.03), (0.085, y, 0.022), (0.11 - 0.006 * abs(n - 1), y,
+                                                                  0.011)], 0.0105, 8))  # fmt: skip
+        joints += [torus(0.0105, 0.002, 12, 5).turn(1, 1.2).move(x, y, z) for x,
+                   z in ((0.06, 0.027), (0.082, 0.022))]  # fmt: skip
+    thumb = rod([(0.0, 0.036, 0.026), (0.03, 0.06, 0.02), (0.06, 0.062, 0.012)], 0.0115, 8)
+    metal = steel(look, color)
+    return put_down(
+        [
+            (join([*cuff, *hand, *fingers, thumb]), metal),
+            (join([*plates, *joints]), steel(look, tint_color(color, 0.75))),
+        ],
+        *cuff,
+        *hand,
+        join(fingers),
+        thumb,
+        factor=k,
+        foot=0.3,
+    )

@@ -46,14 +46,6 @@ _EDELWEISS = layered_head([(9, 0.024, 0.008, 0.05, 0), (6, 0.016, 0.007, 0.2, 0.
 _BLADE = (0.11, 0.011)
 
 
-def _daisy(look: Look, color: RGB) -> Pieces:
-    petals = corolla(14, 0.024, 0.0095, 0.15)
-    return [
-        (join(petals), surfaces.speckles(look.rng, color, 5)),
-        (ball(0.017, 0.017, 0.01, (0, 0, 0.003), 12), surfaces.plain((240, 190, 50))),
-    ]
-
-
 CATEGORIES = (
     Category("poppy", on_stem(open_head(5, 0.034, 0.034, 0.35, 0.0075, DARK), ("red", "red",
              "orange", "coral"), 0.19, leaves=1, nod=1.1, leaf=(0.06, 0.018)),
@@ -100,10 +92,5 @@ CATEGORIES = (
              leaf=(0.07, 0.014)), size=(0.19, 0.0483, 0.0404), mass=0.01, material="food",
              assembled=True, aliases=("scottish thistle", "thistle head", "sea holly"),
              themes=("living",), colors=("purple", "magenta"), state="lying flat"),
-    Category("daisy", on_stem(_daisy, ("white", "white", "pink", "yellow"), 0.18, nod=0.8,
-             leaf=(0.04, 0.012)), size=(0.169, 0.0532, 0.038), mass=0.006, material="food",
-             assembled=True, aliases=("daisy flower", "marguerite", "chamomile", "daisies", "aster",
-             "artificial flower", "fake flower", "plastic flower", "single flower", "cut flower",
-             "wildflower"), themes=("living",), colors=("white",), state="lying flat"),
 )  # fmt: skip
 """Objects that share their drawing functions."""

@@ -7,12 +7,13 @@ from collections.abc import Callable
 import numpy as np
 
 from ...kit import prints, surfaces
+from ...kit.materials import steel
 from ...kit.outlines import ellipse, rounded_polygon, smooth
 from ...kit.parts import box_part, cylinder_part, flat_foot, hull_of, hull_part
-from ...kit.primitives import lay_down
-from ...kit.shapes import Category, Shape, category, keep_still, shape
+from ...kit.primitives import at_box, drum, lay_down
+from ...kit.shapes import Category, Shape, category, keep_still, put_down, shape
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
-from ...kit.surfaces import Look, tint_color
+from ...kit.surfaces import Look, plain, tint_color
 
 BRASS = ("gold", "gold", "brass", "silver")
 
@@ -464,6 +465,26 @@ def drum_pad(look: Look) -> Shape:
     pieces.append((join(knobs), surfaces.plain((60, 60, 64) if sum(color) > 300 else
                                                (190, 190, 194))))  # fmt: skip
     return shape(pieces, [box_part(x, y, h + 0.003), *[hull_of(s) for s in knobs]])
+
+
+@category("audio_interface", size=(0.178, 0.113, 0.0446), mass=0.6, material="device",
+          aliases=("sound card", "audio mixer box", "sound interface", "usb audio interface"),
+          themes=("music",), colors=("red", "black"))  # fmt: skip
+def audio_interface(look: Look) -> Shape:
+    """An audio interface: a flat box with sockets and knobs on its front."""
+    color = look.color("red", "black", "silver", "charcoal")
+    k = look.between(0.85, 1.1)
+    body = block(0.18, 0.1, 0.045, 0.006, 0.003)
+    front = at_box(0.172, 0.002, 0.037, (0, -0.0505, 0.004))
+    jacks = [drum(0.0105, 0.004, (x, -0.0545, 0.022), 1) for x in (-0.066, -0.008)]
+    knobs = [drum(0.009, 0.013, (x, -0.0635, 0.024), 1) for x in (-0.038, 0.02)]
+    big = drum(0.014, 0.014, (0.056, -0.0645, 0.022), 1)
+    rings = [torus(0.0105, 0.0012, 18, 5).turn(0, np.pi / 2).move(x, -0.0515, 0.024)
+             for x in (-0.038, 0.02)]  # fmt: skip
+    return put_down([(body, look.surface(color, "metal")), (front, plain((34, 34, 38))),
+                     (join(jacks), plain((120, 122, 128))), (join([*knobs, big]), steel(look)),
+                     (join(rings), plain((90, 210, 110)))], body, join([*knobs, big]),
+                    factor=k)  # fmt: skip
 
 
 CATEGORIES = (

@@ -7,13 +7,11 @@ from collections.abc import Callable
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import steel
 from ...kit.outlines import ellipse
 from ...kit.parts import box_part, cylinder_part, hull_of, ring_parts
-from ...kit.primitives import at_box, drum
-from ...kit.shapes import Category, Shape, category, put_down, shape
-from ...kit.solids import Solid, block, box, cylinder, join, lathe, prism, torus, tube
-from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
+from ...kit.shapes import Category, Shape, category, shape
+from ...kit.solids import Solid, block, box, cylinder, join, lathe, prism, tube
+from ...kit.surfaces import RGB, Look, readable_on, tint_color
 
 DARK: RGB = (30, 30, 33)
 
@@ -177,26 +175,6 @@ def boombox(look: Look) -> Shape:
     return shape([(block(x, y, h, 0.01, 0.004), look.surface(color, "plastic")), (front, image),
                   (bow, surfaces.plain((40, 40, 44)))], [box_part(x, y, h),
                       hull_of(bow)])  # fmt: skip
-
-
-@category("audio_interface", size=(0.178, 0.113, 0.0446), mass=0.6, material="device",
-          aliases=("sound card", "audio mixer box", "sound interface", "usb audio interface"),
-          themes=("music",), colors=("red", "black"))  # fmt: skip
-def audio_interface(look: Look) -> Shape:
-    """An audio interface: a flat box with sockets and knobs on its front."""
-    color = look.color("red", "black", "silver", "charcoal")
-    k = look.between(0.85, 1.1)
-    body = block(0.18, 0.1, 0.045, 0.006, 0.003)
-    front = at_box(0.172, 0.002, 0.037, (0, -0.0505, 0.004))
-    jacks = [drum(0.0105, 0.004, (x, -0.0545, 0.022), 1) for x in (-0.066, -0.008)]
-    knobs = [drum(0.009, 0.013, (x, -0.0635, 0.024), 1) for x in (-0.038, 0.02)]
-    big = drum(0.014, 0.014, (0.056, -0.0645, 0.022), 1)
-    rings = [torus(0.0105, 0.0012, 18, 5).turn(0, np.pi / 2).move(x, -0.0515, 0.024)
-             for x in (-0.038, 0.02)]  # fmt: skip
-    return put_down([(body, look.surface(color, "metal")), (front, plain((34, 34, 38))),
-                     (join(jacks), plain((120, 122, 128))), (join([*knobs, big]), steel(look)),
-                     (join(rings), plain((90, 210, 110)))], body, join([*knobs, big]),
-                    factor=k)  # fmt: skip
 
 
 CATEGORIES = (

@@ -10,7 +10,7 @@ from ...kit.materials import dye, glaze_tile
 from ...kit.parts import box_part, hull_part
 from ...kit.primitives import at_box, side_view, spread
 from ...kit.prints import Canvas
-from ...kit.shapes import Category, Drawing, Pieces, Shape, category, from_pieces, shape, vary
+from ...kit.shapes import Pieces, Shape, category, from_pieces, shape, vary
 from ...kit.solids import block, box, join, torus
 from ...kit.surfaces import RGB, Look, Tile, tint_color
 
@@ -32,26 +32,6 @@ def memo_pad(look: Look) -> Pieces:
     band = at_box(0.1, 0.02, 0.0088, (0, 0.063, 0))
     return [(pad, prints.pages(look.rng)), (band, dye(look, "crimson", "navy", "green")),
             (at_box(0.0998, 0.124, 0.0005, (0, -0.01, 0.0078)), page)]  # fmt: skip
-
-
-def _booklet(title: tuple[str, ...], *colors: str) -> Drawing:
-    """A small booklet of slips between covers."""
-
-    def draw(look: Look) -> Pieces:
-        color = look.color(*colors)
-        cover = prints.canvas(144, 72, color)
-        ink = (250, 250, 246) if sum(color) < 420 else (34, 40, 60)
-        prints.write(cover, look.pick(title), 0.5, 0.4, 0.2, ink, True)
-        prints.fill(cover, 0.25, 0.66, 0.5, 0.03, ink)  # type: ignore[arg-type]
-        return [(at_box(0.16, 0.075, 0.001), surfaces.plain(color)), (at_box(0.156, 0.073, 0.006,
-                                                                             (0, 0, 0.001)),
-                                                                      prints.pages(look.rng)),
-                (at_box(0.16, 0.075, 0.001, (0, 0, 0.007)), cover), (at_box(0.02, 0.0755, 0.0084,
-                                                                            (-0.0705, 0, 0)),
-                                                                     dye(look, "charcoal", "navy",
-                                                                         "maroon"))]  # fmt: skip
-
-    return draw
 
 
 INKS = ("red", "navy", "teal", "mustard", "crimson", "green", "blue", "charcoal", "purple")
@@ -292,14 +272,3 @@ def _music(image: Canvas, look: Look, side: int) -> None:
             v = top + look.between(0, 0.07)
             prints.disc(image, u, v, 0.011, ink)
             prints.fill(image, u + 0.008, v - 0.045, 0.006, 0.045, ink)
-
-
-CATEGORIES = (
-    Category("chequebook",
-             from_pieces(spread=0.06)(_booklet(("CHEQUES", "BANK"), "navy", "maroon", "green")),
-             size=(0.16, 0.0755, 0.0084), mass=0.05, material="paper", aliases=("cheque book",
-             "checkbook", "passbook", "savings book", "cheque book cover", "bank book",
-             "ration book", "ticket book", "receipt book"), themes=("office",), roles=("flat",),
-             colors=("navy",), state="lying flat"),
-)  # fmt: skip
-"""Objects that share their drawing functions."""

@@ -91,6 +91,7 @@ def thermos(look: Look) -> Shape:
 DRINKS: tuple[RGB, ...] = ((58, 34, 22), (150, 100, 64), (196, 160, 120), (166, 88, 32))
 """Black and white coffee, milk foam, tea."""
 
+
 EARS = ("ear", "square", "ring")
 
 

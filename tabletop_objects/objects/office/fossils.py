@@ -186,6 +186,24 @@ def fish_fossil(look: Look) -> Pieces:
             (head, surfaces.plain(tint_color(color, 0.55))), (eye, dark)]  # fmt: skip
 
 
+@category("petrified_wood", size=(0.081, 0.055, 0.056), mass=0.35, material="stone",
+          aliases=("fossil wood", "petrified log", "piece of petrified wood"), themes=("office",),
+          colors=("brown",), state="lying")  # fmt: skip
+@from_pieces(foot=0.12)
+def petrified_wood(look: Look) -> Pieces:
+    """A short log of petrified wood lying flat, with dark mottled bark and rings on its ends."""
+    color = look.color("brown", "terracotta", "tan")
+    body = spindle((-0.04, 0.028), (0.04, 0.026), sides=11)
+    rings = np.zeros((64, 64, 3))
+    y, x = np.mgrid[0:64, 0:64] / 63 - 0.5
+    band = (np.hypot(x, y) * 22).astype(int) % 3
+    for k, f in enumerate((0.7, 1.0, 1.35)):
+        rings[band == k] = tint_color(color, f)
+    ends = [disc(0.0255, 0.0006).turn(1, np.pi / 2).move(s * 0.0398, 0, 0.028) for s in (-1, 1)]
+    bark = surfaces.spots(look.rng, tint_color(color, 0.75), tint_color(color, 0.5), 0.25)
+    return [(body, bark), *((e, rings.astype(np.uint8)) for e in ends)]
+
+
 CATEGORIES = (
     Category("shark_tooth", from_pieces()(_shark(0.035)), size=(0.0273, 0.0455, 0.0084), mass=0.008,
              material="stone", aliases=("fossil shark tooth",), themes=("office",),

@@ -333,6 +333,37 @@ def trundle_wheel(look: Look) -> Pieces:
             (grip, VAN_DE_GRAAFF_GENERATOR_BLACK)]  # fmt: skip
 
 
+@category("pantograph", size=(0.27, 0.17, 0.018), mass=0.12, material="wood",
+          aliases=("drawing pantograph",), themes=("office",), colors=("wooden",))  # fmt: skip
+@from_pieces()
+def pantograph(look: Look) -> Pieces:
+    """A pantograph lying flat: two long and two short wooden bars joined by metal pins."""
+    tile = wood(look, "wooden", "tan", "beige")
+    a, b, c, d, e = (-0.14, -0.06), (0.0, 0.09), (0.12, -0.06), (-0.07, 0.015), (0.06, 0.015)
+    bars = [straight((*p, 0.006), (*q, 0.006), 0.006, 4) for p,
+            q in ((a, b), (b, c), (d, (-0.01, -0.06)), (e, (-0.01, -0.06)))]  # fmt: skip
+    pins = [disc(0.006, 0.018, (*p, 0), sides=12) for p in (a, b, c, d, e, (-0.01, -0.06))]
+    return [*((s, tile) for s in bars), (join(pins), shine(look, "brass", "silver"))]
+
+
+@category("slide_rule", size=(0.3, 0.042, 0.0098), mass=0.08, material="wood",
+          aliases=("sliding ruler", "calculating ruler"), themes=("office",),
+          colors=("cream",))  # fmt: skip
+@vary(0.08)
+@from_pieces(bodies=4)
+def slide_rule(look: Look) -> Pieces:
+    """A slide rule: a body with scales, a slightly extended slide and a cursor."""
+    scale = prints.rule(25, (246, 242, 226), (40, 40, 46))
+    body = [at_box(0.28, 0.013, 0.007, (0, s * 0.0125, 0)) for s in (-1, 1)]
+    out = look.between(0.01, 0.04)
+    slide = at_box(0.28, 0.0118, 0.0065, (out, 0, 0))
+    cursor = at_box(0.026, 0.042, 0.003, (-0.03, 0, 0.0065))
+    line = at_box(0.0008, 0.04, 0.0006, (-0.03, 0, 0.0092))
+    return [(body[0], scale), (body[1], scale[::-1]), (slide, scale),
+            (cursor, surfaces.plain((206, 226, 232))),
+            (line, surfaces.plain((200, 40, 40)))]  # fmt: skip
+
+
 CATEGORIES = (
     Category("barometer", from_pieces(bodies=2)(_meter("RAIN  FAIR")), size=(0.13, 0.06, 0.131),
              mass=0.6, material="wood",

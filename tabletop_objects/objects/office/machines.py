@@ -310,24 +310,3 @@ def typewriter(look: Look) -> Shape:
          (join([*ends, lever]), chrome), (carriage, chrome), (page, text)],
         body, carriage, roller, page, factor=k,
     )  # fmt: skip
-
-
-@category("calculator", size=(0.084, 0.14, 0.014), mass=0.11, material="device",
-          aliases=("pocket calculator", "numeric keypad", "number pad"), themes=("office",),
-          roles=("flat",), colors=("charcoal", "white"), state="lying flat",
-          common=True)  # fmt: skip
-def calculator(look: Look) -> Shape:
-    """A pocket calculator lying flat with its display at the far end."""
-    x, y, h = look.between(0.078, 0.09), look.between(0.13, 0.15), 0.013
-    color = look.color("charcoal", "white", "navy", "gray", "pink", "teal", "yellow", "black")
-    cap, mark = (look.pick([(232, 232, 230), (60, 62, 68), (250, 236, 200)]),
-                 look.own_color("orange", "red", "teal", "blue", "yellow"))  # fmt: skip
-    face = prints.canvas(96, 160, color)
-    prints.fill(face, 0.1, 0.06, 0.8, 0.17, (178, 196, 170))
-    prints.write(face, str(int(look.rng.integers(100, 99999))), 0.62, 0.15, 0.1, (40, 46, 40))
-    pad = prints.keys([(1,) * 4] * 5, cap, tint_color(color, 0.9), accent=mark, width=80,
-                      height=100)  # fmt: skip
-    face[52:152, 8:88] = pad
-    body = block(x, y, h, 0.008, 0.002)
-    return shape([(body, surfaces.plain(color)), (box(x * 0.92, y * 0.94, 0.0008).move(z=h), face)],
-                 [box_part(x, y, h)])  # fmt: skip

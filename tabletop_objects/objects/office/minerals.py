@@ -8,7 +8,7 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.materials import shine
-from ...kit.primitives import at_box, disc, hull_solid, spindle
+from ...kit.primitives import at_box, hull_solid, spindle
 from ...kit.shapes import Category, Drawing, Pieces, at_rest, category, from_pieces
 from ...kit.solids import Solid
 from ...kit.surfaces import RGB, Look, tint_color
@@ -87,24 +87,6 @@ def stalactite(look: Look) -> Pieces:
     body = spindle((-0.07, 0.003), (-0.05, 0.006), (-0.02, 0.0095), (0.01, 0.0105), (0.03, 0.015),
                   (0.06, 0.019), (0.066, 0.017), sides=14)  # fmt: skip
     return [(body, surfaces.spots(look.rng, color, tint_color(color, 0.8), 0.2))]
-
-
-@category("petrified_wood", size=(0.081, 0.055, 0.056), mass=0.35, material="stone",
-          aliases=("fossil wood", "petrified log", "piece of petrified wood"), themes=("office",),
-          colors=("brown",), state="lying")  # fmt: skip
-@from_pieces(foot=0.12)
-def petrified_wood(look: Look) -> Pieces:
-    """A short log of petrified wood lying flat, with dark mottled bark and rings on its ends."""
-    color = look.color("brown", "terracotta", "tan")
-    body = spindle((-0.04, 0.028), (0.04, 0.026), sides=11)
-    rings = np.zeros((64, 64, 3))
-    y, x = np.mgrid[0:64, 0:64] / 63 - 0.5
-    band = (np.hypot(x, y) * 22).astype(int) % 3
-    for k, f in enumerate((0.7, 1.0, 1.35)):
-        rings[band == k] = tint_color(color, f)
-    ends = [disc(0.0255, 0.0006).turn(1, np.pi / 2).move(s * 0.0398, 0, 0.028) for s in (-1, 1)]
-    bark = surfaces.spots(look.rng, tint_color(color, 0.75), tint_color(color, 0.5), 0.25)
-    return [(body, bark), *((e, rings.astype(np.uint8)) for e in ends)]
 
 
 CATEGORIES = (

@@ -12,6 +12,7 @@ from ...kit.primitives import at_block, at_box, disc, hull_solid, standing, stra
 from ...kit.shapes import Category, Drawing, Pieces, Shape, category, from_pieces, shape
 from ...kit.solids import Solid, box, cylinder, join, loft, prism, torus
 from ...kit.surfaces import RGB, Look, tint_color
+from .papers import GRAY, INK, paper
 
 
 def _face(look: Look, color: RGB) -> surfaces.Tile:
@@ -232,6 +233,42 @@ def coins(look: Look) -> Shape:
     return shape(pieces, parts)
 
 
+def _cheque(look: Look, image: prints.Canvas, accent: RGB) -> None:
+    prints.write(image, "BANK", 0.16, 0.18, 0.15, accent, True)
+    prints.fill(image, 0.08, 0.46, 0.6, 0.012, INK)
+    prints.stroke(
+        image, [(0.1 + 0.03 * k, 0.4 - 0.05 * (k % 2)) for k in range(14)], 0.02, (40, 60, 150)
+    )
+    prints.fill(image, 0.74, 0.34, 0.2, 0.18, (250, 250, 248))
+    prints.write(image, "250.00", 0.84, 0.43, 0.12, INK)
+    prints.fill(image, 0.08, 0.66, 0.5, 0.012, INK)
+    prints.fill(image, 0.66, 0.76, 0.28, 0.012, INK)
+    prints.stroke(
+        image, [(0.68 + 0.025 * k, 0.72 - 0.06 * (k % 2)) for k in range(9)], 0.02, (40, 60, 150)
+    )
+    prints.fill(image, 0.08, 0.88, 0.6, 0.05, GRAY)
+
+
+def _booklet(title: tuple[str, ...], *colors: str) -> Drawing:
+    """A small booklet of slips between covers."""
+
+    def draw(look: Look) -> Pieces:
+        color = look.color(*colors)
+        cover = prints.canvas(144, 72, color)
+        ink = (250, 250, 246) if sum(color) < 420 else (34, 40, 60)
+        prints.write(cover, look.pick(title), 0.5, 0.4, 0.2, ink, True)
+        prints.fill(cover, 0.25, 0.66, 0.5, 0.03, ink)  # type: ignore[arg-type]
+        return [(at_box(0.16, 0.075, 0.001), surfaces.plain(color)), (at_box(0.156, 0.073, 0.006,
+                                                                             (0, 0, 0.001)),
+                                                                      prints.pages(look.rng)),
+                (at_box(0.16, 0.075, 0.001, (0, 0, 0.007)), cover), (at_box(0.02, 0.0755, 0.0084,
+                                                                            (-0.0705, 0, 0)),
+                                                                     dye(look, "charcoal", "navy",
+                                                                         "maroon"))]  # fmt: skip
+
+    return draw
+
+
 CATEGORIES = (
     Category("coin", from_pieces()(_coin(0.0125, 0.002, 36, "gold", "silver", "copper", "brass")),
              size=(0.025, 0.025, 0.0022), mass=0.007, material="metal", aliases=("penny",
@@ -255,5 +292,15 @@ CATEGORIES = (
     Category("silver_bar", _bar(("silver",), "silver", (0.1, 0.13)), size=(0.114, 0.0483, 0.0282),
              mass=2.2, material="metal", aliases=("silver ingot", "bar of silver", "platinum bar"),
              themes=("office",), colors=("silver",)),
+    Category("cheque", from_pieces(spread=0.06)(paper(0.17, 0.078, _cheque, "sky", "mint", "cream",
+             "lavender")), size=(0.17, 0.078, 0.0011), mass=0.002, material="paper",
+             aliases=("bank cheque", "paper cheque", "bank check", "paycheck", "money order"),
+             themes=("office",), roles=("flat",), colors=("mint",), state="lying flat"),
+    Category("chequebook",
+             from_pieces(spread=0.06)(_booklet(("CHEQUES", "BANK"), "navy", "maroon", "green")),
+             size=(0.16, 0.0755, 0.0084), mass=0.05, material="paper", aliases=("cheque book",
+             "checkbook", "passbook", "savings book", "cheque book cover", "bank book",
+             "ration book", "ticket book", "receipt book"), themes=("office",), roles=("flat",),
+             colors=("navy",), state="lying flat"),
 )  # fmt: skip
 """Objects that share their drawing functions."""

@@ -5,12 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.outlines import ellipse, lift, rectangle, smooth
+from ...kit.materials import dye
+from ...kit.outlines import lift, rectangle, smooth
 from ...kit.parts import box_part, cylinder_part, hull_of, hull_part
-from ...kit.primitives import ball, planter, standing
-from ...kit.shapes import Pieces, Shape, category, put_down, shape
-from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, loft, prism, tube
-from ...kit.surfaces import RGB, Look, plain, tint_color
+from ...kit.primitives import at_block, ball, planter, rod, standing
+from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape
+from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, loft, tube
+from ...kit.surfaces import RGB, Look, plain, readable_on, tint_color
 from ...values import ConvexPart
 from ..living.plants import cactus_plant, leaf_blade
 
@@ -84,44 +85,6 @@ def globe(look: Look) -> Shape:
                                                                 cylinder_part(0.16 * r, 0.05,
                                                                               (0, 0, 0.009)),
                                                                 hull_of(ball)])  # fmt: skip
-
-
-@category("eyeglasses", size=(0.138, 0.14, 0.046), mass=0.03, material="plastic", assembled=True,
-          aliases=("glasses", "spectacles", "sunglasses", "reading glasses", "eyeglass",
-          "lorgnette", "pince-nez", "3d glasses", "safety goggles", "safety glasses", "lab goggles",
-          "swimming goggles", "face shield"), themes=("office", "living", "coffee"),
-          colors=("black", "brown"), state="lying open", common=True)  # fmt: skip
-def eyeglasses(look: Look) -> Shape:
-    """Spectacles lying with their arms folded out at the back and lenses towards the viewer."""
-    color = look.color("black", "black", "brown", "red", "gold", "navy", "silver", "teal", "pink")
-    wire = look.chance(0.3)
-    skin = surfaces.speckles(look.rng, color, 3, 16)
-    if look.chance(0.25):
-        skin = surfaces.spots(look.rng, (150, 96, 50), (60, 40, 30), 0.35)
-    sun = look.chance(0.4)
-    dark = look.pick([(60, 56, 60), (70, 50, 36), (50, 70, 60), (90, 110, 170)])
-    tint = surfaces.plain(dark if sun else (206, 222, 228))
-    half, tall = look.between(0.025, 0.0275), look.between(0.016, 0.023)
-    square = look.pick([1.0, 1.0, 0.55, 0.7])
-    thick = 0.0011 if wire else look.between(0.0018, 0.003)
-    curve = ellipse(2, 2, 28)
-    curve = np.sign(curve) * np.abs(curve) ** square * [half, tall]
-    ring = np.column_stack([curve[:, 0], np.zeros(28), curve[:, 1]])
-    pieces = []
-    for side in (-1, 1):
-        rim = tube(ring, thick, 6, loop=True)
-        lens = prism(0.99 * curve, -0.0008, 0.0008).turn(0, np.pi / 2)
-        at = (side * 0.036, 0, tall + thick)
-        pieces += [(rim.move(*at), skin), (lens.move(*at), tint)]
-        hinge = side * (0.036 + half)
-        arm = tube([(hinge, 0, 1.35 * tall), (side * 0.067, 0.1, 1.3 * tall),
-                    (side * 0.064, 0.135, 0.002)], max(thick, 0.0016), 6)  # fmt: skip
-        pieces.append((arm.move(z=0.0002), skin))
-    bridge = tube(smooth([(-0.01, 0, 0.03), (0, 0, 0.034), (0.01, 0, 0.03)], 3), 0.002, 6)
-    pieces.append((bridge, skin))
-    return shape(pieces, [box_part(0.12, 0.0036, 2 * tall), *[box_part(0.0036, 0.13, 1.3 * tall,
-                                                                       (side * 0.0645, 0.066, 0))
-                                                              for side in (-1, 1)]])  # fmt: skip
 
 
 @category("hourglass", size=(0.094, 0.094, 0.14), mass=0.22, material="glass",
@@ -325,32 +288,72 @@ def paperweight(look: Look) -> Shape:
     return put_down([(dome, image), (gleam, plain((250, 252, 252)))], dome, factor=k)
 
 
-@category("desk_bell", size=(0.0862, 0.0862, 0.0835), mass=0.2, material="metal", aliases=("bell",
-          "call bell", "service bell", "reception bell", "counter bell", "table bell",
-          "hotel bell"), themes=("office", "dining"), roles=("round",),
-          colors=("silver", "gold"))  # fmt: skip
-def desk_bell(look: Look) -> Shape:
-    """A reception bell (a metal dome with a button on a round base), or a hand bell."""
-    r = look.between(0.037, 0.045)
-    color = look.color("silver", "silver", "gold", "brass", "copper", "red", "black")
-    metal = look.surface(color, "metal")
-    if look.chance(0.7):
-        base = lathe([(0, 0), (1.1 * r, 0), (1.1 * r, 0.006), (0.95 * r, 0.012), (0, 0.012)], 32)
-        t = np.linspace(0, np.pi / 2, 9)
-        dome = lathe([(0, 0.02), *((r * np.cos(a) ** 0.75, 0.02 + 0.62 * r * np.sin(a))
-                                   for a in t[:-1]), (0, 0.02 + 0.62 * r)], 32)  # fmt: skip
-        post = cylinder(0.009, 0.012, 14).move(z=0.011)
-        knob = lathe(
-            [(0, 0), (0.004, 0), (0.004, 0.006), (0.009, 0.008), (0.008, 0.013), (0, 0.015)], 18
-        )
-        knob = knob.move(z=0.018 + 0.62 * r)
-        dark = surfaces.speckles(look.rng, look.own_color("black", "brown", "black"), 3, 32)
-        return shape([(base, dark), (join([dome, post, knob]), metal)],
-                     [hull_of(base), cylinder_part(0.009, 0.012, (0, 0, 0.011)), hull_of(dome),
-                      hull_of(knob)])  # fmt: skip
-    bell = lathe([(0, 0.006), (0.85 * r, 0), (r, 0.001), (0.7 * r, 0.6 * r), (0.5 * r, 1.4 * r),
-                  (0.2 * r, 1.6 * r), (0, 1.62 * r)], 28)  # fmt: skip
-    grip = lathe([(0, 1.6 * r), (0.1 * r, 1.6 * r), (0.24 * r, 1.9 * r), (0.16 * r, 2.5 * r),
-                  (0.26 * r, 3.0 * r), (0, 3.1 * r)], 16)  # fmt: skip
-    wood = surfaces.wood(look.rng, look.pick([(112, 76, 50), (60, 46, 42), (176, 128, 80)]))
-    return shape([(bell, metal), (grip, wood)], [hull_of(bell), hull_of(grip)])
+@category("shop_sign", size=(0.197, 0.151, 0.00648), mass=0.12, material="wood", assembled=True,
+          aliases=("open sign", "closed sign", "hanging sign", "door sign", "open closed sign",
+          "sign", "name plaque", "house sign"), themes=("office",), roles=("flat",),
+          colors=("red", "green"), state="lying flat")  # fmt: skip
+def shop_sign(look: Look) -> Shape:
+    """A hanging sign with its cord lying flat, lettered OPEN or CLOSED."""
+    k = look.between(0.92, 1.08)
+    word = look.pick(["OPEN", "OPEN", "CLOSED"])
+    color = look.color("red", "green", "navy", "black", "white", "wooden")
+    x, y = 0.2 * k, 0.1 * k
+    board = block(x, y, 0.006, 0.01, 0.001)
+    image = prints.canvas(200, 100, color)
+    ink = readable_on(color)
+    prints.fill(image, 0.03, 0.06, 0.94, 0.88, ink)
+    prints.fill(image, 0.045, 0.09, 0.91, 0.82, color)
+    prints.write(image, word, 0.5, 0.5, 0.42, ink, bold=True)
+    face = box(0.95 * x, 0.92 * y, 0.0006).move(z=0.0057)
+    cord = rod([(-0.4 * x, 0.46 * y, 0.005), (-0.1 * x, 0.95 * y, 0.0022), (0.1 * x, 0.95 * y,
+                0.0022), (0.4 * x, 0.46 * y, 0.005)], 0.0017, 6)  # fmt: skip
+    return shape([(board, look.surface(color, "wood")), (face, image),
+                  (cord, surfaces.plain((206, 184, 140)))],
+                 [box_part(x, y, 0.006), hull_of(cord)])  # fmt: skip
+
+
+BLACK = surfaces.plain((34, 34, 37))
+
+
+@category("planet_model", size=(0.14, 0.15, 0.115), mass=0.2, material="wood",
+          aliases=("model planet", "saturn model", "planet", "model of saturn", "moon globe",
+          "mars globe"), themes=("office",), colors=("tan",))  # fmt: skip
+@from_pieces()
+def planet_model(look: Look) -> Pieces:
+    """A ringed planet on a stand."""
+    color = look.color("tan", "orange", "teal", "purple", "terracotta")
+    bands = surfaces.stripes(
+        [color, tint_color(color, 1.3), tint_color(color, 0.85), color, tint_color(color, 1.15)], 2
+    )
+    foot = standing((0.035, 0), (0.034, 0.006), (0.006, 0.012), (0.005, 0.04))
+    globe = ball(0.08, 0.08, 0.08, (0, 0, 0), 26).turn(1, 0.4).move(z=0.075)
+    ring = (lathe([(0.05, -0.001), (0.075, -0.001), (0.075, 0.001), (0.05, 0.001)], 44,
+                  loop=True).turn(1, 0.4).move(z=0.075))  # fmt: skip
+    return [(foot, BLACK), (globe, bands), (ring, surfaces.plain(tint_color(color, 1.5)))]
+
+
+@category("volcano_model", size=(0.21, 0.21, 0.12), mass=0.5, material="wood", themes=("office",),
+          colors=("brown",))  # fmt: skip
+@from_pieces(bodies=2)
+def volcano_model(look: Look) -> Pieces:
+    """A volcano model: a rock cone on a square base with lava in its crater and on its slopes."""
+    color = look.color("brown", "charcoal", "terracotta")
+    rock = standing((0.09, 0.008), (0.075, 0.025), (0.05, 0.07), (0.03, 0.115), (0.018, 0.115),
+                    (0.012, 0.1), sides=18)  # fmt: skip
+    rock = rock.bend(lambda p: (p
+                                * np.column_stack([*(2
+                                                     * [1 + 0.07
+                                                        * np.sin(5 * np.arctan2(p[:, 1], p[:, 0])
+                                                                 + 20 * p[:, 2])]),
+                                                   np.ones(len(p))])))  # fmt: skip
+    lava = [tube(smooth([(0.008 * np.cos(a), 0.008 * np.sin(a), 0.112),
+                         (0.033 * np.cos(a), 0.033 * np.sin(a), 0.113),
+                         (0.054 * np.cos(a + 0.1), 0.054 * np.sin(a + 0.1), 0.075),
+                         (0.08 * np.cos(a), 0.08 * np.sin(a), 0.034)], 5), 0.008, 8)
+            for a in (-2.2, -1.3, 0.3, 1.9)]  # fmt: skip
+    base = at_block(0.21, 0.21, 0.01, 0.02)
+    return [
+        (base, dye(look, "green", "wooden", "sage")),
+        (rock, surfaces.spots(look.rng, color, tint_color(color, 0.6), 0.2)),
+        (join([*lava, ball(0.04, 0.04, 0.014, (0, 0, 0.112), 14)]), surfaces.plain((240, 92, 30))),
+    ]

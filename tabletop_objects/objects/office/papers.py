@@ -10,7 +10,7 @@ from ...kit import prints, surfaces
 from ...kit.materials import dye
 from ...kit.outlines import smooth
 from ...kit.parts import box_part, cylinder_part, hull_of
-from ...kit.primitives import at_block, at_box, ball, rod, spindle, spread
+from ...kit.primitives import at_block, at_box, ball, spindle, spread
 from ...kit.shapes import (
     Category,
     Drawing,
@@ -194,22 +194,6 @@ def _resume(look: Look, image: prints.Canvas, accent: RGB) -> None:
         prints.lines(image, look.rng, (0.38, y + 0.04, 0.54, 0.18), 6, GRAY)
 
 
-def _cheque(look: Look, image: prints.Canvas, accent: RGB) -> None:
-    prints.write(image, "BANK", 0.16, 0.18, 0.15, accent, True)
-    prints.fill(image, 0.08, 0.46, 0.6, 0.012, INK)
-    prints.stroke(
-        image, [(0.1 + 0.03 * k, 0.4 - 0.05 * (k % 2)) for k in range(14)], 0.02, (40, 60, 150)
-    )
-    prints.fill(image, 0.74, 0.34, 0.2, 0.18, (250, 250, 248))
-    prints.write(image, "250.00", 0.84, 0.43, 0.12, INK)
-    prints.fill(image, 0.08, 0.66, 0.5, 0.012, INK)
-    prints.fill(image, 0.66, 0.76, 0.28, 0.012, INK)
-    prints.stroke(
-        image, [(0.68 + 0.025 * k, 0.72 - 0.06 * (k % 2)) for k in range(9)], 0.02, (40, 60, 150)
-    )
-    prints.fill(image, 0.08, 0.88, 0.6, 0.05, GRAY)
-
-
 def _coupon(look: Look, image: prints.Canvas, accent: RGB) -> None:
     prints.fill(image, 0.02, 0.05, 0.96, 0.9, accent)
     prints.fill(image, 0.68, 0.05, 0.012, 0.9, (250, 250, 246))
@@ -265,7 +249,6 @@ def blueprint(look: Look) -> Pieces:
 A4 = (0.21, 0.297)
 INK: RGB = (62, 62, 70)
 GRAY: RGB = (140, 140, 146)
-
 Print = Callable[[Look, prints.Canvas, RGB], None]
 """Prints one paper, in its accent colour."""
 
@@ -307,30 +290,6 @@ def parchment(look: Look) -> Pieces:
     rolls = [spindle((-0.078, 0.009), (0.078, 0.009), z=0.009).move(y=y) for y in (-0.09, 0.09)]
     tile = surfaces.spots(look.rng, paper, (176, 146, 102), 0.06)
     return [(sheet, image), *((r, tile) for r in rolls)]
-
-
-@category("shop_sign", size=(0.197, 0.151, 0.00648), mass=0.12, material="wood", assembled=True,
-          aliases=("open sign", "closed sign", "hanging sign", "door sign", "open closed sign",
-          "sign", "name plaque", "house sign"), themes=("office",), roles=("flat",),
-          colors=("red", "green"), state="lying flat")  # fmt: skip
-def shop_sign(look: Look) -> Shape:
-    """A hanging sign with its cord lying flat, lettered OPEN or CLOSED."""
-    k = look.between(0.92, 1.08)
-    word = look.pick(["OPEN", "OPEN", "CLOSED"])
-    color = look.color("red", "green", "navy", "black", "white", "wooden")
-    x, y = 0.2 * k, 0.1 * k
-    board = block(x, y, 0.006, 0.01, 0.001)
-    image = prints.canvas(200, 100, color)
-    ink = readable_on(color)
-    prints.fill(image, 0.03, 0.06, 0.94, 0.88, ink)
-    prints.fill(image, 0.045, 0.09, 0.91, 0.82, color)
-    prints.write(image, word, 0.5, 0.5, 0.42, ink, bold=True)
-    face = box(0.95 * x, 0.92 * y, 0.0006).move(z=0.0057)
-    cord = rod([(-0.4 * x, 0.46 * y, 0.005), (-0.1 * x, 0.95 * y, 0.0022), (0.1 * x, 0.95 * y,
-                0.0022), (0.4 * x, 0.46 * y, 0.005)], 0.0017, 6)  # fmt: skip
-    return shape([(board, look.surface(color, "wood")), (face, image),
-                  (cord, surfaces.plain((206, 184, 140)))],
-                 [box_part(x, y, 0.006), hull_of(cord)])  # fmt: skip
 
 
 PAPER: RGB = (248, 247, 242)
@@ -706,10 +665,6 @@ CATEGORIES = (
              size=(0.21, 0.297, 0.0011), mass=0.005, material="paper",
              aliases=("cv", "curriculum vitae", "job application"), themes=("office",),
              roles=("flat",), colors=("white",), state="lying flat"),
-    Category("cheque", from_pieces(spread=0.06)(paper(0.17, 0.078, _cheque, "sky", "mint", "cream",
-             "lavender")), size=(0.17, 0.078, 0.0011), mass=0.002, material="paper",
-             aliases=("bank cheque", "paper cheque", "bank check", "paycheck", "money order"),
-             themes=("office",), roles=("flat",), colors=("mint",), state="lying flat"),
     Category("coupon", from_pieces(spread=0.06)(paper(0.15, 0.07, _coupon, "white", accents=("red",
              "orange", "green", "purple", "blue"))), size=(0.15, 0.07, 0.0011), mass=0.002,
              material="paper", aliases=("gift coupon", "discount voucher"), themes=("office",),

@@ -6,8 +6,8 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.materials import PAINTS, dye, metal, plastic, shine, tool_steel, wood
-from ...kit.outlines import arc, ellipse, rectangle
-from ...kit.parts import box_part, flat_foot, frame_parts, hull_of, hull_part
+from ...kit.outlines import arc, ellipse, rectangle, smooth
+from ...kit.parts import box_part, cylinder_part, flat_foot, frame_parts, hull_of, hull_part
 from ...kit.primitives import (
     at_block,
     at_box,
@@ -784,3 +784,150 @@ def pencil_case(look: Look) -> Shape:
     pull = prism(ellipse(0.016, 0.008, 12), 0, 0.002).move(x=0.36 * x, z=h)
     return shape([(body, cloth), (zipper, teeth), (pull, surfaces.plain((196, 170, 90)))],
                  [hull_of(body)])  # fmt: skip
+
+
+@category("desk_bell", size=(0.0862, 0.0862, 0.0835), mass=0.2, material="metal", aliases=("bell",
+          "call bell", "service bell", "reception bell", "counter bell", "table bell",
+          "hotel bell"), themes=("office", "dining"), roles=("round",),
+          colors=("silver", "gold"))  # fmt: skip
+def desk_bell(look: Look) -> Shape:
+    """A reception bell (a metal dome with a button on a round base), or a hand bell."""
+    r = look.between(0.037, 0.045)
+    color = look.color("silver", "silver", "gold", "brass", "copper", "red", "black")
+    metal = look.surface(color, "metal")
+    if look.chance(0.7):
+        base = lathe([(0, 0), (1.1 * r, 0), (1.1 * r, 0.006), (0.95 * r, 0.012), (0, 0.012)], 32)
+        t = np.linspace(0, np.pi / 2, 9)
+        dome = lathe([(0, 0.02), *((r * np.cos(a) ** 0.75, 0.02 + 0.62 * r * np.sin(a))
+                                   for a in t[:-1]), (0, 0.02 + 0.62 * r)], 32)  # fmt: skip
+        post = cylinder(0.009, 0.012, 14).move(z=0.011)
+        knob = lathe(
+            [(0, 0), (0.004, 0), (0.004, 0.006), (0.009, 0.008), (0.008, 0.013), (0, 0.015)], 18
+        )
+        knob = knob.move(z=0.018 + 0.62 * r)
+        dark = surfaces.speckles(look.rng, look.own_color("black", "brown", "black"), 3, 32)
+        return shape([(base, dark), (join([dome, post, knob]), metal)],
+                     [hull_of(base), cylinder_part(0.009, 0.012, (0, 0, 0.011)), hull_of(dome),
+                      hull_of(knob)])  # fmt: skip
+    bell = lathe([(0, 0.006), (0.85 * r, 0), (r, 0.001), (0.7 * r, 0.6 * r), (0.5 * r, 1.4 * r),
+                  (0.2 * r, 1.6 * r), (0, 1.62 * r)], 28)  # fmt: skip
+    grip = lathe([(0, 1.6 * r), (0.1 * r, 1.6 * r), (0.24 * r, 1.9 * r), (0.16 * r, 2.5 * r),
+                  (0.26 * r, 3.0 * r), (0, 3.1 * r)], 16)  # fmt: skip
+    wood = surfaces.wood(look.rng, look.pick([(112, 76, 50), (60, 46, 42), (176, 128, 80)]))
+    return shape([(bell, metal), (grip, wood)], [hull_of(bell), hull_of(grip)])
+
+
+WHITE = surfaces.plain((244, 243, 240))
+
+
+@category("watercolour_set", size=(0.189, 0.108, 0.078), mass=0.2, material="metal",
+          aliases=("watercolor set", "watercolour box", "watercolor box", "watercolour pan set",
+          "paint set", "paint box", "watercolor palette", "watercolour palette", "face paint set",
+          "watercolor paint set", "watercolour paints"), themes=("office",),
+          colors=("black",))  # fmt: skip
+@from_pieces(bodies=2)
+def watercolour_set(look: Look) -> Pieces:
+    """An open watercolour box with two rows of pans, a lid behind and a brush."""
+    case = metal(look, "black", "white", "silver", "red")
+    body, lid = (at_block(0.19, 0.075, 0.014, 0.006),
+                 at_block(0.19, 0.075, 0.008, 0.006).turn(0, 1.1))  # fmt: skip
+    lid = lid.move(0, 0.055, 0.042)
+    inner = at_block(0.178, 0.066, 0.001, 0.004, (0, 0, 0.0137))
+    names = ("yellow", "orange", "red", "pink", "purple", "blue", "sky", "teal", "green", "lime",
+             "brown", "black")  # fmt: skip
+    pieces: Pieces = [(body, case), (lid.move(z=-min(float(lid.bounds[0, 2]), 0.0)), case),
+                      (inner, WHITE)]  # fmt: skip
+    for k, name in enumerate(names):
+        pieces.append((at_block(0.023, 0.019, 0.003, 0.003, (-0.0725 + 0.029 * (k % 6), 0.019
+                                                             - 0.024 * (k // 6), 0.0145)),
+                       dye(look, name)))  # fmt: skip
+    brush = [spindle((-0.06, 0.0022), (0.03, 0.003), z=0.0185).move(y=-0.027),
+             spindle((0.03, 0.0028), (0.05, 0.0006), z=0.0185).move(y=-0.027)]  # fmt: skip
+    return [*pieces, (brush[0], dye(look, "red", "black")), (brush[1], dye(look, "brown"))]
+
+
+@category("stencil", size=(0.2, 0.13, 0.0014), mass=0.015, material="paper",
+          aliases=("letter stencil", "drawing stencil", "lettering stencil", "stencil sheet",
+          "shape template"), themes=("office",), roles=("flat",), colors=("green",))  # fmt: skip
+@from_pieces()
+def stencil(look: Look) -> Pieces:
+    """A thin coloured sheet with pale cut-outs: letters, or circles above rectangles."""
+    color = look.color("green", "blue", "orange", "yellow", "beige")
+    image = prints.canvas(144, 96, color)
+    hole = (246, 244, 238)
+    kind = int(look.rng.integers(2))
+    if kind:
+        for k, letter in enumerate("ABCDEFGHIJKL"):
+            prints.write(
+                image, letter, 0.13 + 0.15 * (k % 6), 0.32 + 0.36 * (k // 6), 0.26, hole, True
+            )
+    else:
+        for k in range(4):
+            prints.disc(image, 0.16 + 0.225 * k, 0.3, 0.05 + 0.035 * k, hole)
+            s = 0.06 + 0.03 * k
+            prints.fill(image, 0.16 + 0.225 * k - s / 2, 0.74 - s * 0.75, s, 1.5 * s, hole)
+    return [
+        (at_block(0.2, 0.13, 0.0012, 0.006), surfaces.plain(color)),
+        (at_box(0.19, 0.12, 0.0004, (0, 0, 0.001)), image),
+    ]
+
+
+@category("french_curve", size=(0.217, 0.103, 0.0022), mass=0.02, material="plastic",
+          aliases=("curve template", "drawing template", "drawing curve"), themes=("office",),
+          colors=("clear",))  # fmt: skip
+@from_pieces(bodies=1)
+def french_curve(look: Look) -> Pieces:
+    """A French curve: a clear template with swirls and cut-outs."""
+    color = look.color("clear", "green", "orange", "sky")
+    outline = smooth([(-0.1, -0.02), (-0.06, -0.05), (0.0, -0.03), (0.05, -0.045), (0.11, -0.03),
+                      (0.115, 0.0), (0.08, 0.012), (0.05, 0.0), (0.0, 0.028), (-0.04, 0.052),
+                      (-0.085, 0.04), (-0.1, -0.02)], 6)[:-1]  # fmt: skip
+    body = plate(outline, 0.002)
+    holes = [disc(r, 0.0004, sides=20).scale(1.5, 1, 1).move(x, y, 0.0018) for r, x,
+             y in ((0.016, -0.06, 0.005), (0.009, 0.01, -0.01), (0.009, 0.075, -0.02))]  # fmt: skip
+    return [(body, surfaces.plain(tint_color(color, 1.2))),
+            (join(holes), surfaces.plain(tint_color(color, 0.75)))]  # fmt: skip
+
+
+@category("t_square", size=(0.42, 0.2, 0.008), mass=0.15, material="wood",
+          aliases=("tee square", "drafting square", "t-square"), themes=("office",),
+          colors=("wooden",))  # fmt: skip
+@from_pieces()
+def t_square(look: Look) -> Pieces:
+    """A wooden T-square lying flat: a head on the left and a long blade with a scale."""
+    tile = wood(look, "wooden", "tan", "beige")
+    blade = at_box(0.4, 0.04, 0.003, (0.02, 0, 0.004))
+    head = at_box(0.03, 0.2, 0.008, (-0.185, 0, 0))
+    scale = prints.rule(20, (236, 214, 166), (60, 46, 34))
+    foot = at_box(0.03, 0.03, 0.0045, (0.2, 0, 0))
+    return [(blade, tile), (head, tile), (foot, tile), (at_box(0.39, 0.01, 0.0005,
+                                                               (0.02, 0.014, 0.0068)),
+                                                        scale)]  # fmt: skip
+
+
+@category("geometry_set", size=(0.2, 0.13, 0.095), mass=0.25, material="metal",
+          aliases=("maths set", "math set", "compass set", "drawing set", "geometry tin",
+          "mathematical instruments"), themes=("office",), colors=("silver",))  # fmt: skip
+@from_pieces(bodies=6)
+def geometry_set(look: Look) -> Pieces:
+    """An open tin of drawing tools: compasses, a set square, a protractor, a ruler and a pencil."""
+    tile = metal(look, "silver", "blue", "red", "gold")
+    floor = at_box(0.2, 0.1, 0.002)
+    sides = [at_box(0.2, 0.002, 0.018, (0, s * 0.049, 0)) for s in (-1, 1)] + [
+        at_box(0.002, 0.1, 0.018, (s * 0.099, 0, 0)) for s in (-1, 1)
+    ]
+    lid = at_box(0.2, 0.1, 0.002).turn(0, 1.9).move(0, 0.066, 0.046)
+    ruler = at_box(0.17, 0.022, 0.002, (0, 0.034, 0.002))
+    square = plate([(-0.09, -0.03), (-0.02, -0.03), (-0.09, 0.015)], 0.002, 0.003)
+    half = plate(arc((0.045, -0.008), 0.036, 0, np.pi, 16), 0.002, 0.003)
+    legs = [
+        straight((0.0, -0.02, 0.008), (0.08, -0.03 + 0.014 * k, 0.006), 0.0026, 8) for k in (0, 1)
+    ]
+    pencil = spindle((-0.06, 0.0035), (0.06, 0.0035), (0.07, 0.0004), sides=6, z=0.008).move(
+        y=-0.04
+    )
+    return [(floor, tile), *((s, tile) for s in sides), (lid.move(z=-float(lid.bounds[0, 2])),
+                                                         tile),
+            (ruler, prints.rule(15, (244, 232, 160), (50, 50, 54))),
+            (square, surfaces.plain((150, 206, 180))), (half, surfaces.plain((240, 170, 150))),
+            (join(legs), shine(look)), (pencil, surfaces.plain((240, 190, 50)))]  # fmt: skip

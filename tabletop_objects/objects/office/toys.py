@@ -7,13 +7,13 @@ from itertools import product
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import PAINTS, dye, wood
-from ...kit.outlines import arc, smooth
+from ...kit.materials import PAINTS, wood
+from ...kit.outlines import arc
 from ...kit.parts import box_part, hull_of
-from ...kit.primitives import at_block, at_box, ball, disc, plate, standing
+from ...kit.primitives import at_block, at_box, disc, plate
 from ...kit.shapes import Pieces, Shape, category, from_pieces, shape
-from ...kit.solids import block, ellipsoid, join, lathe, tube
-from ...kit.surfaces import Look, tint_color
+from ...kit.solids import block, ellipsoid, join, tube
+from ...kit.surfaces import Look
 
 
 @category("toy_chair", size=(0.05, 0.05, 0.11), mass=0.03, material="wood", assembled=True,
@@ -60,53 +60,6 @@ def newtons_cradle(look: Look) -> Shape:
                                    for s in (-1, 1)),
                   *(box_part(0.0068 * k, 0.0068 * k, h - 0.004, (s * x / 2, t * y / 2, 0.002))
                     for s in (-1, 1) for t in (-1, 1)), hull_of(*balls)])  # fmt: skip
-
-
-BLACK = surfaces.plain((34, 34, 37))
-
-
-@category("planet_model", size=(0.14, 0.15, 0.115), mass=0.2, material="wood",
-          aliases=("model planet", "saturn model", "planet", "model of saturn", "moon globe",
-          "mars globe"), themes=("office",), colors=("tan",))  # fmt: skip
-@from_pieces()
-def planet_model(look: Look) -> Pieces:
-    """A ringed planet on a stand."""
-    color = look.color("tan", "orange", "teal", "purple", "terracotta")
-    bands = surfaces.stripes(
-        [color, tint_color(color, 1.3), tint_color(color, 0.85), color, tint_color(color, 1.15)], 2
-    )
-    foot = standing((0.035, 0), (0.034, 0.006), (0.006, 0.012), (0.005, 0.04))
-    globe = ball(0.08, 0.08, 0.08, (0, 0, 0), 26).turn(1, 0.4).move(z=0.075)
-    ring = (lathe([(0.05, -0.001), (0.075, -0.001), (0.075, 0.001), (0.05, 0.001)], 44,
-                  loop=True).turn(1, 0.4).move(z=0.075))  # fmt: skip
-    return [(foot, BLACK), (globe, bands), (ring, surfaces.plain(tint_color(color, 1.5)))]
-
-
-@category("volcano_model", size=(0.21, 0.21, 0.12), mass=0.5, material="wood", themes=("office",),
-          colors=("brown",))  # fmt: skip
-@from_pieces(bodies=2)
-def volcano_model(look: Look) -> Pieces:
-    """A volcano model: a rock cone on a square base with lava in its crater and on its slopes."""
-    color = look.color("brown", "charcoal", "terracotta")
-    rock = standing((0.09, 0.008), (0.075, 0.025), (0.05, 0.07), (0.03, 0.115), (0.018, 0.115),
-                    (0.012, 0.1), sides=18)  # fmt: skip
-    rock = rock.bend(lambda p: (p
-                                * np.column_stack([*(2
-                                                     * [1 + 0.07
-                                                        * np.sin(5 * np.arctan2(p[:, 1], p[:, 0])
-                                                                 + 20 * p[:, 2])]),
-                                                   np.ones(len(p))])))  # fmt: skip
-    lava = [tube(smooth([(0.008 * np.cos(a), 0.008 * np.sin(a), 0.112),
-                         (0.033 * np.cos(a), 0.033 * np.sin(a), 0.113),
-                         (0.054 * np.cos(a + 0.1), 0.054 * np.sin(a + 0.1), 0.075),
-                         (0.08 * np.cos(a), 0.08 * np.sin(a), 0.034)], 5), 0.008, 8)
-            for a in (-2.2, -1.3, 0.3, 1.9)]  # fmt: skip
-    base = at_block(0.21, 0.21, 0.01, 0.02)
-    return [
-        (base, dye(look, "green", "wooden", "sage")),
-        (rock, surfaces.spots(look.rng, color, tint_color(color, 0.6), 0.2)),
-        (join([*lava, ball(0.04, 0.04, 0.014, (0, 0, 0.112), 14)]), surfaces.plain((240, 92, 30))),
-    ]
 
 
 @category("fraction_circle", size=(0.116, 0.116, 0.005), mass=0.04, material="plastic",

@@ -6,9 +6,9 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.outlines import ellipse
-from ...kit.parts import cylinder_part, flat_foot, hull_of, resting_ball, ring_parts
+from ...kit.parts import flat_foot, hull_of, resting_ball, ring_parts
 from ...kit.primitives import at_box, pad, press_flat
-from ...kit.shapes import Shape, category, put_down, shape, vary
+from ...kit.shapes import Shape, category, put_down, shape
 from ...kit.solids import Solid, box, cylinder, ellipsoid, join, lathe, tube
 from ...kit.surfaces import RGB, Look, Tile, plain, tint_color
 
@@ -179,19 +179,6 @@ def rugby_ball(look: Look) -> Shape:
     profile[[0, -1], 0] = 0
     body = lathe(profile, 28).turn(1, np.pi / 2).move(z=0.095 * k)
     return shape([(body, image)], [flat_foot(body.vertices, 0.06)])
-
-
-@category("hockey_puck", size=(0.076, 0.076, 0.0254), mass=0.16, material="rubber",
-          aliases=("puck", "ice hockey puck"), themes=("sports",), roles=("round", "flat"),
-          colors=("black",))  # fmt: skip
-@vary()
-def hockey_puck(look: Look) -> Shape:
-    """A hard rubber puck."""
-    k = look.between(0.96, 1.04)
-    color = look.color("black", "black", "charcoal", "blue", "orange")
-    body = cylinder(0.038 * k, 0.0254 * k, 36, bevel=0.001)
-    return shape([(body, surfaces.spots(look.rng, color, tint_color(color, 1.25), 0.08))],
-                 [cylinder_part(0.038 * k, 0.0254 * k)])  # fmt: skip
 
 
 def _ball(d: float, cover: surfaces.Tile, seams: list[Solid], ink: RGB, *, fine: int = 28) -> Shape:

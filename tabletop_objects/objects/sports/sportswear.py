@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import surfaces
-from ...kit.materials import DARK
+from ...kit.materials import DARK, leather, steel
 from ...kit.outlines import ellipse, smooth
 from ...kit.parts import flat_foot, hull_of, ring_parts
-from ...kit.primitives import at_box, drum, pad, plate, rod, standing, straight
+from ...kit.primitives import at_box, drum, pad, plate, side_view, standing
 from ...kit.shapes import Shape, category, put_down, shape
 from ...kit.solids import block, ellipsoid, join, lathe, prism, torus, tube
 from ...kit.surfaces import Look, plain, tint_color
+from .equipment import _boot, _laces
 
 BRIGHT = ("red", "blue", "green", "yellow", "orange", "purple", "black", "pink")
 
@@ -47,24 +48,6 @@ def goggles(look: Look) -> Shape:
                      (join(lenses), surfaces.gradient(tint, tint_color(tint, 1.5), look.rng)),
                      (join(strap), plain(tint_color(color, 0.7)))], *cups, join(strap),
                     factor=k)  # fmt: skip
-
-
-@category("snorkel", size=(0.402, 0.111, 0.0297), mass=0.15, material="plastic",
-          aliases=("snorkel tube", "diving snorkel"), themes=("sports",), roles=("big",),
-          colors=("blue",))  # fmt: skip
-def snorkel(look: Look) -> Shape:
-    """A snorkel lying flat: a bent tube with a mouthpiece and a bright end."""
-    color = look.color("blue", "black", "yellow", "green", "orange")
-    k = look.between(0.85, 1.1)
-    pipe = rod([(0.2, 0, 0.012), (0.0, 0.0, 0.012), (-0.12, 0, 0.012), (-0.17, 0.03, 0.012),
-                (-0.15, 0.075, 0.012)], 0.0115, 14, 6)  # fmt: skip
-    end = drum(0.0135, 0.03, (0.19, 0, 0.0135), 0, sides=16)
-    mouth = pad(0.05, 0.026, 0.016, 0.008).move(-0.148, 0.082, 0.006)
-    clip = torus(0.0125, 0.004, 18, 6).turn(1, np.pi / 2).move(0.02, 0, 0.0135)
-    return put_down([(pipe, plain(color)), (end, plain((240, 120, 40))),
-                     (join([mouth, clip]), plain(DARK))],
-                    straight((0.2, 0, 0.012), (-0.12, 0, 0.012), 0.0115, 12), mouth, pipe, factor=k,
-                    foot=0.3)  # fmt: skip
 
 
 @category("knee_pad", size=(0.184, 0.174, 0.0653), mass=0.15, material="fabric", aliases=("kneepad",
@@ -173,3 +156,49 @@ def helmet(look: Look) -> Shape:
     )
     return shape([(shell, surfaces.speckles(look.rng, color, 4, 32)),
                   (join(vents), surfaces.plain((30, 30, 34)))], [*wall, crown])  # fmt: skip
+
+
+@category("roller_skate", size=(0.181, 0.103, 0.21), mass=0.8, material="plastic",
+          aliases=("rollerskate", "rollerblade", "inline skate", "quad skate"), themes=("sports",),
+          roles=("big",), colors=("white", "pink"))  # fmt: skip
+def roller_skate(look: Look) -> Shape:
+    """A laced boot on four wheels with a stopper at its toe."""
+    color = look.color("white", "pink", "black", "sky", "red", "mint")
+    k = look.between(0.95, 1.25)
+    boot = _boot(0.13).move(z=0.062)
+    sole, heel = (at_box(0.155, 0.06, 0.008, (0.02, 0, 0.056)),
+                  at_box(0.04, 0.056, 0.02, (-0.036, 0, 0.044)))  # fmt: skip
+    plate = at_box(0.14, 0.04, 0.01, (0.015, 0, 0.04))
+    wheels = [drum(0.024, 0.024, (x, s * 0.035 - 0.012, 0.024), 1, sides=18, bevel=0.004)
+              for x in (-0.036, 0.062) for s in (-1, 1)]  # fmt: skip
+    trucks = [at_box(0.02, 0.06, 0.03, (x, 0, 0.018)) for x in (-0.036, 0.062)]
+    stop = drum(0.014, 0.03, (0.092, 0, 0.016), top=0.01)
+    laces = [one.move(z=0.064) for one in _laces(0)]
+    tone = look.own_color("pink", "red", "yellow", "turquoise", "orange")
+    return put_down([(boot, leather(look.rng, color)),
+                     (join([sole, heel]), plain(tint_color(color, 0.6))),
+                     (join([plate, *trucks]), steel(look)), (join([*wheels, stop]), plain(tone)),
+                     (join(laces), plain((250, 248, 244))), (at_box(0.046, 0.046, 0.0012,
+                                                                    (-0.021, 0, 0.1915)),
+                                                             plain(DARK))], boot,
+                    join([plate, *wheels]), factor=k)  # fmt: skip
+
+
+@category("ice_skate", size=(0.212, 0.0668, 0.196), mass=0.7, material="metal",
+          aliases=("figure skate", "skate", "hockey skate"), themes=("sports",), roles=("big",),
+          colors=("white",))  # fmt: skip
+def ice_skate(look: Look) -> Shape:
+    """A laced boot on a steel blade that stands upright on its broad holder."""
+    color = look.color("white", "black", "white", "navy")
+    k = look.between(0.95, 1.25)
+    boot = _boot(0.13).move(z=0.052)
+    sole = at_box(0.155, 0.058, 0.008, (0.02, 0, 0.046))
+    blade = side_view([(-0.075, 0.006), (-0.07, 0), (0.105, 0), (0.122, 0.014), (0.11, 0.018),
+                       (-0.075, 0.016)], 0.006)  # fmt: skip
+    posts = [at_box(0.03, 0.03, 0.034, (x, 0, 0.014)) for x in (-0.035, 0.065)]
+    laces = [one.move(z=0.054) for one in _laces(0)]
+    wide = at_box(0.16, 0.05, 0.004, (0.02, 0, 0))
+    return put_down([(boot, leather(look.rng, color)), (sole, plain(tint_color(color, 0.55))),
+                     (join([blade, *posts]), steel(look)), (join(laces), plain((200, 202, 210))),
+                     (at_box(0.046, 0.046, 0.0012, (-0.021, 0, 0.1815)), plain((70, 72, 80)))],
+                    boot, blade, wide, factor=k)  # fmt: skip

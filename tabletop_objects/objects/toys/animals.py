@@ -10,7 +10,7 @@ import numpy as np
 
 from ...kit import surfaces
 from ...kit.outlines import smooth
-from ...kit.parts import above, box_part, cylinder_part, hull_of, hull_part
+from ...kit.parts import above, hull_part
 from ...kit.primitives import ball, drum, plate, rod, straight
 from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import Solid, cylinder, ellipsoid, join, prism, tube
@@ -276,62 +276,6 @@ def snail(look: Look) -> Shape:
                     foot=0.2)  # fmt: skip
 
 
-@category("teddy_bear", size=(0.13, 0.12, 0.155), mass=0.11, material="fabric", friction=0.8,
-          aliases=("teddy", "stuffed animal", "plush toy", "bear", "plush", "cuddly toy",
-          "comforter", "soft toy", "counting bear", "amigurumi", "plush cat", "soft toy cat",
-          "stuffed cat", "plush rabbit", "plush dog", "beanie baby", "plushie", "stuffed toy"),
-          themes=("toys",), colors=("brown", "cream"), state="sitting", common=True)  # fmt: skip
-def teddy_bear(look: Look) -> Shape:
-    """A small teddy bear, sitting."""
-    color = look.color("brown", "tan", "cream", "gray", "terracotta")
-    fur = surfaces.knitting(look.rng, color)
-    pale, dark = surfaces.plain(tint_color(color, 1.35)), surfaces.plain((34, 28, 26))
-    ball = ellipsoid
-    pieces: list[tuple[Solid, surfaces.Tile]] = [
-        (ball(0.085, 0.075, 0.09, 20, 12).move(z=0.044), fur),
-        (ball(0.075, 0.066, 0.066, 20, 12).move(y=-0.004, z=0.112), fur),
-        (ball(0.034, 0.026, 0.026, 14, 8).move(y=-0.035, z=0.104), pale),
-        (ball(0.012, 0.009, 0.009, 10, 6).move(y=-0.049, z=0.109), dark),
-        (ball(0.05, 0.02, 0.055, 14, 8).move(y=-0.03, z=0.045), pale),
-    ]
-    for s in (-1, 1):
-        pieces += [
-            (ball(0.027, 0.014, 0.027, 12, 8).move(s * 0.03, 0.002, 0.142), fur),
-            (ball(0.008, 0.006, 0.008, 8, 6).move(s * 0.014, -0.035, 0.122), dark),
-            (ball(0.034, 0.07, 0.034, 14, 8).move(s * 0.034, -0.042, 0.017), fur),
-            (ball(0.026, 0.006, 0.026, 12, 6).move(s * 0.034, -0.075, 0.017), pale),
-            (ball(0.028, 0.03, 0.06, 12, 8).turn(1, s * -0.5).move(s * 0.05, -0.01, 0.058), fur),
-        ]
-    seat = cylinder(0.034, 0.05, 16, top=0.04)
-    return shape([*pieces, (seat, fur)], [cylinder_part(0.036, 0.085),
-                                          box_part(0.1, 0.06, 0.03, (0, -0.047, 0.0)),
-                                          box_part(0.06, 0.055, 0.055, (0, -0.006, 0.085)),
-                                          box_part(0.115, 0.024, 0.035,
-                                                   (0, -0.01, 0.042))])  # fmt: skip
-
-
-@category("rubber_duck", size=(0.1, 0.066, 0.088), mass=0.05, material="rubber", hollow=True,
-          aliases=("duck", "toy duck", "bath duck", "bath toy", "rubber bath duck", "squeaky toy"),
-          themes=("toys", "vanity"), colors=("yellow",), common=True)  # fmt: skip
-def rubber_duck(look: Look) -> Shape:
-    """A bath duck facing the viewer's left."""
-    color = look.color("yellow", "yellow", "pink", "sky", "mint")
-    skin, beak = surfaces.speckles(look.rng, color, 3), surfaces.plain((236, 120, 40))
-    dark = surfaces.plain((24, 24, 26))
-    body = ellipsoid(0.085, 0.065, 0.058, 22, 12).bend(
-        lambda p: np.column_stack(
-            [p[:, :2], np.maximum(p[:, 2] + 6 * np.clip(p[:, 0] - 0.01, 0, 1) ** 2, -0.022)]
-        )
-    )
-    head = ellipsoid(0.046, 0.044, 0.044, 18, 10).move(x=-0.022, z=0.066)
-    bill = ellipsoid(0.026, 0.026, 0.009, 12, 6).move(x=-0.05, z=0.062)
-    eyes = [ellipsoid(0.008, 0.006, 0.009, 8, 6).move(-0.036, s * 0.0165, 0.073) for s in (-1, 1)]
-    wings = [ellipsoid(0.045, 0.014, 0.026, 12, 8).move(0.01, s * 0.028, 0.026) for s in (-1, 1)]
-    return shape([(body.move(z=0.022), skin), (head, skin), (bill, beak), (join(eyes), dark),
-                  (join(wings), surfaces.plain(tint_color(color, 0.9)))],
-                 [hull_of(body.move(z=0.022)), hull_of(head), hull_of(bill)])  # fmt: skip
-
-
 @dataclass(frozen=True)
 class Beast:
     """A four-legged animal facing left, in units of its body's length.
@@ -401,6 +345,7 @@ BEASTS: Mapping[str, Beast] = MappingProxyType(
     }
 )  # fmt: skip
 """The animals by key."""
+
 
 _RAINBOW = ((236, 96, 130), (250, 196, 90), (110, 190, 150), (120, 150, 220), (170, 120, 210))
 

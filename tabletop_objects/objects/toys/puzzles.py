@@ -5,38 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import dye, steel, wood
+from ...kit.materials import steel
 from ...kit.parts import box_part, cylinder_part, hull_of
 from ...kit.primitives import at_box, ball, drum
-from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape
+from ...kit.shapes import Shape, category, put_down, shape
 from ...kit.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, torus
 from ...kit.surfaces import RGB, Look, plain, tint_color
-
-
-@category("marble_run", size=(0.26, 0.08, 0.18), mass=0.5, material="plastic", assembled=True,
-          aliases=("marble track", "ball run", "marble toy"), themes=("toys",), roles=("big",),
-          colors=("wooden",))  # fmt: skip
-@from_pieces()
-def marble_run(look: Look) -> Pieces:
-    """A marble run: three sloping tracks on posts with rolling marbles."""
-    tile = wood(look, "wooden", "beige")
-    base = at_box(0.26, 0.08, 0.01)
-    posts = [at_box(0.012, 0.06, 0.17, (s * 0.12, 0, 0.01)) for s in (-1, 1)]
-    pieces: Pieces = [(base, tile), *((p, tile) for p in posts)]
-    tones = ("red", "blue", "green")
-    for k in range(3):
-        slope = 0.13 * (1 if k % 2 else -1)
-        bed = [at_box(0.2, 0.026, 0.005), at_box(0.2, 0.004, 0.014, (0, -0.013, 0)),
-               at_box(0.2, 0.004, 0.014, (0, 0.013, 0))]  # fmt: skip
-        x = 0.012 * (-1 if k % 2 else 1)
-        for b in bed[:1]:
-            pieces.append((b.turn(1, slope).move(x, 0, 0.042 + 0.048 * k), dye(look, tones[k])))
-        pieces.append((join(bed[1:]).turn(1, slope).move(x, 0, 0.042 + 0.048 * k), pieces[-1][1]))
-        pieces.append((ball(0.016, 0.016, 0.016, (0.04 * (-1) ** k, 0, 0.058 + 0.048 * k - 0.04
-                                                  * (-1) ** k * -slope * 0.0), 12),
-                       dye(look, "sky", "amber", "green")))  # fmt: skip
-    return pieces
-
 
 PAINTS = ("red", "blue", "green", "yellow", "orange", "purple", "wooden", "teal", "pink")
 WOODEN = ("wooden", "tan", "beige", "wooden", "brown")
@@ -85,31 +59,6 @@ def tower_of_hanoi(look: Look) -> Shape:
         pieces.append((disc, surfaces.speckles(look.rng, tone, 4, 32)))
         parts.append(hull_of(disc))
     return shape(pieces, parts)
-
-
-@category("shape_sorter", size=(0.15, 0.15, 0.138), mass=0.6, material="wood",
-          aliases=("shape sorting box", "shape box", "sorting box", "shape sorting cube",
-          "sorting cube", "shape sorter toy", "activity cube"), themes=("toys",), roles=("big",),
-          colors=("wooden",))  # fmt: skip
-def shape_sorter(look: Look) -> Shape:
-    """A toddler's box with holes of different shapes in its lid and sides."""
-    side = look.between(0.135, 0.16)
-    color = look.color("wooden", "yellow", "blue", "wooden", "red", "teal")
-    dark = tint_color(color, 0.3)
-    lid = surfaces.fit(look.surface(color, "wood"), 128, 128).copy()
-    prints.disc(lid, 0.28, 0.28, 0.13, dark)
-    prints.fill(lid, 0.6, 0.16, 0.25, 0.25, dark)
-    prints.polygon(lid, [(0.28, 0.56), (0.44, 0.84), (0.12, 0.84)], dark)
-    turns = np.arange(10) * np.pi / 5
-    ray = np.where(np.arange(10) % 2, 0.07, 0.17)
-    prints.polygon(lid, [(0.72 + r * np.sin(a), 0.7 - r * np.cos(a)) for r,
-                         a in zip(ray, turns, strict=True)], dark)  # fmt: skip
-    body = box(side, side, 0.86 * side)
-    top = block(1.02 * side, 1.02 * side, 0.01, 0.004).move(z=0.86 * side)
-    paint = surfaces.speckles(look.rng, look.own_color("red", "blue", "green", "orange"), 4, 32)
-    return shape([(body, np.roll(lid, 64, 1)), (top, paint),
-                  (box(0.98 * side, 0.98 * side, 0.0005).move(z=0.86 * side + 0.0098), lid)],
-                 [box_part(side, side, 0.86 * side), hull_of(top)])  # fmt: skip
 
 
 @category("puzzle_cube", size=(0.058, 0.058, 0.058), mass=0.09, material="plastic",
@@ -192,26 +141,3 @@ def marble_maze(look: Look) -> Shape:
                      (join(walls), plain(tint_color(color, 0.7))),
                      (join(holes), plain((24, 22, 20))), (marble, steel(look))], floor, *rims,
                     join(walls[:1]), factor=k)  # fmt: skip
-
-
-@category("stacking_cups", size=(0.088, 0.088, 0.14), mass=0.12, material="plastic", hollow=True,
-          aliases=("nesting cups", "stacking cup", "stack cups", "tower of cups", "toy cups"),
-          themes=("toys",), roles=("round", "tall"), colors=("red", "blue"))  # fmt: skip
-def stacking_cups(look: Look) -> Shape:
-    """A tower of upside-down nesting cups with the largest at the bottom."""
-    names = ["red", "orange", "yellow", "green", "blue", "purple", "pink"]
-    start = int(look.rng.integers(len(names)))
-    shades = look.color("red", "orange", "yellow", "green", "blue", "purple", "pink")
-    count = int(look.rng.integers(4, 7))
-    r, h = look.between(0.04, 0.046), look.between(0.032, 0.038)
-    pieces, parts, z = [], [], 0.0
-    for n in range(count):
-        tone = shades if n == 0 else look.own_color(names[(start + n) % len(names)])
-        k = 1 - 0.12 * n
-        cup = lathe([(0, 0), (r * k, 0), (1.03 * r * k, 0.001), (1.03 * r * k, 0.005),
-                     (r * k, 0.006), (0.82 * r * k, h * k), (0, h * k)], 28)  # fmt: skip
-        ring = torus(0.5 * r * k, 0.0012, 20, 5).move(z=h * k)
-        pieces.append((join([cup, ring]).move(z=z), surfaces.speckles(look.rng, tone, 4, 32)))
-        parts.append(hull_of(cup.move(z=z)))
-        z += h * k
-    return shape(pieces, parts)

@@ -17,7 +17,6 @@ from ...kit.solids import Solid, block, box, cylinder, ellipsoid, lathe, prism, 
 from ...kit.surfaces import Look
 
 CUBE_PAINTS = ("red", "blue", "green", "yellow", "orange", "purple", "wooden", "teal", "pink")
-
 Made = tuple[list[Solid], list[Solid]]
 """The visible solids, and the solids whose hulls are the collision parts."""
 

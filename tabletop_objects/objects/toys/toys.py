@@ -784,3 +784,132 @@ def zoetrope(look: Look) -> Shape:
     inner = lathe([(0.0708, 0.064), (0.0708, 0.098), (0.07, 0.098), (0.07, 0.064)], 32, loop=True)
     return put_down([(join([foot, floor, band, *slats, ring]), look.surface(color, "plastic")),
                      (inner, strip)], foot, join([band, ring]), factor=k)  # fmt: skip
+
+
+@category("teddy_bear", size=(0.13, 0.12, 0.155), mass=0.11, material="fabric", friction=0.8,
+          aliases=("teddy", "stuffed animal", "plush toy", "bear", "plush", "cuddly toy",
+          "comforter", "soft toy", "counting bear", "amigurumi", "plush cat", "soft toy cat",
+          "stuffed cat", "plush rabbit", "plush dog", "beanie baby", "plushie", "stuffed toy"),
+          themes=("toys",), colors=("brown", "cream"), state="sitting", common=True)  # fmt: skip
+def teddy_bear(look: Look) -> Shape:
+    """A small teddy bear, sitting."""
+    color = look.color("brown", "tan", "cream", "gray", "terracotta")
+    fur = surfaces.knitting(look.rng, color)
+    pale, dark = surfaces.plain(tint_color(color, 1.35)), surfaces.plain((34, 28, 26))
+    ball = ellipsoid
+    pieces: list[tuple[Solid, surfaces.Tile]] = [
+        (ball(0.085, 0.075, 0.09, 20, 12).move(z=0.044), fur),
+        (ball(0.075, 0.066, 0.066, 20, 12).move(y=-0.004, z=0.112), fur),
+        (ball(0.034, 0.026, 0.026, 14, 8).move(y=-0.035, z=0.104), pale),
+        (ball(0.012, 0.009, 0.009, 10, 6).move(y=-0.049, z=0.109), dark),
+        (ball(0.05, 0.02, 0.055, 14, 8).move(y=-0.03, z=0.045), pale),
+    ]
+    for s in (-1, 1):
+        pieces += [
+            (ball(0.027, 0.014, 0.027, 12, 8).move(s * 0.03, 0.002, 0.142), fur),
+            (ball(0.008, 0.006, 0.008, 8, 6).move(s * 0.014, -0.035, 0.122), dark),
+            (ball(0.034, 0.07, 0.034, 14, 8).move(s * 0.034, -0.042, 0.017), fur),
+            (ball(0.026, 0.006, 0.026, 12, 6).move(s * 0.034, -0.075, 0.017), pale),
+            (ball(0.028, 0.03, 0.06, 12, 8).turn(1, s * -0.5).move(s * 0.05, -0.01, 0.058), fur),
+        ]
+    seat = cylinder(0.034, 0.05, 16, top=0.04)
+    return shape([*pieces, (seat, fur)], [cylinder_part(0.036, 0.085),
+                                          box_part(0.1, 0.06, 0.03, (0, -0.047, 0.0)),
+                                          box_part(0.06, 0.055, 0.055, (0, -0.006, 0.085)),
+                                          box_part(0.115, 0.024, 0.035,
+                                                   (0, -0.01, 0.042))])  # fmt: skip
+
+
+@category("rubber_duck", size=(0.1, 0.066, 0.088), mass=0.05, material="rubber", hollow=True,
+          aliases=("duck", "toy duck", "bath duck", "bath toy", "rubber bath duck", "squeaky toy"),
+          themes=("toys", "vanity"), colors=("yellow",), common=True)  # fmt: skip
+def rubber_duck(look: Look) -> Shape:
+    """A bath duck facing the viewer's left."""
+    color = look.color("yellow", "yellow", "pink", "sky", "mint")
+    skin, beak = surfaces.speckles(look.rng, color, 3), surfaces.plain((236, 120, 40))
+    dark = surfaces.plain((24, 24, 26))
+    body = ellipsoid(0.085, 0.065, 0.058, 22, 12).bend(
+        lambda p: np.column_stack(
+            [p[:, :2], np.maximum(p[:, 2] + 6 * np.clip(p[:, 0] - 0.01, 0, 1) ** 2, -0.022)]
+        )
+    )
+    head = ellipsoid(0.046, 0.044, 0.044, 18, 10).move(x=-0.022, z=0.066)
+    bill = ellipsoid(0.026, 0.026, 0.009, 12, 6).move(x=-0.05, z=0.062)
+    eyes = [ellipsoid(0.008, 0.006, 0.009, 8, 6).move(-0.036, s * 0.0165, 0.073) for s in (-1, 1)]
+    wings = [ellipsoid(0.045, 0.014, 0.026, 12, 8).move(0.01, s * 0.028, 0.026) for s in (-1, 1)]
+    return shape([(body.move(z=0.022), skin), (head, skin), (bill, beak), (join(eyes), dark),
+                  (join(wings), surfaces.plain(tint_color(color, 0.9)))],
+                 [hull_of(body.move(z=0.022)), hull_of(head), hull_of(bill)])  # fmt: skip
+
+
+@category("stacking_cups", size=(0.088, 0.088, 0.14), mass=0.12, material="plastic", hollow=True,
+          aliases=("nesting cups", "stacking cup", "stack cups", "tower of cups", "toy cups"),
+          themes=("toys",), roles=("round", "tall"), colors=("red", "blue"))  # fmt: skip
+def stacking_cups(look: Look) -> Shape:
+    """A tower of upside-down nesting cups with the largest at the bottom."""
+    names = ["red", "orange", "yellow", "green", "blue", "purple", "pink"]
+    start = int(look.rng.integers(len(names)))
+    shades = look.color("red", "orange", "yellow", "green", "blue", "purple", "pink")
+    count = int(look.rng.integers(4, 7))
+    r, h = look.between(0.04, 0.046), look.between(0.032, 0.038)
+    pieces, parts, z = [], [], 0.0
+    for n in range(count):
+        tone = shades if n == 0 else look.own_color(names[(start + n) % len(names)])
+        k = 1 - 0.12 * n
+        cup = lathe([(0, 0), (r * k, 0), (1.03 * r * k, 0.001), (1.03 * r * k, 0.005),
+                     (r * k, 0.006), (0.82 * r * k, h * k), (0, h * k)], 28)  # fmt: skip
+        ring = torus(0.5 * r * k, 0.0012, 20, 5).move(z=h * k)
+        pieces.append((join([cup, ring]).move(z=z), surfaces.speckles(look.rng, tone, 4, 32)))
+        parts.append(hull_of(cup.move(z=z)))
+        z += h * k
+    return shape(pieces, parts)
+
+
+@category("shape_sorter", size=(0.15, 0.15, 0.138), mass=0.6, material="wood",
+          aliases=("shape sorting box", "shape box", "sorting box", "shape sorting cube",
+          "sorting cube", "shape sorter toy", "activity cube"), themes=("toys",), roles=("big",),
+          colors=("wooden",))  # fmt: skip
+def shape_sorter(look: Look) -> Shape:
+    """A toddler's box with holes of different shapes in its lid and sides."""
+    side = look.between(0.135, 0.16)
+    color = look.color("wooden", "yellow", "blue", "wooden", "red", "teal")
+    dark = tint_color(color, 0.3)
+    lid = surfaces.fit(look.surface(color, "wood"), 128, 128).copy()
+    prints.disc(lid, 0.28, 0.28, 0.13, dark)
+    prints.fill(lid, 0.6, 0.16, 0.25, 0.25, dark)
+    prints.polygon(lid, [(0.28, 0.56), (0.44, 0.84), (0.12, 0.84)], dark)
+    turns = np.arange(10) * np.pi / 5
+    ray = np.where(np.arange(10) % 2, 0.07, 0.17)
+    prints.polygon(lid, [(0.72 + r * np.sin(a), 0.7 - r * np.cos(a)) for r,
+                         a in zip(ray, turns, strict=True)], dark)  # fmt: skip
+    body = box(side, side, 0.86 * side)
+    top = block(1.02 * side, 1.02 * side, 0.01, 0.004).move(z=0.86 * side)
+    paint = surfaces.speckles(look.rng, look.own_color("red", "blue", "green", "orange"), 4, 32)
+    return shape([(body, np.roll(lid, 64, 1)), (top, paint),
+                  (box(0.98 * side, 0.98 * side, 0.0005).move(z=0.86 * side + 0.0098), lid)],
+                 [box_part(side, side, 0.86 * side), hull_of(top)])  # fmt: skip
+
+
+@category("marble_run", size=(0.26, 0.08, 0.18), mass=0.5, material="plastic", assembled=True,
+          aliases=("marble track", "ball run", "marble toy"), themes=("toys",), roles=("big",),
+          colors=("wooden",))  # fmt: skip
+@from_pieces()
+def marble_run(look: Look) -> Pieces:
+    """A marble run: three sloping tracks on posts with rolling marbles."""
+    tile = wood(look, "wooden", "beige")
+    base = at_box(0.26, 0.08, 0.01)
+    posts = [at_box(0.012, 0.06, 0.17, (s * 0.12, 0, 0.01)) for s in (-1, 1)]
+    pieces: Pieces = [(base, tile), *((p, tile) for p in posts)]
+    tones = ("red", "blue", "green")
+    for k in range(3):
+        slope = 0.13 * (1 if k % 2 else -1)
+        bed = [at_box(0.2, 0.026, 0.005), at_box(0.2, 0.004, 0.014, (0, -0.013, 0)),
+               at_box(0.2, 0.004, 0.014, (0, 0.013, 0))]  # fmt: skip
+        x = 0.012 * (-1 if k % 2 else 1)
+        for b in bed[:1]:
+            pieces.append((b.turn(1, slope).move(x, 0, 0.042 + 0.048 * k), dye(look, tones[k])))
+        pieces.append((join(bed[1:]).turn(1, slope).move(x, 0, 0.042 + 0.048 * k), pieces[-1][1]))
+        pieces.append((ball(0.016, 0.016, 0.016, (0.04 * (-1) ** k, 0, 0.058 + 0.048 * k - 0.04
+                                                  * (-1) ** k * -slope * 0.0), 12),
+                       dye(look, "sky", "amber", "green")))  # fmt: skip
+    return pieces

@@ -6,11 +6,11 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.materials import DARK, steel
-from ...kit.outlines import rectangle
+from ...kit.outlines import ellipse, rectangle
 from ...kit.parts import cylinder_part, frame_parts, hull_of, hull_part, open_vessel
-from ...kit.primitives import ball, drum, rod, standing
+from ...kit.primitives import ball, drum, facing, rod, standing
 from ...kit.shapes import Shape, category, put_down, shape
-from ...kit.solids import block, box, cylinder, join, lathe, loft, torus, tube
+from ...kit.solids import block, box, cylinder, join, lathe, loft, prism, torus, tube
 from ...kit.surfaces import Look, plain, tint_color
 
 
@@ -153,3 +153,33 @@ def sink_plug(look: Look) -> Shape:
     return put_down([(body, surfaces.speckles(look.rng, color, 4)), (join([eye, *beads, ring]),
                                                                      steel(look))], body,
                     join([*beads[6:], ring]), factor=k)  # fmt: skip
+
+
+@category("standing_mirror", size=(0.175, 0.145, 0.26), mass=0.6, material="glass", assembled=True,
+          aliases=("makeup mirror", "table mirror", "vanity mirror", "stand mirror",
+          "cosmetic mirror", "tabletop mirror", "desk mirror", "make up mirror", "shaving mirror"),
+          themes=("vanity",), roles=("tall", "big"), colors=("white", "gold"))  # fmt: skip
+def standing_mirror(look: Look) -> Shape:
+    """A round, oval or square make-up mirror on a foot, tilted slightly back."""
+    w = look.between(0.075, 0.1)
+    color = look.color("white", "gold", "silver", "black", "pink", "wooden", "copper")
+    skin = look.surface(color, look.pick(["metal", "plastic"]))
+    kind = look.pick(["round", "round", "oval", "square"])
+    tall = {"round": w, "oval": 1.3 * w, "square": 1.2 * w}[kind]
+    outline = (
+        rectangle(2 * w, 2 * tall, 0.02, 5) if kind == "square" else ellipse(2 * w, 2 * tall, 40)
+    )
+    frame = prism(outline, 0, 0.012, 0.003)
+    inner = prism(outline * 0.9, 0, 0.0006)
+    lean = look.between(0.1, 0.25)
+    middle = tall + look.between(0.05, 0.09)
+    back = facing(frame).turn(0, -lean).move(z=middle)
+    way = np.array([0, -np.cos(lean), np.sin(lean)])
+    glass = facing(inner).turn(0, -lean).move(z=middle).move(*(0.0118 * way))
+    image = surfaces.gradient((150, 172, 186), (232, 240, 244), look.rng, 3).astype(float)
+    image = surfaces.fit(image.astype(np.uint8), 96, 96).copy()
+    prints.polygon(image, [(0.2, 1), (0.55, 0), (0.68, 0), (0.33, 1)], (240, 246, 248))
+    foot = cylinder(0.8 * w, 0.01, 34, bevel=0.003)
+    post = cylinder(0.006, middle - tall + 0.03, 14).move(y=0.008, z=0.008)
+    return shape([(join([back, foot, post]), skin), (glass, image)],
+                 [cylinder_part(0.8 * w, 0.01), hull_of(post), hull_of(back)])  # fmt: skip

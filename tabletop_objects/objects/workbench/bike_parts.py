@@ -7,10 +7,9 @@ import numpy as np
 from ...kit import surfaces
 from ...kit.materials import DARK, steel
 from ...kit.outlines import ellipse, rectangle
-from ...kit.parts import ring_parts
 from ...kit.primitives import at_box, ball, drum, lies, plate, rod, standing
-from ...kit.shapes import Shape, category, put_down, shape
-from ...kit.solids import Solid, block, join, lathe, loft, torus
+from ...kit.shapes import Shape, category, put_down
+from ...kit.solids import Solid, block, join, loft, torus
 from ...kit.surfaces import Look, plain, tint_color
 
 
@@ -62,47 +61,6 @@ def saddle(look: Look) -> Shape:
     return put_down([(top, surfaces.speckles(look.rng, color, 6)),
                      (join([*rails, clamp]), steel(look))], top, clamp, *rails, factor=k,
                     foot=0.25)  # fmt: skip
-
-
-@category("tyre", size=(0.213, 0.213, 0.0518), mass=0.5, material="rubber", hollow=True,
-          aliases=("tire", "old tyre", "rubber tyre", "small tyre", "car tyre", "car tire",
-          "toy tyre", "spare tyre", "rubber tire"), themes=("workbench",), roles=("round",),
-          colors=("black",))  # fmt: skip
-def tyre(look: Look) -> Shape:
-    """A small rubber tyre with a tread, lying flat."""
-    color = look.color("black", "charcoal", "gray")
-    k, w = look.between(0.8, 1.2), look.between(0.8, 1.2)
-    rim = [(0.058, 0.004), (0.09, 0.0), (0.098, 0.006), (0.1, 0.02 * w), (0.1, 0.034 * w),
-           (0.098, 0.046 * w), (0.09, 0.052 * w), (0.058, 0.048 * w),
-           (0.066, 0.026 * w)]  # fmt: skip
-    body = lathe(rim, 40, loop=True)
-    lugs = [
-        at_box(0.008, 0.006, 0.05 * w, (0.1, 0, 0.001)).turn(2, n * np.pi / 18) for n in range(36)
-    ]
-    rubber = surfaces.speckles(look.rng, color, 6)
-    parts = ring_parts([(0.09, 0.0), (0.1, 0.02 * w), (0.1, 0.034 * w), (0.09, 0.052 * w)],
-                       [(0.062, 0.048 * w), (0.062, 0.004)])  # fmt: skip
-    return shape([(join([body, *lugs]), rubber)], parts).scale(k)
-
-
-@category("crank", size=(0.244, 0.157, 0.0157), mass=0.45, material="metal", aliases=("crankset",
-          "chainset", "crank arm", "chainring", "bike crank", "chain ring", "pedal crank"),
-          themes=("workbench",), roles=("flat",), colors=("silver",))  # fmt: skip
-def crank(look: Look) -> Shape:
-    """A crank arm with a chainring, lying flat."""
-    color = look.color("silver", "black", "charcoal")
-    k = look.between(0.85, 1.1)
-    ring = _teeth(0.08, 36, 0.004, 0.004)
-    hole = drum(0.052, 0.0006, (0, 0, 0.0036), sides=30)
-    spider = [
-        at_box(0.075, 0.014, 0.006, (0.036, 0, 0.002)).turn(2, n * 2 * np.pi / 5) for n in range(5)
-    ]
-    hub = drum(0.018, 0.014, (0, 0, 0.002), bevel=0.002)
-    arm = plate(rectangle(0.18, 0.026, 0.012), 0.01, at=(0.078, 0, 0.005), bevel=0.002)
-    eye = drum(0.008, 0.0006, (0.157, 0, 0.0148))
-    return put_down([(join([ring, *spider]), steel(look)), (hole, plain((60, 62, 66))),
-                     (join([hub, arm]), look.surface(color, "metal")), (eye, plain(DARK))],
-                    ring, arm, factor=k)  # fmt: skip
 
 
 @category("derailleur", size=(0.0945, 0.171, 0.0251), mass=0.25, material="metal",
@@ -208,22 +166,6 @@ def bike_light(look: Look) -> Shape:
     return put_down([(join([body, ring, stem]), paint), (lens, plain(lamp)),
                      (knob, plain((220, 60, 50))), (join(clamp), plain(DARK))], clamp[0], stem,
                     body, ring, factor=k)  # fmt: skip
-
-
-@category("tyre_lever", size=(0.131, 0.0186, 0.00932), mass=0.02, material="plastic",
-          aliases=("tire lever", "bike lever"), themes=("workbench",), roles=("flat",),
-          colors=("blue", "yellow"))  # fmt: skip
-def tyre_lever(look: Look) -> Shape:
-    """A tyre lever with a hooked tip, lying flat."""
-    color = look.color("blue", "yellow", "red", "black", "orange", "green")
-    k = look.between(0.85, 1.15)
-    rim = [(-0.06, -0.009), (0.03, -0.007), (0.055, -0.005), (0.06, 0), (0.055, 0.005),
-           (0.03, 0.007), (-0.06, 0.009), (-0.066, 0)]  # fmt: skip
-    body, tip = plate(rim, 0.006, bevel=0.001), at_box(0.008, 0.01, 0.009, (0.055, 0, 0))
-    rib = at_box(0.07, 0.004, 0.008, (-0.02, 0, 0))
-    return put_down(
-        [(join([body, tip]), plain(color)), (rib, plain(tint_color(color, 0.8)))], body, factor=k
-    )
 
 
 @category("co2_cartridge", size=(0.0833, 0.0184, 0.0176), mass=0.05, material="metal",

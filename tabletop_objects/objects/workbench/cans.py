@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import prints, surfaces
-from ...kit.materials import tool_steel
+from ...kit.materials import dye, tool_steel
 from ...kit.outlines import smooth
 from ...kit.parts import cylinder_part, hull_of, ring_parts
+from ...kit.primitives import at_block, at_box, disc, rod
 from ...kit.prints import wrap
-from ...kit.shapes import Shape, category, shape
+from ...kit.shapes import Pieces, Shape, category, from_pieces, shape
 from ...kit.solids import cylinder, ellipsoid, join, lathe, torus, tube
 from ...kit.surfaces import Look, tint_color
 
@@ -85,3 +86,26 @@ def spray_can(look: Look) -> Shape:
     cap = cylinder(0.78 * r, 0.036, 24, bevel=0.003).move(z=h + 0.008)
     return shape([(body, print_), (cap, surfaces.speckles(look.rng, color, 3))],
                  [cylinder_part(r, h), cylinder_part(0.78 * r, 0.044, (0, 0, h))])  # fmt: skip
+
+
+@category("engine_oil", size=(0.12, 0.066, 0.212), mass=0.95, material="plastic",
+          aliases=("bottle of engine oil", "motor oil", "engine oil bottle", "bottle of motor oil",
+          "antifreeze", "coolant bottle", "screen wash", "can of engine oil", "jerry can",
+          "petrol can", "fuel can"), themes=("workbench",), colors=("black", "gold"))  # fmt: skip
+@from_pieces()
+def engine_oil(look: Look) -> Pieces:
+    """A flat bottle of engine oil with a handle, a cap and a label."""
+    color = look.color("black", "gold", "blue", "red", "green", "silver")
+    body = at_block(0.12, 0.065, 0.15, 0.016)
+    shoulder = at_block(0.11, 0.06, 0.03, 0.02, (0, 0, 0.148))
+    neck, cap = disc(0.016, 0.025, (0.032, 0, 0.175)), disc(0.019, 0.022, (0.032, 0, 0.19))
+    grip = rod([(-0.045, 0, 0.17), (-0.045, 0, 0.195), (-0.01, 0, 0.2), (0.02, 0, 0.185)], 0.009, 8)
+    tile = look.surface(color)
+    tag = prints.canvas(96, 96, tint_color(color, 1.7))
+    prints.fill(tag, 0, 0.12, 1, 0.34, (200, 44, 40))
+    prints.write(tag, "OIL", 0.5, 0.29, 0.26, (250, 250, 246), True)
+    prints.write(tag, look.pick(["5W-30", "10W-40", "0W-20"]), 0.5, 0.66, 0.17, (30, 30, 34), True)
+    front = at_box(0.09, 0.001, 0.1, (0, -0.0328, 0.025))
+    return [(body, tile), (shoulder, tile),
+            (join([neck, cap]), dye(look, "red", "black", "yellow")), (grip, tile),
+            (front, tag)]  # fmt: skip

@@ -6,11 +6,12 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.materials import cloth, dye, metal, plastic, shine
-from ...kit.primitives import at_block, at_box, ball, disc, plate, rod, spindle, standing, straight
+from ...kit.parts import ring_parts
+from ...kit.primitives import at_block, at_box, ball, disc, plate, rod, spindle, standing
 from ...kit.prints import word_plate
-from ...kit.shapes import Pieces, at_rest, category, from_pieces
+from ...kit.shapes import Pieces, Shape, at_rest, category, from_pieces, shape
 from ...kit.solids import join, lathe, torus, tube
-from ...kit.surfaces import Look, tint_color
+from ...kit.surfaces import Look
 
 BLACK = surfaces.plain((34, 34, 37))
 
@@ -126,45 +127,6 @@ def gear_knob(look: Look) -> Pieces:
             (disc(0.017, 0.002, (0, 0, 0.0975)), image)]  # fmt: skip
 
 
-@category("car_jack", size=(0.28, 0.07, 0.174), mass=2.5, material="metal", assembled=True,
-          aliases=("scissor jack", "bottle jack"), themes=("workbench",),
-          colors=("red",))  # fmt: skip
-@from_pieces()
-def car_jack(look: Look) -> Pieces:
-    """A half-raised scissor jack: a foot, a diamond of arms and a screw with a crank."""
-    tile = metal(look, "red", "black", "yellow", "charcoal")
-    foot = at_block(0.12, 0.07, 0.008, 0.006)
-    left, right, low, high = (-0.11, 0.085), (0.11, 0.085), (0.0, 0.012), (0.0, 0.16)
-    arms = []
-    for a, b in ((low, left), (low, right), (left, high), (right, high)):
-        arms.append(straight((a[0], -0.018, a[1]), (b[0], -0.018, b[1]), 0.01, 4))
-        arms.append(straight((a[0], 0.018, a[1]), (b[0], 0.018, b[1]), 0.01, 4))
-    screw = straight((-0.13, 0, 0.085), (0.15, 0, 0.085), 0.0065, 10)
-    nuts = [at_box(0.024, 0.05, 0.026, (x, 0, 0.072)) for x in (-0.11, 0.11)]
-    saddle = at_block(0.06, 0.05, 0.012, 0.004, (0, 0, 0.162))
-    return [(foot, tile), (join(arms), tile), (join(nuts), tile), (saddle, tile),
-            (screw, shine(look))]  # fmt: skip
-
-
-@category("foot_pump", size=(0.291, 0.185, 0.113), mass=1.5, material="metal", assembled=True,
-          themes=("workbench",), colors=("red",))  # fmt: skip
-@from_pieces()
-def foot_pump(look: Look) -> Pieces:
-    """A foot pump: a barrel between steel arms, a pedal, a gauge and a hose."""
-    tile = metal(look, "red", "blue", "black", "yellow")
-    base = [at_box(0.24, 0.012, 0.012, (0, s * 0.05, 0)) for s in (-1, 1)]
-    cross = [at_box(0.016, 0.11, 0.012, (x, 0, 0)) for x in (-0.11, 0.11)]
-    barrel = straight((-0.06, 0, 0.035), (0.075, 0, 0.075), 0.026, 18)
-    arms = [straight((-0.11, s * 0.036, 0.012), (0.09, s * 0.036, 0.1), 0.006, 6) for s in (-1, 1)]
-    pedal = at_block(0.05, 0.1, 0.012, 0.006, (0.09, 0, 0.096))
-    dial = disc(0.02, 0.012, (-0.08, 0, 0.04))
-    hose = rod([(-0.09, 0, 0.03), (-0.15, 0.03, 0.008), (-0.13, 0.1, 0.006), (-0.02, 0.115, 0.006),
-                (0.08, 0.1, 0.006)], 0.0055, 8, 6)  # fmt: skip
-    return [(join([*base]), tile), (join(cross), tile), (barrel, shine(look, "silver", "charcoal")),
-            (join(arms), tile), (pedal, BLACK), (dial, surfaces.plain((240, 238, 232))),
-            (hose, BLACK)]  # fmt: skip
-
-
 DIPSTICK_BLACK = surfaces.plain((34, 34, 37))
 
 
@@ -181,43 +143,6 @@ def filler_cap(look: Look) -> Pieces:
     grip = at_block(0.05, 0.012, 0.012, 0.004, (0, 0, 0.021))
     tile = plastic(look, "black", "charcoal", "yellow", "silver")
     return [(body, tile), (grip, tile), (join(ribs), tile)]
-
-
-@category("dipstick", size=(0.42, 0.044, 0.008), mass=0.05, material="metal",
-          aliases=("oil dipstick",), themes=("workbench",), roles=("flat", "big"),
-          colors=("yellow",))  # fmt: skip
-@from_pieces()
-def dipstick(look: Look) -> Pieces:
-    """A dipstick lying flat: a ring on the right, a thin wire and a flat tip with two marks."""
-    wire = rod([(-0.2, 0, 0.002), (0.1, 0, 0.002), (0.15, 0, 0.003)], 0.0018, 6)
-    blade = at_box(0.06, 0.006, 0.0022, (-0.2, 0, 0))
-    marks = [at_box(0.0015, 0.006, 0.0006, (x, 0, 0.0021)) for x in (-0.215, -0.19)]
-    ring = torus(0.018, 0.004, 24, 8).move(0.17, 0, 0.004)
-    return [(ring, plastic(look, "yellow", "orange", "red")), (wire, shine(look)),
-            (blade, shine(look)), (join(marks), DIPSTICK_BLACK)]  # fmt: skip
-
-
-@category("engine_oil", size=(0.12, 0.066, 0.212), mass=0.95, material="plastic",
-          aliases=("bottle of engine oil", "motor oil", "engine oil bottle", "bottle of motor oil",
-          "antifreeze", "coolant bottle", "screen wash", "can of engine oil", "jerry can",
-          "petrol can", "fuel can"), themes=("workbench",), colors=("black", "gold"))  # fmt: skip
-@from_pieces()
-def engine_oil(look: Look) -> Pieces:
-    """A flat bottle of engine oil with a handle, a cap and a label."""
-    color = look.color("black", "gold", "blue", "red", "green", "silver")
-    body = at_block(0.12, 0.065, 0.15, 0.016)
-    shoulder = at_block(0.11, 0.06, 0.03, 0.02, (0, 0, 0.148))
-    neck, cap = disc(0.016, 0.025, (0.032, 0, 0.175)), disc(0.019, 0.022, (0.032, 0, 0.19))
-    grip = rod([(-0.045, 0, 0.17), (-0.045, 0, 0.195), (-0.01, 0, 0.2), (0.02, 0, 0.185)], 0.009, 8)
-    tile = look.surface(color)
-    tag = prints.canvas(96, 96, tint_color(color, 1.7))
-    prints.fill(tag, 0, 0.12, 1, 0.34, (200, 44, 40))
-    prints.write(tag, "OIL", 0.5, 0.29, 0.26, (250, 250, 246), True)
-    prints.write(tag, look.pick(["5W-30", "10W-40", "0W-20"]), 0.5, 0.66, 0.17, (30, 30, 34), True)
-    front = at_box(0.09, 0.001, 0.1, (0, -0.0328, 0.025))
-    return [(body, tile), (shoulder, tile),
-            (join([neck, cap]), dye(look, "red", "black", "yellow")), (grip, tile),
-            (front, tag)]  # fmt: skip
 
 
 @category("car_horn", size=(0.149, 0.101, 0.0827), mass=0.4, material="metal",
@@ -268,31 +193,6 @@ def car_air_freshener(look: Look) -> Pieces:
     return [(body, surfaces.speckles(look.rng, color, 4)), (loop, surfaces.plain((236, 232, 224))),
             (mark, word_plate(look.pick(["PINE", "FRESH", "VANILLA"]), (250, 250, 246),
                               (40, 40, 44), 0.5))]  # fmt: skip
-
-
-@category("sat_nav", size=(0.133, 0.12, 0.0812), mass=0.2, material="device",
-          aliases=("satnav", "gps", "navigation device", "gps device", "navigator"),
-          themes=("workbench",), colors=("black",))  # fmt: skip
-@from_pieces(bodies=3)
-def sat_nav(look: Look) -> Pieces:
-    """A navigation device on a foot with a map on its screen."""
-    image = prints.canvas(128, 80, (206, 222, 196))
-    for path in (
-        [(0.0, 0.8), (0.4, 0.55), (1, 0.5)],
-        [(0.2, 0), (0.35, 0.5), (0.3, 1)],
-        [(0.7, 0), (0.75, 0.5), (0.95, 1)],
-    ):
-        prints.stroke(image, path, 0.06, (250, 250, 246))
-    prints.stroke(image, [(0.5, 1), (0.5, 0.55), (0.75, 0.5), (0.72, 0)], 0.07, (220, 60, 160))
-    prints.polygon(image, [(0.5, 0.7), (0.57, 0.92), (0.43, 0.92)], (40, 100, 220))
-    prints.fill(image, 0, 0, 1, 0.16, (34, 60, 110))
-    body = at_block(0.13, 0.08, 0.016, 0.01).turn(0, 1.25)
-    face = at_box(0.114, 0.066, 0.001, (0, 0, 0.0158)).turn(0, 1.25)
-    low = float(body.bounds[0, 2])
-    arm = rod([(0, 0.02, 0.04), (0, 0.05, 0.03), (0, 0.06, 0.01)], 0.008, 10)
-    cup = disc(0.03, 0.01, (0, 0.06, 0), top=0.02)
-    shell = plastic(look, "black", "charcoal", "silver")
-    return [(body.move(z=-low), shell), (arm, shell), (cup, shell), (face.move(z=-low), image)]
 
 
 @category("fuzzy_dice", size=(0.209, 0.141, 0.0734), mass=0.1, material="fabric",
@@ -417,3 +317,39 @@ def shock_absorber(look: Look) -> Pieces:
     return [(body, dye(look, "black", "silver")), (shaft, shine(look)), (join(seats),
              shine(look)), (coil, plastic(look, "red", "yellow", "blue", "black")),
             (join(eyes), dye(look, "charcoal"))]  # fmt: skip
+
+
+@category("tyre", size=(0.213, 0.213, 0.0518), mass=0.5, material="rubber", hollow=True,
+          aliases=("tire", "old tyre", "rubber tyre", "small tyre", "car tyre", "car tire",
+          "toy tyre", "spare tyre", "rubber tire"), themes=("workbench",), roles=("round",),
+          colors=("black",))  # fmt: skip
+def tyre(look: Look) -> Shape:
+    """A small rubber tyre with a tread, lying flat."""
+    color = look.color("black", "charcoal", "gray")
+    k, w = look.between(0.8, 1.2), look.between(0.8, 1.2)
+    rim = [(0.058, 0.004), (0.09, 0.0), (0.098, 0.006), (0.1, 0.02 * w), (0.1, 0.034 * w),
+           (0.098, 0.046 * w), (0.09, 0.052 * w), (0.058, 0.048 * w),
+           (0.066, 0.026 * w)]  # fmt: skip
+    body = lathe(rim, 40, loop=True)
+    lugs = [
+        at_box(0.008, 0.006, 0.05 * w, (0.1, 0, 0.001)).turn(2, n * np.pi / 18) for n in range(36)
+    ]
+    rubber = surfaces.speckles(look.rng, color, 6)
+    parts = ring_parts([(0.09, 0.0), (0.1, 0.02 * w), (0.1, 0.034 * w), (0.09, 0.052 * w)],
+                       [(0.062, 0.048 * w), (0.062, 0.004)])  # fmt: skip
+    return shape([(join([body, *lugs]), rubber)], parts).scale(k)
+
+
+@category("catalytic_converter", size=(0.288, 0.127, 0.0971), mass=2.5, material="metal",
+          aliases=("exhaust", "silencer", "muffler", "exhaust pipe"), themes=("workbench",),
+          colors=("silver",))  # fmt: skip
+@from_pieces(foot=0.06)
+def catalytic_converter(look: Look) -> Pieces:
+    """A catalytic converter lying flat: an oval drum with three bands and two flanged pipes."""
+    steel = metal(look, "silver", "gray", "bronze")
+    body = spindle((-0.15, 0.024), (-0.11, 0.024), (-0.08, 0.05), (0.08, 0.05), (0.11, 0.024),
+                   (0.15, 0.024), z=0.05).scale(1, 1.3, 1)  # fmt: skip
+    shield = [spindle((x, 0.0512), (x + 0.006, 0.0512), z=0.05).scale(1, 1.29, 1)
+              for x in (-0.06, 0.0, 0.054)]  # fmt: skip
+    flanges = [spindle((x, 0.036), (x + 0.008, 0.036), sides=6, z=0.05) for x in (-0.15, 0.142)]
+    return [(body, steel), (join(shield), steel), (join(flanges), dye(look, "charcoal"))]

@@ -8,7 +8,7 @@ from ...kit import prints, surfaces
 from ...kit.materials import BRASS_TONE, STEEL_TONE, dye, plastic, shine, steel
 from ...kit.outlines import ellipse, smooth
 from ...kit.parts import above, box_part, cylinder_part, flat_foot, hull_of
-from ...kit.primitives import at_block, at_box, drum, facing, lay_down, rod, spindle
+from ...kit.primitives import at_block, at_box, disc, drum, facing, lay_down, rod, spindle
 from ...kit.shapes import Category, Drawing, Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import block, box, cylinder, join, lathe, prism, tube
 from ...kit.surfaces import RGB, Look, plain, tint_color
@@ -274,6 +274,31 @@ def flashlight(look: Look) -> Shape:
                   (switch, surfaces.plain((200, 60, 50))), (keel, dark)],
                  [box_part(0.68 * length, 1.5 * r, 2.2 * r, (-0.16 * length, 0, 0)),
                   box_part(0.22 * length, 2.2 * r, 3.0 * r, (0.39 * length, 0, 0))])  # fmt: skip
+
+
+@category("sat_nav", size=(0.133, 0.12, 0.0812), mass=0.2, material="device",
+          aliases=("satnav", "gps", "navigation device", "gps device", "navigator"),
+          themes=("workbench",), colors=("black",))  # fmt: skip
+@from_pieces(bodies=3)
+def sat_nav(look: Look) -> Pieces:
+    """A navigation device on a foot with a map on its screen."""
+    image = prints.canvas(128, 80, (206, 222, 196))
+    for path in (
+        [(0.0, 0.8), (0.4, 0.55), (1, 0.5)],
+        [(0.2, 0), (0.35, 0.5), (0.3, 1)],
+        [(0.7, 0), (0.75, 0.5), (0.95, 1)],
+    ):
+        prints.stroke(image, path, 0.06, (250, 250, 246))
+    prints.stroke(image, [(0.5, 1), (0.5, 0.55), (0.75, 0.5), (0.72, 0)], 0.07, (220, 60, 160))
+    prints.polygon(image, [(0.5, 0.7), (0.57, 0.92), (0.43, 0.92)], (40, 100, 220))
+    prints.fill(image, 0, 0, 1, 0.16, (34, 60, 110))
+    body = at_block(0.13, 0.08, 0.016, 0.01).turn(0, 1.25)
+    face = at_box(0.114, 0.066, 0.001, (0, 0, 0.0158)).turn(0, 1.25)
+    low = float(body.bounds[0, 2])
+    arm = rod([(0, 0.02, 0.04), (0, 0.05, 0.03), (0, 0.06, 0.01)], 0.008, 10)
+    cup = disc(0.03, 0.01, (0, 0.06, 0), top=0.02)
+    shell = plastic(look, "black", "charcoal", "silver")
+    return [(body.move(z=-low), shell), (arm, shell), (cup, shell), (face.move(z=-low), image)]
 
 
 CATEGORIES = (

@@ -11,6 +11,7 @@ from ...kit.primitives import at_block, at_box, disc, plate, rod, spindle, stand
 from ...kit.shapes import Pieces, category, from_pieces
 from ...kit.solids import Solid, join, lathe, prism, torus, tube
 from ...kit.surfaces import Look
+from .car_parts import DIPSTICK_BLACK
 
 DARK = surfaces.plain((28, 28, 30))
 
@@ -274,21 +275,6 @@ def gasket(look: Look) -> Pieces:
             (join(rims), shine(look, "copper", "silver"))]  # fmt: skip
 
 
-@category("catalytic_converter", size=(0.288, 0.127, 0.0971), mass=2.5, material="metal",
-          aliases=("exhaust", "silencer", "muffler", "exhaust pipe"), themes=("workbench",),
-          colors=("silver",))  # fmt: skip
-@from_pieces(foot=0.06)
-def catalytic_converter(look: Look) -> Pieces:
-    """A catalytic converter lying flat: an oval drum with three bands and two flanged pipes."""
-    steel = metal(look, "silver", "gray", "bronze")
-    body = spindle((-0.15, 0.024), (-0.11, 0.024), (-0.08, 0.05), (0.08, 0.05), (0.11, 0.024),
-                   (0.15, 0.024), z=0.05).scale(1, 1.3, 1)  # fmt: skip
-    shield = [spindle((x, 0.0512), (x + 0.006, 0.0512), z=0.05).scale(1, 1.29, 1)
-              for x in (-0.06, 0.0, 0.054)]  # fmt: skip
-    flanges = [spindle((x, 0.036), (x + 0.008, 0.036), sides=6, z=0.05) for x in (-0.15, 0.142)]
-    return [(body, steel), (join(shield), steel), (join(flanges), dye(look, "charcoal"))]
-
-
 @category("alternator", size=(0.14, 0.125, 0.132), mass=4.0, material="metal",
           aliases=("car alternator", "starter motor"), themes=("workbench",),
           colors=("silver",))  # fmt: skip
@@ -323,3 +309,17 @@ def water_pump(look: Look) -> Pieces:
     pipe = straight((0.03, 0, 0.022), (0.08, 0.02, 0.026), 0.013, 14)
     return [(flange, steel), (body, steel), (hub, shine(look)),
             (pulley, dye(look, "charcoal", "silver")), (pipe, steel)]  # fmt: skip
+
+
+@category("dipstick", size=(0.42, 0.044, 0.008), mass=0.05, material="metal",
+          aliases=("oil dipstick",), themes=("workbench",), roles=("flat", "big"),
+          colors=("yellow",))  # fmt: skip
+@from_pieces()
+def dipstick(look: Look) -> Pieces:
+    """A dipstick lying flat: a ring on the right, a thin wire and a flat tip with two marks."""
+    wire = rod([(-0.2, 0, 0.002), (0.1, 0, 0.002), (0.15, 0, 0.003)], 0.0018, 6)
+    blade = at_box(0.06, 0.006, 0.0022, (-0.2, 0, 0))
+    marks = [at_box(0.0015, 0.006, 0.0006, (x, 0, 0.0021)) for x in (-0.215, -0.19)]
+    ring = torus(0.018, 0.004, 24, 8).move(0.17, 0, 0.004)
+    return [(ring, plastic(look, "yellow", "orange", "red")), (wire, shine(look)),
+            (blade, shine(look)), (join(marks), DIPSTICK_BLACK)]  # fmt: skip

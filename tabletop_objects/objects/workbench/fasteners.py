@@ -9,9 +9,10 @@ from ...kit.materials import metal, plastic, shine
 from ...kit.outlines import arc
 from ...kit.parts import cylinder_part, flat_foot, hull_of, ring_parts
 from ...kit.primitives import at_block, at_box, disc, lay_down, spindle, standing, straight
-from ...kit.shapes import Pieces, Shape, category, from_pieces, shape, vary
+from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, shape, vary
 from ...kit.solids import box, cylinder, join, lathe, torus, tube
 from ...kit.surfaces import Look, tint_color
+from .materials import WOODEN, _rod
 
 BLACK = surfaces.plain((34, 34, 37))
 
@@ -167,18 +168,6 @@ def cable_clip(look: Look) -> Pieces:
     return [(body, tile), (loop, tile), (nail, shine(look))]
 
 
-@category("grommet", size=(0.032, 0.032, 0.011), mass=0.004, material="rubber",
-          aliases=("cable grommet", "rubber grommet", "cable gland", "eyelet"),
-          themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
-@from_pieces()
-def grommet(look: Look) -> Pieces:
-    """A soft grommet lying flat: a ring with a groove around its outside."""
-    tile = plastic(look, "black", "gray", "white", "charcoal")
-    body = lathe([(0.008, 0), (0.015, 0), (0.016, 0.003), (0.013, 0.004), (0.013, 0.007),
-                  (0.016, 0.008), (0.015, 0.011), (0.008, 0.011)], 28, loop=True)  # fmt: skip
-    return [(body, tile)]
-
-
 @category("velcro_strap", size=(0.09, 0.064, 0.02), mass=0.006, material="fabric",
           aliases=("hook and loop strap", "cable strap", "velcro tie", "velcro", "cable tie strap",
           "watch band strap"), themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
@@ -307,3 +296,44 @@ def washer(look: Look) -> Shape:
     body = lathe([(hole, 0), (r, 0), (r, h), (hole, h)], 32, loop=True)
     return shape([(body, look.surface(look.color(*WASHER_METALS), "metal"))],
                  ring_parts([(r, 0), (r, h)], [(hole, h), (hole, 0)], 8))  # fmt: skip
+
+
+@category("circlip", size=(0.027, 0.027, 0.0024), mass=0.002, material="metal",
+          aliases=("retaining ring", "snap ring", "c clip", "piston ring"), themes=("workbench",),
+          colors=("silver",), state="lying")  # fmt: skip
+@from_pieces()
+def circlip(look: Look) -> Pieces:
+    """A circlip lying flat: an open metal ring with a lug on each side of its gap."""
+    steel = metal(look, "silver", "charcoal")
+    a = np.linspace(-1.25, np.pi + 1.25, 40)
+    way = np.column_stack([0.012 * np.cos(a), 0.012 * np.sin(a), 0 * a + 0.0012])
+    ears = [at_block(0.005, 0.004, 0.0022, 0.0018, (s * 0.0042, -0.0118, 0)) for s in (-1, 1)]
+    return [(tube(way, 0.0016, 6, squash=0.75), steel), (join(ears), steel)]
+
+
+@category("turnbuckle", size=(0.168, 0.0251, 0.0116), mass=0.12, material="metal", assembled=True,
+          aliases=("wire tensioner", "rigging screw"), themes=("workbench",), colors=("silver",),
+          state="lying")  # fmt: skip
+@from_pieces(foot=0.08)
+def turnbuckle(look: Look) -> Pieces:
+    """A turnbuckle lying flat: two bars between end blocks and an eye bolt at each end."""
+    steel = metal(look, "silver", "gray")
+    frame = [
+        straight((-0.035, s * 0.009, 0.007), (0.035, s * 0.009, 0.007), 0.003, 8) for s in (-1, 1)
+    ]
+    ends = [at_block(0.014, 0.024, 0.012, 0.004, (s * 0.036, 0, 0.001)) for s in (-1, 1)]
+    bolts = [straight((s * 0.015, 0, 0.007), (s * 0.065, 0, 0.007), 0.0034, 8) for s in (-1, 1)]
+    eyes = [torus(0.01, 0.003, 20, 7).move(s * 0.074, 0, 0.0068) for s in (-1, 1)]
+    return [(join([*frame, *ends]), steel), (join(bolts), shine(look)), (eyes[0], steel),
+            (eyes[1], steel)]  # fmt: skip
+
+
+CATEGORIES = (
+    Category("dowel", _rod(0.008, 0.24, WOODEN, "wood"), size=(0.238, 0.0159, 0.0159), mass=0.03,
+             material="wood", aliases=("wooden dowel", "wooden rod", "stick", "wooden stick",
+             "dowel rod", "relay baton", "walking cane", "walking stick", "trekking pole",
+             "tent pole", "barber pole", "niddy noddy", "drop spindle", "metal shaft", "shaft",
+             "spoke", "mahl stick", "long stick", "stretcher bar"), themes=("workbench",),
+             colors=("wooden",), state="lying flat"),
+)  # fmt: skip
+"""Objects that share their drawing functions."""

@@ -72,23 +72,6 @@ def hasp(look: Look) -> Pieces:
             (join([slot, *holes]), BLACK)]  # fmt: skip
 
 
-@category("turnbuckle", size=(0.168, 0.0251, 0.0116), mass=0.12, material="metal", assembled=True,
-          aliases=("wire tensioner", "rigging screw"), themes=("workbench",), colors=("silver",),
-          state="lying")  # fmt: skip
-@from_pieces(foot=0.08)
-def turnbuckle(look: Look) -> Pieces:
-    """A turnbuckle lying flat: two bars between end blocks and an eye bolt at each end."""
-    steel = metal(look, "silver", "gray")
-    frame = [
-        straight((-0.035, s * 0.009, 0.007), (0.035, s * 0.009, 0.007), 0.003, 8) for s in (-1, 1)
-    ]
-    ends = [at_block(0.014, 0.024, 0.012, 0.004, (s * 0.036, 0, 0.001)) for s in (-1, 1)]
-    bolts = [straight((s * 0.015, 0, 0.007), (s * 0.065, 0, 0.007), 0.0034, 8) for s in (-1, 1)]
-    eyes = [torus(0.01, 0.003, 20, 7).move(s * 0.074, 0, 0.0068) for s in (-1, 1)]
-    return [(join([*frame, *ends]), steel), (join(bolts), shine(look)), (eyes[0], steel),
-            (eyes[1], steel)]  # fmt: skip
-
-
 @category("castor", size=(0.06, 0.05, 0.072), mass=0.12, material="metal",
           aliases=("caster", "castor wheel", "caster wheel", "furniture wheel", "furniture castor"),
           themes=("workbench",), colors=("silver",), state="lying")  # fmt: skip
@@ -354,3 +337,15 @@ def valve(look: Look) -> Shape:
                  [hull_of(solids[0]), *(flat_foot(s.vertices, 0.15) for s in solids[1:3]),
                      hull_of(solids[3]), hull_of(solids[4]),
                      hull_of(solids[5])])  # fmt: skip
+
+
+@category("grommet", size=(0.032, 0.032, 0.011), mass=0.004, material="rubber",
+          aliases=("cable grommet", "rubber grommet", "cable gland", "eyelet"),
+          themes=("workbench",), colors=("black",), state="lying")  # fmt: skip
+@from_pieces()
+def grommet(look: Look) -> Pieces:
+    """A soft grommet lying flat: a ring with a groove around its outside."""
+    tile = plastic(look, "black", "gray", "white", "charcoal")
+    body = lathe([(0.008, 0), (0.015, 0), (0.016, 0.003), (0.013, 0.004), (0.013, 0.007),
+                  (0.016, 0.008), (0.015, 0.011), (0.008, 0.011)], 28, loop=True)  # fmt: skip
+    return [(body, tile)]

@@ -5,26 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...kit import surfaces
-from ...kit.materials import dye, metal, shine
-from ...kit.outlines import arc
+from ...kit.materials import DARK, dye, metal, shine, steel
+from ...kit.outlines import arc, ellipse, rectangle
 from ...kit.parts import cylinder_part, hull_of, ring_parts
-from ...kit.primitives import at_block, disc
-from ...kit.shapes import Pieces, Shape, category, from_pieces, shape
+from ...kit.primitives import at_block, at_box, disc, drum, plate
+from ...kit.shapes import Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import cylinder, join, lathe, prism, torus, tube
-from ...kit.surfaces import Look
-
-
-@category("circlip", size=(0.027, 0.027, 0.0024), mass=0.002, material="metal",
-          aliases=("retaining ring", "snap ring", "c clip", "piston ring"), themes=("workbench",),
-          colors=("silver",), state="lying")  # fmt: skip
-@from_pieces()
-def circlip(look: Look) -> Pieces:
-    """A circlip lying flat: an open metal ring with a lug on each side of its gap."""
-    steel = metal(look, "silver", "charcoal")
-    a = np.linspace(-1.25, np.pi + 1.25, 40)
-    way = np.column_stack([0.012 * np.cos(a), 0.012 * np.sin(a), 0 * a + 0.0012])
-    ears = [at_block(0.005, 0.004, 0.0022, 0.0018, (s * 0.0042, -0.0118, 0)) for s in (-1, 1)]
-    return [(tube(way, 0.0016, 6, squash=0.75), steel), (join(ears), steel)]
+from ...kit.surfaces import Look, plain
+from .bike_parts import _teeth
 
 
 @category("o_ring", size=(0.0344, 0.0344, 0.0043), mass=0.001, material="rubber",
@@ -134,3 +122,46 @@ def spring(look: Look) -> Shape:
                  ring_parts([(r + 0.9 * wire, 0.0002), (r + 0.9 * wire, 0.99 * h)],
                             [(r - wire, 0.99 * h), (r - wire, 0.0002)],
                             10))  # fmt: skip
+
+
+@category("chain", size=(0.112, 0.0415, 0.0088), mass=0.08, material="metal", assembled=True,
+          aliases=("metal chain", "steel chain", "iron chain", "chain link", "length of chain",
+          "master link", "bike chain"), themes=("workbench",), colors=("silver",))  # fmt: skip
+def chain(look: Look) -> Shape:
+    """A piece of chain, lying in a curve."""
+    k = look.between(0.85, 1.15)
+    metal = look.surface(look.color("silver", "gray", "charcoal", "gold", "brass"), "metal")
+    links, n, r = [], 11, 0.0018 * k
+    long = 0.008 * k
+    ring = ellipse(2 * long, 1.15 * long, 12)
+    bow = look.between(0.9, 1.4)
+    for m in range(n):
+        t = (m - (n - 1) / 2) / n
+        way = np.column_stack([ring, np.zeros(12)])
+        link = tube(way, r, 6, loop=True)
+        link = link.turn(0, 0.35 if m % 2 else -0.75).turn(2, -2 * bow * t * 1.1)
+        link = link.move(0.0118 * k * (m - (n - 1) / 2) * (1 - 0.1 * abs(t)),
+                         -0.06 * k * bow * t * t * 2)  # fmt: skip
+        links.append(link)
+    links = [s.move(z=-float(s.bounds[0, 2])) for s in links]
+    return shape([(join(links), metal)], [hull_of(s) for s in links])
+
+
+@category("crank", size=(0.244, 0.157, 0.0157), mass=0.45, material="metal", aliases=("crankset",
+          "chainset", "crank arm", "chainring", "bike crank", "chain ring", "pedal crank"),
+          themes=("workbench",), roles=("flat",), colors=("silver",))  # fmt: skip
+def crank(look: Look) -> Shape:
+    """A crank arm with a chainring, lying flat."""
+    color = look.color("silver", "black", "charcoal")
+    k = look.between(0.85, 1.1)
+    ring = _teeth(0.08, 36, 0.004, 0.004)
+    hole = drum(0.052, 0.0006, (0, 0, 0.0036), sides=30)
+    spider = [
+        at_box(0.075, 0.014, 0.006, (0.036, 0, 0.002)).turn(2, n * 2 * np.pi / 5) for n in range(5)
+    ]
+    hub = drum(0.018, 0.014, (0, 0, 0.002), bevel=0.002)
+    arm = plate(rectangle(0.18, 0.026, 0.012), 0.01, at=(0.078, 0, 0.005), bevel=0.002)
+    eye = drum(0.008, 0.0006, (0.157, 0, 0.0148))
+    return put_down([(join([ring, *spider]), steel(look)), (hole, plain((60, 62, 66))),
+                     (join([hub, arm]), look.surface(color, "metal")), (eye, plain(DARK))],
+                    ring, arm, factor=k)  # fmt: skip

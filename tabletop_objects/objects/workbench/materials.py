@@ -8,7 +8,7 @@ import numpy as np
 
 from ...kit import prints, surfaces
 from ...kit.materials import steel, tool_steel
-from ...kit.outlines import arc, ellipse, rectangle
+from ...kit.outlines import arc, rectangle
 from ...kit.parts import box_part, flat_foot, hull_of, hull_part, ring_parts
 from ...kit.primitives import at_box, lay_down, plate, side_view
 from ...kit.shapes import Category, Shape, category, put_down, shape
@@ -47,29 +47,6 @@ def house_brick(look: Look) -> Shape:
     return put_down([(body, surfaces.spots(look.rng, tint_color(color, 0.9), tint_color(color, 0.5),
                                            0.2)), (join(frame), tile)], whole,
                     factor=k)  # fmt: skip
-
-
-@category("chain", size=(0.112, 0.0415, 0.0088), mass=0.08, material="metal", assembled=True,
-          aliases=("metal chain", "steel chain", "iron chain", "chain link", "length of chain",
-          "master link", "bike chain"), themes=("workbench",), colors=("silver",))  # fmt: skip
-def chain(look: Look) -> Shape:
-    """A piece of chain, lying in a curve."""
-    k = look.between(0.85, 1.15)
-    metal = look.surface(look.color("silver", "gray", "charcoal", "gold", "brass"), "metal")
-    links, n, r = [], 11, 0.0018 * k
-    long = 0.008 * k
-    ring = ellipse(2 * long, 1.15 * long, 12)
-    bow = look.between(0.9, 1.4)
-    for m in range(n):
-        t = (m - (n - 1) / 2) / n
-        way = np.column_stack([ring, np.zeros(12)])
-        link = tube(way, r, 6, loop=True)
-        link = link.turn(0, 0.35 if m % 2 else -0.75).turn(2, -2 * bow * t * 1.1)
-        link = link.move(0.0118 * k * (m - (n - 1) / 2) * (1 - 0.1 * abs(t)),
-                         -0.06 * k * bow * t * t * 2)  # fmt: skip
-        links.append(link)
-    links = [s.move(z=-float(s.bounds[0, 2])) for s in links]
-    return shape([(join(links), metal)], [hull_of(s) for s in links])
 
 
 @category("rope", size=(0.185, 0.135, 0.045), mass=0.15, material="fabric", assembled=True,
@@ -234,12 +211,6 @@ CATEGORIES = (
              material="wood", aliases=("block of wood", "wooden brick", "sanding block",
              "rectangular wooden block", "balsa wood block"), themes=("workbench",),
              colors=("wooden",)),
-    Category("dowel", _rod(0.008, 0.24, WOODEN, "wood"), size=(0.238, 0.0159, 0.0159), mass=0.03,
-             material="wood", aliases=("wooden dowel", "wooden rod", "stick", "wooden stick",
-             "dowel rod", "relay baton", "walking cane", "walking stick", "trekking pole",
-             "tent pole", "barber pole", "niddy noddy", "drop spindle", "metal shaft", "shaft",
-             "spoke", "mahl stick", "long stick", "stretcher bar"), themes=("workbench",),
-             colors=("wooden",), state="lying flat"),
     Category("metal_rod", _rod(0.006, 0.2, ("silver", "gray", "brass", "copper"), "metal"),
              size=(0.198, 0.0119, 0.0119), mass=0.15, material="metal", aliases=("steel rod",
              "metal bar", "rod", "iron rod", "steel bar", "seat post", "handlebar stem"),

@@ -11,7 +11,9 @@ from ...kit.materials import BRASS_TONE, DARK, metal, shine, steel, tool_steel
 from ...kit.outlines import arc, ellipse, rectangle, smooth
 from ...kit.parts import box_part, cylinder_part, flat_foot, frame_parts, hull_of, hull_part
 from ...kit.primitives import (
+    at_block,
     at_box,
+    disc,
     drum,
     facing,
     lay_down,
@@ -25,6 +27,7 @@ from ...kit.primitives import (
 from ...kit.shapes import Category, Pieces, Shape, category, from_pieces, put_down, shape
 from ...kit.solids import block, box, cylinder, ellipsoid, join, lathe, prism, sweep, torus, tube
 from ...kit.surfaces import Look, plain, tint_color
+from .car_parts import BLACK
 
 
 @category("wheel_brace", size=(0.38, 0.38, 0.026), mass=1.2, material="metal", assembled=True,
@@ -786,6 +789,61 @@ def multitool(look: Look) -> Shape:
     return put_down([(join(handles), look.surface(color, "metal")),
                      (join([*jaws, blade]), steel(look)), (pivot, plain((80, 82, 88)))], *handles,
                     join(jaws), blade, factor=k)  # fmt: skip
+
+
+@category("tyre_lever", size=(0.131, 0.0186, 0.00932), mass=0.02, material="plastic",
+          aliases=("tire lever", "bike lever"), themes=("workbench",), roles=("flat",),
+          colors=("blue", "yellow"))  # fmt: skip
+def tyre_lever(look: Look) -> Shape:
+    """A tyre lever with a hooked tip, lying flat."""
+    color = look.color("blue", "yellow", "red", "black", "orange", "green")
+    k = look.between(0.85, 1.15)
+    rim = [(-0.06, -0.009), (0.03, -0.007), (0.055, -0.005), (0.06, 0), (0.055, 0.005),
+           (0.03, 0.007), (-0.06, 0.009), (-0.066, 0)]  # fmt: skip
+    body, tip = plate(rim, 0.006, bevel=0.001), at_box(0.008, 0.01, 0.009, (0.055, 0, 0))
+    rib = at_box(0.07, 0.004, 0.008, (-0.02, 0, 0))
+    return put_down(
+        [(join([body, tip]), plain(color)), (rib, plain(tint_color(color, 0.8)))], body, factor=k
+    )
+
+
+@category("car_jack", size=(0.28, 0.07, 0.174), mass=2.5, material="metal", assembled=True,
+          aliases=("scissor jack", "bottle jack"), themes=("workbench",),
+          colors=("red",))  # fmt: skip
+@from_pieces()
+def car_jack(look: Look) -> Pieces:
+    """A half-raised scissor jack: a foot, a diamond of arms and a screw with a crank."""
+    tile = metal(look, "red", "black", "yellow", "charcoal")
+    foot = at_block(0.12, 0.07, 0.008, 0.006)
+    left, right, low, high = (-0.11, 0.085), (0.11, 0.085), (0.0, 0.012), (0.0, 0.16)
+    arms = []
+    for a, b in ((low, left), (low, right), (left, high), (right, high)):
+        arms.append(straight((a[0], -0.018, a[1]), (b[0], -0.018, b[1]), 0.01, 4))
+        arms.append(straight((a[0], 0.018, a[1]), (b[0], 0.018, b[1]), 0.01, 4))
+    screw = straight((-0.13, 0, 0.085), (0.15, 0, 0.085), 0.0065, 10)
+    nuts = [at_box(0.024, 0.05, 0.026, (x, 0, 0.072)) for x in (-0.11, 0.11)]
+    saddle = at_block(0.06, 0.05, 0.012, 0.004, (0, 0, 0.162))
+    return [(foot, tile), (join(arms), tile), (join(nuts), tile), (saddle, tile),
+            (screw, shine(look))]  # fmt: skip
+
+
+@category("foot_pump", size=(0.291, 0.185, 0.113), mass=1.5, material="metal", assembled=True,
+          themes=("workbench",), colors=("red",))  # fmt: skip
+@from_pieces()
+def foot_pump(look: Look) -> Pieces:
+    """A foot pump: a barrel between steel arms, a pedal, a gauge and a hose."""
+    tile = metal(look, "red", "blue", "black", "yellow")
+    base = [at_box(0.24, 0.012, 0.012, (0, s * 0.05, 0)) for s in (-1, 1)]
+    cross = [at_box(0.016, 0.11, 0.012, (x, 0, 0)) for x in (-0.11, 0.11)]
+    barrel = straight((-0.06, 0, 0.035), (0.075, 0, 0.075), 0.026, 18)
+    arms = [straight((-0.11, s * 0.036, 0.012), (0.09, s * 0.036, 0.1), 0.006, 6) for s in (-1, 1)]
+    pedal = at_block(0.05, 0.1, 0.012, 0.006, (0.09, 0, 0.096))
+    dial = disc(0.02, 0.012, (-0.08, 0, 0.04))
+    hose = rod([(-0.09, 0, 0.03), (-0.15, 0.03, 0.008), (-0.13, 0.1, 0.006), (-0.02, 0.115, 0.006),
+                (0.08, 0.1, 0.006)], 0.0055, 8, 6)  # fmt: skip
+    return [(join([*base]), tile), (join(cross), tile), (barrel, shine(look, "silver", "charcoal")),
+            (join(arms), tile), (pedal, BLACK), (dial, surfaces.plain((240, 238, 232))),
+            (hose, BLACK)]  # fmt: skip
 
 
 CATEGORIES = (
