@@ -33,7 +33,8 @@ def suggestion(wrong: str, names: Collection[str]) -> str:
     """Return " Did you mean 'mug'?" with the most similar name, or "" if none is similar."""
     from rapidfuzz import fuzz, process
 
-    near = process.extractOne(wrong, names, scorer=fuzz.ratio, score_cutoff=_SIMILAR)
+    latest = sorted(names, reverse=True)  # of equally similar versions the last one
+    near = process.extractOne(wrong, latest, scorer=fuzz.ratio, score_cutoff=_SIMILAR)
     return f" Did you mean {near[0]!r}?" if near else ""
 
 

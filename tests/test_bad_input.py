@@ -314,7 +314,9 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
     at: int, store: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
     """The stages before are stubs; the one in question is interrupted."""
-    reference = SimpleNamespace(prompt=TEXT, plan=None, image=np.zeros((4, 4, 3), np.uint8))
+    reference = SimpleNamespace(
+        prompt=TEXT, plan=None, depth=None, image=np.zeros((4, 4, 3), np.uint8)
+    )
     answers: list[Any] = [
         reference,
         (reference, (SimpleNamespace(name="table"),)),
