@@ -30,7 +30,7 @@ from generator.physics import decomposition
 from generator.physics.gate import GateLimits, judge
 from generator.sandbox import SandboxError
 
-BROKEN = {"broken": b"this is no GLB file at all"}
+BROKEN = {"broken": b"this is not a GLB file at all"}
 ONE, TWO = {"one": box}, {"one": box, "two": box}
 
 
@@ -56,7 +56,7 @@ def test_a_dozen_foreign_meshes_are_all_taken_beside_two_that_cannot_be(tmp_path
         **dict.fromkeys(MAKERS, "taken"), **dict.fromkeys(repaired, "repaired"),
         "millimetres": "refused", "broken": "refused",
     }  # fmt: skip
-    assert "is no GLB file" in found["broken"].detail
+    assert "is not a GLB file" in found["broken"].detail
     assert "90 m tall, try --scale 0.001" in found["millimetres"].detail
     assert "close holes" in found["torn"].detail
     assert found["thin"].detail == "a sheet, made 0.4 mm thick"
@@ -90,7 +90,7 @@ def test_what_cannot_be_decomposed_collides_as_its_hull(
 @pytest.mark.usefixtures("inline")
 def test_nothing_left_is_an_error_with_every_reason(tmp_path: Path) -> None:
     broken = {"a": b"nothing", "b": b"nothing either"}
-    with pytest.raises(InputError, match=r"None of the 2 objects .*a: .*no GLB.*b: .*no GLB"):
+    with pytest.raises(InputError, match=r"None of the 2 objects .*a: .*not a GLB.*b: .*not a GLB"):
         import_scene(write_meshes(tmp_path, {}, broken))
 
 
@@ -100,7 +100,7 @@ def test_the_command_prints_a_table_of_outcomes(tmp_path: Path, shell: Shell) ->
     said = shell("import", str(source), "--out", str(tmp_path / "out")).out
     rows = [line.split() for line in said.splitlines()]
     assert ["one", "taken"] in rows and "refused" in said
-    assert said.count("no GLB file") == 1
+    assert said.count("not a GLB file") == 1
     told = shell("import", str(source), "--out", str(tmp_path / "out"), "--json").out
     facts = json.loads(told)
     assert [o["kind"] for o in facts["outcomes"]] == ["taken", "refused"]
