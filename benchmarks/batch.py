@@ -70,13 +70,13 @@ def table(runs: Sequence[BatchRun], head: str) -> str:
 
 
 def main() -> int:
-    """Time the batches, print and write the table; 1 if the bundles differ."""
+    """Time the batches, print and write the table; return 1 if the bundles differ."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--texts", type=Path, default=HERE / "table78.json")
     parser.add_argument("--cases", type=int, default=40)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--route", choices=("generate", "compose"), default="generate")
-    parser.add_argument("--ray", help="also on Ray at this address")
+    parser.add_argument("--ray", help="also run on Ray at this address")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     parser.add_argument("--note", default="")
     args = parser.parse_args()

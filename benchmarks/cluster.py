@@ -158,7 +158,7 @@ def table(runs: Sequence[ClusterRun], head: str) -> str:
 
 
 def main() -> int:
-    """Run all tasks with all executors, print and write the table; 1 if results differ."""
+    """Run all tasks with all executors, print and write the table; return 1 if results differ."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--episodes", type=int, default=24)
     parser.add_argument("--scenes", type=int, default=12)

@@ -202,7 +202,7 @@ def table(counts: dict[str, Counter[str]], broken: Sequence[str], head: str) -> 
 
 
 def main() -> int:
-    """Run the test, print and write the table; 1 if anything was broken."""
+    """Run the test, print and write the table; return 1 if anything was broken."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--out", type=Path, default=HERE / "results")

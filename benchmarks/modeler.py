@@ -57,7 +57,7 @@ class ModelerCase:
     seen: SizePrior
 
     def look(self, item: Item, turn: float) -> tuple[UInt8[np.ndarray, "s s 3"], np.ndarray]:
-        """Draw an item close up from ``turn`` radians around; return picture and silhouette."""
+        """Draw an item close up, seen ``turn`` radians around it; return picture and silhouette."""
         low, high = self.truth.vertices.min(0), self.truth.vertices.max(0)
         middle, radius = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
         away = self.camera.position - middle

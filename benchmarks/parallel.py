@@ -164,7 +164,7 @@ def table(one: ParallelRow, many: ParallelRow, workers: int, head: str) -> str:
 
 
 def main() -> int:
-    """Make the scene with each pool, print and write the table; 1 if the share is above 1/3."""
+    """Make the scene with each pool and write the table; return 1 if the share is above 1/3."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--delay", type=float, default=1.0, help="seconds per answer")
     parser.add_argument("--workers", type=int, default=8)

@@ -60,7 +60,11 @@ def parser() -> argparse.ArgumentParser:
     single.add_argument("--blur", type=float, default=usual.blur, metavar="PX")
     single.add_argument("--size-error", type=float, default=usual.size_error, metavar="SHARE")
     single.add_argument(
-        "--paper", type=int, default=0, metavar="N", help="takes minutes per object"
+        "--paper",
+        type=int,
+        default=0,
+        metavar="N",
+        help="cases to repeat with the paper's settings, minutes each",
     )
     whole = modes.add_parser("scenes", help="whole scenes, all stages, from the picture alone")
     whole.add_argument("--cases", type=int, default=40)

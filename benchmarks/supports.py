@@ -46,7 +46,7 @@ FIELDS = (
 SPEAKS = re.compile(r"\b(on|in|inside|into|stack\w*|pile\w*|hold\w*|contain\w*|full of)\b", re.I)
 MEANING = {
     "table": "stands on the table", "on": "`on` another object", "inside": "`inside` it",
-    "relation_on": "relation on, called true", "relation_in": "relation in, called true",
+    "relation_on": "relation on, marked true", "relation_in": "relation in, marked true",
 }  # fmt: skip
 
 
@@ -137,7 +137,7 @@ def summary(rows: Sequence[Row], command: str) -> str:
         *(f"| {MEANING[s]} | {_share(column(done, f'{s}_true').sum(), column(done, s).sum())} |"
           for s in SHARES),
         f"| scenes in which all hold | {_share(whole, len(done))} |",
-        f"| relations on and in that the report calls false | "
+        f"| relations on and in that the report marks false | "
         f"{column(done, 'false_relations').sum():.0f} |",
         f"| texts without a scene | {len(rows) - len(done)} |",
         "",

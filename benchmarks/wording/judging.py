@@ -112,11 +112,7 @@ def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
 
 
 def assign(clauses: Sequence[ExpectedThing], things: Sequence[Thing]) -> list[list[Thing]]:
-    """Assign objects to clauses so that as many counts as possible are satisfied.
-
-    Among such assignments, the one with the most literal names, and the most correct sizes and
-    colours, is chosen.
-    """
+    """Assign objects to clauses such that as many counts as possible are satisfied."""
     slots = [
         (k, n < c.least) for k, c in enumerate(clauses) for n in range(min(c.most, len(things)))
     ]

@@ -8,7 +8,7 @@ elements of PyBullet, Drake and Gazebo, see ``engines``. Ellipsoids are hulls.
 
 In addition to its texture a body has a colour. In ``scene.urdf`` it is the mean of the texture, for
 readers without textures (MuJoCo), which would otherwise draw white objects; in an object's own file
-it is white, by which PyBullet multiplies the texture.
+it is white, since PyBullet multiplies the texture by it.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ _Pictures = dict[str, UInt8[np.ndarray, "_h _w 3"]]
 def model_picture(
     model: Model, yaw: float = 0.0, view: View = _STUDIO, side: int = 256
 ) -> UInt8[np.ndarray, "side side 3"]:
-    """Draw one canonical model at its commonsense size, turned by ``yaw`` radians."""
+    """Draw one canonical model at its commonsense size, rotated by ``yaw`` radians."""
     item = place(model.mesh, model.size, np.zeros(3), yaw_quaternion(yaw))
     camera = framing_camera(np.asarray(item.vertices), view, side, side)
     return render([item], camera).image
@@ -42,7 +42,7 @@ def bundle_images(
 
 
 def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
-    """Draw a scene from its reference view; the picture of ``preview.png``."""
+    """Draw a scene from its reference view, as in ``preview.png``."""
     return render_scene(scene, width=960, height=720).image
 
 

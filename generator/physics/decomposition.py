@@ -207,7 +207,7 @@ def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
 def _read(path: Path) -> tuple[Hulls, int] | None:
     """Return the hulls and pieces stored at ``path``; None if the file is missing or invalid."""
     try:
-        arrays = read_arrays(path, "The kept hulls", SceneError, max_bytes=_MAX_KEPT)
+        arrays = read_arrays(path, "The cached hulls", SceneError, max_bytes=_MAX_KEPT)
         pieces = int(arrays.pop("pieces"))
         hulls = [np.asarray(array, np.float64) for array in arrays.values()]
     except (SceneError, KeyError, ValueError, TypeError):

@@ -61,7 +61,10 @@ def test_the_table_is_found_by_its_name_or_by_what_stands_on_it(tmp_path: Path, 
     ("body", "said"),
     [
         (TABLE, "no free body"),
-        (TABLE + CUBE.replace("<freejoint/>", '<joint type="hinge"/>'), "1 joints other than free.*cube"),
+        (
+            TABLE + CUBE.replace("<freejoint/>", '<joint type="hinge"/>'),
+            "1 joints other than free.*cube",
+        ),
         (
             TABLE
             + CUBE.replace("</body>", "<body name='lid'><joint/><geom size='.1'/></body></body>"),

@@ -18,7 +18,7 @@ def pixel_area_and_ratio_error(
     """Return A_px and epsilon_ratio of Eq. 5.
 
     A_px = w_img h_img and epsilon_ratio = |log r_phys - log r_img|, with r = width / height; r_phys
-    is of the physical ``size`` (metres) turned by ``yaw`` and projected onto the XY-plane.
+    is that of the physical ``size`` (metres) rotated by ``yaw`` and projected onto the XY-plane.
     """
     w_img, h_img = box[2] - box[0], box[3] - box[1]
     w_phys, h_phys = rotated_extent(np.asarray(size), yaw)
@@ -80,7 +80,7 @@ def rectangle_box(
     """Return the top-view box of an object's own rotated rectangle, given the box of its outline.
 
     Eqs. 5 and 6 project the box of the physical size. The top view shows the outline of the object
-    itself, whose box is smaller (a mug turned by 45 degrees) and may be off-centre (because of its
+    itself, whose box is smaller (a mug rotated by 45 degrees) and may be off-centre (because of its
     handle). ``mesh`` is canonical, ``size`` in metres, ``yaw`` in radians.
     """
     points = mesh.vertices[:, :2] * size[:2] @ rotation_z(yaw)[:2, :2].T
