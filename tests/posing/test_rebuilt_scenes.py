@@ -123,7 +123,7 @@ def test_a_round_model_of_a_thing_with_a_front_is_not_right() -> None:
     text = scenes.summary(rows, "bench")
     assert "median of the evaluated ones | 3.00° |" in text
     assert "is wrong | 25 %, 50 %, 50 % |" in text
-    assert "(generic): number; their yaw error, median | 1; 40.0° |" in text
+    assert "a generic object: number; their yaw error, median | 1; 40.0° |" in text
     assert "Round models of objects with a front: scene 0 pan_1 (mug)." in text
 
 
