@@ -1,17 +1,17 @@
-"""The paper's Table 3: what DRO and TSA are worth, by leaving them out (Sec. 4.3).
+"""The paper's Table 3: the contribution of DRO and TSA, measured by ablation (Sec. 4.3).
 
     python benchmarks/ablation.py --split test --cases 12
 
-Composes tables, draws each, and gives the picture alone to ``generator.pipeline.generate``: in full
-with and without the joint refinement, and with ``Config.without`` DRO, TSA, or both. What the
-variants ask alike (segmentation, completion, models) is asked once a scene. Each object is held
-against the truth as placed; collisions are measured before and after separation.
+Composes tables, draws each, and passes only the picture to ``generator.pipeline.generate``: in
+full, with and without the joint refinement, and with ``Config.without`` DRO, TSA, or both. Queries
+that the variants share (segmentation, completion, models) run once per scene. Each object is
+compared with the truth as placed; collisions are measured before and after separation.
 
-Each split has catalogue variants and random numbers of its own: develop on "dev", report "test".
-Rows are written to ``ablation_<split>.csv`` as scenes end (a second run resumes), then the table to
-``ablation_<split>.md`` and the scenes ``--sheet`` as placed, from the picture's camera, to
-``ablation_<split>.png``; the pictures of all scenes go to ``--pictures``/ablation_<split>/.
-With ``--text`` every scene is of that text, which ends the names of the files.
+Each split has its own catalogue variants and random numbers: develop on "dev", report "test". Rows
+are written to ``ablation_<split>.csv`` as scenes finish (a second run resumes), then the table to
+``ablation_<split>.md`` and the scenes ``--sheet`` as placed, seen from the picture's camera, to
+``ablation_<split>.png``; the pictures of all scenes go to ``--pictures``/ablation_<split>/. With
+``--text`` every scene has that text, which is appended to the file names.
 """
 
 from __future__ import annotations
@@ -35,12 +35,15 @@ def main() -> None:
     p.add_argument("--cases", type=int, default=12)
     p.add_argument("--split", choices=tuple(STREAMS), default="dev")
     p.add_argument("--seed", type=int, default=1)
-    p.add_argument("--text", default="", help="of every scene; themes otherwise")
+    p.add_argument("--text", default="", help="text of every scene; by default themes")
     p.add_argument("--workers", type=int, default=1)
-    p.add_argument("--sheet", type=int, nargs="*", default=(0, 1, 2), help="scenes to show")
-    p.add_argument("--note", default="", help="what was seen, for below the table")
+    p.add_argument("--sheet", type=int, nargs="*", default=(0, 1, 2), help="scenes on the sheet")
+    p.add_argument("--note", default="", help="observations, printed below the table")
     p.add_argument(
-        "--pictures", type=Path, default=HERE.parent / "out", help="folder of all scenes'"
+        "--pictures",
+        type=Path,
+        default=HERE.parent / "out",
+        help="folder for the pictures of all scenes",
     )
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()

@@ -1,19 +1,18 @@
-"""Baselines: train the recipes with several seeds, and play at held-out tables never met before.
+"""Baselines: train the recipes with several seeds and evaluate them at held-out tables.
 
     python benchmarks/baselines.py                                    # all of RECIPES, three seeds
     python benchmarks/baselines.py --recipe lift-clone --seeds 0 1 2 --workers 2
 
-A seed is trained as ``python -m tabletopgen_env train RECIPE --seed SEED`` does, and its *last*
-policy, not the best by validation, plays ``--episodes`` episodes as ``enjoy --scenes fresh --seed
-2000`` does: each at a table made again on the held-out side of the split. A row a seed goes to
-``baselines.csv`` as it ends (a second run resumes; a run that was trained already is only played),
-the summary to ``baselines.md`` and the curves of validation to ``baselines.png``.
+A seed is trained as by ``python -m tabletopgen_env train RECIPE --seed SEED``, and its *last*
+policy, not the best in validation, plays ``--episodes`` episodes as with ``enjoy --scenes fresh
+--seed 2000``: each at a newly generated table from the held-out side of the split. One row per seed
+is written to ``baselines.csv`` when it finishes (a second run resumes; a completed training is only
+evaluated), the summary to ``baselines.md`` and the validation curves to ``baselines.png``.
 
-Lift and PickPlace see a grasp hint, but for ``-look``, whose policies see height maps and learn by
-themselves where to grasp; what the expert shows them at tables is kept in the folder of the runs,
-for all seeds. What the hint alone is worth is told by the recipes of ``RULES``, which train nothing
-and go where it points (``pace/rule.py``), what it is worth to learn without by
-``lift-clone-plain``.
+Lift and PickPlace observe a grasp hint, except in ``-look`` recipes, whose policies observe height
+maps and learn where to grasp; the expert's demonstrations for them are stored in the folder of the
+runs, for all seeds. The recipes of ``RULES`` show the value of the hint alone: they train nothing
+and go where it points (``pace/rule.py``). ``lift-clone-plain`` learns without it.
 """
 
 from __future__ import annotations
@@ -57,17 +56,18 @@ RULES = {
     "rule-pickplace-planned": ("PickPlace", "planned"),
 }
 SHOWINGS = "showings"
-"""Where, beside the runs, what the expert shows to policies that look is kept."""
+"""Folder next to the runs with the expert's demonstrations for policies that observe height
+maps."""
 
 SEED = 2000
-"""Of the episodes played, the same ones for every policy of a task."""
+"""Seed of the evaluation episodes, which are the same for all policies of a task."""
 
 KEY = ("recipe", "seed", "episodes", "hint")
 FIELDS = (*KEY, "steps", "minutes", "solved", "tables", "length", "failed")
 
 
 def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> list[Row]:
-    """Train one seed, unless that is done, and play."""
+    """Train one seed, unless it is already trained, and evaluate it."""
     name, seed = job
     steps, minutes = 0, 0.0
     if name in RULES:
@@ -89,12 +89,12 @@ def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> li
 
 
 def train_baseline(name: str, seed: int, runs: Path, validation: int) -> Path:
-    """Return the folder of a whole run of a recipe.
+    """Return the folder of a completed run of a recipe.
 
-    Of a run that was cut off, cloning resumes and all else is begun anew.
+    After an interruption, cloning resumes and other algorithms restart.
 
     Raises:
-        KeyboardInterrupt: Ctrl-C has ended the training.
+        KeyboardInterrupt: Ctrl-C ended the training.
     """
     folder = folder_of(runs, name, seed)
     if not folder.exists():
@@ -112,9 +112,9 @@ def train_baseline(name: str, seed: int, runs: Path, validation: int) -> Path:
 
 
 def hint_of(name: str) -> str:
-    """Return what the grasp hint of a recipe is: its kind, and the detector's weights.
+    """Return the grasp hint of a recipe: its kind, and the detector's weights.
 
-    Of a policy that looks these are what its head starts from.
+    Policies that observe height maps start from these weights.
     """
     if name not in RULES and (recipe_named(name).cloning or {}).get("head_start") == "detector":
         return f"head {shipped_digest()}"
@@ -136,7 +136,7 @@ def playing(
 
 
 def folder_of(runs: Path, name: str, seed: int) -> Path:
-    """Return where a run of a recipe, by name or file, lies."""
+    """Return the folder of a recipe's run; the recipe is given by name or file."""
     return runs / f"{Path(name).stem}-{seed}"
 
 
@@ -151,19 +151,19 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
         "# Baselines at held-out fresh tables",
         f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
         "",
-        "Each seed trained by itself; its last policy plays one episode at each of the tables, "
-        "which neither training nor validation has met. State observations; `-sac` and `-ppo` "
-        "learn from the reward alone, `-clone` is fitted to the scripted expert's advice "
-        "(DAgger). Lift and PickPlace see the grasp hint: that of a network, which has learned "
-        "from height maps of training tables where to grasp; with `-planned` that of the "
-        "expert's planners, which know the collision shapes; with `-plain` none, with `-look` "
-        "none either, but height maps around target and goal, in which the policy learned to "
-        "find grasps; with `-sight` neither state nor hint, but pictures with depth, masks of the "
-        "target (of Lift), calibrations and proprioception. The `rule-` rows are of a few lines "
-        "that go where the hint points and learn nothing. Steps are of the environment, or of "
-        "cloning the states with advice. "
-        "Minutes are of the whole training, tables made and validation included. Interval: "
-        "Wilson, 95 %, of a policy at tables like these; the seeds play at the same tables.",
+        "Seeds are trained independently; the last policy of each plays one episode at each of "
+        "the tables, which are used neither in training nor in validation. State observations; "
+        "`-sac` and `-ppo` learn from the reward alone, `-clone` is fitted to the scripted "
+        "expert's advice (DAgger). Lift and PickPlace observe the grasp hint: by default from a "
+        "network trained on height maps of training tables; with `-planned` from the expert's "
+        "planners, which know the collision shapes; with `-plain` none; with `-look` none "
+        "either, but height maps around target and goal, in which the policy learned to find "
+        "grasps; with `-sight` neither state nor hint, but pictures with depth, masks of the "
+        "target (for Lift), calibrations and proprioception. The `rule-` rows are a few lines of "
+        "code that go where the hint points and learn nothing. Steps are environment steps, or "
+        "for cloning the states with advice. Minutes are those of the whole training, including "
+        "generation of tables and validation. Interval: Wilson, 95 %, for a policy at similar "
+        "tables; all seeds play at the same tables.",
         "",
         "| recipe | seed | steps | minutes | solved | share | interval |",
         "|---|---|---|---|---|---|---|",
@@ -175,14 +175,14 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
             f"| `{row['recipe']}` | {row['seed']} | {int(row['steps']):,} | {row['minutes']} "
             f"| {solved} of {count} | {100 * solved / count:.1f} % | {low:.0f} to {high:.0f} % |"
         )
-    lines += ["", "| recipe | seeds | mean share | of the seeds |", "|---|---|---|---|"]
+    lines += ["", "| recipe | seeds | mean share | per seed |", "|---|---|---|---|"]
     for name in dict.fromkeys(str(r["recipe"]) for r in rows):
         shares = [100 * int(r["solved"]) / int(r["episodes"]) for r in rows if r["recipe"] == name]
         lines.append(
             f"| `{name}` | {len(shares)} | {sum(shares) / len(shares):.1f} % "
             f"| {min(shares):.1f} to {max(shares):.1f} % |"
         )
-    lines += ["", "![Validation while training](baselines.png)"]
+    lines += ["", "![Validation during training](baselines.png)"]
     return "\n".join([*lines, ""])
 
 
@@ -190,14 +190,14 @@ def main() -> None:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     p.add_argument("--recipe", action="append", help="one recipe; may be repeated")
     p.add_argument("--seeds", type=int, nargs="+", default=[0, 1, 2])
-    p.add_argument("--episodes", type=int, default=200, help="played by each policy")
-    p.add_argument("--validation", type=int, default=20, help="episodes of a validation")
+    p.add_argument("--episodes", type=int, default=200, help="evaluation episodes per policy")
+    p.add_argument("--validation", type=int, default=20, help="validation episodes")
     p.add_argument("--workers", type=int, default=1)
     p.add_argument(
         "--runs", type=Path, default=Path(tempfile.gettempdir()) / "tabletopgen-baselines",
-        help="where the runs' folders go",
+        help="folder of the runs",
     )  # fmt: skip
-    p.add_argument("--note", default="", help="what to know about the machine")
+    p.add_argument("--note", default="", help="a remark about the machine")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
     names = args.recipe or (*RECIPES, *RULES)

@@ -1,14 +1,14 @@
-"""Scenes a minute by ``generator.jobs``: one worker against several, and whether bytes agree.
+"""Scenes per minute with ``generator.jobs``, one worker against several; checks for equal bytes.
 
     python benchmarks/batch.py --cases 40
     python benchmarks/batch.py --cases 40 --route compose --ray local
 
-Makes the first texts of ``benchmarks/table78.json`` with one worker, then with ``--workers``, each
-time into a new folder, and takes the time by the clock, the starting of processes included. A
-worker computes on one thread; the last row is one worker on all processors, as ``generate``
-computes, which is what the machine does without a batch. Writes the table to ``batch_<route>.md``.
-The folders must hold the same bundles, else the exit code is 1. Run it alone on the machine;
-``--note`` is added to the table's head, for instance that it was not.
+Generates the first texts of ``benchmarks/table78.json`` with one worker, then with ``--workers``,
+each time into a new folder, and measures wall-clock time including process startup. A worker
+computes on one thread; the last row is one worker on all processors, like ``generate`` without a
+batch. Writes the table to ``batch_<route>.md``. If the folders do not contain the same bundles, the
+exit code is 1. Run it alone on the machine; ``--note`` is added to the table's head, for instance
+if it was not.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ HERE = Path(__file__).parent
 
 
 class BatchRun(NamedTuple):
-    """One batch: who made it, how long it took, and what it left."""
+    """One batch: its workers, its duration, and its bundles."""
 
     who: str
     workers: int
@@ -43,7 +43,7 @@ class BatchRun(NamedTuple):
 def time_batch(
     texts: Sequence[str], make: batch.Maker, workers: int, ray: str | None = None, threads: int = 1
 ) -> BatchRun:
-    """Make a batch into a new folder, which is removed; return how it went."""
+    """Make a batch in a new folder, which is removed afterwards; return its measurements."""
     os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = str(threads)
     with tempfile.TemporaryDirectory(prefix="tabletopgen-batch-") as folder:
         start = time.perf_counter()
@@ -55,7 +55,7 @@ def time_batch(
 
 
 def table(runs: Sequence[BatchRun], head: str) -> str:
-    """Return the runs as Markdown, each against the first."""
+    """Return the runs as Markdown, each compared with the first."""
     rows = [
         f"| {r.who} | {r.workers} | {r.threads} | {r.made} | {r.seconds:.1f} | "
         f"{60 * r.made / r.seconds:.1f} | {runs[0].seconds / r.seconds:.2f} | "
@@ -63,19 +63,20 @@ def table(runs: Sequence[BatchRun], head: str) -> str:
         for r in runs
     ]
     titles = (
-        "| by | workers | threads each | scenes | seconds | scenes a minute | faster | same bytes |"
+        "| by | workers | threads each | scenes | seconds | scenes per minute | speedup | same "
+        "bytes |"
     )
     return "\n".join([head, "", titles, "|---|---|---|---|---|---|---|---|", *rows, ""])
 
 
 def main() -> int:
-    """Time the batches, print and write the table; 1 if the bundles differ."""
+    """Time the batches, print and write the table; return 1 if the bundles differ."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--texts", type=Path, default=HERE / "table78.json")
     parser.add_argument("--cases", type=int, default=40)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--route", choices=("generate", "compose"), default="generate")
-    parser.add_argument("--ray", help="also on Ray at this address")
+    parser.add_argument("--ray", help="also run on Ray at this address")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     parser.add_argument("--note", default="")
     args = parser.parse_args()

@@ -1,11 +1,12 @@
-"""Baselines of TabletopBench: who needs no training, and the shipped policies; the leaderboard.
+"""Baselines of TabletopBench: players without training, the shipped policies, and the leaderboard.
 
     python benchmarks/bench.py --workers 2                  # all, resumes
     python benchmarks/bench.py --player expert --suite lift-test
 
-Each player runs the test suites of what it does, with and without randomisation, as ``tabletopgen
-bench run PLAYER --suite SUITE`` does. Results are in ``results/bench/``, one file each; a second
-run resumes, and plays nothing again. The leaderboard is made of all that lie there, others' too.
+Each player runs the test suites of its tasks, with and without randomisation, as by ``tabletopgen
+bench run PLAYER --suite SUITE``. Results are written to ``results/bench/``, one file each; a second
+run resumes and repeats nothing. The leaderboard includes all results in that folder, also those of
+others.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ PLAYERS = ("random", "expert", *shipped_policies())
 
 
 def fits(player: str, suite: str) -> bool:
-    """Return whether a player does the task of a suite."""
+    """Return whether a player supports the task of a suite."""
     if player in SIMPLE:
         return True
     return load_policy(player).card.task.lower() == suite.partition("-")[0]
@@ -35,8 +36,10 @@ def fits(player: str, suite: str) -> bool:
 def main() -> None:
     suites = [name for name in names() if "-test" in name]
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    parser.add_argument("--player", action="append", choices=PLAYERS, help="one; may be repeated")
-    parser.add_argument("--suite", action="append", choices=suites, help="one; may be repeated")
+    parser.add_argument(
+        "--player", action="append", choices=PLAYERS, help="a player; may be repeated"
+    )
+    parser.add_argument("--suite", action="append", choices=suites, help="a suite; may be repeated")
     parser.add_argument("--tables", type=Path, help="folder of the tables")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--out", type=Path, default=RESULTS)

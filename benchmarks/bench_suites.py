@@ -1,14 +1,14 @@
-"""Make the suites of TabletopBench: draw tables, have the expert solve them, write the files.
+"""Make the suites of TabletopBench: draw tables, certify them with the expert, write the files.
 
     nice python benchmarks/bench_suites.py                      # all tasks, resumes
     python benchmarks/bench_suites.py --task Lift --workers 2
 
-For each task, tables are drawn with what it needs (``Task.needs``), on the held-out side of the
-split of "fresh" tables and by seeds that "fresh" never draws. They are taken by their difficulty,
-in three levels, if the expert solves something there from each of 30 starts. Tables and
-certificates are kept in ``--work``, where a second run resumes; the file of a task is written once
-its tables are complete. A version that results were published for is never made again: raise
-``VERSION`` in ``tabletopgen_env/bench/suites.py``.
+For each task, tables with the objects it needs (``Task.needs``) are drawn on the held-out side of
+the split of "fresh" tables, with seeds that "fresh" never draws. They are selected by difficulty,
+in three levels, if the expert solves an instance from each of 30 starts. Tables and certificates
+are stored in ``--work``, where a second run resumes; the file of a task is written once its tables
+are complete. A version with published results is never regenerated: increment ``VERSION`` in
+``tabletopgen_env/bench/suites.py``.
 """
 
 from __future__ import annotations
@@ -39,23 +39,23 @@ LEVELS = (
     SuiteLevel("medium", 0.3, 0.35),
     SuiteLevel("hard", 0.35, 1.0),
 )
-"""Between edges of the curriculum's bins: about as many drawn tables in each."""
+"""Edges of the levels, between the curriculum's bins, with similar numbers of drawn tables."""
 
 TRAINING = 1_000_000
-"""Seeds below this are what ``scenes="fresh"`` draws."""
+"""Seeds below this are those of ``scenes="fresh"``."""
 
 INSTANCES = MappingProxyType({"Swap": 1, "Sequence": 1, "Tidy": 1})
-"""Instances of a table, 2 of other tasks: those of long tasks take the expert minutes."""
+"""Instances per table; 2 for tasks whose episodes take the expert minutes."""
 
 DRAWN = MappingProxyType({"Reach": 4, "Sequence": 2})
-"""Episodes of an instance without randomisation; 1 where all would start alike."""
+"""Episodes per instance without randomisation; 1 if all would start alike."""
 
 RANDOM = 6
-"""Episodes of an instance with randomisation."""
+"""Episodes per instance with randomisation."""
 
 
 def randomization() -> Randomization:
-    """Return the randomisation of the suites: certified starts, looks and dynamics a little off."""
+    """Return the suites' randomisation: certified starts, small changes of looks and dynamics."""
     light, starts = PRESETS["light"], PRESETS["starts"]
     return Randomization(
         light_turn=light.light_turn, light_color=light.light_color, ambient=light.ambient,
@@ -68,7 +68,7 @@ def randomization() -> Randomization:
 
 
 def blank(task: str, episodes: int) -> TaskSuites:
-    """Return the suites of a task without tables; ``episodes`` are those of a certificate."""
+    """Return the suites of a task without tables; ``episodes`` is the number in a certificate."""
     return TaskSuites(
         version=VERSION, task=task, control_hz=CONTROL_HZ, time_limit=STEPS[task], hold=HOLD,
         randomization=randomization(), episodes={"plain": DRAWN.get(task, 1), "random": RANDOM},
@@ -81,9 +81,9 @@ def blank(task: str, episodes: int) -> TaskSuites:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--task", action="append", choices=NAMES, help="one task; may be repeated")
-    parser.add_argument("--test", type=int, default=4, help="tables of each level to test at")
-    parser.add_argument("--validation", type=int, default=1, help="of each level for validation")
-    parser.add_argument("--episodes", type=int, default=STARTS, help="starts of a certificate")
+    parser.add_argument("--test", type=int, default=4, help="test tables per level")
+    parser.add_argument("--validation", type=int, default=1, help="validation tables per level")
+    parser.add_argument("--episodes", type=int, default=STARTS, help="starts per certificate")
     parser.add_argument("--first", type=int, default=FIRST, help="seed of the first table")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--work", type=Path, default=HERE.parent / "out" / "bench")

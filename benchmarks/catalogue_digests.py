@@ -1,11 +1,11 @@
-"""Digests of every category of the catalogue: a refactoring changes no byte of any object.
+"""Digests of every category of the catalogue, which a refactoring must not change.
 
     python benchmarks/catalogue_digests.py record before.json
     python benchmarks/catalogue_digests.py compare before.json after.json
 
 A digest covers five looks of a category (two plain, a colour, two styles): meshes, textures, convex
-parts, places, size and physics; and the facts of the category. Categories come in their order,
-which draws of random tables depend on.
+parts, slots, size and physics; and the facts of the category. Categories are recorded in their
+order, which draws of random tables depend on.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ LOOKS: tuple[tuple[int, dict[str, str]], ...] = (
 
 
 def words(value: object) -> Iterator[bytes]:
-    """Yield what a value holds as bytes, arrays with their types and shapes."""
+    """Yield the content of a value as bytes, arrays with their types and shapes."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         for field in dataclasses.fields(value):
             yield field.name.encode()
@@ -55,7 +55,7 @@ def words(value: object) -> Iterator[bytes]:
     elif value is None or isinstance(value, bool | int | float | str | np.generic):
         yield repr(value.item() if isinstance(value, np.generic) else value).encode()
     else:
-        raise TypeError(f"{type(value).__name__} has no digest")
+        raise TypeError(f"values of type {type(value).__name__} have no digest")
 
 
 def digest(value: object) -> str:
@@ -76,14 +76,14 @@ def record_category(key: str) -> tuple[str, dict[str, str]]:
 
 
 def facts(category: Category) -> dict[str, object]:
-    """Return what a category says besides its builder."""
+    """Return the facts of a category, except its builder."""
     names = ("key", "size", "mass", "aliases", "themes", "roles", "colors", "friction", "state",
              "holder", "noun", "container", "ball", "density")  # fmt: skip
     return {name: getattr(category, name) for name in names}
 
 
 def record(path: Path, workers: int, only: Sequence[str] = ()) -> None:
-    """Write the digests of all categories, or of some, in their order."""
+    """Write the digests of all categories, or of selected ones, in their order."""
     keys = [key for key in CATEGORIES if not only or key in only]
     with ProcessPoolExecutor(workers) as pool:
         found = dict(pool.map(record_category, keys, chunksize=16))
@@ -92,7 +92,7 @@ def record(path: Path, workers: int, only: Sequence[str] = ()) -> None:
 
 
 def compare(one: Path, other: Path) -> int:
-    """Print what differs between two records; return how much does."""
+    """Print the differences between two records; return their number."""
     before, after = (json.loads(path.read_text()) for path in (one, other))
     differing = [key for key in before | after if before.get(key) != after.get(key)]
     for key in differing:

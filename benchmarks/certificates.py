@@ -1,12 +1,13 @@
-"""Certificates held against new starts: each certified instance, solved of so many attempts.
+"""Certificates tested with new starts: solved attempts of each certified instance.
 
     python benchmarks/certificates.py --workers 2
 
-Every instance that a bundle's certificate certifies is played by the scripted expert from starts
-(``randomization="starts"``) that another seed draws than the certificate's; nothing is given up.
-An instance holds if at least ``HOLDS`` of its attempts are solved. Rows go to ``certificates.csv``
-as they come (a second run resumes; what was certified anew is played again), the table to the
-``.md`` beside it. The command fails if an instance does not hold.
+Every instance in a bundle's certificate is played by the scripted expert from starts
+(``randomization="starts"``) drawn with another seed than the certificate's; no attempt is skipped.
+An instance holds if the share of solved attempts is at least ``HOLDS``. Rows are written to
+``certificates.csv`` as they finish (a second run resumes; instances with a new certificate are
+played again), the table to the corresponding ``.md``. The exit code is nonzero if an instance does
+not hold.
 """
 
 from __future__ import annotations
@@ -31,17 +32,17 @@ FIELDS = (
 )  # fmt: skip
 
 OF = ("preset", "target", "goal", "certified", "certified_of")
-"""What a row says of the instance and of how it was certified."""
+"""Columns that describe the instance and its certificate."""
 
 HOLDS = 0.9
-"""Share of new starts of which a certified instance is to be solved."""
+"""Minimum share of new starts from which a certified instance must be solved."""
 
 SHIPPED = tuple(str(HERE.parent / "assets_cache" / name / "*") for name in ("starter", "tasks"))
-"""The bundles of the package, as globs."""
+"""The package's bundles, as globs."""
 
 
 class CertificateJob(NamedTuple):
-    """The certified instances of one task at one bundle; ``starts`` of each, drawn by ``seed``."""
+    """The certified instances of one task at one bundle, each with ``starts`` drawn by ``seed``."""
 
     bundle: Path
     task: str
@@ -50,7 +51,7 @@ class CertificateJob(NamedTuple):
 
     @property
     def key(self) -> tuple[str, ...]:
-        """What tells its rows apart."""
+        """Key of the job's rows."""
         return (self.bundle.name, self.task, str(self.seed), str(self.starts))
 
 
@@ -77,7 +78,7 @@ def certificate_of(bundle: Path) -> Certificate:
     """Return a bundle's certificate.
 
     Raises:
-        InputError: it has none.
+        InputError: the bundle has none.
         BundleError: it is damaged.
     """
     found = read_certificate(bundle)
@@ -92,19 +93,19 @@ def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[Certificat
     """Yield a job for each task with a certified instance at each bundle.
 
     Raises:
-        InputError: a certificate was made with this very seed, or there is none.
+        InputError: a certificate was made with the same seed, or there is none.
         BundleError: a certificate is damaged.
     """
     for bundle in bundles:
         certificate = certificate_of(bundle)
         if certificate.terms.seed == seed:
-            raise InputError(f"{bundle.name} was certified with the seed {seed}; choose another.")
+            raise InputError(f"{bundle.name} was certified with seed {seed}; choose another.")
         for task in dict.fromkeys(i.task for i in certificate.certified):
             yield CertificateJob(bundle, task, seed, starts)
 
 
 def is_current(job: CertificateJob, rows: Sequence[Row]) -> bool:
-    """Return whether rows are of the instances that are certified now."""
+    """Return whether rows belong to the currently certified instances."""
     now = {
         (i.preset or "", i.target or "", i.goal or "", str(i.successes), str(i.episodes))
         for i in certificate_of(job.bundle).certified
@@ -117,12 +118,12 @@ def is_current(job: CertificateJob, rows: Sequence[Row]) -> bool:
 
 
 def holds(row: Row) -> bool:
-    """Return whether a row's instance was solved often enough."""
+    """Return whether a row's instance was solved in enough attempts."""
     return int(row["solved"]) >= HOLDS * int(row["attempts"])
 
 
 def say(rows: list[Row]) -> str:
-    """Return the line of a job that has been played."""
+    """Return the progress line of a finished job."""
     solved, attempts = (sum(int(r[k]) for r in rows) for k in ("solved", "attempts"))
     return f"{rows[0]['bundle']}, {rows[0]['task']}: {solved} of {attempts}"
 
@@ -137,9 +138,9 @@ def summary(rows: Sequence[Row], bundles: Sequence[Path], command: str) -> str:
         f"`{command}`, {tables.where()}",
         "",
         f"{offered} instances are offered at {len(bundles)} bundles; those that the expert solved "
-        f"from each of at least {STARTS} starts are certified. Here each is played from "
-        f"other starts, drawn by another seed: {solved} of {attempts} attempts were solved, "
-        f"and an instance holds from {HOLDS:.0%} on.",
+        f"from each of at least {STARTS} starts are certified. Here each is played from other "
+        f"starts, drawn with another seed: {solved} of {attempts} attempts were solved. An "
+        f"instance holds if the share is at least {HOLDS:.0%}.",
         "",
         "| bundle | task | target | goal | certified with | new starts |",
         "|---|---|---|---|---|---|",
@@ -158,8 +159,8 @@ def summary(rows: Sequence[Row], bundles: Sequence[Path], command: str) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--bundles", action="append", help="bundles as a glob; may be repeated")
-    parser.add_argument("--starts", type=int, default=10, help="attempts at each instance")
-    parser.add_argument("--seed", type=int, default=1000, help="draws the starts")
+    parser.add_argument("--starts", type=int, default=10, help="attempts per instance")
+    parser.add_argument("--seed", type=int, default=1000, help="seed of the starts")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()

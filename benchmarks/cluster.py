@@ -1,13 +1,13 @@
-"""Recording, evaluating and scene banks: one process, several, and a Ray cluster; same results?
+"""Recording, evaluation and scene banks in one process, several processes, and a Ray cluster.
 
     python benchmarks/cluster.py --nodes 2
 
-Records the expert's Reach at fresh tables, plays a shipped policy at others, and draws a scene bank
-of fresh tables with their episodes: by one process, by ``--workers`` processes, and with
-``--nodes`` by a Ray cluster of as many nodes of one CPU each, which is started for it on this
-machine. Digests of all that comes out (the recording's files, the episodes' results, the bank's
-arrays) must agree, else the exit code is 1. Seconds are by the clock, the starting of processes
-included, that of the cluster not. Writes ``cluster.md``. ``--note`` is added to the table's head.
+Records the expert's Reach at fresh tables, evaluates a shipped policy at others, and makes a scene
+bank of fresh tables with their episodes: with one process, with ``--workers`` processes, and with
+``--nodes`` on a Ray cluster of that many one-CPU nodes, which is started on this machine. Digests
+of all outputs (the recording's files, the episodes' results, the bank's arrays) must be equal,
+otherwise the exit code is 1. Times are wall-clock seconds, including startup of processes but not
+of the cluster. Writes ``cluster.md``. ``--note`` is added to the table's head.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ Work = Callable[[PoolOptions], str]
 
 
 class ClusterRun(NamedTuple):
-    """One work done: by whom, how long it took, the tasks of each node, and the digest."""
+    """One measured task: its executor, duration, tasks per node, and the digest of its results."""
 
     work: str
     by: str
@@ -46,7 +46,7 @@ class ClusterRun(NamedTuple):
 
 
 class _Tally(logging.Handler):
-    """Keeps how many tasks each node of a cluster did, as the pool tells it."""
+    """Counts the tasks of each node of a cluster, as reported by the pool."""
 
     def __init__(self) -> None:
         super().__init__(logging.INFO)
@@ -58,7 +58,7 @@ class _Tally(logging.Handler):
 
 
 def record(episodes: int, pool: PoolOptions) -> str:
-    """Record demonstrations, and return the digest of the files."""
+    """Record demonstrations and return the digest of the files."""
     from tabletopgen_env.recording import RecordConfig
     from tabletopgen_env.recording import record as run
 
@@ -69,7 +69,7 @@ def record(episodes: int, pool: PoolOptions) -> str:
 
 
 def evaluate(episodes: int, pool: PoolOptions) -> str:
-    """Play a policy, and return the digest of the results."""
+    """Evaluate a policy and return the digest of the results."""
     from tabletopgen_env.learning.evaluation import SEED, seeds
     from tabletopgen_env.learning.policies import load_policy
     from tabletopgen_env.learning.trial import PolicyTrial
@@ -87,7 +87,7 @@ def evaluate(episodes: int, pool: PoolOptions) -> str:
 
 
 def make_bank(scenes: int, pool: PoolOptions) -> str:
-    """Make a deck of fresh tables, and return the digest of its bank and episodes."""
+    """Make a deck of fresh tables and return the digest of its bank and episodes."""
     from tabletopgen_env.parallel.batch.decks import DeckConfig, DeckPlan
     from tabletopgen_env.tasks.registry import task_named
 
@@ -102,7 +102,7 @@ def make_bank(scenes: int, pool: PoolOptions) -> str:
 
 
 def digest(parts: Any) -> str:
-    """Return the SHA-256 of texts and bytes, by 12 digits."""
+    """Return the first 12 digits of the SHA-256 of texts and bytes."""
     found = hashlib.sha256()
     for part in parts:
         found.update(part.encode() if isinstance(part, str) else part)
@@ -111,7 +111,7 @@ def digest(parts: Any) -> str:
 
 @contextlib.contextmanager
 def start_cluster(nodes: int) -> Iterator[str]:
-    """Start a Ray cluster of nodes of a CPU each on this machine, and give its address."""
+    """Start a Ray cluster of one-CPU nodes on this machine, and return its address."""
     from ray.cluster_utils import Cluster  # pyright: ignore[reportMissingImports]
 
     os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
@@ -130,7 +130,7 @@ def start_cluster(nodes: int) -> Iterator[str]:
 
 
 def measure(name: str, work: Work, by: str, pool: PoolOptions) -> ClusterRun:
-    """Do a work, and return how it went."""
+    """Run a task and return its measurements."""
     tally, log = _Tally(), logging.getLogger("generator.jobs")
     log.addHandler(tally)
     log.setLevel(logging.INFO)
@@ -146,24 +146,24 @@ def measure(name: str, work: Work, by: str, pool: PoolOptions) -> ClusterRun:
 
 
 def table(runs: Sequence[ClusterRun], head: str) -> str:
-    """Return the runs as Markdown, each against the first of its work."""
+    """Return the runs as Markdown, each compared with the first of its task."""
     first = {r.work: r for r in reversed(runs)}
     rows = [
         f"| {r.work} | {r.by} | {r.seconds:.1f} | {' + '.join(map(str, r.tasks)) or '–'} | "
         f"`{r.digest}` | {'yes' if r.digest == first[r.work].digest else 'NO'} |"
         for r in runs
     ]
-    titles = "| work | by | seconds | tasks of each node | digest | same |"
+    titles = "| task | by | seconds | tasks per node | digest | same |"
     return "\n".join([head, "", titles, "|---|---|---|---|---|---|", *rows, ""])
 
 
 def main() -> int:
-    """Do all works by all, print and write the table; 1 if results differ."""
+    """Run all tasks with all executors, print and write the table; return 1 if results differ."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--episodes", type=int, default=24)
     parser.add_argument("--scenes", type=int, default=12)
     parser.add_argument("--workers", type=int, default=2)
-    parser.add_argument("--nodes", type=int, default=0, help="of a Ray cluster; 0: none")
+    parser.add_argument("--nodes", type=int, default=0, help="nodes of a Ray cluster; 0 for none")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     parser.add_argument("--note", default="")
     args = parser.parse_args()

@@ -1,13 +1,13 @@
-"""CPU seconds of ``compose``: texts of about 8, 25 and 40 objects, one call after the other.
+"""CPU seconds of ``compose`` for texts with about 8, 25 and 40 objects, in consecutive calls.
 
     python benchmarks/compose_speed.py
     python benchmarks/compose_speed.py --beside ../older-checkout --rounds 3
 
-A process imports the package, composes one small table that is not measured, and is then given the
-texts of ``TEXTS`` (or of ``--texts``). ``--beside`` names another checkout, which has a process of
-its own; text by text and round by round the two take turns, so that a busy machine slows both.
-What is measured is the CPU time of the process and of its children, the least of the rounds. The
-table goes to ``compose_speed.md``; "import" is what a process needs until the package is there.
+A process imports the package, composes one small table that is not measured, and then composes the
+texts of ``TEXTS`` (or of ``--texts``). ``--beside`` is another checkout, with a process of its own;
+for each text and round the two take turns, so that a busy machine slows both equally. The
+measurement is the minimum CPU time of the process and its children over the rounds. The table is
+written to ``compose_speed.md``; "import" is the CPU time until the package is imported.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ TEXTS: Mapping[str, Sequence[str]] = MappingProxyType({
         "ten pens, ten pencils, ten dice and ten coins on a desk",
     ),
 })  # fmt: skip
-"""Texts by group: about so many objects, or things that lie on one another."""
+"""Texts by group: approximate number of objects, or objects stacked on one another."""
 
 _SMALL = "a desk with a mug"
 _WORKER = """
@@ -82,7 +82,7 @@ for line in sys.stdin:
 
 
 class Composer:
-    """A process that composes with the package of one checkout, until ``stack`` closes."""
+    """A process that composes with the package of one checkout, until ``stack`` is closed."""
 
     def __init__(self, tree: Path, stack: contextlib.ExitStack) -> None:
         environment = {**os.environ, "PYTHONPATH": str(tree), "OMP_NUM_THREADS": "1"}
@@ -109,14 +109,14 @@ class Composer:
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
         if not line:
-            raise SystemExit("A composing process has ended; its error is above.")
+            raise SystemExit("A composing process has exited; its error is printed above.")
         return json.loads(line)
 
 
 def measure(
     texts: Sequence[tuple[str, str]], composers: Sequence[Composer], rounds: int
 ) -> list[list[dict[str, Any]]]:
-    """Return for each text the answer of each composer, with the least CPU time of the rounds."""
+    """Return each composer's answer for each text, with the minimum CPU time over the rounds."""
     found: list[list[dict[str, Any]]] = []
     for _, text in texts:
         answers = [[each.compose(text) for each in composers] for _ in range(rounds)]
@@ -132,7 +132,7 @@ def summary(
     importing: Sequence[float],
     command: str,
 ) -> str:
-    """Return the table as Markdown; a second column of seconds is the other checkout's."""
+    """Return the table as Markdown; the other checkout has a second column of seconds."""
     beside = len(importing) > 1
     head = "| group | text | objects | CPU s |" + (" beside, CPU s | ratio |" if beside else "")
     lines = [
@@ -158,7 +158,9 @@ def summary(
 
 def main() -> None:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    p.add_argument("--texts", type=Path, help="a JSON list of texts, in place of the built-in ones")
+    p.add_argument(
+        "--texts", type=Path, help="a JSON list of texts that replaces the built-in ones"
+    )
     p.add_argument("--beside", type=Path, help="another checkout to compare with")
     p.add_argument("--rounds", type=int, default=1)
     p.add_argument("--out", type=Path, default=HERE / "results")

@@ -1,13 +1,13 @@
-"""Bundles are published or absent: savers, removers and readers at one store, and what they met.
+"""Concurrent writers, removers and readers of one bundle store, and what they observe.
 
     python benchmarks/concurrency.py --seconds 60
 
-Five processes save the same few scenes over and over, two remove what they find while more than a
-few are there, one lists and loads, one verifies; another one saves and is killed at random
-(SIGKILL), and what it leaves is made to look old, so that others remove it. Each counts what it
-did. What must not happen is counted as broken: a save, or a removal, that fails; a reader that
-meets anything but a whole bundle or none, or hardly ever a whole one; a staging folder that is left
-in the end. Writes the table to ``concurrency.md``; the exit code is 1 if anything was broken.
+Five processes save the same few scenes repeatedly, two remove bundles while more than a few exist,
+one lists and loads, one verifies; another one saves and is killed at random (SIGKILL), and its
+staging folders are made to look old, so that others remove them. Each process counts its actions.
+Violations are counted as broken: a save or removal that fails; a reader that sees a partial bundle,
+or hardly ever a complete one; a staging folder that is left at the end. Writes the table to
+``concurrency.md``; the exit code is 1 if anything was broken.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ from generator.scene import Scene
 
 HERE = Path(__file__).parent
 COUNTS = {"save": 5, "remove": 2, "list": 1, "verify": 1}
-"""How many processes do what."""
+"""Number of processes per role."""
 
 SCENES, KEPT = 8, 4
-"""How many bundles are saved, and how many removers leave: readers are to meet whole ones too."""
+"""Number of bundles that are saved, and that removers leave for the readers."""
 
 WHOLE = {"list": "loaded whole", "verify": "sound"}
-"""What readers are to find at least once in two seconds, or nothing has been tried."""
+"""Minimum observations of a reader per two seconds; with fewer the test is inconclusive."""
 
 Step = Callable[[Path, Sequence[Scene], random.Random], str]
 
@@ -53,7 +53,7 @@ def do_save(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
 
 
 def do_remove(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
-    """Remove a bundle; another process may be faster."""
+    """Remove a bundle; another process may have removed it already."""
     time.sleep(rng.uniform(0, 0.08))
     names = sorted(p.name for p in store.iterdir() if not p.name.startswith("."))
     if len(names) <= KEPT:
@@ -78,7 +78,7 @@ def do_list(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
 
 
 def do_verify(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
-    """Verify a bundle of the store by its path, whether it is still there or not."""
+    """Verify a bundle of the store by its path, whether or not it still exists."""
     found = sorted(store.glob("[!.]*"))
     if not found:
         return _wait()
@@ -91,7 +91,7 @@ def do_verify(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
 
 def _wait() -> str:
     time.sleep(0.002)
-    return "too few there"
+    return "too few bundles"
 
 
 STEPS: dict[str, Step] = {
@@ -100,7 +100,7 @@ STEPS: dict[str, Step] = {
 
 
 def work(kind: str, seed: int, store: Path, scenes: Sequence[Scene], end: float, log: Path) -> None:
-    """Repeat a step until ``end``; write down how often it did what, and how it failed."""
+    """Repeat a step until ``end``; record the counts of its results and failures."""
     rng, counts, broken = random.Random(seed), Counter[str](), list[str]()
     while time.monotonic() < end:
         try:
@@ -111,7 +111,7 @@ def work(kind: str, seed: int, store: Path, scenes: Sequence[Scene], end: float,
 
 
 def kill_savers(store: Path, scenes: Sequence[Scene], end: float, log: Path) -> Counter[str]:
-    """Start savers and kill them, until ``end``; return what became of them."""
+    """Start and kill writers until ``end``; return the counts."""
     context, rng, counts = multiprocessing.get_context("fork"), random.Random(99), Counter[str]()
     while time.monotonic() < end:
         args = ("save", rng.randrange(2**30), store, scenes, end, log / "killed.json")
@@ -126,7 +126,7 @@ def kill_savers(store: Path, scenes: Sequence[Scene], end: float, log: Path) -> 
 
 
 def age(store: Path) -> int:
-    """Make all staging folders look an hour old, those in use too; return how many."""
+    """Make all staging folders, including those in use, look an hour old; return their number."""
     past, count = time.time() - 3600, 0
     for staging in store.glob(".staging-*"):
         with contextlib.suppress(OSError):
@@ -136,7 +136,7 @@ def age(store: Path) -> int:
 
 
 def race(store: Path, seconds: float) -> tuple[dict[str, Counter[str]], list[str]]:
-    """Let all work at once; return what each kind did how often, and what was broken."""
+    """Run all roles at once; return each role's counts, and the violations."""
     context = multiprocessing.get_context("fork")
     shipped = sorted(assets_cache.find("starter"), key=lambda p: (p / "scene.json").stat().st_size)
     first = [only_first(load(path)) for path in shipped[:2]]
@@ -155,12 +155,12 @@ def race(store: Path, seconds: float) -> tuple[dict[str, Counter[str]], list[str
         for process in pool:
             process.start()
         counts["kill"] = kill_savers(store, scenes, end, log)
-        broken += [f"process {p.name} ended with {p.exitcode}" for p in _late(pool)]
+        broken += [f"process {p.name} exited with code {p.exitcode}" for p in _late(pool)]
         for counted in (json.loads(path.read_bytes()) for path in log.glob("*_*.json")):
             counts[counted["kind"]].update(counted["counts"])
             broken += [f"{counted['kind']}: {text}" for text in counted["broken"]]
     broken += [
-        f"{kind} found only {counts[kind][what]} {what}"
+        f"{kind} had only {counts[kind][what]} of {what}"
         for kind, what in WHOLE.items()
         if counts[kind][what] < seconds / 2
     ]
@@ -168,12 +168,12 @@ def race(store: Path, seconds: float) -> tuple[dict[str, Counter[str]], list[str
     for scene in scenes:
         save(scene, store)
     left = {p.name for p in store.iterdir()} ^ expected
-    broken += [f"left behind or missing in the end: {name}" for name in sorted(left)]
+    broken += [f"left over or missing at the end: {name}" for name in sorted(left)]
     return counts, broken
 
 
 def only_first(scene: Scene) -> Scene:
-    """Return a scene with one object, which is saved and read in no time."""
+    """Return a scene with one object, which is saved and read quickly."""
     first = next(o for o in scene.objects if o.placement.on == "table")
     return scene.replace(objects=(first,))
 
@@ -181,7 +181,7 @@ def only_first(scene: Scene) -> Scene:
 def _late(
     pool: Sequence[BaseProcess],
 ) -> Iterator[BaseProcess]:
-    """Wait for processes; yield those that did not end well."""
+    """Wait for processes; yield those that failed."""
     for process in pool:
         process.join(60)
         if process.exitcode != 0:
@@ -196,13 +196,13 @@ def table(counts: dict[str, Counter[str]], broken: Sequence[str], head: str) -> 
         for kind, counted in counts.items()
         for what, count in counted.most_common()
     ]
-    titles = "| process | how many | what came of it | times |"
+    titles = "| process | number | result | count |"
     lines = [head, "", titles, "|---|---|---|---|", *rows, "", f"Broken: {len(broken)}.", ""]
     return "\n".join([*lines, *(f"- {text}" for text in broken[:10])])
 
 
 def main() -> int:
-    """Run the race, print and write the table; 1 if anything was broken."""
+    """Run the test, print and write the table; return 1 if anything was broken."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=60.0)
     parser.add_argument("--out", type=Path, default=HERE / "results")

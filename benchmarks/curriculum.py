@@ -1,12 +1,12 @@
-"""Scenes by curriculum against scenes drawn uniformly: the same learner, the same steps.
+"""Scenes from a curriculum against uniformly drawn scenes: the same learner, the same steps.
 
     python benchmarks/curriculum.py --recipe reach-clone --set cloning.rounds=2   # minutes
     python benchmarks/curriculum.py --recipe reach-sac --seeds 0 1 2 --episodes 200   # hours
 
-A seed is trained twice by a recipe, at scenes drawn uniformly ("fresh") and by ``CurriculumScenes``
-over the same ones ("curriculum"), and both policies play the same episodes at held-out tables. A
-row a training goes to ``curriculum.csv`` as it ends (a second run resumes), the difference with its
-interval to ``curriculum.md``.
+Each seed of a recipe is trained twice, at uniformly drawn scenes ("fresh") and with
+``CurriculumScenes`` over the same scenes ("curriculum"), and both policies play the same episodes
+at held-out tables. One row per training is written to ``curriculum.csv`` when it finishes (a second
+run resumes), the difference with its interval to ``curriculum.md``.
 """
 
 from __future__ import annotations
@@ -39,14 +39,14 @@ from tabletopgen_env.statistics import wilson
 HERE = Path(__file__).parent
 MODES = {"uniform": "fresh", "curriculum": "curriculum:fresh"}
 SEED = 2000
-"""Of the episodes played, the same ones for every policy."""
+"""Seed of the evaluation episodes, which are the same for all policies."""
 
 KEY = ("recipe", "changes", "variants", "episodes", "mode", "seed")
 FIELDS = (*KEY, "minutes", "solved", "each")
 
 
 def work(job: tuple[str, int], recipe: Recipe, changes: str, episodes: int) -> list[Row]:
-    """Train one seed in one mode, and play."""
+    """Train one seed in one mode, and evaluate it."""
     mode, seed = job
     chosen = dataclasses.replace(recipe, scenes=MODES[mode])
     begin = time.perf_counter()
@@ -69,16 +69,16 @@ def work(job: tuple[str, int], recipe: Recipe, changes: str, episodes: int) -> l
 
 
 def differences(rows: Sequence[Row]) -> Float[np.ndarray, "s e"]:
-    """Return, for each seed trained in both modes, curriculum less uniform in each episode."""
+    """Return, for each seed trained in both modes, curriculum - uniform in each episode."""
     each = {(r["mode"], int(r["seed"])): np.array(json.loads(str(r["each"]))) for r in rows}
     both = sorted(seed for mode, seed in each if mode == "uniform" and ("curriculum", seed) in each)
     return np.array([each["curriculum", s] - each["uniform", s] for s in both], float)
 
 
 def interval(found: Float[np.ndarray, "s e"], draws: int = 4000) -> tuple[float, float]:
-    """Return a 95 % interval of the mean difference, of seeds and of tables like these.
+    """Return a 95 % interval of the mean difference, for similar seeds and tables.
 
-    Bootstrap, percentile: seeds and episodes are drawn again, each with all of its values.
+    Percentile bootstrap: seeds and episodes are resampled, each with all of its values.
     """
     rng = np.random.default_rng(0)
     count, episodes = found.shape
@@ -101,10 +101,10 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
         "# Scenes by curriculum and drawn uniformly",
         f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
         "",
-        "Each seed is trained twice with equal steps: at fresh tables drawn uniformly, and by "
-        "`CurriculumScenes` over the same tables. Both policies play the same episodes at held-out "
-        "tables never met. Interval of a share: Wilson, 95 %; of a difference: bootstrap over "
-        "seeds and episodes, 95 %, which with so few seeds is narrower than it should be.",
+        "Each seed is trained twice with equal steps: at uniformly drawn fresh tables, and with "
+        "`CurriculumScenes` over the same tables. Both policies play the same episodes at "
+        "held-out tables. Interval of a share: Wilson, 95 %; of a difference: bootstrap over "
+        "seeds and episodes, 95 %, which is too narrow with so few seeds.",
         "",
         "| recipe | with | scenes | seed | minutes | solved | share | interval |",
         "|---|---|---|---|---|---|---|---|",
@@ -117,7 +117,7 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
             f"| {row['minutes']} | {solved} of {count} | {100 * solved / count:.1f} % "
             f"| {low:.0f} to {high:.0f} % |"
         )
-    lines += ["", "| recipe | with | seeds | curriculum less uniform | interval |",
+    lines += ["", "| recipe | with | seeds | curriculum - uniform | interval |",
               "|---|---|---|---|---|"]  # fmt: skip
     for kind in dict.fromkeys(tuple(str(r[k]) for k in KEY[:4]) for r in rows):
         found = differences([r for r in rows if tuple(str(r[k]) for k in KEY[:4]) == kind])
@@ -133,12 +133,14 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
 def main() -> None:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     p.add_argument("--recipe", default="reach-sac")
-    p.add_argument("--set", nargs="*", default=[], help="settings in place of the recipe's")
-    p.add_argument("--variants", type=int, default=150, help="tables, a fifth of them held out")
+    p.add_argument("--set", nargs="*", default=[], help="settings that replace the recipe's")
+    p.add_argument(
+        "--variants", type=int, default=150, help="number of tables, a fifth of them held out"
+    )
     p.add_argument("--seeds", type=int, nargs="+", default=[0, 1])
-    p.add_argument("--episodes", type=int, default=60, help="played by each policy")
+    p.add_argument("--episodes", type=int, default=60, help="evaluation episodes per policy")
     p.add_argument("--workers", type=int, default=1)
-    p.add_argument("--note", default="", help="what to know about the machine")
+    p.add_argument("--note", default="", help="a remark about the machine")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
     try:

@@ -1,13 +1,13 @@
-"""Whether the things in a text's drawing are found, and under their own names.
+"""Detection and naming of the objects in a text's drawing.
 
     python benchmarks/drawn_names.py --out benchmarks/results
     python benchmarks/drawn_names.py --texts benchmarks/wording/dev.json --every 3 --out out
 
-Each text is planned and painted; the embedded segmenter gets the picture and the plan's nouns, as
-on the way from a text to a scene, and nothing else. A thing of which enough shows (``LEAST``
-pixels) is found if a mask covers it with an IoU of half, and has its own name if that mask has the
-planned noun. By default every third text of ``wording/test.json``, from the second on, is taken:
-none of them served to choose how names are given.
+Each text is planned and drawn; the embedded segmenter gets the picture and the plan's nouns, as in
+the pipeline from text to scene, and nothing else. An object with enough visible pixels (``LEAST``)
+is detected if a mask overlaps it with an IoU of at least 0.5, and named correctly if that mask has
+the planned noun. By default every third text of ``wording/test.json``, starting with the second, is
+used: none of them was used in the development of the naming.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ LEAST = 150
 
 @dataclass(frozen=True)
 class Count:
-    """Things of one text: those that show, those of them found, those with their own names."""
+    """Objects of one text: visible ones, detected ones, and correctly named ones."""
 
     shown: int
     found: int
@@ -37,7 +37,7 @@ class Count:
 
 
 def count(text: str, seed: int) -> Count:
-    """Paint a text and count what is found; SceneError or InputError where that fails."""
+    """Draw a text and count its detections; raises SceneError or InputError on failure."""
     from generator.backends.embedded.drawing.painter import paint
     from generator.backends.embedded.segmenter import EmbeddedSegmenter
     from generator.language.planner import plan_scene
@@ -63,14 +63,14 @@ def count(text: str, seed: int) -> Count:
 
 
 def main() -> None:
-    """Measure, and write ``drawn_names.md``."""
+    """Run the benchmark and write ``drawn_names.md``."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--texts", type=Path, default=HERE / "wording" / "test.json")
-    parser.add_argument("--every", type=int, default=3, help="take one text in so many")
-    parser.add_argument("--first", type=int, default=1, help="the first one, counted from 0")
-    parser.add_argument("--most", type=int, default=40, help="texts at most")
+    parser.add_argument("--every", type=int, default=3, help="use one text out of this many")
+    parser.add_argument("--first", type=int, default=1, help="index of the first text")
+    parser.add_argument("--most", type=int, default=40, help="maximum number of texts")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, required=True)
     args = parser.parse_args()
@@ -101,10 +101,10 @@ def main() -> None:
         "",
         "| figure | value |",
         "|---|---|",
-        f"| texts, things that show | {len(counts)}, {shown} |",
-        f"| found (a mask with an IoU of half) | {found}, {share['found']:.1%} |",
-        f"| of them under their own names | {named}, {share['named']:.1%} |",
-        f"| seconds a text, planned, painted and looked at | {took:.1f} |",
+        f"| texts, visible objects | {len(counts)}, {shown} |",
+        f"| detected (a mask with an IoU of at least 0.5) | {found}, {share['found']:.1%} |",
+        f"| of these, named correctly | {named}, {share['named']:.1%} |",
+        f"| seconds per text for plan, drawing and detection | {took:.1f} |",
     ]
     args.out.mkdir(parents=True, exist_ok=True)
     (args.out / "drawn_names.md").write_text("\n".join(lines) + "\n", encoding="utf-8")

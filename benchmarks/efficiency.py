@@ -3,13 +3,13 @@
     python benchmarks/efficiency.py --cases 20
     python benchmarks/efficiency.py --cases 20 --device cuda
 
-Takes the first texts of ``benchmarks/table78.json`` whose plan has 6 to 9 objects, in the file's
-order. Writes a row a scene to ``efficiency_<device>.csv`` as it goes (a second run resumes), then
-the table to ``efficiency_<device>.md`` and a bar a scene to ``efficiency_<device>.png``. Seconds
-are the pipeline's own (``Generation.seconds``): by the clock, and of CPU in this process, without
-what convex decomposition uses in a process of its own. ``--device`` is where the rotation stage
-works. The first scene pays for loading. Run it alone on the machine; ``--note`` is added to the
-table's head, for instance that it was not alone.
+Uses the first texts of ``benchmarks/table78.json`` whose plan has 6 to 9 objects, in the file's
+order. Writes one row per scene to ``efficiency_<device>.csv`` (a second run resumes), then the
+table to ``efficiency_<device>.md`` and one bar per scene to ``efficiency_<device>.png``. Seconds
+are the pipeline's own (``Generation.seconds``): wall-clock, and CPU time of this process without
+that of convex decomposition, which has its own process. ``--device`` is the device of the rotation
+stage. The first scene includes loading. Run it alone on the machine; ``--note`` is added to the
+table's head, for instance if it was not alone.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ FIELDS = (
 PAPER: Mapping[str, float] = MappingProxyType(
     {"extraction": 240.0, "modeling": 830.0, "rotation": 810.0, "alignment": 50.0}
 )
-"""Seconds that Sec. 6.2 states for a scene of 9 objects (RTX 4090, models behind an API)."""
+"""Seconds in Sec. 6.2 for a scene of 9 objects (RTX 4090, models behind an API)."""
 
 _COLORS = ((148, 148, 148), (31, 119, 180), (148, 90, 180), (220, 130, 20), (214, 69, 65),
            (44, 140, 60), (120, 180, 210), (90, 90, 90))  # fmt: skip
@@ -63,12 +63,12 @@ def texts_of(path: Path, cases: int, seed: int) -> list[tuple[str, int]]:
 
 
 def work(job: tuple[str, int], seed: int, device: str) -> list[Row]:
-    """Make one scene and return its seconds; a failure is a row too."""
+    """Make one scene and return its seconds; a failure is also a row."""
     text, planned = job
     row: Row = dict.fromkeys(FIELDS, "") | {"text": text, "seed": seed, "planned": planned}
     try:
         made = generate(text, config=Config(rotation=RotationConfig(device=device)), seed=seed)
-    except Exception as error:  # one text must not end the run
+    except Exception as error:  # one text must not abort the run
         return [row | {"error": tables.failure(error)}]
     for stage, spent in made.seconds.items():
         row[f"wall_{stage.replace(' ', '_')}"] = round(spent.wall, 3)
@@ -108,9 +108,9 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
     lines += [
         "| " + " | ".join(cells) + " |",
         "",
-        f"{_middle(built)[0]} objects a scene (median), {_middle(each)[0]} s an object. The "
-        "paper's seconds (Sec. 6.2) are of other models, asked over the network, and of one GPU: "
-        "they are here to compare the stages' shares.",
+        f"{_middle(built)[0]} objects per scene (median), {_middle(each)[0]} s per object. The "
+        "paper's seconds (Sec. 6.2) are those of other models, queried over the network, and of "
+        "one GPU: they are listed to compare the shares of the stages.",
     ]
     lines += [f"- {r['text']!r} failed: {r['error']}" for r in rows if r["error"]]
     return "\n".join([*lines, ""])
@@ -124,7 +124,7 @@ def _middle(values: np.ndarray) -> list[str]:
 
 
 def bars(rows: Sequence[Row]) -> UInt8[np.ndarray, "h w 3"]:
-    """Draw a bar a scene, its stages one after the other, seconds by the clock."""
+    """Draw one bar per scene with the wall-clock seconds of its stages."""
     done = [r for r in rows if not r["error"]]
     most = max((float(r["wall_total"]) for r in done), default=1.0)
     left, top, line, wide = 330, 62, 26, 620
@@ -159,7 +159,7 @@ def main() -> None:
     p.add_argument("--cases", type=int, default=20)
     p.add_argument("--seed", type=int, default=0)
     p.add_argument("--device", choices=("cpu", "cuda"), default="cpu")
-    p.add_argument("--note", default="", help="what to know about the machine")
+    p.add_argument("--note", default="", help="a remark about the machine")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
     if args.cases < 1:

@@ -1,15 +1,15 @@
-"""Texts to published scenes, by both routes: soundness, counts, names, seconds.
+"""Texts to published scenes, by both routes: physical validity, counts, names, seconds.
 
     python benchmarks/end_to_end.py --route generate --seeds 3 --out benchmarks/results
     python benchmarks/end_to_end.py --texts benchmarks/table78.json --seeds 1
 
-Reads a list of texts (``benchmarks/texts.json``), or of objects with a "text", runs each with
-seeds 0..n-1 and writes one row a scene to ``<route>.csv`` as it goes (a second run resumes), then
-a summary table to ``<route>.md``; for other texts the file's name is added: ``<route>_table78``.
-"named" counts the planned objects whose category a rebuilt object's word means; "unseen" counts
-the objects that no drawing showed and the plan supplied. Every figure is
-measured on the *saved bundle*, simulated in plain MuJoCo from its ``scene.xml``: nothing is taken
-from the report the pipeline wrote.
+Reads a list of texts (``benchmarks/texts.json``), or of objects with a "text", runs each with seeds
+0..n-1 and writes one row per scene to ``<route>.csv`` (a second run resumes), then a summary table
+to ``<route>.md``; for other texts the file's name is appended: ``<route>_table78``. "named" counts
+the planned objects whose category matches a rebuilt object's word; "unseen" counts the objects that
+were not visible in the drawing and that the plan supplied. All figures are measured on the *saved
+bundle*, simulated in plain MuJoCo from its ``scene.xml``: nothing is taken from the pipeline's
+report.
 """
 
 from __future__ import annotations
@@ -42,12 +42,12 @@ FIELDS = (
 
 
 def measure(bundle: Path, seconds: float = 2.0) -> dict[str, Any]:
-    """Simulate a bundle's ``scene.xml`` and return its soundness figures."""
+    """Simulate a bundle's ``scene.xml`` and return its physical measurements."""
     import mujoco
 
     from generator.bundle import load_verified
 
-    load_verified(bundle)  # the file says what the values say
+    load_verified(bundle)  # the file contains the same values
     model = mujoco.MjModel.from_xml_path(str(bundle / "scene.xml"))
     data = mujoco.MjData(model)
     mujoco.mj_resetDataKeyframe(model, data, 0)
@@ -58,7 +58,7 @@ def measure(bundle: Path, seconds: float = 2.0) -> dict[str, Any]:
     for _ in range(round(seconds / model.opt.timestep)):
         mujoco.mj_step(model, data)
     touching = {int(model.geom_bodyid[g]) for c in data.contact for g in c.geom}
-    awake = getattr(data, "body_awake", None)  # what sleeps has no contacts, and cannot float
+    awake = getattr(data, "body_awake", None)  # sleeping bodies have no contacts
     floating = [b for b in free if b not in touching and (awake is None or awake[b] != 0)]
     moved = np.linalg.norm(data.xpos[free] - start, axis=1)
     dots = np.clip(np.abs((data.xquat[free] * turned).sum(1)), 0, 1)
@@ -73,9 +73,9 @@ def measure(bundle: Path, seconds: float = 2.0) -> dict[str, Any]:
 
 
 def count_named(scene: Scene) -> int:
-    """Return how many planned objects are there by name, whatever their place.
+    """Return the number of planned objects present by name, regardless of position.
 
-    Words are compared by the category they mean; those of no category, as they are.
+    Words are compared by their category; words without one are compared literally.
     """
     from generator.language.parsing.lexicon import category_of
 
@@ -87,7 +87,7 @@ def count_named(scene: Scene) -> int:
 
 
 def count_unseen(bundle: Path, scene: Scene) -> int:
-    """Return how many objects of a bundle its picture has no instance of."""
+    """Return the number of a bundle's objects without an instance in its picture."""
     from generator.bundle import load_segments
 
     segments = load_segments(bundle)
@@ -120,13 +120,13 @@ def run(text: str, seed: int, route: str) -> dict[str, Any]:
             row["planned"] = len(scene.plan.objects) if scene.plan else ""
             row["seconds"] = round(time.perf_counter() - start, 2)
             row |= measure(path) | {"named": count_named(load(path)), "published": 1}
-        except Exception as error:  # recorded as a failure; one scene must not end the run
+        except Exception as error:  # recorded as a failure; one scene must not abort the run
             row["error"] = f"{type(error).__name__}: {error}"[:300]
     return row
 
 
 def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
-    """Return the results table with the criteria of a sound scene."""
+    """Return the results table with the criteria of a valid scene."""
     done = [r for r in rows if int(r["published"])]
 
     def worst(field: str) -> float:
@@ -158,20 +158,20 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
             "| figure | value |",
             "|---|---|",
             f"| published | {len(done)} / {len(rows)} |",
-            f"| sound (≤ 1 mm overlap; after 2 s ≤ 10 mm, ≤ 5°, none floats or fell) | {sound} / "
+            f"| valid (≤ 1 mm overlap; after 2 s ≤ 10 mm, ≤ 5°, none floats or fell) | {sound} / "
             f"{len(rows)} |",
             f"| deepest overlap at the start | {worst('penetration_mm'):.3f} mm |",
             f"| largest drift, tilt after 2 s | {worst('drift_mm'):.2f} mm, "
             f"{worst('tilt_deg'):.2f}° |",
             f"| planned count = built count | {100 * same / total:.1f} % |",
-            f"| planned count = count seen in the drawing, without what the plan supplied | "
+            "| planned count = count visible in the drawing, without the plan's additions | "
             f"{100 * by_eye / total:.1f} % of scenes, {100 * sum(seen) / max(wanted, 1):.1f} % of "
             "objects |",
             f"| planned names = built names | {100 * right / len(scored):.1f} % of scenes, "
             f"{100 * sum(int(r['named']) for r in scored) / max(asked, 1):.1f} % of objects |"
             if scored
             else "| planned names = built names | - |",
-            f"| seconds a scene, median / worst | {np.median(seconds):.1f} / {max(seconds):.1f} |"
+            f"| seconds per scene, median / worst | {np.median(seconds):.1f} / {max(seconds):.1f} |"
             if seconds
             else "| seconds | - |",
             "",
@@ -180,7 +180,7 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
 
 
 def resume(table: Path) -> list[dict[str, Any]]:
-    """Return the rows written so far, and give the file the columns of this version."""
+    """Return the rows written so far, after updating the file's columns to this version's."""
     rows: list[dict[str, Any]] = []
     if table.exists():
         with table.open(newline="") as file:

@@ -1,17 +1,18 @@
-"""The scripted expert over scenes and tasks: success, with what failed by phase and by category.
+"""The scripted expert over scenes and tasks: success rates, and failures by phase and category.
 
     python benchmarks/expert.py --scenes composed --count 40 --workers 2
     python benchmarks/expert.py --scenes composed --held-out --task Push --task Stack
     python benchmarks/expert.py --scenes starter --episodes 24
 
-An episode starts perturbed, as those of certificates do (``randomization="starts"``), since what
-follows is settled by scene, target, goal and start. It is a success once ``info["success"]`` has
-held for ``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes
-scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to
-develop with, the others with seeds from ``HELD_OUT`` for ``--held-out``, or from ``--seed``. Tidy
-and the presets of Sequence (``Sequence:kitchen``), which need certain things, have tables of their
-own texts, ``OWN``, in turn. Scenes that offer nothing to do have a row without a success. Rows go
-to ``expert_<which>.csv`` as they come (a second run resumes), the summary to the ``.md`` beside it.
+Episodes start perturbed, like those of certificates (``randomization="starts"``), since scene,
+target, goal and start determine everything else. An episode is a success once ``info["success"]``
+has held for ``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes
+scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0
+for development, the others with seeds from ``HELD_OUT`` for ``--held-out``, or from ``--seed``.
+Tidy and the presets of Sequence (``Sequence:kitchen``), which need certain objects, have tables
+from texts of their own, ``OWN``, in turn. Scenes without a valid task have a row without a success.
+Rows are written to ``expert_<which>.csv`` as they finish (a second run resumes), the summary to the
+corresponding ``.md``.
 """
 
 from __future__ import annotations
@@ -46,10 +47,10 @@ FIELDS = (
     "goal", "instruction", "phases", "error",
 )  # fmt: skip
 INSTANCE = ("scene", "seed", "target", "goals", "goal", "instruction")
-"""What tells one thing to do from another; episodes of one differ in their start."""
+"""Columns that identify a task instance; its episodes differ only in their start."""
 
 HELD_OUT = 3000
-"""First seed of the scenes that nothing was developed on."""
+"""First seed of the scenes that were not used in development."""
 
 PRESETS = ("Sequence:kitchen", "Sequence:coffee_table")
 
@@ -69,7 +70,7 @@ OWN = {
         "A dining table with a tray, a salt shaker, a pepper shaker, an egg and a tumbler",
     ),
 }
-"""Texts of the tables that hold what a task needs; other texts seldom do."""
+"""Texts of tables with the objects that a task needs, which other texts rarely have."""
 
 TASKS = (*NAMES, *PRESETS)
 
@@ -84,7 +85,7 @@ class EpisodesJob(NamedTuple):
 
 
 def work(job: EpisodesJob, composed: bool) -> list[Row]:
-    """Run the episodes of a job; what cannot be run is a row too."""
+    """Run the episodes of a job; failures to run are also rows."""
     base: Row = dict.fromkeys(FIELDS, "")
     base |= {"task": job.task, "scene": _name(job.text), "seed": job.seed}
     rows: list[Row] = []
@@ -112,7 +113,7 @@ def make_env(scene: Scene, task: str) -> gym.Env:
 
 
 def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
-    """Run one episode and return what it came to."""
+    """Run one episode and return its results."""
     _, info = env.reset(seed=seed)
     table = env.unwrapped
     assert isinstance(table, TabletopEnv)
@@ -160,7 +161,7 @@ def _name(text: str) -> str:
 
 
 def jobs(args: argparse.Namespace) -> Iterator[EpisodesJob]:
-    """Yield what is asked for."""
+    """Yield the requested jobs."""
     tasks = args.task or TASKS
     if args.scenes != "composed":
         for path in assets_cache.find(args.scenes):
@@ -176,9 +177,9 @@ def jobs(args: argparse.Namespace) -> Iterator[EpisodesJob]:
 def composed_scenes(
     task: str, count: int, held_out: bool, first: int | None = None
 ) -> list[tuple[str, int]]:
-    """Return the texts and seeds of ``count`` scenes of a task, to develop with or held out.
+    """Return texts and seeds of ``count`` scenes of a task, for development or held out.
 
-    ``first`` is the seed of the first round of texts; others follow it.
+    ``first`` is the seed of the first round of texts; other rounds follow it.
     """
     if first is None:
         first = HELD_OUT if held_out else 0
@@ -188,7 +189,7 @@ def composed_scenes(
     shown = texts[::2]
     texts = list(dict.fromkeys(t for t in texts[1::2] if t not in shown) if held_out
                  else dict.fromkeys(shown))  # fmt: skip
-    # A stride coprime to their number visits the themes in turn.
+    # A stride coprime to the number of texts visits the themes in turn.
     stride = next(s for s in (19, 17, 13, 1) if len(texts) % s)
     return [(texts[k * stride % len(texts)], first + k // len(texts)) for k in range(count)]
 
@@ -212,8 +213,8 @@ def summary(rows: Sequence[Row], command: str) -> str:
         f"`{command}`, {tables.where()}",
         "",
         f"Solved: success held for {HOLD} steps within the task's time limit. Feasible: scenes "
-        "that offer something to do. Instances: different scenes, targets and goals among "
-        "the episodes; each start is perturbed. Interval: Wilson, 95 %, as if episodes of one "
+        "with a valid task instance. Instances: different scenes, targets and goals among the "
+        "episodes; each start is perturbed. Interval: Wilson, 95 %, as if episodes of one "
         "instance were independent.",
         "",
         "| task | solved | share | interval | instances | median steps | feasible scenes |",
@@ -261,12 +262,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--task", action="append", choices=TASKS, help="one task; may be repeated")
     parser.add_argument("--scenes", default="composed", help="'composed', or bundles as a glob")
-    parser.add_argument("--count", type=int, default=30, help="how many scenes to compose")
-    parser.add_argument("--held-out", action="store_true", help="scenes not developed on")
+    parser.add_argument("--count", type=int, default=30, help="number of composed scenes")
+    parser.add_argument(
+        "--held-out", action="store_true", help="use scenes not used in development"
+    )
     parser.add_argument("--seed", type=int, help="first seed of the tables, for fresh ones")
-    parser.add_argument("--episodes", type=int, default=7, help="of each task at each table")
+    parser.add_argument("--episodes", type=int, default=7, help="episodes per task and table")
     parser.add_argument("--workers", type=int, default=1)
-    parser.add_argument("--name", help="name of the table; made of the scenes otherwise")
+    parser.add_argument("--name", help="name of the table; by default derived from the scenes")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
     composed = args.scenes == "composed"

@@ -1,21 +1,21 @@
-"""How well the eye sees: rendered tables of categories, parameters and seeds never trained on.
+"""Accuracy of the eye on rendered tables of categories, parameters and seeds never trained on.
 
     python -m research.eye.pictures.renders --out out/eye-eval --count 200 --seed 7 --split eval
     python benchmarks/eye.py --data out/eye-eval --out benchmarks/results
     python -m research.eye.pictures.renders --out out/eye-hard --count 200 --seed 17 --split hard
     python benchmarks/eye.py --data out/eye-hard --out benchmarks/results
 
-The split "hard" has things of no category, borrowed colours, white on white and black on black,
-things behind the table's far edge, loaded boards and bowls, hard shadows and eye-level views. Its
+The split "hard" has objects without a category, unusual colours, white on white and black on black,
+objects behind the table's far edge, loaded boards and bowls, hard shadows and eye-level views. Its
 table is ``eye_hard.md``.
 
-A thing counts if at least 100 pixels (of a picture 512 pixels wide; of others in proportion) and
-15 % of it are visible; a find of one that does not count is neither right nor wrong. A find is
-right at an overlap (IoU) of at least 0.5 with the visible mask, strictly at 0.75. Names are marked
-on things of categories that the eye was taught and has found: the network's own; those that are
-likeliest after a look at sizes and shapes on the tabletop that it found; and the labels that the
-segmenter gives, which may be none. Elevation and proportions of the table are those of the tabletop
-that the pipeline finds, the proportions where the frame shows all of it.
+An object counts if at least 100 pixels (of a picture 512 pixels wide; in proportion for others) and
+15 % of it are visible; detections of other objects are ignored. A detection is correct at an
+overlap (IoU) of at least 0.5 with the visible mask, strictly at 0.75. Names are evaluated on
+detected objects of categories that the eye was trained on: the network's own; the most likely ones
+given sizes and shapes on the detected tabletop; and the labels of the segmenter, which may be
+absent. Elevation and proportions of the table are those of the tabletop detected by the pipeline,
+the proportions only if the frame shows all of it.
 """
 
 from __future__ import annotations
@@ -69,7 +69,8 @@ def mark(
 ) -> dict:
     """Return counts and errors of one picture.
 
-    ``shown`` is where the table was found; ``keys`` are the shard's, ``own`` the eye's.
+    ``shown`` is the table's visible mask in the picture; ``keys`` are the shard's categories,
+    ``own`` the eye's.
     """
     h, w = sample.visible.shape
     truth = np.array([sample.visible == k + 1 for k in range(len(sample.full))]).reshape(-1, h, w)
@@ -120,24 +121,24 @@ def mark(
 def names_on_the_table(
     sight: EyeReading, plane: TablePlane | None, own: tuple[str, ...]
 ) -> tuple[list[str], list[str | None]]:
-    """Return the likeliest category of each thing, sizes and shapes considered, and its label."""
+    """Return each object's most likely category, given sizes and shapes, and its label."""
     if not sight.things:
         return [], []
     names = np.stack([t.names for t in sight.things]).astype(float)
-    if plane is not None:  # else what the network says
+    if plane is not None:  # otherwise the network's category
         names = weigh(names, looks_of(sight.things, plane, own))
     return [(*own, "unknown")[int(p.argmax())] for p in names], free_labels(names, own)
 
 
 def find_plane(image: np.ndarray) -> TablePlane | None:
-    """Return the tabletop that the pipeline finds, None if it finds none."""
+    """Return the tabletop detected by the pipeline, or None."""
     with contextlib.suppress(SceneError):
         return find_tabletop(image)
     return None
 
 
 def aspect_error(sample: Sample, plane: TablePlane | None) -> float | None:
-    """Return by how much the table's length over width is wrong, as a share."""
+    """Return the relative error of the table's length over width."""
     h, w = sample.visible.shape
     inside = sample.outline.size and (sample.outline >= 0).all()
     if plane is None or not inside or (sample.outline > [w, h]).any():
@@ -153,7 +154,7 @@ def aspect_error(sample: Sample, plane: TablePlane | None) -> float | None:
 
 
 def turn_level(outline: np.ndarray) -> np.ndarray:
-    """Return an outline turned so that its smallest rectangle is level, the long side along x."""
+    """Return an outline rotated so that its smallest rectangle is level, the long side along x."""
     corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapely.Polygon(outline)))
     sides = np.diff(corners, axis=0)
     long = sides[int(np.linalg.norm(sides, axis=1).argmax())]
@@ -177,8 +178,8 @@ def summary(marks: list[dict], seconds: float) -> list[tuple[str, str]]:
         ("precision", f"{total('right') / max(total('finds'), 1):.1%}"),
         ("strict recall, at IoU 0.75", f"{total('strict') / total('things'):.1%}"),
         ("strict precision", f"{total('strict') / max(total('finds'), 1):.1%}"),
-        ("mask IoU, mean over finds", f"{every('iou').mean():.3f}"),
-        ("whole-mask IoU, mean over finds", f"{every('whole').mean():.3f}"),
+        ("mask IoU, mean over detections", f"{every('iou').mean():.3f}"),
+        ("whole-mask IoU, mean over detections", f"{every('whole').mean():.3f}"),
         ("table IoU (visible)", f"{every('table').mean():.3f}"),
         ("tabletop IoU (whole)", f"{every('top').mean():.3f}"),
         ("elevation error, median / 90 %", _spread(every("elevation"))),
@@ -187,9 +188,9 @@ def summary(marks: list[dict], seconds: float) -> list[tuple[str, str]]:
         ("category top-1", f"{total('weighed') / max(total('named'), 1):.1%}"),
         ("labels right", f"{total('labelled') / max(total('named'), 1):.1%}"),
         ("labels wrong", f"{total('mislabelled') / max(total('named'), 1):.1%}"),
-        ("elevation error of the tabletop found, median / 90 %", _spread(every("plane"))),
-        ("its proportions' error, median", f"{np.median(every('aspect')):.1%}"),
-        ("seconds a picture", f"{seconds:.2f}"),
+        ("elevation error of the detected tabletop, median / 90 %", _spread(every("plane"))),
+        ("error of its proportions, median", f"{np.median(every('aspect')):.1%}"),
+        ("seconds per picture", f"{seconds:.2f}"),
     ]
 
 
@@ -200,7 +201,7 @@ def _spread(errors: np.ndarray) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--data", type=Path, required=True)
-    parser.add_argument("--limit", type=int, default=0, help="at most that many pictures")
+    parser.add_argument("--limit", type=int, default=0, help="maximum number of pictures")
     parser.add_argument("--out", type=Path, help="folder for eye.md")
     args = parser.parse_args()
     own, marks, spent = load_weights().categories, [], 0.0
@@ -216,7 +217,7 @@ def main() -> None:
         shown = table_of(sample.image, sight)
         marks.append(mark(sample, sight, shown, reader.keys, own))
     rows = summary(marks, spent / len(places))
-    text = "# The eye on rendered tables it was not trained on\n"
+    text = "# The eye on rendered tables outside its training data\n"
     text += f"`python benchmarks/eye.py {' '.join(sys.argv[1:])}`, {platform.machine()}, "
     text += f"{os.cpu_count()} cores, {datetime.date.today()}\n\n| figure | value |\n|---|---|\n"
     text += "".join(f"| {name} | {value} |\n" for name, value in rows)

@@ -1,12 +1,12 @@
-"""How many fresh tables offer a task something to do, drawn for it and for no task.
+"""Share of fresh tables with a valid task instance, drawn for the task and for no task.
 
     python benchmarks/fresh_tables.py --count 60 --workers 2
 
-For each task ``count`` tables are drawn of every theme with what the task needs (``Task.needs``),
-as ``scenes="fresh"`` draws them, and as many for no task in particular, at which all tasks are
-tried. A table offers a task something if its ``sample`` finds an instance that the expert's
-planners can grasp, put and push. Rows go to ``fresh_tables.csv`` as they come (a second run
-resumes), the summary to the ``.md`` beside it.
+For each task ``count`` tables of every theme are drawn with the objects it needs (``Task.needs``),
+like those of ``scenes="fresh"``, and as many for no particular task, at which all tasks are tried.
+A table is valid for a task if the task's ``sample`` finds an instance that the expert's planners
+can grasp, place and push. Rows are written to ``fresh_tables.csv`` as they finish (a second run
+resumes), the summary to the corresponding ``.md``.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ from tabletopgen_env.world.world import World
 HERE = Path(__file__).parent
 TASKS = (*NAMES, *(f"Sequence:{preset}" for preset in PRESETS))
 ANY = "any"
-"""What a table was drawn for that was drawn for no task."""
+"""Value for a table that was drawn for no task."""
 
 KEY = ("drawn_for", "seed", "task")
 FIELDS = (*KEY, "rows", "offers", "things", "categories", "why")
 
 
 class TableJob(NamedTuple):
-    """One table: what it is drawn for, its seed, and the tasks that are tried at it."""
+    """One table: the task it is drawn for, its seed, and the tasks that are tried at it."""
 
     drawn_for: str
     seed: int
@@ -49,7 +49,7 @@ class TableJob(NamedTuple):
 
 
 def task_of(name: str) -> Task:
-    """Return the task of a name, with its preset after a colon."""
+    """Return a task by its name, with its preset after a colon."""
     return task_named(*name.split(":"))
 
 
@@ -72,7 +72,7 @@ def work(job: TableJob) -> list[Row]:
 
 
 def try_table(world: World, name: str, seed: int) -> Row:
-    """Return whether a table offers a task something, and why not."""
+    """Return whether a table is valid for a task, and the reason if not."""
     world.reset()
     try:
         task_of(name).sample(world, np.random.default_rng(seed))
@@ -82,7 +82,7 @@ def try_table(world: World, name: str, seed: int) -> Row:
 
 
 def jobs(names: Sequence[str], count: int) -> list[TableJob]:
-    """Return the tables for no task, then those for each task that needs something."""
+    """Return the tables for no task, then those for each task with needs."""
     drawn = [TableJob(ANY, seed, tuple(names)) for seed in range(count)]
     return drawn + [
         TableJob(name, seed, (name,))
@@ -98,11 +98,11 @@ def summary(rows: Sequence[Row], names: Sequence[str], command: str) -> str:
         "# Tables drawn for a task",
         f"`{command}`, {tables.where()}",
         "",
-        "Share of drawn tables that offer the task something to do: those drawn for no task in "
-        'particular, and those that `scenes="fresh"` draws for the task. A task that needs nothing '
-        "has the former. Interval: Wilson, 95 %. Categories: different ones among the latter.",
+        "Share of drawn tables with a valid task instance: those drawn for no particular task, "
+        'and those that `scenes="fresh"` draws for the task. Tasks without needs have only the '
+        "former. Interval: Wilson, 95 %. Categories: distinct ones among the latter.",
         "",
-        "| task | for no task | for the task | interval | things | categories |",
+        "| task | for no task | for the task | interval | objects | categories |",
         "|---|---|---|---|---|---|",
         *(_line(name, rows) for name in names),
         "",
@@ -129,7 +129,7 @@ def _offering(rows: Sequence[Row]) -> int:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--task", action="append", choices=TASKS, help="one task; may be repeated")
-    parser.add_argument("--count", type=int, default=60, help="how many tables of each kind")
+    parser.add_argument("--count", type=int, default=60, help="number of tables of each kind")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
@@ -144,7 +144,7 @@ def main() -> None:
 
 
 def say(rows: list[Row]) -> str:
-    """Return the line printed for a table."""
+    """Return the progress line of a table."""
     return f"for {rows[0]['drawn_for']}, seed {rows[0]['seed']}: {_offering(rows)} of {len(rows)}"
 
 

@@ -1,12 +1,13 @@
-"""Hostile input of every kind, thousands of cases each: how they end.
+"""Hostile input of every kind, thousands of cases each, and its outcomes.
 
     python benchmarks/fuzz.py --cases 5000
     python benchmarks/fuzz.py --cases 500 --kind glb --kind obj
     python benchmarks/fuzz.py --kind glb --case 17 --seed 0
 
-Each case runs in a watched process (see ``tests/fuzz/hostile``). A row a kind goes to ``fuzz.csv``
-as it ends, in place of the one that is there; ``fuzz.md`` shows all rows. With ``--case`` one is
-run alone, and what came of it is printed. The exit code is 1 where a case did not end well.
+Each case runs in a monitored process (see ``tests/fuzz/hostile``). One row per kind is written to
+``fuzz.csv`` when it finishes, replacing an existing row; ``fuzz.md`` shows all rows. With
+``--case`` a single case is run and its outcome printed. The exit code is 1 if a case had a bad
+outcome.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ def row(tally: Tally, seconds: float) -> Row:
 
 
 def run(kind: str, cases: Sequence[int], seed: int) -> tuple[Tally, float]:
-    """Run cases of a kind in a worker of their own."""
+    """Run cases of a kind in a separate worker."""
     began = time.monotonic()
     with Worker() as worker:
         tally = run_cases(worker, kind, seed, cases)
@@ -57,7 +58,7 @@ def run(kind: str, cases: Sequence[int], seed: int) -> tuple[Tally, float]:
 
 
 def read(table: Path) -> dict[str, Row]:
-    """Return the rows that are there, by kind."""
+    """Return the existing rows, by kind."""
     if not table.is_file():
         return {}
     with table.open(newline="") as file:
@@ -76,7 +77,7 @@ def write(rows: dict[str, Row], folder: Path, machine: str, command: str) -> Non
 
 
 def page(rows: Sequence[Row], machine: str, command: str) -> str:
-    """Return the table for people."""
+    """Return the table as Markdown."""
     sums = {name: sum(int(r[name]) for r in rows) for name in FIELDS[1:8]}
     total = {"kind": "**all**", **{name: str(value) for name, value in sums.items()}}
     lines = [
@@ -84,11 +85,11 @@ def page(rows: Sequence[Row], machine: str, command: str) -> str:
         "",
         f"`{command}`, {machine}, {date.today().isoformat()}.",
         "",
-        "A case is one hostile input, read by the package's own entry points in a watched process. "
-        f"It ends well within {SECONDS:g} s of processor time and {MOST_MIB:g} MiB, its child "
-        "processes counted, in a result or in an error of the package, and changes nothing outside "
-        "its folder. A foreign exception is any other, or a crash. "
-        "`python benchmarks/fuzz.py --kind KIND --case N --seed SEED` runs one case again.",
+        "A case is one hostile input, read by the package's own entry points in a monitored "
+        f"process. Its outcome is good if it ends within {SECONDS:g} s of processor time and "
+        f"{MOST_MIB:g} MiB, including child processes, with a result or an error of the package, "
+        "and changes nothing outside its folder. A foreign exception is any other one, or a "
+        "crash. `python benchmarks/fuzz.py --kind KIND --case N --seed SEED` repeats one case.",
         "",
         "| " + " | ".join(HEADS) + " |",
         "|" + "---|" * len(HEADS),
@@ -98,7 +99,7 @@ def page(rows: Sequence[Row], machine: str, command: str) -> str:
 
 
 def again(kind: str, number: int, seed: int) -> int:
-    """Run one case and print what came of it; return the exit code."""
+    """Run one case and print its outcome; return the exit code."""
     tally, _ = run(kind, [number], seed)
     print(tally.outcomes[0].told())
     return len(tally.bad)
@@ -106,12 +107,12 @@ def again(kind: str, number: int, seed: int) -> int:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
-    parser.add_argument("--cases", type=int, default=300, help="of each kind")
-    parser.add_argument("--kind", action="append", help="one kind; again for more; all if left out")
-    parser.add_argument("--case", type=int, help="run only this one of a kind")
+    parser.add_argument("--cases", type=int, default=300, help="cases per kind")
+    parser.add_argument("--kind", action="append", help="a kind; may be repeated; all by default")
+    parser.add_argument("--case", type=int, help="run only this case of a kind")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--workers", type=int, default=2, help="kinds at a time")
-    parser.add_argument("--machine", default="this machine", help="words on the page")
+    parser.add_argument("--workers", type=int, default=2, help="kinds in parallel")
+    parser.add_argument("--machine", default="this machine", help="a remark on the page")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     chosen = parser.parse_args(arguments)
     kinds = chosen.kind or list(KINDS)

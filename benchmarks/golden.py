@@ -1,15 +1,15 @@
-"""Record what the package makes, and compare two records: a refactoring changes no byte.
+"""Record the package's outputs, and compare two records: a refactoring changes no byte.
 
     python benchmarks/golden.py record before --pictures photos/*.png
     python benchmarks/golden.py compare before after
 
-A record holds bundles composed and generated from texts and pictures, edited, imported, and made by
-a batch; exports in every format; a static page; digests of observations and rewards of environments
-under seeded actions; and a policy cloned for one round. Everything goes through the commands and
-Gymnasium's ids, so that one script records before and after modules move. Existing parts are not
-recorded again. ``compare`` ignores backend names and package versions in a bundle's provenance,
-the scripts beside exports, and the page's own code. It prints every other difference and exits
-with 1 if there is one.
+A record has bundles composed and generated from texts and pictures, edited, imported, and made in a
+batch; exports in every format; a static page; digests of observations and rewards of environments
+under seeded actions; and a policy cloned for one round. Everything uses the commands and
+Gymnasium's ids, so that the same script records before and after modules move. Existing parts are
+not recorded again. ``compare`` ignores backend names and package versions in a bundle's provenance,
+the scripts in exports, and the page's own code. It prints every other difference, and exits with 1
+if there is one.
 """
 
 from __future__ import annotations
@@ -49,12 +49,12 @@ PARTS = (
 CODE = (".py", ".js", ".css", ".wasm", ".html", ".md", ".map")
 """Files of exports and pages that belong to the program."""
 DATA = (".obj", ".png", ".safetensors", ".xml")
-"""Files of bundles and trainings that are recorded."""
+"""Recorded files of bundles and trainings."""
 CLONING = (
     "cloning.rounds=1", "cloning.episodes=6", "cloning.steps=60", "cloning.last_steps=60",
 )  # fmt: skip
 FREE = ("backends", "versions", "edits")
-"""What a provenance may say otherwise: names that modules are known by, and digests."""
+"""Ignored parts of a provenance: module names and digests."""
 
 
 def texts() -> list[str]:
@@ -64,7 +64,7 @@ def texts() -> list[str]:
 
 
 def run(*arguments: str) -> None:
-    """Run a command to its end; what it prints is shown if it fails."""
+    """Run a command; its output is shown if it fails."""
     environment = {**os.environ, "OMP_NUM_THREADS": "1"}
     done = subprocess.run(arguments, capture_output=True, text=True, env=environment)
     if done.returncode:
@@ -74,7 +74,7 @@ def run(*arguments: str) -> None:
 def bundle_jobs(
     out: Path, parts: Sequence[str], pictures: Sequence[str], maximum: int
 ) -> Iterator[tuple[Path, tuple[str, ...]]]:
-    """Yield folders of ``out`` that are to hold bundles, each with the command that makes them."""
+    """Yield the bundle folders of ``out``, each with the command that makes its bundles."""
     for number, text in enumerate(texts()[:maximum] if "compose" in parts else ()):
         place = out / "compose" / f"{number:02}"
         yield place, (*COMMAND, "compose", text, "--seed", str(number), "--out", str(place))
@@ -99,7 +99,7 @@ def bundle_jobs(
 
 
 def record_bundles(jobs: Iterable[tuple[Path, tuple[str, ...]]], workers: int) -> None:
-    """Make the bundles that are not there."""
+    """Make the missing bundles."""
 
     def make(job: tuple[Path, tuple[str, ...]]) -> None:
         place, command = job
@@ -129,7 +129,7 @@ def record_exports(out: Path, parts: Sequence[str], maximum: int) -> None:
 
 
 def record_environments(out: Path, modes: Sequence[str], scenes: Sequence[str], steps: int) -> None:
-    """Write digests of what environments observe and reward."""
+    """Write digests of the observations and rewards of environments."""
     import gymnasium as gym
     import numpy as np
 
@@ -190,7 +190,7 @@ def record_cloning(out: Path) -> None:
 
 
 def facts(record: Path) -> dict[str, Any]:
-    """Return what a record says: a digest of each file, values of each JSON file."""
+    """Return the content of a record: a digest of each file, values of each JSON file."""
     found: dict[str, Any] = {}
     for path in sorted(p for p in record.rglob("*") if p.is_file()):
         place = Path(*(DIGEST.sub("", part) for part in path.relative_to(record).parts))
@@ -225,7 +225,7 @@ def _scene(path: Path) -> dict[str, Any]:
 
 
 def compare(one: Path, other: Path) -> int:
-    """Print what differs between two records; return how much does."""
+    """Print the differences between two records; return their number."""
     before, after = facts(one), facts(other)
     differing = [key for key in sorted(before | after) if before.get(key) != after.get(key)]
     for key in differing:
@@ -242,10 +242,12 @@ def main() -> int:
     commands = parser.add_subparsers(dest="command", required=True)
     recording = commands.add_parser("record")
     recording.add_argument("out", type=Path)
-    recording.add_argument("--pictures", nargs="*", type=Path, default=[], help="to generate from")
+    recording.add_argument(
+        "--pictures", nargs="*", type=Path, default=[], help="pictures to generate from"
+    )
     recording.add_argument("--parts", nargs="*", choices=PARTS, default=PARTS)
     recording.add_argument("--most", type=int, default=100, help="scenes, modes, ... of each part")
-    recording.add_argument("--steps", type=int, default=STEPS, help="of each environment")
+    recording.add_argument("--steps", type=int, default=STEPS, help="steps per environment")
     recording.add_argument("--workers", type=int, default=2)
     comparing = commands.add_parser("compare")
     comparing.add_argument("one", type=Path)

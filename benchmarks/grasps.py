@@ -1,12 +1,12 @@
-"""Do grasp labels say what happens: two seeds of trials, and the expert that takes the grasp.
+"""Validity of grasp labels: trials with two seeds, and the expert's success with each grasp.
 
     python benchmarks/grasps.py --workers 2
 
-Of every object that stands on the table of a bundle, grasps from above are rated by trials with two
-seeds (``tabletopgen_env.grasps``), and of the worst and the best ``--each`` are then taken by the
-Panda: the object alone on its table, the task Lift, the expert's motion with that grasp and no
-other. Rows go to ``grasps.csv`` as they come (a second run resumes), the summary to the ``.md``
-beside it.
+For every object that stands on the table of a bundle, grasps from above are rated by trials with
+two seeds (``tabletopgen_env.grasps``). The ``--each`` worst and best ones are then executed by the
+Panda: the object alone on its table, the task Lift, and the expert's motion with only that grasp.
+Rows are written to ``grasps.csv`` as they finish (a second run resumes), the summary to the
+corresponding ``.md``.
 """
 
 from __future__ import annotations
@@ -43,14 +43,14 @@ HERE = Path(__file__).parent
 KEY = ("bundle", "object", "number")
 FIELDS = (*KEY, "rows", "quality", "again", "lifted", "width", "reached", "success")
 DOWN = np.cos(np.deg2rad(12.0))
-"""Cosine of the most that a hand from above leans."""
+"""Cosine of the maximum lean of a hand from above."""
 
 ABOVE = 0.002
-"""Metres that fingertips keep over the table."""
+"""Minimum height of fingertips above the table, metres."""
 
 
 class GraspJob(NamedTuple):
-    """An object of a bundle; ``each`` of its worst and best grasps from above are taken."""
+    """An object of a bundle; ``each`` of its worst and best grasps from above are executed."""
 
     bundle: Path
     name: str
@@ -60,14 +60,14 @@ class GraspJob(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class OneGrasp:
-    """A ``Chooser`` that knows one grasp, in the object's frame."""
+    """A ``Chooser`` with a single grasp, in the object's frame."""
 
     labels: GraspLabels
 
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return the grasp where the object is now, if the arm reaches it and has not failed."""
+        """Return the grasp at the object's pose, if the arm reaches it and it has not failed."""
         if failed:
             return None
         turn = world.rotation(target)
@@ -79,7 +79,7 @@ class OneGrasp:
 
 
 def work(job: GraspJob) -> list[Row]:
-    """Rate the grasps of an object twice, have the Panda take some; return a row for each."""
+    """Rate the grasps of an object twice and execute some with the Panda; return a row for each."""
     scene = load(job.bundle)
     thing = scene.object(job.name)
     alone = scene.replace(objects=(thing,), plan=None, report=None)
@@ -104,7 +104,7 @@ def work(job: GraspJob) -> list[Row]:
 
 
 def from_above(scene: Scene, thing: Object, terms: GraspTerms) -> list[GraspCandidate]:
-    """Return the grasps of an object that a hand from above can take where it stands."""
+    """Return the grasps that a hand from above can execute at the object's pose."""
     turn, place = quaternion_matrix(thing.pose.quaternion), thing.pose.position
     rng = np.random.default_rng((terms.seed, 0))
     found = find_candidates(thing, terms.count, terms.directions, rng)
@@ -117,7 +117,7 @@ def from_above(scene: Scene, thing: Object, terms: GraspTerms) -> list[GraspCand
 
 
 def take(alone: Scene, name: str, labels: GraspLabels) -> tuple[bool, bool]:
-    """Return whether the arm reaches the grasp, and whether it lifts the object by it."""
+    """Return whether the arm reaches the grasp, and whether it lifts the object with it."""
     limit = gymnasium.spec("TabletopGen/Lift-v0").max_episode_steps
     assert limit is not None
     with closing(
@@ -146,7 +146,7 @@ def take(alone: Scene, name: str, labels: GraspLabels) -> tuple[bool, bool]:
 
 
 def area_under_curve(scores: Sequence[float], labels: Sequence[int]) -> float:
-    """Return the chance that a success is rated above a failure, ties counted half."""
+    """Return the probability that a success is rated above a failure; ties count half."""
     truth = np.array(labels, bool)
     if truth.all() or not truth.any():
         return float("nan")
@@ -171,12 +171,13 @@ def summary(rows: Sequence[Row], command: str) -> str:
         f"{len(rows)} grasps from above of {len({(r['bundle'], r['object']) for r in rows})} "
         "objects, the worst and the best of each by the first seed. Quality by two seeds of "
         f"trials: correlation {same:.2f}, mean difference {np.abs(first - again).mean():.3f}, at "
-        f"most {np.abs(first - again).max(initial=0):.2f}. The arm reaches {len(reached)}; taken "
-        f"by the expert's motion, each object alone on its table, {len(success) - sum(success)} "
-        "do not lift it. The chance that a grasp that lifted is rated above one that did not is "
-        f"{curves['quality']:.2f} by quality and {curves['lifted']:.2f} by the share lifted. "
-        "Trials ask for more than Lift does (errors of the hand, less friction, turning, "
-        "shaking), so that many grasps of low quality still lift.",
+        f"most {np.abs(first - again).max(initial=0):.2f}. The arm reaches {len(reached)}; "
+        "executed by the expert's motion, each object alone on its table, "
+        f"{len(success) - sum(success)} do not lift it. The probability that a successful grasp "
+        f"is rated above a failed one is {curves['quality']:.2f} by quality and "
+        f"{curves['lifted']:.2f} by the share lifted. Trials are more demanding than Lift (errors "
+        "of the hand, less friction, turning, shaking), so that many grasps of low quality still "
+        "lift.",
         "",
         "| quality | grasps | lifted by the expert | 95 % |",
         "|---|---|---|---|",
@@ -193,10 +194,12 @@ def summary(rows: Sequence[Row], command: str) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--bundles", nargs="+", default=["starter"])
-    parser.add_argument("--each", type=int, default=2, help="worst and best grasps that are taken")
-    parser.add_argument("--count", type=int, default=60, help="grasps of an object, from all sides")
+    parser.add_argument(
+        "--each", type=int, default=2, help="number of worst and of best grasps to execute"
+    )
+    parser.add_argument("--count", type=int, default=60, help="grasps per object, from all sides")
     parser.add_argument("--trials", type=int, default=GraspTerms().trials)
-    parser.add_argument("--most", type=int, default=1000, help="objects at most")
+    parser.add_argument("--most", type=int, default=1000, help="maximum number of objects")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()

@@ -1,13 +1,13 @@
-"""One picture to a model: how alike re-renders are, from the same view and from 60 degrees round.
+"""Similarity of a modeler's re-renders to one picture, from the same view and 60 degrees around.
 
     python benchmarks/modeler.py --seed 10000 --cases 40
 
 Each case is a catalogue object (variant seeds from ``--seed`` on) drawn on a wooden table by the
-numpy renderer at a random place, yaw and camera under a random sun. The modeler gets the crop cut
-out by the true mask and the proportions that the eye sees, once with its label and the catalogue's
-usual size, once as an "object". Its model, turned to the yaw that looks most alike and stood on the
-table, is drawn by the same light from the same place and from one 60 degrees round. Columns:
-overlap (IoU) of the silhouettes, mean CIELAB difference where they overlap.
+NumPy renderer at a random position, yaw and camera under a random sun. The modeler gets the crop of
+the true mask and the proportions measured by the eye, once with its label and the catalogue's usual
+size, once as an "object". Its model, rotated to the most similar yaw and placed on the table, is
+drawn under the same light from the same position and from one 60 degrees around. Columns: overlap
+(IoU) of the silhouettes, mean CIELAB difference within the overlap.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ from tabletop_objects import CATEGORIES, build
 from tabletop_objects.kit.surfaces import WOODS
 
 WIDTH, HEIGHT = 960, 720
-ACROSS = 0.9  # metres of table across the picture's middle
-SIDE = 176  # of the compared pictures, pixels
+ACROSS = 0.9  # metres of table across the picture's centre
+SIDE = 176  # side of the compared pictures, pixels
 ROUND = np.deg2rad(60)
 
 
 @dataclass(frozen=True, eq=False)
 class ModelerCase:
-    """One object to model: the truth in the world, what the modeler is shown, who looked."""
+    """One object to model: the truth in the world, and the modeler's input."""
 
     key: str
     truth: Item
@@ -57,7 +57,7 @@ class ModelerCase:
     seen: SizePrior
 
     def look(self, item: Item, turn: float) -> tuple[UInt8[np.ndarray, "s s 3"], np.ndarray]:
-        """Draw an item close up from ``turn`` radians round; return picture and silhouette."""
+        """Draw an item close up, seen ``turn`` radians around it; return picture and silhouette."""
         low, high = self.truth.vertices.min(0), self.truth.vertices.max(0)
         middle, radius = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
         away = self.camera.position - middle
@@ -86,12 +86,12 @@ def ground() -> Item:
 
 
 def draw_case(model: Model, rng: np.random.Generator) -> ModelerCase:
-    """Draw ``model`` somewhere on the table, wholly inside the picture."""
+    """Draw ``model`` at a random position on the table, fully inside the picture."""
     view = View(0.0, float(np.deg2rad(rng.uniform(30, 62))), float(np.deg2rad(rng.uniform(30, 45))))
     distance = ACROSS / 2 / np.tan(view.fov / 2) * HEIGHT / WIDTH
     camera = Camera.looking_at(np.zeros(3), view, distance, WIDTH, HEIGHT)
     direction, sun = np.array([*rng.uniform(-0.6, 0.6, 2), 0.8]), float(rng.uniform(0.2, 0.5))
-    light = Light(  # as exposed: what faces up is as bright as its colour
+    light = Light(  # exposure: surfaces that face up have the brightness of their colour
         direction=direction,
         sun=sun,
         sky=1.0 - sun * float(direction[2] / np.linalg.norm(direction)),
@@ -143,7 +143,7 @@ def difference(
     a: tuple[UInt8[np.ndarray, "s s 3"], Bool[np.ndarray, "s s"]],
     b: tuple[UInt8[np.ndarray, "s s 3"], Bool[np.ndarray, "s s"]],
 ) -> tuple[float, float]:
-    """Return silhouette overlap, and mean CIELAB difference where both are (100 if nowhere)."""
+    """Return silhouette overlap, and mean CIELAB difference within it (100 if there is none)."""
     both = a[1] & b[1]
     labs = [cv2.cvtColor(x.astype(np.float32) / 255, cv2.COLOR_RGB2LAB) for x in (a[0], b[0])]
     gap = np.linalg.norm(labs[0] - labs[1], axis=-1)
@@ -151,7 +151,7 @@ def difference(
 
 
 def alike(case: ModelerCase, model: Model) -> tuple[Item, Float[np.ndarray, "4"]]:
-    """Return the model posed as most alike, and its four figures."""
+    """Return the model at its most similar pose, and the four figures."""
     shown = case.look(case.truth, 0.0)
     yaws = np.arange(36) * np.pi / 18
     overlaps = np.array([stand(case, model, yaw)[1] for yaw in yaws])
@@ -183,7 +183,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=10_000)
     parser.add_argument("--cases", type=int, default=40)
     parser.add_argument("--each", action="store_true", help="print every case")
-    parser.add_argument("--only", nargs="*", help="categories, instead of random ones")
+    parser.add_argument("--only", nargs="*", help="categories; random ones by default")
     parser.add_argument("--pictures", type=Path, help="folder for a picture of each case")
     args = parser.parse_args()
     rng = np.random.default_rng(args.seed)
@@ -213,8 +213,8 @@ def main() -> None:
             args.pictures.mkdir(parents=True, exist_ok=True)
             picture = cv2.cvtColor(sheet(case, items), cv2.COLOR_RGB2BGR)
             cv2.imwrite(str(args.pictures / f"{k:03d}_{key}.png"), picture)
-    print("| crop | objects | IoU, same view | colour, same view | IoU, 60° round "
-          "| colour, 60° round | kept its category | CPU seconds, mean (worst) |")  # fmt: skip
+    print("| crop | objects | IoU, same view | colour, same view | IoU, 60° around | colour, 60° "
+        "around | kept its category | CPU seconds, mean (worst) |")  # fmt: skip
     print("|---|---|---|---|---|---|---|---|")
     for name, found in rows.items():
         mean, worst = np.mean(found, 0), np.max(found, 0)

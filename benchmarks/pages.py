@@ -1,14 +1,14 @@
-"""How fast the pages are in Chromium, and whether its physics is MuJoCo's: shipped tables, gallery.
+"""Speed of the pages in Chromium, and agreement of their physics with MuJoCo.
 
     python benchmarks/pages.py
     python benchmarks/pages.py --scenes coffee-oval --rounds 1
 
-A page of the tables is written and served from this machine. For each table a fresh browser opens
-its address: "first" is the time from the start of the navigation until the scene is simulated and
-drawn, with nothing in any cache; "again" is the same once more in that browser. Then the table is
-simulated for two seconds there and in Python: how far apart positions and rotations are. The
-gallery is shown with 200 entries and searched word by word. Times are the median of the rounds;
-the browser draws by software. The table goes to ``pages.md``.
+A page of the shipped tables is written and served from this machine. For each table a fresh browser
+opens its address: "first" is the time from the start of the navigation until the scene is simulated
+and drawn, with empty caches; "again" is the same a second time in that browser. Then the table is
+simulated for two seconds there and in Python, and positions and rotations are compared. The gallery
+is shown with 200 entries and searched word by word. Times are medians over the rounds; the browser
+renders in software. The table is written to ``pages.md``.
 """
 
 from __future__ import annotations
@@ -40,10 +40,10 @@ HERE = Path(__file__).parent
 SHIPPED = ("starter", "kitchen-task-*", "coffee-table-task-*", "tidy-task-*")
 
 STEPS = 1000
-"""Steps of 2 ms that are simulated in both."""
+"""Number of 2 ms steps that are simulated in both."""
 
 ENTRIES = 200
-"""Entries of the gallery that is searched."""
+"""Number of entries of the searched gallery."""
 
 _READY = "() => [...(window.tabletopgen?.values() ?? [])].some(e => e.ready.value)"
 _NOW = "() => performance.now()"  # since the navigation began
@@ -63,7 +63,7 @@ SEARCH = """async () => {
 
 
 def time_scene(play: Playwright, site: str, scene: str) -> tuple[float, float, Any]:
-    """Return the seconds of a first and of a later opening, and qpos after ``STEPS``."""
+    """Return the seconds of the first and of a later opening, and qpos after ``STEPS``."""
     browser = launch(play)
     page = browser.new_page()
     page.goto(f"{site}#/scene/{scene}")
@@ -90,7 +90,7 @@ def simulate(bundle: Path) -> Any:
 
 
 def apart(one: Any, other: Any) -> tuple[float, float]:
-    """Return the largest distance (micrometres) and turn (degrees) between free bodies' poses."""
+    """Return the maximum difference of free bodies' poses, micrometres and degrees."""
     a, b = one.reshape(-1, 7), other.reshape(-1, 7)
     far = float(np.linalg.norm(a[:, :3] - b[:, :3], axis=1).max())
     turn = 2 * np.arccos(np.clip(np.abs((a[:, 3:] * b[:, 3:]).sum(1)), 0, 1)).max()
@@ -121,10 +121,11 @@ def summary(rows: Sequence[Sequence[Any]], searches: Sequence[float], sizes: Seq
         f"`{tables.command_line('--out')}`, {tables.where()}",
         "",
         *sizes,
-        f"- a gallery of {ENTRIES} entries is searched in {np.median(searches):.0f} ms (median), "
-        f"{max(searches):.0f} ms at most, drawn",
+        f"- a gallery of {ENTRIES} entries is searched and drawn in {np.median(searches):.0f} ms "
+        f"(median), at most {max(searches):.0f} ms",
         "",
-        "| table | objects | first, s | again, s | position apart, µm | rotation apart, ° |",
+        "| table | objects | first, s | again, s | position difference, µm | rotation "
+        "difference, ° |",
         "|---|---|---|---|---|---|",
     ]
     for name, objects, first, again, far, turn in rows:
@@ -162,7 +163,7 @@ def main() -> None:
                 searches += time_search(play, written.path, site)
     built = sum(f.stat().st_size for f in static_folder().rglob("*") if f.is_file())
     sizes = [
-        f"- the built front end has {built / 1e6:.1f} MB, the page of {len(bundles)} tables with "
+        f"- the front end has {built / 1e6:.1f} MB, the page of {len(bundles)} tables with "
         f"exports and episodes {written.bytes / 1e6:.1f} MB",
     ]
     text = summary(rows, searches, sizes)

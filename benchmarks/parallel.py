@@ -1,14 +1,14 @@
-"""What asking about all things at once is worth: one scene of six things, a pool of one against 8.
+"""Speedup from parallel queries: one scene of six objects, with a pool of one and a pool of 8.
 
     python benchmarks/parallel.py --delay 1
 
-Makes the scene of ``tests/mixing`` by ``cloud``, ``huggingface`` and ``hunyuan3d``: the servers are
-the tests' own, in a process of their own, and take ``--delay`` seconds for each answer; the models
-on this machine are tiny. Takes the time, by the clock, of the three things that are asked about
-each of the six and the table (completing, modelling, reviewing the orientation), what is computed
-here beside the answers included, and of the whole. Ends with 1 where completing and modelling take
-more than a third of what they take one after another. Writes ``results/parallel.md``. ``--note`` is
-added to the table's head, for instance that the machine was not idle.
+Makes the scene of ``tests/mixing`` with ``cloud``, ``huggingface`` and ``hunyuan3d``: the servers
+are the tests' own, in a separate process, and take ``--delay`` seconds for each answer; the local
+models are tiny. Measures the wall-clock time of the three queries that are made for each of the six
+objects and the table (completion, modelling, review of the orientation), including local
+computation, and of the whole scene. Exits with 1 if completion and modelling take more than a third
+of the sequential time. Writes ``results/parallel.md``. ``--note`` is added to the table's head, for
+instance if the machine was not idle.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from generator.calls import Session
 
 HERE = Path(__file__).parent
 LONG = 600.0
-"""Seconds after which the process of the servers is taken to hang."""
+"""Seconds after which the servers' process counts as hanging."""
 TESTS = HERE.parent / "tests"
 sys.path[:0] = [str(TESTS), str(TESTS / "mixing")]
 
@@ -40,13 +40,13 @@ STEPS = {
     "modelling": "model",
     "reviewing the orientation": "review_orientation",
 }
-"""What is asked about each thing, in the order in which the pipeline does, and its question."""
+"""The queries made for each object, in the pipeline's order."""
 
 REST = (
-    "Things are the six and the table. The rest of the scene goes on one after another, as each "
-    "step needs the one before: the plan, the drawing, the list of things, segmenting (here), the "
-    "view, the sizes, rotations (here), the top view and its check, what stands on what, and "
-    "refinement and assembly (here)."
+    "Objects are the six and the table. The other steps are sequential, since each needs the one "
+    "before: the plan, the drawing, the list of objects, segmentation (local), the view, the "
+    "sizes, rotations (local), the top view and its check, the stacking, and refinement and "
+    "assembly (local)."
 )
 
 T = TypeVar("T")
@@ -54,14 +54,14 @@ R = TypeVar("R")
 
 
 class Timed(Session):
-    """A session that takes the time of each question asked about many things."""
+    """A session that measures the time of each query about many objects."""
 
     def __init__(self, workers: int) -> None:
         super().__init__(workers=workers)
         self.seconds: list[float] = []
 
     def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        """Ask as any session does; see ``Session.each``."""
+        """Query like any session; see ``Session.each``."""
         begin = time.perf_counter()
         done = super().each(work, items)
         self.seconds.append(time.perf_counter() - begin)
@@ -69,14 +69,14 @@ class Timed(Session):
 
 
 class ParallelRow(NamedTuple):
-    """One scene: seconds of each step of ``STEPS``, those with a server at work, and the whole."""
+    """One scene: seconds of each step of ``STEPS``, those with an active server, and the total."""
 
     steps: tuple[float, ...]
     served: tuple[float, ...]
     whole: float
 
     def lines(self) -> dict[str, float]:
-        """Return the seconds by what the table calls them."""
+        """Return the seconds by their names in the table."""
         found = dict(zip(STEPS, self.steps, strict=True))
         return {
             **found,
@@ -87,7 +87,7 @@ class ParallelRow(NamedTuple):
 
 
 def at_work(calls: Sequence[tuple[str, float, float]], question: str) -> float:
-    """Return the seconds in which at least one call of a kind was under way."""
+    """Return the seconds in which at least one call of a kind was active."""
     total, until = 0.0, float("-inf")
     for began, ended in sorted((b, e) for name, b, e in calls if name == question):
         total += max(0.0, ended - max(began, until))
@@ -96,7 +96,7 @@ def at_work(calls: Sequence[tuple[str, float, float]], question: str) -> float:
 
 
 def serve(delay: float, models: Path, sender: Connection) -> None:
-    """Run the servers; tell the environment that leads to them, and what was asked, when asked."""
+    """Run the servers; send their environment variables, and on request the queries received."""
     import mix_servers  # pyright: ignore[reportMissingImports]
 
     watch = mix_servers.Watch(delay)
@@ -109,38 +109,38 @@ def serve(delay: float, models: Path, sender: Connection) -> None:
 
 @contextmanager
 def start_servers(delay: float, models: Path) -> Iterator[Connection]:
-    """Serve in another process; the environment is set to lead there."""
+    """Serve in another process; set the environment variables for it."""
     spawn = multiprocessing.get_context("spawn")
     here, there = spawn.Pipe()
     process = spawn.Process(target=serve, args=(delay, models, there), daemon=True)
     process.start()
-    there.close()  # so that its end is noticed here
+    there.close()  # so that its exit is noticed here
     try:
         os.environ.update(receive(here))
         yield here
     finally:
-        with suppress(OSError):  # it has ended
+        with suppress(OSError):  # it has exited
             here.send(False)
         process.join(LONG)
         process.kill()
 
 
 def receive(servers: Connection) -> Any:
-    """Return what the servers' process tells next.
+    """Return the next message of the servers' process.
 
     Raises:
-        SystemExit: it has ended, or hangs.
+        SystemExit: the process has exited, or hangs.
     """
     try:
         if servers.poll(LONG):
             return servers.recv()
     except EOFError:
-        raise SystemExit("The process of the servers has ended.") from None
-    raise SystemExit(f"The process of the servers told nothing in {LONG:g} s.")
+        raise SystemExit("The servers' process has exited.") from None
+    raise SystemExit(f"The servers' process sent nothing for {LONG:g} s.")
 
 
 def make_scene(workers: int, servers: Connection) -> ParallelRow:
-    """Make the scene with a pool of some size, keeping no answers."""
+    """Make the scene with a pool of a given size, without caching answers."""
     import mix_driver  # pyright: ignore[reportMissingImports]
 
     session = Timed(workers)
@@ -156,7 +156,7 @@ def make_scene(workers: int, servers: Connection) -> ParallelRow:
 
 
 def table(one: ParallelRow, many: ParallelRow, workers: int, head: str) -> str:
-    """Return both as Markdown, and which share of the first the second is."""
+    """Return both runs as Markdown, and the second as a share of the first."""
     pairs = [(name, a, many.lines()[name]) for name, a in one.lines().items()]
     lines = [f"| {name} | {a:.1f} | {b:.1f} | {b / a:.2f} |" for name, a, b in pairs]
     titles = [f"| seconds | pool of 1 | pool of {workers} | share |", "|---|---|---|---|"]
@@ -164,9 +164,9 @@ def table(one: ParallelRow, many: ParallelRow, workers: int, head: str) -> str:
 
 
 def main() -> int:
-    """Make the scene with each pool, print and write the table; 1 if the share is above 1/3."""
+    """Make the scene with each pool and write the table; return 1 if the share is above 1/3."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--delay", type=float, default=1.0, help="seconds of each answer")
+    parser.add_argument("--delay", type=float, default=1.0, help="seconds per answer")
     parser.add_argument("--workers", type=int, default=8)
     parser.add_argument("--out", type=Path, default=HERE / "results")
     parser.add_argument("--note", default="")
@@ -179,7 +179,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory(prefix="tabletopgen-parallel-") as folder:
         models = fitted_models.save(Path(folder), laid_table.examples())
         with start_servers(args.delay, models) as servers:
-            make_scene(args.workers, servers)  # so that what is read once is read
+            make_scene(args.workers, servers)  # warm-up
             one, many = make_scene(1, servers), make_scene(args.workers, servers)
     head = (
         f"Seconds for one scene of six things and a table, {args.delay:g} s an answer.\n"

@@ -1,14 +1,14 @@
-"""Every shipped bundle in the engines that exports are for: at rest, and on a table that leans.
+"""Every shipped bundle in the engines of its exports: at rest, and on a leaning table.
 
     python benchmarks/parity.py --workers 2
 
-Each bundle is exported and loaded by the script beside the export: MJCF into MuJoCo, URDF into
-PyBullet and Drake, SDF into Drake. It is watched for two seconds; then its flattest thing is alone
-on the table, which leans by 3 degrees more each second until the thing has slid by 2 mm. Engines
-that are not installed are named in the summary (pip install 'tabletopgen[engines]'). Writes
-``parity.csv`` and ``parity.md``; the exit code is 1 if anything moves by more than 2 mm at rest, or
-slides at an angle more than 2 degrees from MuJoCo's. All is measured anew; ``--resume`` continues a
-run that was cut off.
+Each bundle is exported and loaded by the export's script: MJCF into MuJoCo, URDF into PyBullet and
+Drake, SDF into Drake. It is simulated for two seconds; then its flattest object is alone on the
+table, which leans by 3 degrees more per second until the object has slid by 2 mm. Engines that are
+not installed are listed in the summary (pip install 'tabletopgen[engines]'). Writes ``parity.csv``
+and ``parity.md``; the exit code is 1 if an object moves by more than 2 mm at rest, or slides at an
+angle more than 2 degrees from MuJoCo's. Everything is measured again unless ``--resume`` continues
+an interrupted run.
 """
 
 from __future__ import annotations
@@ -32,12 +32,13 @@ from generator.exports.bodies import legal_names
 
 HERE = Path(__file__).parent
 SHIPPED = [str(HERE.parent / "assets_cache" / store) for store in ("starter", "tasks")]
-"""Folders of the bundles that the package ships."""
+"""Folders of the shipped bundles."""
 FIELDS = ("bundle", "engine", "objects", "drift_mm", "moves", "slides", "angle", "error")
 KEY = ("bundle", "engine")
 REFERENCE = "MuJoCo"
 MOST_DRIFT, MOST_ANGLE = 2.0, 2.0
-"""Millimetres at rest, and degrees from MuJoCo's angle."""
+"""Maximum displacement at rest, millimetres, and maximum difference from MuJoCo's angle,
+degrees."""
 
 
 def work(job: tuple[Path, str]) -> list[tables.Row]:
@@ -46,7 +47,7 @@ def work(job: tuple[Path, str]) -> list[tables.Row]:
     row: tables.Row = dict.fromkeys(FIELDS, "") | {"bundle": bundle_name(path), "engine": name}
     try:
         row |= measure(path, name)
-    except Exception as error:  # an engine's own, too: the row says it
+    except Exception as error:  # also an engine's own errors, which are recorded in the row
         row["error"] = tables.failure(error)
     return [row]
 
@@ -89,7 +90,7 @@ def say(rows: list[tables.Row]) -> str:
 
 
 def reference_angles(rows: Sequence[tables.Row]) -> dict[str, float]:
-    """Return the angles of the engine that others are held against, by bundle."""
+    """Return the angles of the reference engine, by bundle."""
     return {
         row["bundle"]: float(row["angle"])
         for row in rows
@@ -98,7 +99,7 @@ def reference_angles(rows: Sequence[tables.Row]) -> dict[str, float]:
 
 
 def faults(rows: Sequence[tables.Row]) -> list[str]:
-    """Return what is not as it should be, a line each."""
+    """Return the violations, one line each."""
     angles = reference_angles(rows)
     found = []
     for row in rows:
@@ -116,8 +117,8 @@ def summary(rows: Sequence[tables.Row], command: str) -> str:
     lines = [
         f"`{command}`, {tables.where()}.",
         "",
-        "Deepest drift of any object in 2 s at rest, mm, and the angle at which the flattest thing "
-        "slides, degrees.",
+        "Maximum displacement of any object in 2 s at rest, mm, and the angle at which the "
+        "flattest object slides, degrees.",
         "",
         "| bundle | objects | slides | " + " | ".join(engines) + " |",
         "|---" * (3 + len(engines)) + "|",
@@ -134,15 +135,15 @@ def summary(rows: Sequence[tables.Row], command: str) -> str:
 
 
 def _totals(rows: Sequence[tables.Row], engine: str, bundles: int) -> str:
-    """Return a line of an engine's extremes."""
+    """Return a line with an engine's extremes."""
     angles = reference_angles(rows)
     of = [r for r in rows if r["engine"] == engine and not r["error"]]
     still = sum(float(r["drift_mm"]) <= MOST_DRIFT for r in of)
     most = max((float(r["drift_mm"]) for r in of), default=np.nan)
     off = [abs(float(r["angle"]) - angles.get(r["bundle"], np.nan)) for r in of]
     return (
-        f"- {engine}: {still} of {bundles} at rest within {MOST_DRIFT:g} mm, {most:.3f} mm at "
-        f"most; slides within {max(off, default=np.nan):.1f}° of {REFERENCE}'s angle."
+        f"- {engine}: {still} of {bundles} at rest within {MOST_DRIFT:g} mm, at most {most:.3f} "
+        f"mm; slides within {max(off, default=np.nan):.1f}° of {REFERENCE}'s angle."
     )
 
 
@@ -153,7 +154,9 @@ def main() -> None:
     parser.add_argument("--bundles", nargs="+", default=SHIPPED, help="names, globs or paths")
     parser.add_argument("--engines", nargs="+", choices=[*ENGINES], default=[*ENGINES])
     parser.add_argument("--workers", type=int, default=1)
-    parser.add_argument("--resume", action="store_true", help="keep the rows that parity.csv has")
+    parser.add_argument(
+        "--resume", action="store_true", help="keep the rows of an existing parity.csv"
+    )
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
     tables.alone()

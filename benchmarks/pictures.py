@@ -1,21 +1,21 @@
-"""A folder of pictures to scenes: what was found, how long it took, and a sheet to judge each by.
+"""A folder of pictures to scenes: detections, run time, and a sheet for each.
 
     python benchmarks/pictures.py FOLDER --out out/pictures
     python benchmarks/pictures.py FOLDER --intrinsics 612.9 613.2 322.5 248.2
 
-Every picture of the folder becomes a bundle, a sheet (``NAME.png``, as ``tabletopgen compare``
-draws it) and one row of ``pictures.csv``, written as it goes (a second run resumes); the table is
-``pictures.md``. ``NAME_depth.png`` beside ``NAME.png`` or ``NAME_color.png`` (16 bit, millimetres)
-is the picture's depth map and goes in with it if the intrinsics are given: in pixels, the same for
-all, as ``--intrinsics FX FY CX CY`` or in the folder's ``intrinsics.json`` (an object with those
-keys). How many objects *are* in a picture is for a person to count.
+Every picture of the folder becomes a bundle, a sheet (``NAME.png``, as drawn by ``tabletopgen
+compare``) and one row of ``pictures.csv`` (a second run resumes); the table is ``pictures.md``.
+``NAME_depth.png`` next to ``NAME.png`` or ``NAME_color.png`` (16 bit, millimetres) is the picture's
+depth map and is used if the intrinsics are given: in pixels, the same for all pictures, as
+``--intrinsics FX FY CX CY`` or in the folder's ``intrinsics.json`` (an object with those keys). The
+true number of objects in a picture must be counted manually.
 
-With depth, the published scene is held against the depth map: both are looked at from the camera
-that the depth map gives, and of each object the median of the points that show of it in the scene
-(the object's own pixels) is compared with the median of the points that its mask has in the depth
-map. So both are of visible surface, and neither has the hidden back that parts a visible surface
-from the middle of a thing. ``places`` are along the table, ``tops`` the heights of the highest
-points, ``plane`` how far 95 % of the tabletop's points are from the scene's tabletop at most.
+With depth, the published scene is compared with the depth map: both are seen from the camera that
+the depth map gives, and for each object the median of its visible points in the scene (the object's
+own pixels) is compared with the median of the points of its mask in the depth map. Both medians are
+of visible surfaces and exclude the hidden back, which separates a visible surface from the centre
+of an object. ``places`` are along the table, ``tops`` the heights of the highest points, ``plane``
+the distance within which 95 % of the tabletop's points are from the scene's tabletop.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ FIELDS = (
     "elevation_deg", "places_cm", "places_in_2cm", "worst_place", "tops_cm", "plane_cm", "seconds",
     "warnings", "error",
 )  # fmt: skip
-GROUND = 0.008  # metres above the tabletop: lower points are taken for the tabletop's
+GROUND = 0.008  # height in metres above the tabletop below which points belong to the tabletop
 FEW = 12  # points
 ENDINGS = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif"}
 KEYS = ("fx", "fy", "cx", "cy")
@@ -59,7 +59,7 @@ def pictures(folder: Path) -> list[tuple[str, Path, Path | None]]:
 
 
 def intrinsics_of(folder: Path, given: list[float] | None) -> dict[str, float] | None:
-    """Return the intrinsics in pixels that were given, else those of the folder, if any."""
+    """Return the given intrinsics in pixels, or else those of the folder, if any."""
     if given is not None:
         return dict(zip(KEYS, given, strict=True))
     kept = folder / "intrinsics.json"
@@ -94,7 +94,7 @@ def run(
         row |= _facts(seen.facts(), made.scene)
         if made.reference.depth is not None:
             row |= depth_facts(made)
-    except Exception as error:  # recorded as a failure; one picture must not end the run
+    except Exception as error:  # recorded as a failure; one picture must not abort the run
         row["seconds"] = round(time.perf_counter() - start, 1)
         row["error"] = f"{type(error).__name__}: {error}"[:300]
     return row
@@ -120,7 +120,7 @@ def _facts(facts: dict[str, Any], scene: Any) -> dict[str, Any]:
 
 
 def depth_facts(made: Any) -> dict[str, Any]:
-    """Hold a scene against the depth map it was made from (see above); lengths in centimetres."""
+    """Compare a scene with its depth map (see above); lengths in centimetres."""
     from generator.backends.embedded.depth.measure import steady, table_points
     from generator.backends.embedded.depth.plane import find_depth_plane
     from generator.render.raster import render
@@ -155,12 +155,12 @@ def depth_facts(made: Any) -> dict[str, Any]:
 
 
 def camera_above(camera: Any, height: float) -> Any:
-    """Return a camera of the tabletop's frame in the world's, whose floor is ``height`` lower."""
+    """Return a camera of the tabletop's frame in the world's, with a floor ``height`` lower."""
     return dataclasses.replace(camera, position=camera.position + np.array([0.0, 0.0, height]))
 
 
 def above_tabletop(points: np.ndarray) -> np.ndarray:
-    """Return the known points that are above the tabletop; of what is as flat as that, all."""
+    """Return the known points above the tabletop; all known points of a flat object."""
     known = points[np.isfinite(points).all(1)]
     high = known[known[:, 2] > GROUND]
     return high if len(high) > 0.3 * len(known) else known
@@ -193,8 +193,8 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--out", type=Path, default=Path("out/pictures"))
     parser.add_argument("--intrinsics", type=float, nargs=4, metavar=("FX", "FY", "CX", "CY"))
-    parser.add_argument("--only", nargs="*", help="names of the pictures to run")
-    parser.add_argument("--threads", type=int, default=None, help="threads of torch")
+    parser.add_argument("--only", nargs="*", help="names of the pictures to use")
+    parser.add_argument("--threads", type=int, default=None, help="number of torch threads")
     args = parser.parse_args()
     if args.threads is not None:
         import torch

@@ -1,22 +1,22 @@
-"""Poses against known truth: single rendered objects, and whole scenes from their picture alone.
+"""Poses compared with ground truth: single rendered objects, and whole scenes from a picture.
 
     python benchmarks/pose.py single --split dev --cases 60 --elevation 5 --occlude 0.15
     python benchmarks/pose.py single --meshes FOLDER --cases 40 --size-error 0.2 --sheet
     python benchmarks/pose.py scenes --split dev --cases 6
 
-``single`` draws objects that do not look the same when turned (``--symmetric`` keeps those of
-finite symmetry, errors then modulo it), with the numpy renderer, not the optimiser's own, and asks
-the rotation stage for their yaw. Camera, yaw, place and size are known; flags spoil what the stage
-is told, each by at most the stated amount (what an occluder hides is missing in the crop). Cases
-whose picture would be nearly the same from another side are left out and counted. ``--paper N``
-runs the first N cases with the paper's settings as well. ``scenes`` composes tables, draws each,
-gives the picture alone to ``generator.pipeline.generate`` and holds what comes back against the
-truth; a yaw counts by the turn that brings the two textured surfaces closest together, since a
-rebuilt model's axes are its own.
+``single`` draws objects without rotational symmetry (``--symmetric`` includes finite symmetries,
+with errors modulo the symmetry), with the NumPy renderer instead of the optimiser's own, and runs
+the rotation stage on them. Camera, yaw, position and size are known; flags perturb the stage's
+input, each by at most the stated amount (hidden pixels are missing in the crop). Cases whose
+picture would be nearly the same from another side are skipped and counted. ``--paper N`` also runs
+the first N cases with the paper's settings. ``scenes`` composes tables, draws each, passes only the
+picture to ``generator.pipeline.generate`` and compares the result with the truth; the yaw error is
+the rotation that brings the two textured surfaces closest together, since a rebuilt model has its
+own axes.
 
-Each split has catalogue variants and random numbers of its own: develop on "dev", report "test".
-Rows are written to ``<name>.csv`` as they come (a second run resumes; give new code a new
-``--out``), then a summary to ``<name>.md`` and curves to ``<name>.png``.
+Each split has its own catalogue variants and random numbers: develop on "dev", report "test". Rows
+are written to ``<name>.csv`` as they finish (a second run resumes; use a new ``--out`` for new
+code), then a summary to ``<name>.md`` and curves to ``<name>.png``.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def parser() -> argparse.ArgumentParser:
     single.add_argument("--cases", type=int, default=200)
     single.add_argument("--meshes", type=Path, help="folder of OBJ, GLB or PLY files, metres")
     single.add_argument("--up", choices=("auto", "y", "z"), default="auto", help="of the meshes")
-    single.add_argument("--only", nargs="*", default=(), help="categories, instead of all")
-    single.add_argument("--symmetric", action="store_true", help="keep finite symmetries")
+    single.add_argument("--only", nargs="*", default=(), help="categories; all by default")
+    single.add_argument("--symmetric", action="store_true", help="include finite symmetries")
     single.add_argument("--elevation", type=float, default=usual.elevation, metavar="DEG")
     single.add_argument("--azimuth", type=float, default=usual.azimuth, metavar="DEG")
     single.add_argument("--erode", type=int, default=usual.erode, metavar="PX")
@@ -59,45 +59,51 @@ def parser() -> argparse.ArgumentParser:
     single.add_argument("--tint", type=float, default=usual.tint)
     single.add_argument("--blur", type=float, default=usual.blur, metavar="PX")
     single.add_argument("--size-error", type=float, default=usual.size_error, metavar="SHARE")
-    single.add_argument("--paper", type=int, default=0, metavar="N", help="minutes an object")
+    single.add_argument(
+        "--paper",
+        type=int,
+        default=0,
+        metavar="N",
+        help="cases to repeat with the paper's settings, minutes each",
+    )
     whole = modes.add_parser("scenes", help="whole scenes, all stages, from the picture alone")
     whole.add_argument("--cases", type=int, default=40)
     for mode in (single, whole):
         mode.add_argument("--split", choices=tuple(STREAMS), default="dev")
         mode.add_argument("--seed", type=int, default=1)
         mode.add_argument("--workers", type=int, default=1)
-        mode.add_argument("--sheet", action="store_true", help="draw what went wrong")
+        mode.add_argument("--sheet", action="store_true", help="draw the worst cases")
         mode.add_argument("--out", type=Path, default=HERE / "results")
     return p
 
 
 def spoiling_of(args: argparse.Namespace) -> Spoiling:
-    """Return the faults that the given flags ask for."""
+    """Return the perturbations of the given flags."""
     return Spoiling(**{f.name: getattr(args, f.name) for f in fields(Spoiling)})
 
 
 def draw_of(args: argparse.Namespace) -> Draw:
-    """Return what the cases of the given flags are drawn from."""
+    """Return the distribution of cases for the given flags."""
     only = tuple(get_category(word).key for word in args.only)
     models = foreign(args.meshes, args.up, args.symmetric) if args.meshes else ()
     return Draw(args.split, args.seed, spoiling_of(args), only, models, symmetric=args.symmetric)
 
 
 def foreign(folder: Path, up: Up, symmetric: bool) -> tuple[Model, ...]:
-    """Return the usable meshes of a folder; the others are named with what is wrong with them."""
+    """Return the usable meshes of a folder; print the reasons why others are not usable."""
     models = []
     for path in mesh_files(folder):
         try:
             models.append(load_model(path, up))
         except InputError as error:
-            print(f"left out: {error}")
+            print(f"not used: {error}")
     if not models:
-        raise InputError(f"No mesh of {str(folder)!r} can be used; the lines above say why.")
+        raise InputError(f"No mesh of {str(folder)!r} can be used; the reasons are printed above.")
     return usable(models, symmetric)
 
 
 def stem(args: argparse.Namespace) -> str:
-    """Return the name of a run's files: everything that its cases depend on but their number."""
+    """Return the name of a run's files: the settings that determine its cases."""
     name = f"pose_{args.mode}_{args.split}" + (f"_seed{args.seed}" if args.seed != 1 else "")
     if args.mode == "scenes":
         return name

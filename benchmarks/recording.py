@@ -1,11 +1,11 @@
-"""Recording: what writing a dataset costs beside playing the same episodes.
+"""Recording: the cost of writing a dataset relative to playing the same episodes.
 
     python benchmarks/recording.py --episodes 10 --rounds 3
     python benchmarks/recording.py --episodes 10 --image-size 256 --kinds rgb depth
 
-In each round the episodes are played without being recorded, then recorded in every format, each
-time in a new environment and in this process alone. Times are CPU seconds of the process; the
-ratio is the median over rounds of a recording to the plain play of its round, the aim at most 2.
+In each round the episodes are played without recording, then recorded in every format, each time in
+a new environment and in this process alone. Times are CPU seconds of the process; the ratio is the
+median over rounds of a recording to the plain run of its round, with a goal of at most 2.
 """
 
 from __future__ import annotations
@@ -36,14 +36,14 @@ AIM = 2.0
 
 
 class Way(NamedTuple):
-    """A format, and how a LeRobot dataset keeps pictures."""
+    """A format, and the storage of pictures in a LeRobot dataset."""
 
     format: Format
     lerobot: LeRobotConfig = LeRobotConfig()
 
     @property
     def name(self) -> str:
-        """What a row says."""
+        """Name in the table."""
         return f"lerobot, {self.lerobot.video}" if self.format == "lerobot" else self.format
 
 
@@ -68,7 +68,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def play(config: RecordConfig) -> int:
-    """Play the episodes of a recording and drop them; return their steps."""
+    """Play the episodes of a recording without storing them; return their steps."""
     env = config.environment()
     with closing(env), closing(play_episodes(config, env, 1)) as episodes:
         kept = (e for e in episodes if not isinstance(e, SceneError))
@@ -76,14 +76,14 @@ def play(config: RecordConfig) -> int:
 
 
 def seconds(work: Callable[[], object]) -> float:
-    """Return the CPU seconds that something takes."""
+    """Return the CPU seconds of a call."""
     begun = time.process_time()
     work()
     return time.process_time() - begun
 
 
 def size(path: Path) -> int:
-    """Return the bytes of a file, or of all in a folder."""
+    """Return the bytes of a file, or of all files in a folder."""
     files = path.rglob("*") if path.is_dir() else [path]
     return sum(file.stat().st_size for file in files if file.is_file())
 
@@ -94,7 +94,7 @@ def main() -> int:
         given.task, scenes=tuple(given.scenes), episodes=given.episodes,
         cameras=tuple(given.cameras), kinds=tuple(given.kinds), image_size=given.image_size,
     )  # fmt: skip
-    steps = play(config)  # once unmeasured, as the formats: imports, caches
+    steps = play(config)  # warm-up of imports and caches, as for the formats
     for way in WAYS:
         with tempfile.TemporaryDirectory() as folder:
             write(replace(config, episodes=1), Path(folder) / "set-v0", way)
@@ -113,10 +113,10 @@ def main() -> int:
     lines = [
         f"`{tables.command_line('--out')}`, {tables.where()}. {given.episodes} episodes of "
         f"{given.task}, {steps} steps, {len(given.cameras)} cameras of {given.image_size} pixels "
-        f"({', '.join(given.kinds)}): played alone in {median(plain):.1f} CPU s (median of "
-        f"{given.rounds} rounds). The aim is a ratio of at most {AIM:g}.",
+        f"({', '.join(given.kinds)}): played without recording in {median(plain):.1f} CPU s "
+        f"(median of {given.rounds} rounds). The goal is a ratio of at most {AIM:g}.",
         "",
-        "| format | CPU s | of playing alone | kB a step |",
+        "| format | CPU s | ratio to playing | kB per step |",
         "|---|---|---|---|",
         *(
             f"| {way.name} | {median(took[way]):.1f} | {ratios[way]:.2f} | "

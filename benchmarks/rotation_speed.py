@@ -3,11 +3,12 @@
     python benchmarks/rotation_speed.py --cases 50
     python benchmarks/rotation_speed.py --cases 50 --device cuda --batch 10
 
-Instances are the pose benchmark's: single objects of the catalogue, drawn by the numpy renderer,
-up to 15 % hidden. ``--batch`` searches so many at once, as the objects of one scene are; a batch's
-time is shared evenly. Objects are drawn before the clock starts, and one batch warms up. A GPU is
-waited for before each reading of the clocks: wall seconds, and CPU seconds, which other programs on
-the machine hardly change. The table goes to ``results/rotation_speed_DEVICE.md``.
+Instances are those of the pose benchmark: single objects of the catalogue, drawn by the NumPy
+renderer, up to 15 % hidden. ``--batch`` is the number of objects searched at once, like those of
+one scene; a batch's time is divided evenly. Objects are drawn before the measurement, and one batch
+is used for warm-up. A GPU is synchronised before each reading of the clocks: wall-clock seconds,
+and CPU seconds, which other programs on the machine hardly affect. The table is written to
+``results/rotation_speed_DEVICE.md``.
 """
 
 from __future__ import annotations
@@ -41,10 +42,10 @@ def parser() -> argparse.ArgumentParser:
 
 
 def time_search(cases: Sequence[TurnCase], config: RotationConfig) -> Float[np.ndarray, "2"]:
-    """Return the wall and CPU seconds that a batch takes, from masks and meshes to yaws.
+    """Return the wall-clock and CPU seconds of a batch, from masks and meshes to yaws.
 
-    The view of the first case stands for all: a scene has one camera, and work does not depend
-    on it.
+    All cases use the view of the first: a scene has one camera, and the amount of work does not
+    depend on it.
     """
     import torch
 
@@ -65,10 +66,11 @@ def time_search(cases: Sequence[TurnCase], config: RotationConfig) -> Float[np.n
 
 
 def table(seconds: Float[np.ndarray, "n 2"], head: str) -> str:
-    """Return the figures as Markdown; the columns of ``seconds`` are wall and CPU."""
+    """Return the times as Markdown; the columns of ``seconds`` are wall-clock and CPU."""
     lines = [
         "# Seconds of the rotation stage per instance", head, "",
-        "| seconds | instances | median | mean | 90 % below | most |", "|---|---|---|---|---|---|",
+        "| seconds | instances | median | mean | 90 % below | maximum |",
+        "|---|---|---|---|---|---|",
     ]  # fmt: skip
     for name, own in zip(("wall", "CPU"), seconds.T, strict=True):
         figures = (np.median(own), own.mean(), np.quantile(own, 0.9), own.max())
@@ -84,7 +86,7 @@ def main() -> None:
     import torch
 
     if args.device == "cuda" and not torch.cuda.is_available():
-        raise SystemExit("There is no CUDA device here. Use --device cpu.")
+        raise SystemExit("There is no CUDA device. Use --device cpu.")
     config = dataclasses.replace(RotationConfig(), device=args.device)
     draw = Draw("dev", args.seed, Spoiling(elevation=5.0, occlude=0.15))
     cases = [draw_case(draw, k) for k in range(args.cases)]

@@ -4,7 +4,7 @@
     tabletopgen compare out/new/scene --out sheets/after/scene.png
     python benchmarks/side_by_side.py sheets/before sheets/after --out benchmarks/results/sheets
 
-Every PNG that all the folders hold becomes a JPEG with the first folder's on the left.
+Every PNG that exists in all folders becomes a JPEG with the first folder's picture on the left.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ def join(paths: list[Path], width: int) -> Image.Image:
 
 
 def main() -> None:
-    """Read the command line and write the sheets."""
+    """Parse the command line and write the sheets."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     parser.add_argument("folders", type=Path, nargs="+", help="of sheets with the same names")
     parser.add_argument("--out", type=Path, required=True, help="folder of the JPEGs")
-    parser.add_argument("--width", type=int, default=800, help="pixels of each, across")
+    parser.add_argument("--width", type=int, default=800, help="width of each picture, pixels")
     args = parser.parse_args()
     first, *others = args.folders
     names = sorted(

@@ -1,21 +1,21 @@
-"""Soak: random steps at many composed tables; nothing may break, and what falls off is told.
+"""Soak test: random steps at many composed tables; checks for errors and unreported falls.
 
     python benchmarks/soak.py --steps 50000 --scenes 10
     python benchmarks/soak.py --steps 1000000 --scenes 50
     python benchmarks/soak.py --steps 1000000 --processes 2 --slots 16
 
-Each scene gets its share of the steps, in episodes of ``EPISODE``, actions drawn anew every
-``HELD`` steps so that the arm goes places. Counted are numbers that are not finite (observation,
-reward, state), MuJoCo's warnings, observations outside their space, things that lie beside the
-table at an episode's end without being named in ``info["off_table"]``, things under the floor or
-out of the room, and things that were named. Where PickPlace offers nothing, Reach is the task. A
-row a scene goes to ``soak.csv`` as it ends (a second run resumes), the
-summary to ``soak.md``.
+Each scene gets its share of the steps, in episodes of ``EPISODE``, with new random actions every
+``HELD`` steps so that the arm covers a wide range. Counted are numbers that are not finite
+(observation, reward, state), MuJoCo's warnings, observations outside their space, objects off the
+table at an episode's end that ``info["off_table"]`` does not list, objects below the floor or
+outside the room, and listed objects. Scenes without a valid PickPlace task use Reach. One row per
+scene is written to ``soak.csv`` when it finishes (a second run resumes), the summary to
+``soak.md``.
 
-With ``--processes`` all tables are stepped at once, by a ``TabletopVectorEnv`` in so many processes
-(``pace/sharded.py``). Counted is the same, and the memory of this process and of the shards is
-watched; a row for each tenth of the steps goes to ``soak_shards.csv``, the summary to
-``soak_shards.md``.
+With ``--processes`` all tables are stepped at once, by a ``TabletopVectorEnv`` in that many
+processes (``pace/sharded.py``). The same errors are counted, and the memory of this process and of
+the shards is measured; a row for each tenth of the steps is written to ``soak_shards.csv``, the
+summary to ``soak_shards.md``.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ FIELDS = (*KEY, "done", *COUNTS, "fell", "longest_ms", "seconds", "error")
 
 
 def work(number: int, seed: int, steps: int) -> list[Row]:
-    """Run one scene and return its row; a failure is a row too."""
+    """Run one scene and return its row; a failure is also a row."""
     row: Row = dict.fromkeys(FIELDS, 0) | {
         "scene": number, "seed": seed, "steps": steps, "error": "",
     }  # fmt: skip
@@ -67,14 +67,14 @@ def work(number: int, seed: int, steps: int) -> list[Row]:
     try:
         scene = compose(TEXTS[number % len(TEXTS)], seed=seed + number)
         soak(usable(scene), np.random.default_rng([seed, number]), steps, row)
-    except Exception as error:  # one scene must not end the run
+    except Exception as error:  # one scene must not abort the run
         row["error"] = tables.failure(error)
     row["seconds"] = round(time.perf_counter() - begin, 1)
     return [row]
 
 
 def usable(scene: Scene) -> TabletopEnv:
-    """Return an environment of PickPlace at a table, or of Reach where that offers nothing."""
+    """Return an environment of PickPlace at a table, or of Reach without a valid PickPlace task."""
     env = make_env(scene)
     try:
         env.reset(seed=0)
@@ -84,7 +84,7 @@ def usable(scene: Scene) -> TabletopEnv:
 
 
 def soak(env: TabletopEnv, rng: np.random.Generator, steps: int, row: Row) -> None:
-    """Do ``steps`` random steps and count what is wrong in ``row``."""
+    """Take ``steps`` random steps and count errors in ``row``."""
     shape = env.action_space.shape
     action = np.zeros(shape or ())
     fell: set[str] = set()
@@ -119,7 +119,7 @@ def say(rows: list[Row]) -> str:
 
 
 def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
-    """Return what was counted, as Markdown."""
+    """Return the counts as Markdown."""
     whole = {f: sum(int(r[f]) for r in rows) for f in ("done", "fell", *COUNTS)}
     failed = [r for r in rows if r["error"]]
     lines = [
@@ -128,7 +128,7 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
         "",
         *count_rows(whole),
         f"| scenes that failed | {len(failed)} |",
-        f"| things that fell off the table, and were named | {whole['fell']} |",
+        f"| objects that fell off the table, and were reported | {whole['fell']} |",
         "",
         f"Longest step: {max((float(r['longest_ms']) for r in rows), default=0.0):.0f} ms.",
     ]
@@ -137,7 +137,7 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
 
 
 def soak_shards(args: argparse.Namespace) -> None:
-    """Soak a vector environment in processes at composed tables where PickPlace has goals."""
+    """Soak-test a vector environment in processes at composed tables with goals for PickPlace."""
     with tempfile.TemporaryDirectory() as folder:
         made = (compose(TEXTS[n % len(TEXTS)], seed=args.seed + n) for n in range(args.scenes))
         places = [save(s, Path(folder)) for s in made if isinstance(usable(s).task, PickPlace)]
@@ -154,13 +154,15 @@ def soak_shards(args: argparse.Namespace) -> None:
 
 def main() -> None:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    p.add_argument("--steps", type=int, default=50_000, help="of all scenes together")
+    p.add_argument("--steps", type=int, default=50_000, help="total over all scenes")
     p.add_argument("--scenes", type=int, default=10)
     p.add_argument("--seed", type=int, default=0)
     p.add_argument("--workers", type=int, default=1)
-    p.add_argument("--processes", type=int, help="of one vector environment at all tables")
-    p.add_argument("--slots", type=int, default=16, help="of that vector environment")
-    p.add_argument("--note", default="", help="what to know about the machine")
+    p.add_argument(
+        "--processes", type=int, help="processes of one vector environment at all tables"
+    )
+    p.add_argument("--slots", type=int, default=16, help="slots of that vector environment")
+    p.add_argument("--note", default="", help="a remark about the machine")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
     if args.scenes < 1 or args.steps < args.scenes:

@@ -1,13 +1,13 @@
-"""Collisions and stability of many scenes by the full rule, measured on their saved bundles.
+"""Collisions and stability of many scenes by the full criteria, measured on their saved bundles.
 
     python benchmarks/soundness.py --route generate --seeds 3 --workers 2
     python benchmarks/soundness.py --route compose --texts benchmarks/table78.json --limit 20
 
-Every text is made a scene with seeds 0..n-1, saved, read back, and held against ``generator
-.evaluation``: Col_O and Col_S on the drawn meshes (Sec. 4.1), and what every object does for 5 s
-under each of ``VARIANTS`` - plain, at time steps from 1 to 4 ms, and with gravity leaning by 2
-degrees to four sides. Rows go to ``soundness_<route>.csv`` as they come (a second run resumes),
-the summary to the ``.md`` beside it.
+A scene is made of every text with seeds 0..n-1, saved, read back, and evaluated by
+``generator.evaluation``: Col_O and Col_S on the drawn meshes (Sec. 4.1), and the stability of every
+object for 5 s under each of ``VARIANTS``: default, with time steps from 1 to 4 ms, and with gravity
+leaning by 2 degrees to four sides. Rows are written to ``soundness_<route>.csv`` as they finish (a
+second run resumes), the summary to the corresponding ``.md``.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from generator.pipeline import generate
 HERE = Path(__file__).parent
 KEY = ("text", "seed")
 LEAST = 5e-5
-"""Overlaps up to this depth, metres, are not looked at."""
+"""Overlaps up to this depth, metres, are ignored."""
 FIELDS = (
     "text", "seed", "published", "planned", "objects", "pairs", "colliding", "sunk", "overlap_mm",
     "floating", "off_table", *(rule.replace(" ", "_") for rule in VARIANTS), "unstable", "seconds",
@@ -41,7 +41,7 @@ FIELDS = (
 
 
 def work(job: tuple[str, int], route: str) -> list[Row]:
-    """Make one scene and measure it; a failure is a row too."""
+    """Make one scene and measure it; a failure is also a row."""
     text, seed = job
     row: Row = dict.fromkeys(FIELDS, "") | {"text": text, "seed": seed, "published": 0}
     start = time.perf_counter()
@@ -53,12 +53,12 @@ def work(job: tuple[str, int], route: str) -> list[Row]:
                 path = generate(text, seed=seed).save(folder)
             row["seconds"] = round(time.perf_counter() - start, 2)
             return [row | measure(path)]
-        except Exception as error:  # one text must not end the run
+        except Exception as error:  # one text must not abort the run
             return [row | {"error": tables.failure(error)}]
 
 
 def measure(bundle: Path) -> Row:
-    """Return the figures of a saved bundle; of each rule, how many objects do not stand still."""
+    """Return the measurements of a saved bundle; for each variant, the number of moving objects."""
     scene = load(bundle)
     hit, touching = collisions(scene), collisions(scene, LEAST)
     depths = [o.depth for o in (*touching.overlaps, *touching.sunk)]

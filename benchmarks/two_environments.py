@@ -3,11 +3,12 @@
     python benchmarks/two_environments.py --policy reach-clone --episodes 500
     python benchmarks/two_environments.py --policy expert --task Lift --episodes 100
 
-A batch draws its episodes by ``TabletopEnv`` itself, so table, target, goal and start are the same;
-simulation differs (single precision, no sleep, objects of at most 12 convex parts). A trained
-policy sees what each environment shows. The expert, which a batch has not, acts in ``TabletopEnv``,
-and its actions are replayed in the batch unseen. An episode is solved when success has held for ten
-steps, within the task's time limit. Runs of ``--out`` with other policies keep their rows.
+A batch draws its episodes through ``TabletopEnv``, so table, target, goal and start are equal;
+simulation differs (single precision, no sleeping, objects of at most 12 convex parts). A trained
+policy acts on each environment's own observations. The expert, which batches do not support, acts
+in ``TabletopEnv``, and its actions are replayed open-loop in the batch. An episode is solved when
+success has held for ten steps, within the task's time limit. Results of other policies in ``--out``
+are kept.
 """
 
 from __future__ import annotations
@@ -46,12 +47,12 @@ FIELDS = (
 KEY = ("policy", "task", "scenes")
 
 Act = Callable[[Any, Int[np.ndarray, "n"], Int[np.ndarray, "n"]], np.ndarray]
-"""Returns actions for what worlds show, the episode that each plays, and its steps so far."""
+"""Returns actions for the worlds' observations, their episodes, and their step counts."""
 
 
 @dataclass(frozen=True)
 class Played:
-    """Which episodes were solved, the actions of each if kept, how many worlds have failed."""
+    """Solved episodes, the actions of each if kept, and the number of failed worlds."""
 
     solved: Bool[np.ndarray, "e"]
     actions: Sequence[np.ndarray] = ()
@@ -60,21 +61,21 @@ class Played:
 
 def parser() -> argparse.ArgumentParser:
     p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    p.add_argument("--policy", default="reach-clone", help=f"a shipped one, or '{EXPERT}'")
+    p.add_argument("--policy", default="reach-clone", help=f"a shipped policy, or '{EXPERT}'")
     p.add_argument("--task", default="Reach")
-    p.add_argument("--scenes", default="starter", help="fixed ones, as TabletopEnv takes them")
-    p.add_argument("--objects", type=int, default=8, help="most objects of a scene")
+    p.add_argument("--scenes", default="starter", help="a fixed scene source of TabletopEnv")
+    p.add_argument("--objects", type=int, default=8, help="maximum number of objects per scene")
     p.add_argument("--episodes", type=int, default=500)
     p.add_argument("--worlds", type=int, default=16)
     p.add_argument("--device", default="cpu")
     p.add_argument("--seed", type=int, default=0)
-    p.add_argument("--note", default="", help="what to know about the run")
+    p.add_argument("--note", default="", help="a remark about the run")
     p.add_argument("--out", type=Path, default=HERE / "results")
     return p
 
 
 def scenes_within(scenes: str, most: int) -> list[Scene]:
-    """Return fixed scenes of at most so many objects."""
+    """Return fixed scenes with at most the given number of objects."""
     source = resolve(scenes)
     refs = source.refs if isinstance(source, FixedScenes) else ()
     return [scene for scene in (ref.load() for ref in refs) if len(scene.objects) <= most]
@@ -86,7 +87,7 @@ def play_single(
     scenes: Sequence[Scene],
     policy: TrainedPolicy | None,
 ) -> Played:
-    """Play episodes of a batch one after the other in ``TabletopEnv``; None is the expert."""
+    """Play episodes of a batch one by one in ``TabletopEnv``; None is the expert."""
     single = make_env(list(scenes), task=env.task, randomization="starts")
     by_name = {scene.name: scene for scene in scenes}
     solved, played = [], []
@@ -109,7 +110,7 @@ def play_single(
 
 
 def play_batch(env: TabletopBatchEnv, chosen: Sequence[int], act: Act) -> Played:
-    """Play the same episodes in the batch; worlds that are done take the next ones."""
+    """Play the same episodes in the batch; finished worlds take the next ones."""
     rows, count = np.asarray(chosen), env.num_envs
     solved, failures = np.zeros(len(rows), bool), 0
     place, coming = np.arange(count) % len(rows), min(count, len(rows))
@@ -138,7 +139,7 @@ def play_batch(env: TabletopBatchEnv, chosen: Sequence[int], act: Act) -> Played
 
 
 def replay(actions: Sequence[np.ndarray]) -> Act:
-    """Return what replays the actions of each episode, and stands still after the last."""
+    """Return a policy that replays each episode's actions, and holds still after the last."""
 
     def act(seen: Any, place: np.ndarray, steps: np.ndarray) -> np.ndarray:
         del seen
@@ -151,7 +152,7 @@ def replay(actions: Sequence[np.ndarray]) -> Act:
 
 
 def measure(args: argparse.Namespace) -> Row:
-    """Play one policy in both; return the row of the table."""
+    """Play one policy in both environments; return the row of the table."""
     begin = time.perf_counter()
     policy = None
     if args.policy != EXPERT:
@@ -163,7 +164,7 @@ def measure(args: argparse.Namespace) -> Row:
         max_episode_steps=10_000, randomization="starts",
     )) as env:  # fmt: skip
         table = env.episodes.scene.cpu().numpy()
-        first = np.searchsorted(table, table)  # rows of a scene stand together
+        first = np.searchsorted(table, table)  # group rows by scene
         chosen = np.argsort(np.arange(len(table)) - first, kind="stable")[: args.episodes]
         single = play_single(env, chosen.tolist(), scenes, policy)
         act = replay(single.actions) if policy is None else acting(policy)
@@ -183,7 +184,7 @@ def measure(args: argparse.Namespace) -> Row:
 
 
 def acting(policy: TrainedPolicy) -> Act:
-    """Return a policy's actions for what worlds show."""
+    """Return a policy's actions for the worlds' observations."""
     return lambda seen, place, steps: policy.predict(seen.cpu().numpy())[0]
 
 
@@ -193,12 +194,12 @@ def summary(rows: Sequence[Row]) -> str:
         "# One policy in two environments", "",
         "The same episodes in `TabletopEnv` and in `TabletopBatchEnv` (MuJoCo Warp): tables, "
         "targets, goals and starts are equal, simulation differs. The expert's actions are "
-        "replayed in the batch unseen, so its row is of physics alone. Interval of a share: "
-        "Wilson, 95 %; of the difference: Newcombe (1998, method 10), 95 %, which takes the "
-        "episodes for unpaired and so is too wide; p: McNemar's exact test of the episodes that "
-        "one environment alone solves.", "",
-        "| policy | task | episodes | tables | `TabletopEnv` | batch | batch less single | "
-        "solved in one alone (single, batch) | p | failed worlds | minutes |",
+        "replayed open-loop in the batch, so its row reflects only physics. Interval of a share: "
+        "Wilson, 95 %; of the difference: Newcombe (1998, method 10), 95 %, which treats the "
+        "episodes as unpaired and is therefore too wide; p: McNemar's exact test of the episodes "
+        "that only one environment solves.", "",
+        "| policy | task | episodes | tables | `TabletopEnv` | batch | batch - single | solved "
+        "in only one (single, batch) | p | failed worlds | minutes |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]  # fmt: skip
     for row in rows:

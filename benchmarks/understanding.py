@@ -1,16 +1,16 @@
-"""Do tables show what their texts ask for? 264 texts, judged on the saved bundles.
+"""Agreement of tables with their texts: 264 texts, evaluated on the saved bundles.
 
     python benchmarks/understanding.py --half dev --route compose
     python benchmarks/understanding.py --half test --route compose --sheet 24
 
-Each text of ``wording/dev.json`` and ``wording/test.json`` is made a scene by the command. What it
-must show - counts, relations, and nothing else - is read from a plain MuJoCo simulation of its
-bundle (``wording/seen.py``); labels, stand-ins and warnings are the command's ``--json``. Rows go
-to ``understanding_<route>_<half>.csv`` as they come (a second run resumes), the summary to the
-``.md`` beside it. The test half is held back: its rows and its summary have figures only.
-``--half more`` takes ``wording/more.json``, 440 texts to learn from, written after the two halves.
-``--bundles`` keeps the scenes, and judges those that are there already; ``--sheet N`` draws N
-scenes of the test half with their texts, for marks from 1 to 5.
+A scene is made of each text of ``wording/dev.json`` and ``wording/test.json`` by the command. The
+required content - counts, relations, and nothing else - is measured in a plain MuJoCo simulation of
+its bundle (``wording/seen.py``); labels, stand-ins and warnings are those of the command's
+``--json``. Rows are written to ``understanding_<route>_<half>.csv`` as they finish (a second run
+resumes), the summary to the corresponding ``.md``. The test half is held back: its rows and its
+summary contain only numbers. ``--half more`` uses ``wording/more.json``, 440 texts for development,
+written after the two halves. ``--bundles`` stores the scenes, and evaluates existing ones;
+``--sheet N`` draws N scenes of the test half with their texts, for ratings from 1 to 5.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ SHEET_SEED = 7
 
 
 def work(case: Case, route: str, seed: int, bundles: Path | None, shown: bool) -> list[Row]:
-    """Make a case's scene and judge it; words of a case that is not ``shown`` are left out."""
+    """Make a case's scene and evaluate it; a case that is not ``shown`` has no words in its row."""
     if bundles is None:
         with tempfile.TemporaryDirectory() as folder:
             return work(case, route, seed, Path(folder), shown)
@@ -105,19 +105,19 @@ def say(rows: list[Row]) -> str:
 
 
 def faults(row: Row) -> str:
-    """Return in words what is wrong with a row's table."""
+    """Describe the errors in a row's table."""
     if not int(row["made"]):
         return f"no scene: {row['said']}"
     heads = {
-        "wrong_counts": "counts", "wrong_relations": "relations", "strays": "not asked for",
-        "plain_shapes": "plain shapes", "unnamed": "without a word",
-        "changes": "shown as something else without a word", "said": "it said",
+        "wrong_counts": "counts", "wrong_relations": "relations", "strays": "not requested",
+        "plain_shapes": "plain shapes", "unnamed": "without a warning",
+        "changes": "shown as something else without a warning", "said": "it said",
     }  # fmt: skip
     return " | ".join(f"{head}: {row[f]}" for f, head in heads.items() if row[f])
 
 
 def summary(rows: Sequence[Row], route: str, half: str, command: str) -> str:
-    """Return totals and themes as Markdown; each failure too where the rows have words."""
+    """Return totals and themes as Markdown, and each failure if the rows have words."""
     seconds = column(rows, "seconds")
     total = {f: int(column(rows, f).sum()) for f in FIGURES if f != "seconds"}
     levels = [(w, [r for r in rows if r["level"] == w]) for w in ("easy", "middling", "hard")]
@@ -127,25 +127,26 @@ def summary(rows: Sequence[Row], route: str, half: str, command: str) -> str:
         "",
         "| figure | value |",
         "|---|---|",
-        f"| fully right | {_share(total['right'], len(rows))} |",
-        f"| fully right, no plain shapes, and each thing of the kind it is called | "
+        f"| fully correct | {_share(total['right'], len(rows))} |",
+        "| fully correct, no plain shapes, and each object of its named kind | "
         f"{_share(total['strict'], len(rows))} |",
         *(f"| fully right, {w} | {_share(column(some, 'right').sum(), len(some))} |"
           for w, some in levels),
-        f"| counts right | {_share(total['counts_ok'], total['asked'])} |",
-        f"| relations right | {_share(total['relations_ok'], total['relations'])} |",
-        f"| objects nobody asked for | {total['phantoms']} of {total['objects']} |",
-        f"| objects that were forbidden | {total['forbidden']} |",
-        f"| plain shapes that stand for things | {total['stand_ins']} |",
-        f"| wanted, missing, and no warning names it | {total['silent']} |",
-        f"| of another kind than they are called | {total['other']} |",
-        f"| another thing in place of what was asked for, and no warning | {total['changed']} |",
+        f"| counts correct | {_share(total['counts_ok'], total['asked'])} |",
+        f"| relations correct | {_share(total['relations_ok'], total['relations'])} |",
+        f"| objects not requested | {total['phantoms']} of {total['objects']} |",
+        f"| excluded objects present | {total['forbidden']} |",
+        f"| plain shapes as stand-ins | {total['stand_ins']} |",
+        f"| requested, missing, and not named in a warning | {total['silent']} |",
+        f"| of another kind than their name | {total['other']} |",
+        f"| replaced by another object without a warning | {total['changed']} |",
         f"| texts with a warning | {sum(int(r['warnings']) > 0 for r in rows)} |",
-        f"| no scene; of them by a foreign exception | {len(rows) - total['made']}; "
+        f"| no scene; of these by a foreign exception | {len(rows) - total['made']}; "
         f"{total['foreign']} |",
-        f"| processor seconds a text, mean and most | {seconds.mean():.1f}, {seconds.max():.1f} |",
+        f"| processor seconds per text, mean and maximum | {seconds.mean():.1f}, "
+        f"{seconds.max():.1f} |",
         "",
-        "| theme | texts | fully right | counts | relations | not asked for |",
+        "| theme | texts | fully correct | counts | relations | not requested |",
         "|---|---|---|---|---|---|",
         *(_theme(name, [r for r in rows if r["theme"] == name])
           for name in dict.fromkeys(str(r["theme"]) for r in rows)),
@@ -171,7 +172,7 @@ def _share(part: float, total: float) -> str:
 
 
 def draw(count: int, route: str, seed: int, bundles: Path | None, out: Path) -> None:
-    """Draw ``count`` scenes of the test half, chosen by a fixed seed, to a contact sheet."""
+    """Draw ``count`` scenes of the test half, selected by a fixed seed, on a contact sheet."""
     if bundles is None:
         with tempfile.TemporaryDirectory() as folder:
             return draw(count, route, seed, Path(folder), out)
@@ -189,11 +190,11 @@ def main() -> None:
     parser.add_argument("--route", choices=("generate", "compose"), default="compose")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--limit", type=int, default=None, help="only the first N texts")
-    parser.add_argument("--theme", default=None, help="only the texts of a theme")
+    parser.add_argument("--theme", default=None, help="only texts of this theme")
     parser.add_argument("--workers", type=int, default=1)
-    parser.add_argument("--bundles", type=Path, default=None, help="folder that keeps the scenes")
+    parser.add_argument("--bundles", type=Path, default=None, help="folder for the scenes")
     parser.add_argument(
-        "--sheet", type=int, default=0, help="scenes of a contact sheet; 0 for none"
+        "--sheet", type=int, default=0, help="scenes on a contact sheet; 0 for none"
     )
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()

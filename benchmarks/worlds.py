@@ -1,13 +1,13 @@
-"""Steps per second and memory of ``TabletopBatchEnv``, a generated table in each world.
+"""Steps per second and memory of ``TabletopBatchEnv``, with a generated table in each world.
 
     python benchmarks/worlds.py --device cpu --worlds 4 64 --steps 20
     python benchmarks/worlds.py --device cuda --worlds 1024 4096 8192
 
-Each row is a batch of so many worlds at the scenes, random actions, episodes that end and begin
-anew at other tables (a twentieth of them in each step), and one exchange of the bank in the middle.
-The clock runs over steps alone, after a warm-up; a GPU is waited for before each reading. Memory is
-what the device, or on a CPU this process, has taken since before the batch was made. "failed" are
-episodes that overflowed or diverged. The table goes to ``results/worlds_DEVICE.md``.
+Each row is a batch of worlds at the scenes, with random actions, episodes that end and restart at
+other tables (a twentieth of them in each step), and one exchange of the bank in the middle. Only
+steps are timed, after a warm-up; a GPU is synchronised before each reading. Memory is the device's
+increase, or on a CPU this process's, since before the batch was made. "failed" are episodes that
+overflowed or diverged. The table is written to ``results/worlds_DEVICE.md``.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ EPISODE = 20
 
 @dataclass(frozen=True)
 class WorldsRow:
-    """One batch: worlds, scenes of the bank, slots of a world, figures."""
+    """One batch: number of worlds, scenes of the bank, slots per world, measurements."""
 
     worlds: int
     scenes: int
@@ -49,7 +49,7 @@ def parser() -> argparse.ArgumentParser:
     p.add_argument("--worlds", type=int, nargs="+", default=[1024, 4096, 8192])
     p.add_argument("--scenes", default="starter")
     p.add_argument("--task", default="Lift")
-    p.add_argument("--objects", type=int, default=8, help="most objects of a scene")
+    p.add_argument("--objects", type=int, default=8, help="maximum number of objects per scene")
     p.add_argument("--steps", type=int, default=200)
     p.add_argument("--seed", type=int, default=0)
     p.add_argument("--out", type=Path, default=HERE / "results")
@@ -94,7 +94,7 @@ def measure(args: argparse.Namespace, worlds: int) -> WorldsRow:
 
 
 def _memory_of(device: torch.device) -> float:
-    """Return how much memory of a GPU, or of this process on a CPU, is taken, bytes."""
+    """Return the used memory of a GPU, or of this process on a CPU, bytes."""
     if device.type == "cuda":
         return -free_bytes(device)
     return 2**20 * resident("self")
@@ -107,10 +107,10 @@ def _now(device: torch.device) -> float:
 
 
 def table(rows: list[WorldsRow], head: str) -> str:
-    """Return the figures as Markdown."""
+    """Return the measurements as Markdown."""
     lines = [
         "# Batched worlds", head, "",
-        "| worlds | scenes | slots | env steps/s | KiB a world | episodes begun | failed |",
+        "| worlds | scenes | slots | env steps/s | KiB per world | episodes begun | failed |",
         "|---|---|---|---|---|---|---|",
     ]  # fmt: skip
     lines += [

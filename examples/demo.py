@@ -1,6 +1,6 @@
-"""End-to-end demo: a text and a picture become bundles; the Panda moves an object on each.
+"""End-to-end demo: a text and a picture become bundles, and the Panda moves an object on each.
 
-``make demo`` runs this. It leaves the bundles, the pictures and ``report.md`` in ``out/``.
+``make demo`` runs it. It writes the bundles, the pictures and ``report.md`` to ``out/``.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def build(name: str, source: str | Path, out: Path) -> tuple[Generation, Path, f
 
 
 def move_something(bundle: Path, strip: Path) -> str:
-    """Let the expert try a few targets on one bundle; return a line for the report."""
+    """Run the expert on a few targets of one bundle; return a line for the report."""
     success, instruction, frames = play_until_solved(str(bundle), TRIES)
     Image.fromarray(film_strip(frames)).save(strip)
     if success:

@@ -19,7 +19,7 @@ from tabletopgen_env.expert.run import TaskExpert
 
 
 def play(env: gym.Env, seed: int, **options: Any) -> tuple[bool, str, list[Any]]:
-    """Run one episode of the expert; return success, the instruction and pictures of it."""
+    """Run one episode of the expert; return success, the instruction and the frames."""
     _, info = env.reset(seed=seed, options=options or None)
     expert = TaskExpert(env)
     expert.reset()
@@ -35,7 +35,7 @@ def play(env: gym.Env, seed: int, **options: Any) -> tuple[bool, str, list[Any]]
 def play_until_solved(
     scenes: str, tries: int, size: tuple[int, int] = (240, 320)
 ) -> tuple[bool, str, list[Any]]:
-    """Run episodes until the expert solves one, at most ``tries``; return the last as ``play``."""
+    """Run up to ``tries`` episodes until the expert solves one; return the last, like ``play``."""
     env = gym.make(
         "tabletopgen_env:TabletopGen/PickPlace-v0",
         scenes=scenes,

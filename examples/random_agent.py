@@ -1,4 +1,4 @@
-"""A random agent: the smallest loop over the environment, and what it returns."""
+"""A random agent: a minimal loop over the environment."""
 
 from __future__ import annotations
 

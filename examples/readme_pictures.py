@@ -1,4 +1,4 @@
-"""Make the README's pictures: all of them, or those named.
+"""Make all pictures of the README, or selected ones.
 
 python examples/readme_pictures.py [NAME ...] --out docs/images
 """
@@ -35,7 +35,7 @@ SWAPS = (
     ("coffee-square", "candle_1", "a cake"),
     ("vanity", "hand_mirror_1", "a hairbrush"),
 )
-"""For the picture of edits: starter, removed thing, new thing."""
+"""For the picture of edits: starter, removed object, new object."""
 
 
 TABLES = (
@@ -50,7 +50,7 @@ TABLES = (
 
 
 def across(images: list[np.ndarray], width: int = WIDTH) -> np.ndarray:
-    """Lay pictures side by side at one height, ``width`` pixels in all."""
+    """Arrange pictures side by side at one height, ``width`` pixels in total."""
     shares = np.array([image.shape[1] / image.shape[0] for image in images])
     height = round(width / float(shares.sum()))
     ends = np.round(np.cumsum(shares) / shares.sum() * width).astype(int)
@@ -62,7 +62,7 @@ def across(images: list[np.ndarray], width: int = WIDTH) -> np.ndarray:
 
 
 def at_work(scenes: str, size: tuple[int, int]) -> list[np.ndarray]:
-    """Return pictures of the first episode that the expert solves."""
+    """Return frames of the first episode that the expert solves."""
     success, _, frames = play_until_solved(scenes, TRIES, size)
     if not success:
         raise SystemExit(f"The expert solved none of {TRIES} episodes on {scenes}.")
@@ -75,7 +75,7 @@ def read(path: Path) -> np.ndarray:
 
 
 def generate_pictures(text: str, out: Path) -> dict[str, np.ndarray]:
-    """Return pictures of a text's drawing, scene, expert run, and stages of the method."""
+    """Return pictures of a text's drawing, scene, expert episode, and stages of the method."""
     made = generate(text, seed=0, name="hero")
     bundle = made.save(out / "scenes")
     frames = at_work(str(bundle), (720, 960))
@@ -109,7 +109,7 @@ def expert(text: str, out: Path) -> dict[str, np.ndarray]:
 
 
 def edits(text: str, out: Path) -> dict[str, np.ndarray]:
-    """Return starters above, and below them what the embedded backend makes of their edits."""
+    """Return starters in a row above the results of their edits by the embedded backend."""
     before, after, captions = [], [], []
     for name, old, new in SWAPS:
         (bundle,) = store.find(name)
@@ -130,7 +130,7 @@ PICTURES: Mapping[str, Callable[[str, Path], Mapping[str, np.ndarray]]] = Mappin
         "edits": edits,
     }
 )
-"""What can be made, by name; "generated" makes two pictures, hero and stages."""
+"""Available pictures by name; "generated" makes two, hero and stages."""
 
 
 def main() -> None:
@@ -140,7 +140,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("out/readme"))
     args = parser.parse_args()
     if unknown := sorted({*args.names} - {*PICTURES}):
-        parser.error(f"There is no picture {unknown[0]!r}; there are {', '.join(PICTURES)}.")
+        parser.error(f"There is no picture {unknown[0]!r}; valid names are {', '.join(PICTURES)}.")
     args.out.mkdir(parents=True, exist_ok=True)
     for kind in args.names or PICTURES:
         for name, picture in PICTURES[kind](args.text, args.out).items():

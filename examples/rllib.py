@@ -1,13 +1,14 @@
-"""Train Reach by PPO of Ray's RLlib, on this machine or on a cluster.
+"""Train Reach with PPO of Ray's RLlib, on this machine or on a cluster.
 
     pip install 'tabletopgen[ray]' 'ray[rllib]'
     python examples/rllib.py
     python examples/rllib.py --runners 16 --address auto
 
-Prints the mean return of the episodes of each iteration, and saves the algorithm where ``--out``
-says. The 24 iterations, 49,152 steps, took it from 9.6 to 15.2 (one seed, one runner, 9 minutes on
-two busy cores): it learns, and has not learned the task by then. It is RLlib's new API stack, tried
-with Ray 2.60, which needs Gymnasium 1.2.2. Every machine needs the same versions of all.
+Prints the mean return of the episodes of each iteration, and saves the algorithm to ``--out``. The
+24 iterations, 49,152 steps, increased it from 9.6 to 15.2 (one seed, one runner, 9 minutes on two
+busy cores): it improves, but does not solve the task by then. The script uses RLlib's new API stack
+and was tested with Ray 2.60, which needs Gymnasium 1.2.2. All machines need the same versions of
+all packages.
 """
 
 from __future__ import annotations
@@ -23,12 +24,12 @@ NAME = "tabletop-reach"
 
 
 def make_env(config: Mapping[str, Any]) -> gym.Env[Any, Any]:
-    """Return an environment of an env runner; ``config`` are its keywords."""
+    """Return the environment of an env runner; ``config`` has its keyword arguments."""
     return gym.make("tabletopgen_env:TabletopGen/Reach-v0", **config)
 
 
 def configure(args: argparse.Namespace) -> Any:
-    """Return PPO's settings: those of the recipe reach-ppo where RLlib has them, too."""
+    """Return PPO's settings: those of the recipe reach-ppo where RLlib has an equivalent."""
     from ray.rllib.algorithms.ppo import PPOConfig  # pyright: ignore[reportMissingImports]
     from ray.rllib.core.rl_module.default_model_config import (  # pyright: ignore[reportMissingImports]
         DefaultModelConfig,
@@ -56,11 +57,15 @@ def configure(args: argparse.Namespace) -> Any:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--iterations", type=int, default=24)
-    parser.add_argument("--steps", type=int, default=2048, help="of the environments, an iteration")
-    parser.add_argument("--runners", type=int, default=1, help="processes that play")
-    parser.add_argument("--envs", type=int, default=4, help="environments of each")
+    parser.add_argument("--steps", type=int, default=2048, help="environment steps per iteration")
+    parser.add_argument("--runners", type=int, default=1, help="processes that run environments")
+    parser.add_argument("--envs", type=int, default=4, help="environments per process")
     parser.add_argument("--scenes", default="starter:train")
-    parser.add_argument("--address", default="local", help="of a Ray cluster; local starts Ray")
+    parser.add_argument(
+        "--address",
+        default="local",
+        help="address of a Ray cluster; Ray is started locally by default",
+    )
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, help="folder for the trained algorithm")
     args = parser.parse_args()

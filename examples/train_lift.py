@@ -1,4 +1,4 @@
-"""Clone the expert's Lift into SB3 on fresh tables: python examples/train_lift.py."""
+"""Clone the expert's Lift into an SB3 policy on fresh tables: python examples/train_lift.py."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Yaw, boxes, the pinhole camera, rays, and pixels to metres. Frames: see ``scene``."""
+"""Yaw, boxes, the pinhole camera, rays, and pixel to metric conversion. Frames: see ``scene``."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def wrap(angle: float) -> float:
 
 
 def rotation_yaw(rotation: Float[np.ndarray, "3 3"]) -> float:
-    """Return the bearing about +z of a rotation's x axis, radians in [-pi, pi]."""
+    """Return the heading about +z of a rotation's x axis, radians in [-pi, pi]."""
     return float(np.arctan2(rotation[1, 0], rotation[0, 0]))
 
 
@@ -50,20 +50,20 @@ def quaternion_matrix(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "
 
 
 def quaternion_yaw(quaternion: Float[np.ndarray, "4"]) -> float:
-    """Return the yaw of a wxyz quaternion: the turn of the body's x axis about +z, radians."""
+    """Return the yaw of a wxyz quaternion: the heading of the body's x axis about +z, radians."""
     w, x, y, z = quaternion
     return float(np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
 
 
 def turned_quaternion(quaternion: Float[np.ndarray, "4"], yaw: float) -> Float[np.ndarray, "4"]:
-    """Return a wxyz quaternion turned about the vertical by ``yaw`` radians."""
+    """Return a wxyz quaternion rotated about the vertical by ``yaw`` radians."""
     w, x, y, z = quaternion
     c, s = np.cos(yaw / 2), np.sin(yaw / 2)
     return np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
 
 
 def rotated_extent(extent: Float[np.ndarray, "3"], yaw: float) -> Float[np.ndarray, "2"]:
-    """Return the world x, y extent of a box of ``extent`` turned by ``yaw``."""
+    """Return the world x, y extent of a box of ``extent`` rotated by ``yaw``."""
     c, s = abs(np.cos(yaw)), abs(np.sin(yaw))
     return np.array([c * extent[0] + s * extent[1], s * extent[0] + c * extent[1]])
 
@@ -90,9 +90,10 @@ def mask_box(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "4"]:
 class Camera:
     """A pinhole camera with square pixels.
 
-    ``rotation`` takes world directions to camera axes (x right, y *down*, z forward); ``fov`` is
+    ``rotation`` maps world directions to camera axes (x right, y *down*, z forward); ``fov`` is
     vertical, radians. Pixel (0, 0) is the top-left corner, so pixel centres are at halves.
-    ``offset`` is how far the principal point lies right of and below the image centre, pixels.
+    ``offset`` is the offset of the principal point from the image centre to the right and down,
+    pixels.
     """
 
     position: Float[np.ndarray, "3"]
@@ -144,7 +145,7 @@ class Camera:
         return d / length[:, None]
 
     def on_plane(self, pixels: Real[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "n 3"]:
-        """Return where the rays through ``pixels`` meet the horizontal plane at height ``z``.
+        """Return where the rays through ``pixels`` intersect the horizontal plane at height ``z``.
 
         Rays at or above the horizon give NaN.
         """
@@ -154,7 +155,7 @@ class Camera:
 
 
 def view_direction(view: View) -> Float[np.ndarray, "3"]:
-    """Return the unit vector from what is looked at towards the camera of ``view``."""
+    """Return the unit vector from the target towards the camera of ``view``."""
     c = np.cos(view.elevation)
     return np.array([c * np.sin(view.azimuth), -c * np.cos(view.azimuth), np.sin(view.elevation)])
 
@@ -169,7 +170,7 @@ def view_rotation(view: View) -> Float[np.ndarray, "3 3"]:
 
 
 def ray_view(view: View, pixel: Real[np.ndarray, "2"], width: int, height: int) -> View:
-    """Return the view under which the camera sees what lies at ``pixel``.
+    """Return the camera's view of an object at ``pixel``.
 
     An object away from the image centre is seen along its own ray, so its azimuth and elevation
     differ from the camera's. ``fov`` and ``roll`` are kept.
@@ -202,7 +203,7 @@ def framing_camera(
 def _pixel_box(
     camera: Camera, points: Float[np.ndarray, "n 3"]
 ) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "2"]]:
-    """Return the lowest and the highest of what ``Camera.project`` returns."""
+    """Return the minimum and the maximum of the pixels of ``Camera.project``."""
     x, y, depth = camera.to_camera(points).T
     across, down = x / depth, y / depth
     low, high = (
@@ -216,7 +217,7 @@ def _pixel_box(
 
 
 def hull_points(points: Float[np.ndarray, "n d"]) -> Float[np.ndarray, "k d"]:
-    """Return the corners of a convex hull; of a flat set, which has none, every point once."""
+    """Return the vertices of a convex hull; of a flat set, which has none, all distinct points."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -238,7 +239,7 @@ def convex_outline(points: Real[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _sort_distinct(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "m 2"]:
-    """Return the points by x, then y, each once."""
+    """Return the distinct points, sorted by x, then y."""
     ordered = points[np.lexsort((points[:, 1], points[:, 0]))]
     new = np.ones(len(ordered), bool)
     new[1:] = (ordered[1:] != ordered[:-1]).any(1)
@@ -246,7 +247,7 @@ def _sort_distinct(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "m 2"]
 
 
 def _half_outline(ordered: list[list[float]]) -> list[list[float]]:
-    """Return the corners that turn left on the way along ``ordered``, all but the last."""
+    """Return the vertices of left turns along ``ordered``, except the last."""
     chain: list[list[float]] = []
     for x, y in ordered:
         while len(chain) > 1:
@@ -263,9 +264,9 @@ _WAYS = np.column_stack([np.cos(_AROUND), np.sin(_AROUND)]).reshape(4, 8, 2)  # 
 
 
 def _leave_inner_out(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the points without those that surely are no corners of their convex hull.
+    """Return the points without those that cannot be vertices of their convex hull.
 
-    These lie inside the polygon of the points that are farthest out in some directions (S. Akl and
+    Those lie inside the polygon of the points that are farthest out in some directions (S. Akl and
     G. Toussaint, "A fast convex hull algorithm", 1978).
     """
     far = np.concatenate([(points @ ways.T).argmax(0) for ways in _WAYS])
@@ -289,7 +290,7 @@ def inside_margin(
 
 
 def proportion_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
-    """Return how far two extents' proportions are apart: mean absolute log ratio.
+    """Return the difference of two extents' proportions: mean absolute log ratio.
 
     The two horizontal sides are compared in order of length; overall size does not count.
     """

@@ -1,1 +1,1 @@
-"""Training of what the packages ship; not part of the distribution."""
+"""Training of the shipped models and tables; not part of the distribution."""

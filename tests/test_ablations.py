@@ -67,7 +67,7 @@ def test_a_reasoner_that_cannot_guess_is_refused_before_any_work() -> None:
         "embedded", reasoner=SimpleNamespace(**{n: getattr(own, n) for n in six})
     )
     begun = []
-    with pytest.raises(BackendError, match="does not answer guess_rotations and guess_layout"):
+    with pytest.raises(BackendError, match="does not implement guess_rotations and guess_layout"):
         generate(TEXT, plain, Config(without=("dro",)), progress=lambda *told: begun.append(told))
     assert begun == []
 

@@ -109,7 +109,7 @@ def test_seconds_per_stage_are_summed_up() -> None:
     assert "; busy" in text
     assert "| rotation | 6.0 | 7.6 | 38 % | 5.0 | ≈ 810 |" in text
     assert "| **all** | 16.0 | 17.6 | 100 % | 5.0 | ≈ 1920 |" in text
-    assert "8.0 objects a scene (median), 2.0 s an object." in text
+    assert "8.0 objects per scene (median), 2.0 s per object." in text
     assert "- 'a lab' failed: no table" in text
     assert bench.bars([*rows, failed]).shape > bench.bars(rows[:1]).shape
     assert "| **all** | - | - |" in bench.summary([failed], "bench")
@@ -411,7 +411,7 @@ def test_certificates_are_held_against_starts_of_another_seed(tmp_path, monkeypa
         for i, k in zip(seen, (10, 8), strict=False)
     ]
     monkeypatch.setattr(bench, "played_again", lambda *_: iter(again))
-    with pytest.raises(InputError, match="certified with the seed 0"):
+    with pytest.raises(InputError, match="certified with seed 0"):
         list(bench.jobs([tmp_path], seed=0, starts=10))
     (job,) = bench.jobs([tmp_path], seed=7, starts=10)
     assert job.task == "Lift", "what is not certified is not played"

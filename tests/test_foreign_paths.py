@@ -189,7 +189,7 @@ def test_a_hostile_transforms_file_is_one_clear_error(tmp_path: Path, text: str)
 
 def test_a_transforms_file_is_a_regular_file(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "transforms.json")
-    with pytest.raises(InputError, match="not a plain file"):
+    with pytest.raises(InputError, match="not a regular file"):
         load_external(tmp_path)
 
 

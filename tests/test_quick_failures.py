@@ -25,8 +25,8 @@ print(code, sum(resource.getrusage(resource.RUSAGE_SELF)[:2]), *heavy)
     [
         (["generate", "nofile.jpg"], 2, "No picture at 'nofile.jpg'"),
         (["generate", "photo.jpg", "--depth", "nodepth.png"], 2, "No depth map at 'nodepth.png'"),
-        (["generate", "a mug", "--name", "a/b"], 6, "cannot be a folder's name"),
-        (["compose", "a mug", "--name", "a/b"], 6, "cannot be a folder's name"),
+        (["generate", "a mug", "--name", "a/b"], 6, "not a valid folder name"),
+        (["compose", "a mug", "--name", "a/b"], 6, "not a valid folder name"),
         (["import", "nofile.xml"], 2, "No file or folder at 'nofile.xml'"),
         (["batch", "nofile.txt", "--out", "scenes"], 2, "'nofile.txt' cannot be read"),
     ],

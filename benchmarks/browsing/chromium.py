@@ -1,4 +1,4 @@
-"""Chromium without a graphics card and without the net, and sites served to it."""
+"""Headless Chromium without GPU and network access, and a server for local sites."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Playwright
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-"""Where it is; None if it is not installed."""
+"""Path of Chromium; None if it is not installed."""
 
 ENGINE = "[...window.tabletopgen.values()][0]"
 """The first live scene of a page, in JavaScript."""
@@ -26,19 +26,19 @@ _OPTIONS = (
     "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
     "--disable-quic", "--no-first-run",
-    "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",  # nothing but this machine
+    "--host-resolver-rules=MAP * ~NOTFOUND , EXCLUDE 127.0.0.1",  # this machine only
 )  # fmt: skip
 
 
 _LONGEST_TEMPORARY = 50
-"""Characters of the temporary folder: a socket in it has an address of at most 107 bytes."""
+"""Maximum length of the temporary folder's path: socket addresses have at most 107 bytes."""
 
 
 def launch(play: Playwright) -> Browser:
-    """Start a browser; ``CHROMIUM`` has to be there."""
+    """Start a browser; ``CHROMIUM`` must exist."""
     environment: dict[str, str | float | bool] = {**os.environ}
     if len(tempfile.gettempdir()) > _LONGEST_TEMPORARY:
-        environment["TMPDIR"] = "/tmp"  # Chromium ends at once where the address is longer
+        environment["TMPDIR"] = "/tmp"  # Chromium exits immediately if the address is longer
     return play.chromium.launch(executable_path=CHROMIUM, args=[*_OPTIONS], env=environment)
 
 
@@ -49,7 +49,7 @@ class _Quiet(SimpleHTTPRequestHandler):
 
 @contextmanager
 def serve(folder: Path) -> Iterator[str]:
-    """Serve a folder as `python -m http.server` does; yield its address."""
+    """Serve a folder like `python -m http.server`; yield its address."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(folder)))
     thread = Thread(target=server.serve_forever, daemon=True)
     thread.start()

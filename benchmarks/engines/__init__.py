@@ -1,1 +1,1 @@
-"""Exports at work in the physics engines that they are for."""
+"""Exports in their target physics engines."""

@@ -1,4 +1,4 @@
-"""Exports loaded into physics engines by the scripts beside them, behind one interface."""
+"""Exports loaded into physics engines by their loader scripts, with one interface."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ class EngineScene(Protocol):
     """A scene in an engine; objects have the names of the export."""
 
     def positions(self) -> Mapping[str, Float[np.ndarray, "3"]]:
-        """Return where the centre of mass of each object is, metres."""
+        """Return each object's centre of mass, metres."""
         ...
 
     def remove(self, name: str) -> None:
-        """Move an object far away, where it touches nothing."""
+        """Move an object far away, where it has no contacts."""
         ...
 
     def tilt(self, angle: float) -> None:
-        """Turn gravity towards +x by an angle, radians."""
+        """Lean gravity towards +x by an angle, radians."""
         ...
 
     def step(self, seconds: float) -> None:
-        """Simulate at least so many seconds."""
+        """Simulate at least the given number of seconds."""
         ...
 
     def close(self) -> None:
@@ -43,7 +43,7 @@ class EngineScene(Protocol):
 
 
 def load_script(folder: Path, engine: str) -> ModuleType:
-    """Return the loader beside an export as a module of its own."""
+    """Return the loader script of an export as a separate module."""
     path = folder / f"load_{engine}.py"
     spec = importlib.util.spec_from_file_location(f"{path.stem}_{uuid.uuid4().hex}", path)
     assert spec is not None and spec.loader is not None
@@ -53,12 +53,12 @@ def load_script(folder: Path, engine: str) -> ModuleType:
 
 
 def lean(angle: float) -> list[float]:
-    """Return gravity turned towards +x by an angle."""
+    """Return gravity leaning towards +x by an angle."""
     return [GRAVITY * float(np.sin(angle)), 0.0, -GRAVITY * float(np.cos(angle))]
 
 
 def far(number: int) -> list[float]:
-    """Return a place of its own in the air, far from everything, for seconds of a fall."""
+    """Return a unique position high in the air, free for seconds of a fall."""
     return [100.0 + 10 * number, 0.0, 1e4]
 
 
@@ -67,33 +67,33 @@ class MujocoSimulation:
 
     def __init__(self, folder: Path) -> None:
         self._model, self._data = load_script(folder, "mujoco").load()
-        # What sleeps does not wake when the table leans.
+        # Sleeping bodies do not wake when the table leans.
         self._model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         # Each has one free joint.
         self._bodies = {self._model.body(int(b)).name: int(b) for b in self._model.jnt_bodyid}
 
     def positions(self) -> Mapping[str, Float[np.ndarray, "3"]]:
-        """Return where the centre of mass of each object is, metres."""
+        """Return each object's centre of mass, metres."""
         return {name: self._data.xipos[b].copy() for name, b in self._bodies.items()}
 
     def remove(self, name: str) -> None:
-        """Move an object far away, where it touches nothing."""
+        """Move an object far away, where it has no contacts."""
         start = self._model.jnt_qposadr[self._model.body_jntadr[self._bodies[name]]]
         self._data.qpos[start : start + 3] = far(self._bodies[name])
         mujoco.mj_forward(self._model, self._data)
 
     def tilt(self, angle: float) -> None:
-        """Turn gravity towards +x by an angle, radians."""
+        """Lean gravity towards +x by an angle, radians."""
         self._model.opt.gravity[:] = lean(angle)
 
     def step(self, seconds: float) -> None:
-        """Simulate at least so many seconds."""
+        """Simulate at least the given number of seconds."""
         until = self._data.time + seconds
         while self._data.time < until:
             mujoco.mj_step(self._model, self._data)
 
     def close(self) -> None:
-        """Release nothing."""
+        """Do nothing."""
 
 
 class PybulletSimulation:
@@ -114,20 +114,20 @@ class PybulletSimulation:
         self._seconds = float(settings["fixedTimeStep"])
 
     def positions(self) -> Mapping[str, Float[np.ndarray, "3"]]:
-        """Return where the centre of mass of each object is, metres."""
+        """Return each object's centre of mass, metres."""
         pose = self._bullet.getBasePositionAndOrientation
         return {name: np.array(pose(b, self._client)[0]) for name, b in self._free.items()}
 
     def remove(self, name: str) -> None:
-        """Move an object far away, where it touches nothing."""
+        """Move an object far away, where it has no contacts."""
         self._bullet.removeBody(self._free.pop(name), self._client)
 
     def tilt(self, angle: float) -> None:
-        """Turn gravity towards +x by an angle, radians."""
+        """Lean gravity towards +x by an angle, radians."""
         self._bullet.setGravity(*lean(angle), self._client)
 
     def step(self, seconds: float) -> None:
-        """Simulate at least so many seconds."""
+        """Simulate at least the given number of seconds."""
         for _ in range(int(np.ceil(seconds / self._seconds - 1e-9))):
             self._bullet.stepSimulation(self._client)
 
@@ -144,7 +144,7 @@ class DrakeSimulation:
         from pydrake.systems.analysis import Simulator
         from pydrake.systems.framework import DiagramBuilder
 
-        logging.getLogger("drake").setLevel(logging.ERROR)  # no word of textures and lights
+        logging.getLogger("drake").setLevel(logging.ERROR)  # hide texture and light messages
         script, builder = load_script(folder, "drake"), DiagramBuilder()
         self._plant: Any = AddMultibodyPlant(script.CONFIG, builder)[0]
         script.load(self._plant)
@@ -157,7 +157,7 @@ class DrakeSimulation:
         self._bodies = {self._plant.GetModelInstanceName(b.model_instance()): b for b in bodies}
 
     def positions(self) -> Mapping[str, Float[np.ndarray, "3"]]:
-        """Return where the centre of mass of each object is, metres."""
+        """Return each object's centre of mass, metres."""
         return {
             name: self._plant.EvalBodyPoseInWorld(self._context, body).multiply(
                 body.CalcCenterOfMassInBodyFrame(self._context)
@@ -166,7 +166,7 @@ class DrakeSimulation:
         }
 
     def remove(self, name: str) -> None:
-        """Move an object far away, where it touches nothing."""
+        """Move an object far away, where it has no contacts."""
         from pydrake.math import RigidTransform
 
         body = self._bodies[name]
@@ -174,20 +174,20 @@ class DrakeSimulation:
         self._plant.SetFreeBodyPose(self._context, body, RigidTransform(place))
 
     def tilt(self, angle: float) -> None:
-        """Turn gravity towards +x by an angle, radians."""
+        """Lean gravity towards +x by an angle, radians."""
         self._plant.mutable_gravity_field().set_gravity_vector(np.array(lean(angle)))
 
     def step(self, seconds: float) -> None:
-        """Simulate at least so many seconds."""
+        """Simulate at least the given number of seconds."""
         self._simulator.AdvanceTo(self._simulator.get_context().get_time() + seconds)
 
     def close(self) -> None:
-        """Release nothing."""
+        """Do nothing."""
 
 
 @dataclass(frozen=True)
 class ComparedEngine:
-    """An engine: the package it needs, the format that it reads, and how it runs that."""
+    """An engine: its package, the format that it loads, and its simulation."""
 
     package: str
     to: str
@@ -195,7 +195,7 @@ class ComparedEngine:
 
     @property
     def installed(self) -> bool:
-        """Whether the package is here."""
+        """Whether the package is installed."""
         return importlib.util.find_spec(self.package) is not None
 
 
@@ -207,4 +207,4 @@ ENGINES: Mapping[str, ComparedEngine] = MappingProxyType(
         "Drake (SDF)": ComparedEngine("pydrake", "sdf", DrakeSimulation),
     }
 )
-"""What is compared; MuJoCo first, which the others are held against."""
+"""Compared engines; MuJoCo is first, as the reference."""

@@ -2,8 +2,9 @@
 
     python benchmarks/pace/episodes.py MODULE ID STEPS [KEYWORDS-AS-JSON]
 
-Needs nothing but gymnasium, numpy and the environment's package, for it runs in their own virtual
-environments. Steps and resets are timed apart; the first tenth of the steps warms up.
+Requires only gymnasium, numpy and the environment's package, since it runs in the virtual
+environments of other packages. Steps and resets are timed separately; the first tenth of the steps
+is for warm-up.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from typing import Any
 
 
 def time_steps(module: str, name: str, steps: int, keywords: dict[str, Any]) -> dict[str, float]:
-    """Return seconds a step by the clock and of CPU, and the median seconds of a reset."""
+    """Return wall-clock and CPU seconds per step, and the median seconds of a reset."""
     import gymnasium
 
     importlib.import_module(module)

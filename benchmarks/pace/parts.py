@@ -1,4 +1,4 @@
-"""What our environments alone are timed at: resets, renewing, pictures, many at once, memory."""
+"""Measurements of our environments alone: resets, refreshing, pictures, vectors, memory."""
 
 from __future__ import annotations
 
@@ -27,32 +27,32 @@ from tabletopgen_env.scenes.refresh import PER_MINUTE
 from tabletopgen_env.scenes.source import HeldRef
 
 Found = list[tuple[str, str, float, str]]
-"""What was measured: name, setting, value, unit."""
+"""One measurement: name, setting, value, unit."""
 
 Rates = Mapping[str, float]
-"""Steps a second, by what counts: "steps, clock", "with resets, CPU" ..."""
+"""Steps per second, by clock: "steps, clock", "with resets, CPU" ..."""
 
 TABLES = 8
-"""Tables of the part refreshing."""
+"""Number of tables in the part refreshing."""
 
 EPISODE = 200
 """Steps of an episode, the registered limit."""
 
 ROUNDS = 5
-"""Rounds at fixed and at renewed tables each."""
+"""Number of rounds each at fixed and at refreshed tables."""
 
 SHARE = 8
-"""Slots of each process of the part vector."""
+"""Slots per process in the part vector."""
 
 WARM = 200
-"""Resets after which memory is watched: every starter has been met."""
+"""Number of resets before memory is measured, which covers all starter scenes."""
 
 ROUND, PAUSE = 20.0, 5.0
 """Length of a round, and of the pause before each, seconds."""
 
 
 def resets(scene: Scene, count: int) -> Found:
-    """Time resets onto the same scene, onto cached ones, onto ones composed anew."""
+    """Time resets to the same scene, to cached scenes, and to newly composed ones."""
     kinds = {
         "same scene": (make_env(scene), 60, 60),
         "cached scene": (make_env(STARTER), 120, 60),
@@ -70,12 +70,12 @@ def resets(scene: Scene, count: int) -> Found:
 
 
 def refreshing(scene: Scene, count: int) -> Found:
-    """Time steps at fixed tables against those of a pool that one process keeps renewing.
+    """Time steps at fixed tables and at those of a pool that one process keeps refreshing.
 
-    The tables of both are of the scene's text, and the pool begins with the fixed ones. Rounds of
-    ``ROUND`` seconds alternate, the first ones to warm up; the process ends what it has begun in
-    the pauses. What becomes due outside the pool's rounds is ordered as its next one begins: its
-    rate is such that ``PER_MINUTE`` are renewed in a minute of its rounds.
+    The tables of both have the scene's text, and the pool starts with the fixed ones. Rounds of
+    ``ROUND`` seconds alternate, the first ones for warm-up; the process finishes its work in the
+    pauses. Refreshes that become due outside the pool's rounds are requested when its next one
+    begins: the rate is such that ``PER_MINUTE`` tables are refreshed per minute of its rounds.
     """
     text = scene.provenance.prompt or ""
     fixed = FixedScenes(tuple(HeldRef(compose(text, seed)) for seed in range(TABLES)))
@@ -98,7 +98,7 @@ def refreshing(scene: Scene, count: int) -> Found:
 
 
 def play(env: TabletopEnv, seconds: float) -> Rates:
-    """Act at random for some seconds, in episodes; return the steps a second, by what counts."""
+    """Act at random for some seconds, in episodes; return steps per second, by clock."""
     env.action_space.seed(0)
     count, spent, begin = 0, np.zeros(2), _clocks()
     while (total := _clocks() - begin)[0] < seconds:
@@ -113,7 +113,7 @@ def play(env: TabletopEnv, seconds: float) -> Rates:
 
 
 def compare(rounds: Mapping[str, Sequence[Rates]]) -> Found:
-    """Return the median rates at fixed and at renewed tables, and what renewing costs of them."""
+    """Return the median rates at fixed and at refreshed tables, and the cost of refreshing."""
     found: Found = []
     for kind in rounds["fixed"][0]:
         fixed, renewed = (
@@ -129,12 +129,12 @@ def compare(rounds: Mapping[str, Sequence[Rates]]) -> Found:
 
 
 def _clocks() -> Float[np.ndarray, "2"]:
-    """Return the time and this process's CPU time, seconds."""
+    """Return the wall-clock time and this process's CPU time, seconds."""
     return np.array([time.perf_counter(), time.process_time()])
 
 
 def pixels(scene: Scene, count: int) -> Found:
-    """Time pictures alone and steps that see the front and the wrist camera."""
+    """Time pictures alone, and steps that observe the front and the wrist camera."""
     found: Found = []
     for size, renderer in product((84, 128, 256), ("auto", "software")):
         env = make_env(scene, observation="pixels", image_size=size, renderer=renderer)
@@ -153,8 +153,8 @@ def pixels(scene: Scene, count: int) -> Found:
 def vector(scene: Scene, count: int) -> Found:
     """Time many slots on threads and in processes, on one and on two, four ... of each.
 
-    As far as there are cores. Processes have ``SHARE`` slots each; rounds of all of them alternate,
-    and the fastest of each counts: what they share a machine with only slows them.
+    As many as there are cores. Processes have ``SHARE`` slots each; rounds of all variants
+    alternate, and the fastest of each counts, since other programs on the machine only slow them.
     """
     numbers = [n for n in (1, 2, 4, 8, 16, 32) if n <= max(2, cores())]
     found: Found = []
@@ -171,7 +171,7 @@ def vector(scene: Scene, count: int) -> Found:
 
 
 def _processes(scene: Scene, numbers: Sequence[int]) -> Found:
-    """Time processes with ``SHARE`` slots each, and those slots on one thread here."""
+    """Time processes with ``SHARE`` slots each, and as many slots on one thread in this process."""
     hows = {f"{SHARE} slots, 1 thread": TabletopVectorEnv(SHARE, scenes=scene, threads=1)}
     for many in numbers:
         name = f"{many} processes of {SHARE} slots"
@@ -196,7 +196,7 @@ def _processes(scene: Scene, numbers: Sequence[int]) -> Found:
 
 
 def step_all(envs: TabletopVectorEnv, count: int) -> tuple[float, float]:
-    """Step ``count`` times at random; return the slots' steps a second and a second of CPU."""
+    """Step ``count`` times at random; return the slots' steps per second and per CPU second."""
     shape = envs.action_space.shape or ()
     actions = np.random.default_rng(0).uniform(-1, 1, (count, *shape))
     before = _cpu_time(envs)
@@ -205,7 +205,7 @@ def step_all(envs: TabletopVectorEnv, count: int) -> tuple[float, float]:
 
 
 def _cpu_time(envs: TabletopVectorEnv) -> float:
-    """Return the CPU time of this process and those of the slots, seconds."""
+    """Return the CPU time of this process and of the slots' processes, seconds."""
     others = dict(envs.visit(_process_time)) if envs.pids else {}
     return time.process_time() + sum(others.values())
 
@@ -215,10 +215,10 @@ def _process_time(env: object) -> tuple[int, float]:
 
 
 def memory(scene: Scene, count: int) -> Found:
-    """Watch the memory of resets once caches are full.
+    """Measure the memory of resets once caches are full.
 
-    Of the starters; with scenes that leave the cache; randomised; at tables that are ever renewed:
-    these three with a tenth of the resets.
+    At the starter scenes; with scenes that exceed the cache; randomised; at continuously refreshed
+    tables: the last three with a tenth of the resets.
     """
     text = scene.provenance.prompt or ""
     pool = RefreshingScenes(text, TABLES, every_resets=4, workers=1, initial=STARTER, seed=0)
@@ -246,7 +246,7 @@ def _watch(env: TabletopEnv, count: int) -> list[tuple[int, float]]:
     """Reset ``WARM`` times to warm up and then ``count`` times.
 
     Returns:
-        How many resets there were, and the memory then, MB: after warming up and after each fifth.
+        Numbers of resets with the memory at that point, MB: after warm-up and after each fifth.
     """
     sizes = []
     for k in range(WARM + count + 1):
@@ -257,9 +257,9 @@ def _watch(env: TabletopEnv, count: int) -> list[tuple[int, float]]:
 
 
 def _resident() -> float:
-    """Return this process's resident memory, MB, once it has given back what is free.
+    """Return this process's resident memory, MB, after releasing free memory.
 
-    Scenes differ in size by tens of MB, which the allocator of glibc keeps for the next one.
+    Scenes differ in size by tens of MB, which glibc's allocator keeps for the next one.
     """
     gc.collect()
     with suppress(OSError, AttributeError):  # another C library
@@ -283,7 +283,7 @@ PARTS: Mapping[str, Callable[[Scene, int], Found]] = MappingProxyType(
         "memory": memory,
     }
 )
-"""Every part by name; each takes the scene and how many resets to watch."""
+"""All parts by name; each takes the scene and the number of resets for memory."""
 
 DEFAULT = ("resets", "refreshing", "pixels", "vector")
-"""The parts measured unless others are asked for."""
+"""The parts measured by default."""

@@ -1,6 +1,6 @@
-"""A rule that goes where the grasp hint points: what a trained policy has to do better than.
+"""A rule that goes where the grasp hint points: the baseline that a trained policy must exceed.
 
-It sees the hint's eight entries and nothing else of the state, and remembers whether it let go.
+It observes only the hint's eight entries, and remembers whether it has released the object.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from tabletopgen_env.actions import EE_STEP, EE_TURN
 from tabletopgen_env.observations.grasp_hint import HINT_BOUNDS
 from tabletopgen_env.robot import franka
 
-_OVER = 0.05  # metres above the end of its way at which the hand is aimed
+_OVER = 0.05  # height above the end of its path at which the hand is aligned, metres
 
 
 class HintRule:
-    """Goes above the end of the way, aims, comes down, and closes or opens the fingers there.
+    """Moves above the end of its path, aligns, descends, and closes or opens the fingers there.
 
-    ``lets_go`` says whether what it holds is to be let go at the end of the way (not in Lift).
+    ``lets_go`` says whether a held object is released at the end of the path (not in Lift).
     """
 
     def __init__(self, lets_go: bool) -> None:
@@ -29,7 +29,7 @@ class HintRule:
     def predict(
         self, observation: Float[np.ndarray, "n"], *, deterministic: bool
     ) -> tuple[Float[np.ndarray, "5"], Any]:
-        """Return the action, as a policy does."""
+        """Return the action, like a policy."""
         *way, turn, opening, _, rise, kind = observation[-len(HINT_BOUNDS) :]
         holds = kind < 0
         aimed = np.hypot(way[0], way[1]) < (0.01 if holds else 0.006) and abs(turn) < 0.06

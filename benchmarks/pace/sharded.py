@@ -1,4 +1,4 @@
-"""Soak of a vector environment in processes: what goes wrong, and whether their memory grows."""
+"""Soak test of a vector environment in processes: errors and memory growth."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FIELDS = ("steps", "episodes", *COUNTS, "longest_ms", "seconds", "here_mb", "sha
 
 @dataclass(frozen=True)
 class ShardSoak:
-    """Tables, processes, slots, steps of all slots together, and the seed of the actions."""
+    """Tables, processes, slots, total steps of all slots, and the seed of the actions."""
 
     places: Sequence[Path]
     processes: int
@@ -39,15 +39,14 @@ class ShardSoak:
 
     @property
     def episodes(self) -> int:
-        """Episodes of each slot."""
+        """Episodes per slot."""
         return max(1, self.steps // (self.slots * self.episode))
 
 
 def soak(soak: ShardSoak) -> list[Row]:
     """Play all episodes; return a row for each tenth of them.
 
-    First each slot is reset to each table, so that all of them are compiled before memory is
-    watched.
+    First each slot is reset to each table, so that all are compiled before memory is measured.
     """
     rng, rows = np.random.default_rng(soak.seed), []
     scenes = list(map(str, soak.places))
@@ -64,7 +63,7 @@ def soak(soak: ShardSoak) -> list[Row]:
 
 
 def _play(envs: TabletopVectorEnv, steps: int, episodes: int, rng: np.random.Generator) -> Row:
-    """Play some episodes with each slot; return what was counted."""
+    """Play some episodes with each slot; return the counts."""
     counts, longest, begin = Counter(dict.fromkeys(COUNTS, 0)), 0.0, time.perf_counter()
     action = np.zeros(envs.action_space.shape or ())
     for _ in range(episodes):
@@ -96,7 +95,7 @@ def resident(pid: int | str) -> float:
 
 
 def summary(soak: ShardSoak, rows: Sequence[Row], command: str, note: str) -> str:
-    """Return what was counted, as Markdown."""
+    """Return the counts as Markdown."""
     whole = {f: sum(int(r[f]) for r in rows) for f in ("steps", "episodes", *COUNTS)}
     first, last = rows[0], rows[-1]
     lines = [
@@ -107,12 +106,12 @@ def summary(soak: ShardSoak, rows: Sequence[Row], command: str, note: str) -> st
         f"{soak.episode} steps.",
         "",
         *count_rows(whole),
-        f"| things off the table at an episode's end, and named | {whole['fell']} |",
+        f"| objects off the table at an episode's end, and reported | {whole['fell']} |",
         "",
         "| memory, MB | after a tenth | at the end |",
         "|---|---|---|",
         f"| this process | {first['here_mb']} | {last['here_mb']} |",
-        f"| the shards together | {first['shards_mb']} | {last['shards_mb']} |",
+        f"| all shards together | {first['shards_mb']} | {last['shards_mb']} |",
         "",
         f"Longest step of all slots: {max(float(r['longest_ms']) for r in rows):.0f} ms.",
     ]

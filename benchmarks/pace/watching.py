@@ -1,4 +1,4 @@
-"""What may go wrong at a table while an arm moves about."""
+"""Possible errors at a table while an arm moves."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from tabletopgen_env.goals.goal import at_rest
 from tabletopgen_env.world.world import World
 
 ROOM = 20.0
-"""Metres from the table's middle beyond which a thing has escaped."""
+"""Distance from the table's centre in metres beyond which an object has escaped."""
 
 
 def look(env: gym.Env) -> dict[str, int]:
-    """Count what is wrong in an environment as an episode ends, and what fell off its table."""
+    """Count an environment's errors at the end of an episode, and the objects off its table."""
     inner = env.unwrapped
     assert isinstance(inner, TabletopEnv)
     world = inner.world
@@ -33,20 +33,20 @@ def look(env: gym.Env) -> dict[str, int]:
 
 
 def count_rows(whole: Mapping[str, int]) -> list[str]:
-    """Return the head of a table of counts, and a row for each kind of thing that went wrong."""
+    """Return the head of a table of counts, and a row for each kind of error."""
     return [
         "| what | count |",
         "|---|---|",
         f"| states, observations or rewards that are not finite | {whole['not_finite']} |",
         f"| MuJoCo warnings | {whole['warnings']} |",
         f"| observations outside their space | {whole['outside']} |",
-        f"| things beside the table that `off_table` does not name | {whole['unnoticed']} |",
-        f"| things under the floor or out of the room | {whole['escaped']} |",
+        f"| objects off the table that `off_table` does not list | {whole['unnoticed']} |",
+        f"| objects below the floor or outside the room | {whole['escaped']} |",
     ]
 
 
 def beside(world: World) -> set[str]:
-    """Return the things at rest, let go, whose place seen from above is wholly off the table."""
+    """Return released objects at rest whose footprint is entirely off the table."""
     found = set()
     for obj in world.scene.objects:
         off = -inside_margin(world.position(obj.name)[:2], world.scene.table.outline)[0]
@@ -57,7 +57,7 @@ def beside(world: World) -> set[str]:
 
 
 def find_escaped(world: World) -> list[str]:
-    """Return the things that are under the floor or out of the room."""
+    """Return the objects that are below the floor or outside the room."""
     found = []
     for name in world.names:
         x, y, z = world.position(name)

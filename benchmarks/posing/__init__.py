@@ -1,1 +1,1 @@
-"""What ``benchmarks/pose.py`` is made of: cases with a known pose, their spoiling, figures."""
+"""Parts of ``benchmarks/pose.py``: cases with a known pose, perturbations, metrics."""

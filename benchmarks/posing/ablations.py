@@ -1,4 +1,4 @@
-"""Whole scenes rebuilt with stages left out (Sec. 4.3): the runs, their figures, the table."""
+"""Whole scenes rebuilt without some stages (Sec. 4.3): the runs, their metrics, the table."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ VARIANTS: Mapping[str, Config] = MappingProxyType({
     "w/o TSA": Config(leave_out=0, without=("tsa",)),
     "w/o both": Config(leave_out=0, without=("dro", "tsa")),
 })  # fmt: skip
-"""The rows of the table. The paper has no refinement: "full" is what its "Ours (full)" is."""
+"""The rows of the table. The paper has no refinement: its "Ours (full)" corresponds to "full"."""
 
 KEY = ("scene",)
 OBJECT = ("object", "category", "on", "found", "yaw_state", "yaw_error_deg", "place_percent",
@@ -61,9 +61,9 @@ _FAR = 10.0  # millimetres
 
 @dataclass(frozen=True)
 class AblationRun:
-    """What the rows depend on besides the scene; ``strips`` is where pictures of it go.
+    """Settings of the rows besides the scene; ``strips`` is the folder of its pictures.
 
-    ``text`` is what every scene is of; without it, each is of a theme.
+    ``text`` is the text of every scene; without it, each scene has a theme.
     """
 
     split: str
@@ -73,7 +73,7 @@ class AblationRun:
 
 
 def as_placed(scene: Scene) -> Scene:
-    """Return the scene with every object where the picture's stages put it, before separation."""
+    """Return the scene with every object as placed by the picture's stages, before separation."""
     objects = [
         dataclasses.replace(
             o, pose=Pose(o.placement.translation, yaw_quaternion(o.placement.yaw))
@@ -84,7 +84,7 @@ def as_placed(scene: Scene) -> Scene:
 
 
 def rows_of(truth: Truth, made: Generation, seconds: float) -> list[Row]:
-    """Return one row for each object the picture shows; poses count as placed."""
+    """Return one row for each object in the picture; poses are those as placed."""
     scene, placed = made.scene, as_placed(made.scene)
     before, after = collisions(placed), collisions(scene)
     moved = [
@@ -117,7 +117,7 @@ def rows_of(truth: Truth, made: Generation, seconds: float) -> list[Row]:
 
 
 def work(number: int, run: AblationRun) -> list[Row]:
-    """Draw one scene, rebuild it in every variant, and compare; a failure is a row too."""
+    """Draw one scene, rebuild it in every variant, and compare; a failure is also a row."""
     rows: list[Row] = []
     tiles: dict[str, UInt8[np.ndarray, "h w 3"]] = {}
     try:
@@ -134,7 +134,7 @@ def work(number: int, run: AblationRun) -> list[Row]:
             made = generate(np.asarray(truth.picture), backends, config, seed=number)
             new = rows_of(truth, made, time.process_time() - begin)
             tiles[variant] = _tile(made)
-        except Exception as error:  # one variant must not end the run
+        except Exception as error:  # one variant must not abort the run
             new = [dict.fromkeys(FIELDS, "") | {"error": tables.failure(error)}]
         rows += [r | {"variant": variant} for r in new]
     write_strip(tiles, number, run.strips)
@@ -148,18 +148,18 @@ def _tile(made: Generation) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def write_strip(tiles: Mapping[str, UInt8[np.ndarray, "h w 3"]], number: int, folder: Path) -> None:
-    """Write one scene's pictures side by side, captioned by name, for ``sheet``."""
+    """Write one scene's pictures side by side for ``sheet``, with their names as captions."""
     from PIL import Image
 
     folder.mkdir(parents=True, exist_ok=True)
     shown = {name: tile for name, tile in tiles.items() if name != FULL}
     strip = grid(list(shown.values()), list(shown), columns=len(shown), cell=_TILE)
-    margin = (_TILE - 3 * _TILE // 4) // 2  # of the square cells, above pictures that are 4 to 3
+    margin = (_TILE - 3 * _TILE // 4) // 2  # of the square cells, above 4:3 pictures
     Image.fromarray(strip[margin:]).save(folder / f"{number:03d}.png")
 
 
 def sheet(numbers: Sequence[int], folder: Path) -> UInt8[np.ndarray, "h w 3"] | None:
-    """Return the strips of some scenes below one another; None if there is none of them."""
+    """Return the strips of some scenes below one another, or None if there are none."""
     from PIL import Image
 
     paths = [p for n in numbers if (p := folder / f"{n:03d}.png").is_file()]
@@ -173,9 +173,9 @@ def sheet(numbers: Sequence[int], folder: Path) -> UInt8[np.ndarray, "h w 3"] | 
 def run(
     how: AblationRun, cases: int, workers: int, table: Path, command: str, note: str = ""
 ) -> str:
-    """Run what of the scenes ``table`` does not hold yet; return the table of all as Markdown.
+    """Run the scenes that are missing in ``table``; return the table of all as Markdown.
 
-    ``note`` is what a person who looked has to say; it goes below the table.
+    ``note`` holds a person's observations, which are printed below the table.
     """
     asked = {(str(k),): k for k in range(cases)}
     job = partial(work, run=how)
@@ -225,13 +225,14 @@ def _mean(rows: Sequence[Row], field: str) -> str:
 
 
 HEAD = (
-    "yaw error of those judged, median; ≤ 15° (no round model is); of the axis alone, median",
-    "place error, of table's width",
-    "size error; against the table",
+    "yaw error of the evaluated objects, median; ≤ 15° (excluding round models); of the axis "
+    "alone, median",
+    "position error, of the table's width",
+    "size error; relative to the table",
     "support right",
     "Col_O %, Col_S as placed",
     "Col_O %, Col_S after separation",
-    "scenes in which a thing was moved > 10 mm; farthest, mm, median",
+    "scenes in which an object was moved > 10 mm; largest displacement, mm, median",
     "gate passed",
     "outline overlap",
     *EMBEDDED,
@@ -243,14 +244,15 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
     """Return the results as Markdown."""
     scenes_run = {str(r["scene"]) for r in rows}
     lines = [
-        f"# Ablations: {len(scenes_run)} scenes rebuilt from their picture, stages left out",
+        f"# Ablations: {len(scenes_run)} scenes rebuilt from their picture without some stages",
         f"`{command}`, {tables.where()}",
         "",
-        "The rows are those of the paper's Table 3, and the joint refinement on top. What is left "
-        "out is guessed by the embedded reasoner, a naive reading of the picture and no language "
-        "model: the rows compare stages of this project with one another, not with the paper's. "
-        "Errors, and the first Col_O and Col_S, are of the objects as placed, before separation; "
-        "the other figures are of the finished scene. What stands on what is the same in all rows.",
+        "The rows are those of the paper's Table 3, with the joint refinement on top. Disabled "
+        "stages are replaced by guesses of the embedded reasoner, a naive reading of the picture "
+        "without a language model: the rows compare stages of this project with one another, not "
+        "with the paper's. Errors, and the first Col_O and Col_S, are those of the objects as "
+        "placed, before separation; the other values are those of the finished scene. Supports "
+        "are the same in all rows.",
         "",
         "| | " + " | ".join(HEAD) + " |",
         "|---" * (len(HEAD) + 1) + "|",
@@ -258,9 +260,9 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
         "",
         "Col_O is over all pairs of objects, overlaps from 0.5 mm. Outline overlap (mean mask "
         "IoU) and the two embedded scores, which are not LPIPS, DINOv2 or CLIP, are from the "
-        "picture's camera; the last column has the two scores as the paper takes them, each in "
-        f"the best of {len(_SWEEP.elevations) * len(_SWEEP.distances)} views of a sweep that "
-        "does not know the camera.",
+        "picture's camera; the last column has the two scores as in the paper, each in the best "
+        f"of {len(_SWEEP.elevations) * len(_SWEEP.distances)} views of a sweep that does not know "
+        "the camera.",
     ]
     lines += ["", note] if note else []
     failed = {(str(r["scene"]), r["variant"] or "all", r["error"]) for r in rows if r["error"]}

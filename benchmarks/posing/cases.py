@@ -1,4 +1,4 @@
-"""Single objects of known pose, drawn by the numpy renderer, as the rotation stage gets them."""
+"""Single objects of known pose, drawn by the NumPy renderer, as input of the rotation stage."""
 
 from __future__ import annotations
 
@@ -24,28 +24,27 @@ from .distinct import DISTINCT, alike, window
 from .spoiling import Spoiling, blur, erode, occluder, punch, wrong_size
 
 WIDTH, HEIGHT = 1024, 768
-TABLE_WIDTH = 1.2  # metres across the picture's middle
+TABLE_WIDTH = 1.2  # metres across the picture's centre
 VARIANTS = {"dev": (30_000, 40_000), "test": (40_000, 50_000)}
-"""Catalogue seeds of each split; the package's own training and marking use none of them."""
+"""Catalogue seeds of each split, disjoint from the package's own training and evaluation seeds."""
 
 STREAMS = {"dev": 101, "test": 202}
-"""What tells the splits' random numbers apart."""
+"""Keys of the splits' random number generators."""
 
-_LEAST = 300  # pixels of a mask
-_TRIES = 150  # objects until one makes a case
+_LEAST = 300  # minimum pixels of a mask
+_TRIES = 150  # maximum number of objects tried per case
 
 
 @dataclass(frozen=True, eq=False)
 class TurnCase:
-    """One object to turn.
+    """One object whose yaw is estimated.
 
-    ``true`` is the object as it is, ``model`` what the optimiser is told (its size may be wrong);
-    ``camera`` and ``yaw`` are true, ``view`` is what is believed. ``instance`` and ``reference``
-    are the spoiled input; ``front`` is where something else stands before the object, as the
-    masks of a picture's other instances tell. ``order`` is the object's rotational symmetry,
-    ``hidden`` the share of it that is hidden, ``apart`` the difference of the most alike other
-    side in this picture.
-    ``dropped`` names the objects drawn before it, with the reason each made no case.
+    ``true`` is the true object, ``model`` the optimiser's input (its size may be wrong); ``camera``
+    and ``yaw`` are true, ``view`` is the assumed one. ``instance`` and ``reference`` are the
+    perturbed input; ``front`` marks pixels of an occluder, known from the masks of other instances.
+    ``order`` is the object's rotational symmetry, ``hidden`` its hidden share, ``apart`` the
+    difference to the most similar other side in this picture. ``dropped`` lists the objects drawn
+    before it, with the reasons why each was rejected.
     """
 
     variant: str
@@ -67,11 +66,11 @@ class TurnCase:
 
 @dataclass(frozen=True)
 class Draw:
-    """What cases are drawn from.
+    """The distribution of cases.
 
-    ``split`` and ``seed`` choose them, ``only`` limits the categories, ``models`` are foreign
-    objects instead of the catalogue's; ``elevations`` are the camera's, degrees. ``symmetric``
-    keeps objects of a finite symmetry, whose yaw errors are then modulo that symmetry.
+    ``split`` and ``seed`` select them, ``only`` restricts the categories, ``models`` are foreign
+    objects that replace the catalogue's; ``elevations`` are the camera's, degrees. ``symmetric``
+    includes objects with a finite symmetry, whose yaw errors are then modulo that symmetry.
     """
 
     split: str = "dev"
@@ -83,7 +82,7 @@ class Draw:
     symmetric: bool = False
 
     def rng(self, number: int) -> np.random.Generator:
-        """Return the random numbers of case ``number``, apart from those of every other."""
+        """Return the random number generator of case ``number``, independent of all others."""
         return np.random.default_rng([STREAMS[self.split], self.seed, number])
 
     def object(self, rng: np.random.Generator) -> tuple[str, Model]:
@@ -97,10 +96,10 @@ class Draw:
 
 
 def draw_case(draw: Draw, number: int) -> TurnCase:
-    """Return case ``number``: objects are drawn until one makes a well-posed case.
+    """Return case ``number``: objects are drawn until one gives a well-posed case.
 
     Raises:
-        SceneError: none does, after many.
+        SceneError: no object does, after many tries.
     """
     rng = draw.rng(number)
     dropped: list[tuple[str, str]] = []
@@ -115,13 +114,13 @@ def draw_case(draw: Draw, number: int) -> TurnCase:
             dropped.append((variant, case))
             continue
         return dataclasses.replace(case, dropped=tuple(dropped))
-    raise SceneError(f"{_TRIES} objects made no case; they look alike from several sides.")
+    raise SceneError(f"{_TRIES} objects gave no case, since they look similar from several sides.")
 
 
 def pose_case(
     model: Model, variant: str, symmetry: float, draw: Draw, rng: np.random.Generator
 ) -> TurnCase | str:
-    """Put ``model`` somewhere, draw it and spoil the input; or say why that makes no case."""
+    """Place ``model`` at random, draw it and perturb the input, or return why it is rejected."""
     spoiling = draw.spoiling
     camera, view = _camera(draw, rng)
     light = _light(spoiling, rng)
@@ -165,7 +164,7 @@ def _camera(draw: Draw, rng: np.random.Generator) -> tuple[Camera, View]:
 
 
 def looking_camera(view: View) -> Camera:
-    """Return the camera of ``view`` that looks at the origin, the table's middle."""
+    """Return the camera of ``view``, aimed at the origin, the table's centre."""
     distance = TABLE_WIDTH / 2 / np.tan(view.fov / 2) * HEIGHT / WIDTH
     return Camera.looking_at(np.zeros(3), view, distance, WIDTH, HEIGHT)
 
@@ -182,7 +181,7 @@ def photograph(
 ) -> tuple[UInt8[np.ndarray, "h w 3"], Bool[np.ndarray, "h w"]]:
     """Draw an item (id 1) on a random ground at height 0; return the picture and its mask.
 
-    The ground is drawn around the item alone; the rest of the picture has its mean colour.
+    The ground is drawn only around the item; the rest of the picture has its mean colour.
     """
     tile = patterns.surface(rng)
     low, high = item.vertices[:, :2].min(0), item.vertices[:, :2].max(0)
@@ -207,7 +206,7 @@ def photograph(
 def _paint(
     picture: UInt8[np.ndarray, "h w 3"], front: Bool[np.ndarray, "h w"], rng: np.random.Generator
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Paint what stands in front."""
+    """Draw an occluder."""
     pattern = patterns.clutter(rng, 128, 24)
     size = (picture.shape[1], picture.shape[0])
     return np.where(front[..., None], cv2.resize(pattern, size), picture)
@@ -216,7 +215,7 @@ def _paint(
 def cut_out(
     model: Model, picture: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"], hidden: bool
 ) -> Instance:
-    """Return the instance of a mask; its crop lacks what is hidden."""
+    """Return the instance of a mask; its crop excludes hidden parts."""
     box = mask_box(mask)
     around = np.clip(box + np.array([-8, -8, 8, 8]), 0, [WIDTH, HEIGHT] * 2)
     x0, y0, x1, y1 = around.astype(int)
@@ -225,7 +224,7 @@ def cut_out(
 
 
 def usable(models: Sequence[Model], symmetric: bool) -> tuple[Model, ...]:
-    """Return the foreign models that can make a case: see ``Draw.symmetric``.
+    """Return the foreign models that can give a case: see ``Draw.symmetric``.
 
     Raises:
         InputError: none can.
@@ -235,7 +234,7 @@ def usable(models: Sequence[Model], symmetric: bool) -> tuple[Model, ...]:
     kept = tuple(m for m, n in zip(models, orders, strict=True) if n < most)
     if not kept:
         raise InputError(
-            "Every mesh looks the same when it is turned, so none makes a case. Pass others"
+            "All meshes are rotationally symmetric, so none gives a case. Pass others"
             + (", not of revolution." if symmetric else ", or --symmetric.")
         )
     return kept

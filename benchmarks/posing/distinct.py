@@ -1,4 +1,4 @@
-"""Whether a picture tells an object's pose: how alike the object looks from other sides in it."""
+"""Whether a picture determines an object's pose: similarity to the object's other sides."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from generator.render.shading import Light
 from generator.scene import Model
 
 DISTINCT = 0.04
-"""Least difference of the pictures of two poses that a picture can tell apart, in [0, 1]."""
+"""Minimum difference, in [0, 1], at which a picture distinguishes two poses."""
 
-_SIDE = 72  # of the pictures compared, pixels, if the object is as large in the picture
-_SMALL = 40  # pixels below which more than one sample a pixel is needed
-_APART = 30.0  # degrees from which another side is another side
+_SIDE = 72  # maximum side of the compared pictures, pixels
+_SMALL = 40  # side in pixels below which pictures are supersampled
+_APART = 30.0  # minimum angle of another side, degrees
 
 
 def window(camera: Camera, box: Float[np.ndarray, "4"], zoom: float = 1.0) -> Camera:
-    """Return the camera that sees a pixel box of ``camera`` alone, ``zoom`` times as large."""
+    """Return the camera that shows only a pixel box of ``camera``, magnified by ``zoom``."""
     width, height = (max(1, round(float(side) * zoom)) for side in box[2:] - box[:2])
     offset = (camera.center - box[:2]) * zoom - np.array([width, height]) / 2
     fov = 2 * np.arctan(height / 2 / (camera.focal * zoom))
@@ -52,10 +52,10 @@ def close_up(
 def difference(
     a: Float[np.ndarray, "s s 4"], b: Float[np.ndarray, "s s 4"], seen: Bool[np.ndarray, "s s"]
 ) -> float:
-    """Return how much two pictures differ where both are ``seen``, in [0, 1].
+    """Return the difference of two pictures where both are ``seen``, in [0, 1].
 
-    The mean over both silhouettes of the largest channel's difference, 1 where only one of the
-    two is.
+    It is the mean over both silhouettes of the largest channel's difference, which is 1 where only
+    one of the two is present.
     """
     inside, both = np.maximum(a[..., 3], b[..., 3]) * seen, a[..., 3] * b[..., 3] * seen
     colour = np.abs(a[..., :3] - b[..., :3]).max(-1)
@@ -71,11 +71,11 @@ def alike(
     front: Bool[np.ndarray, "h w"],
     symmetry: float = 1,
 ) -> float:
-    """Return how much the most alike other side differs in this very picture (``difference``).
+    """Return the ``difference`` to the most similar other side in the same picture.
 
-    The object is turned where it stands, drawn by the same light as large as it is in the picture
-    (up to ``_SIDE`` pixels), and cropped tightly; what ``front`` hides of the true picture counts
-    in neither. Other sides are at least 30 degrees away, modulo the object's own ``symmetry``.
+    The object is rotated in place, drawn under the same light at the size it has in the picture (up
+    to ``_SIDE`` pixels), and cropped tightly; pixels that ``front`` hides in the true picture are
+    ignored. Other sides are at least 30 degrees away, modulo the object's own ``symmetry``.
     """
     item = place(model.mesh, model.size, position, yaw_quaternion(yaw))
     side = int(np.clip(np.ptp(camera.project(item.vertices), axis=0).max(), 8, _SIDE))

@@ -1,4 +1,4 @@
-"""Numbers of a table's columns, and the curves drawn of them."""
+"""Numbers in a table's columns, and plots of their distributions."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .tables import Row
 
 
 def column(rows: Sequence[Row], field: str) -> Float[np.ndarray, "n"]:
-    """Return the numbers of a column; empty cells are left out."""
+    """Return the numbers of a column, without empty cells."""
     return np.array([float(r[field]) for r in rows if str(r.get(field, "")) not in ("", "None")])
 
 
 def median(values: Float[np.ndarray, "n"], unit: str = "", digits: int = 1) -> str:
-    """Return a median as text; "-" of nothing."""
+    """Return a median as text; "-" if there are no values."""
     return f"{np.median(values):.{digits}f}{unit}" if len(values) else "-"
 
 

@@ -19,46 +19,50 @@ from tabletop_objects.values import to_unit_box
 ENDINGS = (".obj", ".glb", ".ply")
 MOST_BYTES, MOST_FACES = 100_000_000, 400_000
 SMALLEST, LARGEST = 0.004, 2.0
-"""Metres that an object's longest side may have."""
+"""Range of an object's longest side, metres."""
 
 Up = Literal["auto", "y", "z"]
-_TILE = 512  # pixels a texture keeps along its longer side
+_TILE = 512  # maximum longer side of a texture, pixels
 _GREY = np.full((2, 2, 3), 170, np.uint8)
 
 
 def mesh_files(folder: Path) -> list[Path]:
-    """Return the mesh files of a folder and the folders in it, sorted.
+    """Return the mesh files of a folder and its subfolders, sorted.
 
-    Links that lead out of the folder are left out.
+    Links that leave the folder are ignored.
 
     Raises:
-        InputError: no such folder, or no mesh in it.
+        InputError: there is no such folder, or no mesh in it.
     """
     if not folder.is_dir():
-        raise InputError(f"No folder {str(folder)!r}. Pass one that holds OBJ, GLB or PLY files.")
+        raise InputError(
+            f"No folder {str(folder)!r}. Pass one that contains OBJ, GLB or PLY files."
+        )
     root = folder.resolve()
     found = sorted(p for p in folder.rglob("*") if p.suffix.lower() in ENDINGS and p.is_file())
     inside = [p for p in found if p.resolve().is_relative_to(root)]
     if not inside:
-        raise InputError(f"{str(folder)!r} holds no mesh. Wanted: {', '.join(ENDINGS)}.")
+        raise InputError(
+            f"{str(folder)!r} contains no mesh. Supported formats: {', '.join(ENDINGS)}."
+        )
     return inside
 
 
 def load_model(path: Path, up: Up = "auto") -> Model:
-    """Read an OBJ, GLB or PLY file as a canonical model whose size is that of the file, in metres.
+    """Read an OBJ, GLB or PLY file as a canonical model with the file's size, in metres.
 
-    Textures and materials must lie beside or below it. ``up`` is its axis that points up; "auto" is
-    y in a GLB, as that format says, z in others.
+    Textures and materials must be in the same folder or below it. ``up`` is the file's upward axis;
+    "auto" is y for GLB, as that format specifies, and z for others.
 
     Raises:
         InputError: the file is missing, too large, damaged, empty, refers to files elsewhere, or
-            its size is no tabletop object's in metres.
+            its size is implausible for a tabletop object in metres.
     """
     if not path.is_file() or path.suffix.lower() not in ENDINGS:
-        raise InputError(f"No mesh file {path.name!r}. Wanted: {', '.join(ENDINGS)}.")
+        raise InputError(f"No mesh file {path.name!r}. Supported formats: {', '.join(ENDINGS)}.")
     if not 0 < path.stat().st_size <= MOST_BYTES:
         raise InputError(
-            f"{path.name} has {path.stat().st_size:,} bytes; it may have 1 to {MOST_BYTES:,}."
+            f"{path.name} has {path.stat().st_size:,} bytes; 1 to {MOST_BYTES:,} are allowed."
         )
     folder = _Folder(path.parent)
     try:
@@ -66,16 +70,16 @@ def load_model(path: Path, up: Up = "auto") -> Model:
         with path.open("rb") as file:
             loaded = trimesh.load_scene(file, file_type=kind, resolver=folder, process=False)
         pieces = [_piece(g) for g in loaded.dump() if isinstance(g, trimesh.Trimesh)]
-    except Exception as error:  # the readers raise whatever a damaged file makes them raise
+    except Exception as error:  # readers raise many types of errors for damaged files
         raise InputError(f"{path.name} cannot be read as a mesh ({error}).") from error
     if folder.refused:
         raise InputError(
-            f"{path.name} asks for files outside its folder, or too large ones: {folder.refused}. "
-            "Put its materials and pictures beside it."
+            f"{path.name} refers to files outside its folder, or to files that are too large: "
+            f"{folder.refused}. Move its materials and pictures to its folder."
         )
     pieces = [piece for piece in pieces if len(piece[1])]
     if not pieces:
-        raise InputError(f"{path.name} holds no triangle.")
+        raise InputError(f"{path.name} has no triangle.")
     if sum(len(faces) for _, faces, _, _ in pieces) > MOST_FACES:
         raise InputError(f"{path.name} has more than {MOST_FACES:,} triangles. Simplify it first.")
     mesh = _join(path.name, pieces)
@@ -83,8 +87,8 @@ def load_model(path: Path, up: Up = "auto") -> Model:
     longest = float(extent.max())
     if not SMALLEST <= longest <= LARGEST:
         raise InputError(
-            f"{path.name} is {longest:.4g} across; a tabletop object has {SMALLEST} to {LARGEST} m."
-            " Scale it to metres."
+            f"{path.name} is {longest:.4g} across; a tabletop object has {SMALLEST} to {LARGEST} "
+            "m. Scale it to metres."
         )
     model = Model(path.stem, path.stem, unit, extent)
     upright = up == "z" or (up == "auto" and path.suffix.lower() != ".glb")
@@ -92,7 +96,7 @@ def load_model(path: Path, up: Up = "auto") -> Model:
 
 
 class _Folder(Resolver):
-    """Gives a mesh the files beside and below it, and remembers what else it asked for."""
+    """Provides a mesh with files from its folder, and records other files that it requests."""
 
     def __init__(self, root: Path) -> None:
         self.root = root.resolve()
@@ -122,7 +126,7 @@ Piece = tuple[Float[np.ndarray, "n 3"], np.ndarray, Float[np.ndarray, "n 2"], np
 
 
 def _piece(geometry: Any) -> Piece:
-    """Return vertices, faces, uv and texture of one part; colours become a texture of their own."""
+    """Return vertices, faces, uv and texture of one part; plain colours become a texture."""
     vertices = np.asarray(geometry.vertices, float)
     faces = np.asarray(geometry.faces, int)
     if not len(faces):
@@ -150,12 +154,12 @@ def _piece(geometry: Any) -> Piece:
 
 
 def _own(faces: np.ndarray) -> np.ndarray:
-    """Return faces that share no vertex."""
+    """Return faces that do not share vertices."""
     return np.arange(3 * len(faces)).reshape(-1, 3)
 
 
 def _texture(material: Any) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a material's picture times its colour, or its colour alone."""
+    """Return a material's picture times its colour, or only its colour."""
     picture = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
     factor = getattr(material, "baseColorFactor", None)
     if picture is None:
@@ -170,7 +174,7 @@ def _texture(material: Any) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def _join(name: str, pieces: list[Piece]) -> Mesh:
-    """Return one mesh, the pieces' textures stacked into one."""
+    """Return one mesh, with the pieces' textures stacked into one."""
     width = max(texture.shape[1] for *_, texture in pieces)
     rows, tiles, heights = 0, [], []
     for *_, texture in pieces:
@@ -182,7 +186,7 @@ def _join(name: str, pieces: list[Piece]) -> Mesh:
     all_uv, all_faces, start = [], [], 0
     for (vertices, faces, uv, _), (top, high) in zip(pieces, heights, strict=True):
         half = 0.5 / high
-        v = np.clip(uv[:, 1], half, 1 - half)  # no colour of the next tile
+        v = np.clip(uv[:, 1], half, 1 - half)  # avoids colours of the next tile
         all_uv.append(np.column_stack([uv[:, 0], 1 - (top + (1 - v) * high) / rows]))
         all_faces.append(faces + start)
         start += len(vertices)

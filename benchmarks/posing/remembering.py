@@ -1,4 +1,4 @@
-"""Backends whose answers are kept: runs that differ late share what they asked alike."""
+"""Backends with cached answers: runs that differ in late stages share their early queries."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from generator.backends.protocols import Imager, Modeler, PoseGuesser, Reasoner,
 
 
 def remembering(backends: Backends) -> Backends:
-    """Return backends that answer a question asked with equal arguments from memory.
+    """Return backends that answer repeated queries with equal arguments from a cache.
 
-    Equal is by content, so a question that differs in a pixel is asked. The encoder, whose answers
-    carry gradients, is left as it is.
+    Arguments are compared by content, so a query that differs in one pixel is not repeated. The
+    encoder, whose answers carry gradients, is not cached.
     """
     reasoner = _remember(backends.reasoner, Reasoner, PoseGuesser)
     imager, segmenter = _remember(backends.imager, Imager), _remember(backends.segmenter, Segmenter)

@@ -1,4 +1,4 @@
-"""Whole scenes from their picture alone: the run, objects matched to the truth, the summary."""
+"""Whole scenes from their picture alone: the run, matching of objects to the truth, the summary."""
 
 from __future__ import annotations
 
@@ -38,17 +38,17 @@ FIELDS = (
 )  # fmt: skip
 
 GENERIC = "generic"
-"""Category of a thing that is rebuilt from its outline, as no catalogue shape."""
+"""Category of an object that is rebuilt from its outline instead of a catalogue shape."""
 
 MATCH = 0.5
-"""Least overlap (IoU) of two masks of one thing."""
+"""Minimum overlap (IoU) of two masks of the same object."""
 
-_SHOWS = 1e-4  # share of the picture from which a thing can be found
+_SHOWS = 1e-4  # minimum share of the picture of a detectable object
 
 
 @dataclass(frozen=True)
 class ScenesResult:
-    """The rows of a run and what is written about them."""
+    """The rows of a run, its summary and its plot."""
 
     rows: list[Row]
     text: str
@@ -58,9 +58,9 @@ class ScenesResult:
 def match(
     true: Sequence[Bool[np.ndarray, "h w"]], found: Sequence[Bool[np.ndarray, "h w"]]
 ) -> dict[int, tuple[int, float]]:
-    """Return for each true mask the found one of it, with their overlap; none below ``MATCH``.
+    """Return the detected mask for each true mask, with their overlap; none below ``MATCH``.
 
-    Every mask is used once at most, so that the overlaps' sum is largest.
+    Every mask is used at most once, so that the sum of the overlaps is maximal.
     """
     if not true or not found:
         return {}
@@ -71,11 +71,11 @@ def match(
 
 
 def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:
-    """Return one row for each object that the picture shows."""
+    """Return one row for each object in the picture."""
     true = truth.scene.objects
     shown = [k for k in range(len(true)) if (truth.ids == k + 1).mean() >= _SHOWS]
     if not shown:
-        raise SceneError("Nothing on the table shows in its picture.")
+        raise SceneError("The picture shows nothing on the table.")
     masks = {i.name: np.asarray(i.mask) for i in made.instances}
     found = [o for o in made.scene.objects if o.name in masks]
     pairs = match([truth.ids == k + 1 for k in shown], [masks[o.name] for o in found])
@@ -110,7 +110,7 @@ def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:
 def _compare(
     truth: Truth, index: int, made: Generation, found: Object, widths: tuple[float, float]
 ) -> dict[str, Any]:
-    """Return how one found object differs from the true one, ``index`` of the scene's."""
+    """Return the differences of a detected object from the true one, ``index`` of the scene's."""
     true = truth.scene.objects[index]
     a, b = see(true, truth.view.azimuth), see(found, made.scene.view.azimuth)
     state, error, other = "judged", "", math.nan
@@ -146,12 +146,12 @@ def _compare(
 
 
 def _percent(found: float, true: float) -> float:
-    """Return by how many percent a found length is too large (positive) or too small."""
+    """Return by how many percent an estimated length is too large (positive) or too small."""
     return round(100 * (found / true - 1), 2)
 
 
 def work(number: int, split: str, seed: int, sheets: Path | None) -> list[Row]:
-    """Draw one scene, rebuild it from its picture, and compare; a failure is a row too."""
+    """Draw one scene, rebuild it from its picture, and compare; a failure is also a row."""
     begin = time.process_time()
     try:
         truth = draw_truth(split, seed, number)
@@ -160,7 +160,7 @@ def work(number: int, split: str, seed: int, sheets: Path | None) -> list[Row]:
         rows = compare(truth, made, time.process_time() - begin)
         if sheets is not None:
             _save_sheet(made, sheets / f"{number:03d}.png")
-    except Exception as error:  # one scene must not end the run
+    except Exception as error:  # one scene must not abort the run
         rows = [dict.fromkeys(FIELDS, "") | {"of": 1, "error": tables.failure(error),
                 "cpu_seconds": round(time.process_time() - begin, 1)}]  # fmt: skip
     return [r | {"scene": number} for r in rows]
@@ -183,7 +183,7 @@ def _save_sheet(made: Generation, path: Path) -> None:
 def run(
     split: str, seed: int, cases: int, workers: int, table: Path, command: str, sheets: Path | None
 ) -> ScenesResult:
-    """Run what of the scenes ``table`` does not hold yet, and sum up all of them."""
+    """Run the scenes that are missing in ``table``, and summarise all of them."""
     asked = {(str(k),): k for k in range(cases)}
     job = partial(work, split=split, seed=seed, sheets=sheets)
     rows = tables.complete(table, FIELDS, KEY, asked, job, workers, say, of="of")
@@ -191,8 +191,8 @@ def run(
         "Objects of scenes rebuilt from their picture",
         {
             "yaw, degrees": yaw_errors(rows),
-            "place, % of the table's width": column(rows, "place_percent"),
-            "size against the table, %": np.abs(column(rows, "size_relative_percent")),
+            "position, % of the table's width": column(rows, "place_percent"),
+            "size relative to the table, %": np.abs(column(rows, "size_relative_percent")),
         },
         "error: degrees, or percent",
     )
@@ -200,7 +200,7 @@ def run(
 
 
 def yaw_errors(rows: Sequence[Row]) -> Float[np.ndarray, "n"]:
-    """Return the yaw errors (degrees) of the things with a front; 180 where the model has none."""
+    """Return yaw errors (degrees) of the objects with a front; 180 if the model has none."""
     blank = sum(r["yaw_state"] == "unclear" for r in rows)
     return np.concatenate([column(rows, "yaw_error_deg"), np.full(blank, 180.0)])
 
@@ -211,7 +211,7 @@ def say(rows: list[Row]) -> str:
         return f"scene {r['scene']}: {r['error']}"
     found = sum(int(row["found"]) for row in rows)
     yaw = median(column(rows, "yaw_error_deg"), "°")
-    message = f"{found} of {len(rows)} found, yaw {yaw}, {r['cpu_seconds']} s"
+    message = f"{found} of {len(rows)} detected, yaw {yaw}, {r['cpu_seconds']} s"
     return f"scene {r['scene']} {r['text']}: {message}"
 
 
@@ -227,35 +227,35 @@ def summary(rows: Sequence[Row], command: str) -> str:
     generic = [r for r in found if r["found_category"] == GENERIC]
     figures = [
         ("scenes rebuilt", f"{len(firsts)} of {len(scenes)}"),
-        ("objects shown; found (mask IoU ≥ 0.5)",
+        ("visible objects; detected (mask IoU ≥ 0.5)",
          f"{len(shown)}; {share([bool(int(r['found'])) for r in shown])}"),
-        ("objects built of nothing that is there", str(int(column(firsts, "extra").sum()))),
-        ("yaw error modulo symmetry, median of those judged", median(errors, "°", 2)),
-        ("yaw within 2°, 5°, 10°; a round model of a thing with a front is not right",
+        ("objects without a counterpart in the truth", str(int(column(firsts, "extra").sum()))),
+        ("yaw error modulo symmetry, median of the evaluated ones", median(errors, "°", 2)),
+        ("yaw within 2°, 5°, 10°; a round model of an object with a front is wrong",
          ", ".join(error_cells(yaw_errors(found))[1:])),
-        ("built as nothing in particular (generic): number; their yaw error, median",
+        ("built as a generic object: number; their yaw error, median",
          f"{len(generic)}; {median(column(generic, 'yaw_error_deg'), '°')}"),
-        ("yaw judged; round; alike from another side; tilted; model round, object not",
+        ("yaw evaluated; round; similar from another side; tilted; model round, object not",
          "; ".join(str(n) for n in states.values())),
         ("more than 170° off", str(int((errors > 170).sum()))),
-        ("place, median: cm; % of the table's width",
+        ("position, median: cm; % of the table's width",
          f"{median(column(found, 'place_cm'))}; {median(column(found, 'place_percent'))}"),
-        ("size error, median: metric; against the table's width",
+        ("size error, median: metric; relative to the table's width",
          f"{median(np.abs(column(found, 'size_percent')), ' %')}; "
          f"{median(np.abs(column(found, 'size_relative_percent')), ' %')}"),
-        ("stands on the right thing", share(column(found, "support_right") > 0)),
+        ("correct support", share(column(found, "support_right") > 0)),
         ("table's width, median error",
          median(np.abs(column(firsts, "table_width_percent")), " %")),
         ("camera: azimuth (of tables that are not round), elevation, median error",
          f"{median(column(firsts, 'azimuth_off_deg'), '°')}, "
          f"{median(np.abs(column(firsts, 'elevation_off_deg')), '°')}"),
-        ("CPU seconds a scene, median", median(column(firsts, "cpu_seconds"))),
+        ("CPU seconds per scene, median", median(column(firsts, "cpu_seconds"))),
     ]  # fmt: skip
     lines = [
-        "# Scenes rebuilt from their picture alone, against the truth",
+        "# Scenes rebuilt from their picture alone, compared with the truth",
         f"`{command}`, {tables.where()}",
         "",
-        "Both scenes are turned to the camera and held together by the middles of their tables.",
+        "Both scenes are rotated to the camera's frame and aligned at the centres of their tables.",
         "",
         "| figure | value |",
         "|---|---|",
@@ -268,12 +268,12 @@ def summary(rows: Sequence[Row], command: str) -> str:
     )
     lines += ["More than 10° off:"] if worst else []
     for r in worst:
-        taken = f"taken for {r['found_label']}, {r['found_category']}"
+        taken = f"detected as {r['found_label']}, {r['found_category']}"
         off = f"{float(r['yaw_error_deg']):.0f}°"
         lines.append(f"- scene {r['scene']} {r['object']} ({taken}): {off}")
     blank = [f"scene {r['scene']} {r['object']} ({r['found_category']})"
              for r in found if r["yaw_state"] == "unclear"]  # fmt: skip
-    lines += ["", f"Round models of things with a front: {', '.join(blank)}."] if blank else []
+    lines += ["", f"Round models of objects with a front: {', '.join(blank)}."] if blank else []
     missed = [f"scene {r['scene']} {r['object']}" for r in shown if not int(r["found"])]
     lines += ["", f"Not found: {', '.join(missed)}."] if missed else []
     failed = {str(r["scene"]): r["error"] for r in rows if r["error"]}

@@ -1,4 +1,4 @@
-"""Single objects: the run, its summary and its sheet of the worst."""
+"""Single objects: the run, its summary and the sheet of the worst cases."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from .solving import FIELDS, row_of, start_of_row
 from .tables import Row
 
 KEY = ("case", "config")
-SURE = 0.8  # share of the cases that count as the most sure
-BAD = 10.0  # degrees from which a case is listed
+SURE = 0.8  # share of the cases in the group of highest certainty
+BAD = 10.0  # error in degrees from which a case is listed
 _CELL = 240
 
 
 @dataclass(frozen=True)
 class SinglesResult:
-    """The rows of a run and what is written about them."""
+    """The rows of a run, its summary and its plot."""
 
     rows: list[Row]
     text: str
@@ -37,18 +37,18 @@ class SinglesResult:
 
 
 def work(job: tuple[int, str], draw: Draw) -> list[Row]:
-    """Draw and solve one case; a failure is a row too."""
+    """Draw and solve one case; a failure is also a row."""
     number, config = job
     try:
         return [row_of(draw_case(draw, number), number, config)]
-    except Exception as error:  # one case must not end the run
+    except Exception as error:  # one case must not abort the run
         return [start_of_row(number, config) | {"error": tables.failure(error)}]
 
 
 def run(
     draw: Draw, cases: int, paper: int, workers: int, table: Path, command: str
 ) -> SinglesResult:
-    """Run what of the cases ``table`` does not hold yet, and sum up all of them."""
+    """Run the cases that are missing in ``table``, and summarise all of them."""
     jobs = [(k, "default") for k in range(cases)] + [(k, "paper") for k in range(min(paper, cases))]
     asked = {(str(k), config): (k, config) for k, config in jobs}
     job = partial(work, draw=draw)
@@ -92,8 +92,8 @@ def summary(rows: Sequence[Row], command: str) -> str:
     counts = [int(column(first, f"dropped_{why}").sum()) for why in ("symmetric", "alike", "other")]
     lines += [
         "",
-        f"Objects drawn that made no case: {counts[0]} look the same when turned, {counts[1]} look "
-        f"nearly the same from another side in their picture, {counts[2]} do not fit into it.",
+        f"Rejected objects: {counts[0]} are rotationally symmetric, {counts[1]} look nearly the "
+        f"same from another side in their picture, {counts[2]} do not fit into it.",
         "",
     ]
     lines += [*_certainty(first), *_groups(first)]
@@ -103,30 +103,35 @@ def summary(rows: Sequence[Row], command: str) -> str:
 
 
 def _certainty(rows: Sequence[Row]) -> list[str]:
-    """Return tables of the errors by how sure the stage says it is."""
+    """Return tables of the errors by the stage's certainty."""
     if len(rows) < 5:
         return []
     ordered = sorted(rows, key=lambda r: -float(r["margin"]))
     cut = round(SURE * len(ordered))
-    lines = ["| by the margin to the best other side | number | margin | median | within 2° "
-             "| within 5° | within 10° |", "|---|---|---|---|---|---|---|"]  # fmt: skip
+    lines = [
+        "| by margin to the best other side | number | margin | median | within 2° | within 5° "
+        "| within 10° |", "|---|---|---|---|---|---|---|",
+    ]  # fmt: skip
     for name, own in ((f"{100 * SURE:.0f} % surest", ordered[:cut]), ("others", ordered[cut:])):
         span = f"{float(own[-1]['margin']):.2f} to {float(own[0]['margin']):.2f}"
         cells = [name, str(len(own)), span, *error_cells(column(own, "error_deg"))]
         lines.append(f"| {' | '.join(cells)} |")
     near = [r for r in rows if float(r["error_deg"]) <= BAD]
     inside = [float(r["error_deg"]) <= float(r["width_deg"]) for r in near]
-    return [*lines, "", f"Of the errors up to {BAD:g}°, {share(inside)} are within the width that "
-            "the loss's curvature tells.", ""]  # fmt: skip
+    remark = (
+        f"Of the errors up to {BAD:g}°, {share(inside)} are within the width derived from the "
+        "loss's curvature."
+    )
+    return [*lines, "", remark, ""]
 
 
 def _groups(rows: Sequence[Row]) -> list[str]:
-    """Return tables of the errors by how much of the object is told, and the worst cases."""
+    """Return tables of the errors by how distinctive the picture is, and the worst cases."""
     head = ["| cases with | number | median | within 2° | within 5° | within 10° |",
             "|---|---|---|---|---|---|"]  # fmt: skip
     lines: list[str] = []
     for name, field, edges in (
-        ("most alike other side differing by", "apart", (0.0, 0.08, 0.16, np.inf)),
+        ("difference to the most similar other side", "apart", (0.0, 0.08, 0.16, np.inf)),
         ("share hidden", "hidden", (0.0, 0.05, 0.1, np.inf)),
         ("pixels across", "pixels", (0.0, 60, 120, np.inf)),
     ):
@@ -153,7 +158,7 @@ def _groups(rows: Sequence[Row]) -> list[str]:
 
 
 def sheet(rows: Sequence[Row], draw: Draw, count: int = 12) -> UInt8[np.ndarray, "h w 3"]:
-    """Draw the worst cases: what the stage was given, the true yaw and the yaw it found."""
+    """Draw the worst cases: the stage's input, the true yaw and the estimated one."""
     shown = [r for r in rows if not r["error"]]
     worst = sorted(shown, key=lambda r: -float(r["error_deg"]))[:count]
     pictures, captions = [], []

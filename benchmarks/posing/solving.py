@@ -1,4 +1,4 @@
-"""The one place that calls the rotation stage, and what its answer is worth."""
+"""Runs the rotation stage on a case and measures its errors."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ FIELDS = (
 
 @dataclass(frozen=True)
 class SolvedPose:
-    """What the stage found: yaw in radians in the believed world frame, its loss, how sure it is.
+    """Result of the stage: yaw in radians in the assumed world frame, its loss, and its certainty.
 
     ``margin`` and ``width`` are those of ``generator.scene.Rotation``.
     """
@@ -38,7 +38,7 @@ class SolvedPose:
 
 
 def solve(case: TurnCase, config: str) -> SolvedPose:
-    """Ask the rotation stage for the yaw of a case, by its settings' name."""
+    """Estimate the yaw of a case with the rotation stage, for settings given by name."""
     settings = RotationConfig.paper() if config == "paper" else RotationConfig()
     height, width = case.reference.image.shape[:2]
     found = optimise_rotation(
@@ -49,10 +49,10 @@ def solve(case: TurnCase, config: str) -> SolvedPose:
 
 
 def implied_scale(case: TurnCase, yaw: float) -> float:
-    """Return the factor on the believed size under which the object, so turned, fits its crop.
+    """Return the scale of the assumed size at which the object, with this yaw, fits its crop.
 
-    It stands on the table as the believed camera sees it; its box agrees with the visible mask's
-    in its middle and its area.
+    The object stands on the table as seen by the assumed camera; centre and area of its box match
+    those of the visible mask.
     """
     camera = looking_camera(case.view)
     box = mask_box(np.asarray(case.instance.mask))
@@ -72,10 +72,10 @@ def implied_scale(case: TurnCase, yaw: float) -> float:
 
 
 def camera_yaw_error(case: TurnCase, yaw: float) -> float:
-    """Return the error of a yaw found in the believed world, degrees, modulo the symmetry.
+    """Return the error of a yaw in the assumed world, degrees, modulo the symmetry.
 
-    Both yaws are held against the camera: a believed azimuth that is off turns the whole world,
-    the table with it, and no object against another.
+    Both yaws are compared relative to the camera: a wrong assumed azimuth rotates the whole world,
+    including the table, and no object relative to another.
     """
     true = case.yaw - _azimuth(case.camera.rotation)
     return yaw_error(yaw - case.view.azimuth, true, case.order)
@@ -119,7 +119,7 @@ def row_of(case: TurnCase, number: int, config: str) -> dict[str, Any]:
 
 
 def start_of_row(number: int, config: str) -> dict[str, Any]:
-    """Return a row that says no more than which case it is of."""
+    """Return a row with only the identifiers of its case."""
     return dict.fromkeys(FIELDS, "") | {"case": number, "config": config}
 
 

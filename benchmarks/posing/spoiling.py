@@ -1,4 +1,4 @@
-"""What is wrong with the input of a pose: camera, mask, light, blur, size; by stated amounts."""
+"""Perturbations of a case's input: camera, mask, light, blur, size; by stated amounts."""
 
 from __future__ import annotations
 
@@ -18,16 +18,17 @@ Mask = Bool[np.ndarray, "h w"]
 
 @dataclass(frozen=True)
 class Spoiling:
-    """How the input differs from the truth; every amount is the largest of a uniform draw.
+    """Perturbations of the input; every amount is the maximum of a uniform distribution.
 
     Attributes:
-        elevation, azimuth: error of the camera's angles, degrees, to both sides.
-        erode: pixels that the mask loses all round (exactly that many).
-        holes: how many round holes the mask has (exactly that many), of ``HOLE`` of it each.
-        occlude: share of the object that something in front hides, in [0, 0.9].
-        light: how much the sun's strength differs from case to case.
-        tint: how far the light's colour is from white, per channel, in [0, 1).
-        blur: standard deviation of the picture's blur, pixels (exactly that).
+        elevation, azimuth: error of the camera's angles, degrees, in both directions.
+        erode: pixels removed around the mask (exactly this many).
+        holes: number of round holes in the mask (exactly this many), each with ``HOLE`` of its
+            area.
+        occlude: share of the object that an occluder hides, in [0, 0.9].
+        light: variation of the sun's strength between cases.
+        tint: deviation of the light's colour from white, per channel, in [0, 1).
+        blur: standard deviation of the picture's blur, pixels (exactly this value).
         size_error: error of the size prior, per axis and overall, as a share in [0, 0.9].
     """
 
@@ -47,10 +48,10 @@ class Spoiling:
                 "light": 0.6, "erode": 100, "holes": 40, "blur": 50}  # fmt: skip
         for name, value in values.items():
             if not 0 <= value <= most[name]:
-                raise InputError(f"{name} must lie in [0, {most[name]}], got {value}.")
+                raise InputError(f"{name} must be in [0, {most[name]}], got {value}.")
 
     def label(self) -> str:
-        """Return what differs from the defaults, to be part of a file's name."""
+        """Return the differences from the defaults, as part of a file name."""
         changed = [f for f in fields(self) if getattr(self, f.name) != f.default]
         return "".join(f"_{f.name}{getattr(self, f.name):g}" for f in changed)
 
@@ -64,7 +65,7 @@ def erode(mask: Mask, pixels: int) -> Mask:
 
 
 def punch(mask: Mask, holes: int, rng: np.random.Generator) -> Mask:
-    """Return a mask with round holes of ``HOLE`` of its area each; they may meet or leave it."""
+    """Return a mask with round holes of ``HOLE`` of its area each; they may touch or leave it."""
     out = mask.copy()
     ys, xs = np.nonzero(mask)
     if not len(xs):
@@ -77,9 +78,9 @@ def punch(mask: Mask, holes: int, rng: np.random.Generator) -> Mask:
 
 
 def occluder(mask: Mask, share: float, rng: np.random.Generator) -> Mask:
-    """Return a disc, mostly from below as what stands in front, that hides ``share`` of a mask."""
+    """Return a disc that hides ``share`` of a mask, mostly from below like an occluder in front."""
     if not 0 <= share < 1:
-        raise InputError(f"The share to hide must lie in [0, 1), got {share}.")
+        raise InputError(f"The share to hide must be in [0, 1), got {share}.")
     if share == 0 or not mask.any():
         return np.zeros_like(mask)
     ys, xs = np.nonzero(mask)
@@ -101,5 +102,5 @@ def blur(image: UInt8[np.ndarray, "h w 3"], sigma: float) -> UInt8[np.ndarray, "
 def wrong_size(
     size: Float[np.ndarray, "3"], error: float, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"]:
-    """Return a size off by up to ``error`` along each axis and once more overall."""
+    """Return a size with an error of up to ``error`` along each axis and once more overall."""
     return size * (1 + rng.uniform(-error, error, 3)) * (1 + rng.uniform(-error, error))

@@ -1,4 +1,4 @@
-"""Tables written row by row as cases end, so that a run that was cut off goes on."""
+"""Tables written row by row as cases finish, so that an interrupted run can resume."""
 
 from __future__ import annotations
 
@@ -23,13 +23,14 @@ Row = dict[str, Any]
 def resume(
     path: Path, fields: Sequence[str], key: Sequence[str], of: str | None = None
 ) -> list[Row]:
-    """Return the rows of the cases that a table holds whole, and leave just these in the file.
+    """Return the rows of the complete cases of a table, and remove all others from the file.
 
-    It is made if there is none. Columns ``key`` tell cases apart; column ``of`` says how many rows
-    a case has; None for one. A table with other columns is another benchmark's, or an older one's.
+    The file is created if missing. The columns ``key`` identify cases; the column ``of`` holds the
+    number of rows of a case; None means one. A table with other columns belongs to another
+    benchmark or version.
 
     Raises:
-        InputError: the file holds another table.
+        InputError: the file contains another table.
     """
     rows: list[Row] = []
     if path.exists():
@@ -39,7 +40,7 @@ def resume(
                 rows = list(reader)
                 head = reader.fieldnames
         except (UnicodeDecodeError, csv.Error) as error:
-            raise InputError(f"{path} is no CSV table ({error}). Move it away.") from error
+            raise InputError(f"{path} is not a CSV table ({error}). Move it away.") from error
         if rows and list(head or ()) != list(fields):
             raise InputError(f"{path} has other columns than this benchmark. Move it away first.")
     whole = [r for r in rows if all(r.get(f) is not None for f in fields)]
@@ -52,7 +53,7 @@ def resume(
 
 
 def write(path: Path, fields: Sequence[str], rows: Sequence[Row]) -> None:
-    """Write a table, whole or not at all."""
+    """Write a table completely or not at all."""
     part = path.with_name(path.name + ".part")
     with part.open("w", newline="", encoding="utf-8") as file:
         writer: csv.DictWriter[str] = csv.DictWriter(file, fields)
@@ -71,9 +72,9 @@ def run(
     workers: int,
     say: Callable[[list[Row]], str],
 ) -> list[Row]:
-    """Do the jobs, append each one's rows to the table as it ends, and return all rows, sorted.
+    """Run the jobs, append each one's rows to the table as it finishes, return all rows sorted.
 
-    ``say`` makes the line printed for a job's rows.
+    ``say`` formats the progress line for a job's rows.
     """
     out = [*rows]
     with path.open("a", newline="", encoding="utf-8") as file:
@@ -107,10 +108,10 @@ def complete(
     of: str | None = None,
     again: bool = False,
 ) -> list[Row]:
-    """Do those of the jobs asked for that a table does not hold yet; return the rows of all.
+    """Run those of the requested jobs that a table lacks; return the rows of all.
 
-    Jobs are listed by the first columns of their rows' ``key``; see also ``resume`` and ``run``.
-    ``again`` does all of them, whatever the table holds.
+    Jobs are identified by the first columns of their rows' ``key``; see also ``resume`` and
+    ``run``. ``again`` runs all of them, regardless of the table.
     """
     if again:
         write(path, fields, ())
@@ -122,13 +123,13 @@ def complete(
 
 
 def where() -> str:
-    """Return the machine, the day and the commit, for the head of a summary."""
+    """Return machine, date and commit, for the head of a summary."""
     day = datetime.date.today().isoformat()
     return f"{platform.machine()}, {os.cpu_count()} cores, {day}{_commit()}"
 
 
 def _commit() -> str:
-    """Return the commit of the working tree, nothing where there is no repository."""
+    """Return the commit of the working tree; empty outside a repository."""
     command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)
@@ -138,9 +139,9 @@ def _commit() -> str:
 
 
 def command_line(*without: str) -> str:
-    """Return the command that was given; of absolute paths, the last part alone.
+    """Return the command line of this process; absolute paths are reduced to their last part.
 
-    Options named in ``without``, with the word after each, are left out.
+    Options listed in ``without`` are omitted with the word after each.
     """
     words = [w for w, before in zip(sys.argv[1:], sys.argv, strict=False)
              if w not in without and before not in without]  # fmt: skip
@@ -149,7 +150,7 @@ def command_line(*without: str) -> str:
 
 
 def alone() -> None:
-    """Keep this process to one thread: seconds compare, and workers do not wait for each other."""
+    """Restrict this process to one thread: times are comparable and workers do not compete."""
     os.environ["OMP_NUM_THREADS"] = "1"
     import torch
 
@@ -163,7 +164,7 @@ def texts_in(path: Path) -> list[str]:
 
 
 def failure(error: Exception) -> str:
-    """Return what a row says of a case that failed; an error that is not ours has its kind."""
+    """Return the text that a row records for a failed case; foreign errors include their type."""
     known = isinstance(error, TabletopError)
     return (f"{error}" if known else f"{type(error).__name__}: {error}")[:300]
 

@@ -1,4 +1,4 @@
-"""Composed tables with a picture of each: what a picture's scene is held against."""
+"""Composed tables with a picture of each, as ground truth for scenes from pictures."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ from .distinct import alike
 
 WIDTH, HEIGHT = 960, 720
 _TRIES = 20
-_CLEAR = 0.01  # metres kept between turned things
+_CLEAR = 0.01  # minimum gap between rotated objects, metres
 _TILTED = np.deg2rad(5.0)
 
 
 @dataclass(frozen=True, eq=False)
 class Truth:
-    """A scene, its picture, and what each pixel shows (0 the table, k ``scene.objects[k - 1]``)."""
+    """A scene, its picture, and each pixel's index (0 the table, k ``scene.objects[k - 1]``)."""
 
     text: str
     scene: Scene
@@ -53,7 +53,7 @@ class Truth:
 
 
 def draw_truth(split: str, seed: int, number: int, text: str = "") -> Truth:
-    """Compose, turn and draw scene ``number`` of a split: a theme's, or of one ``text``.
+    """Compose, rotate and draw scene ``number`` of a split: a theme's, or one of a given ``text``.
 
     Raises:
         SceneError: no scene can be composed, after many tries.
@@ -72,9 +72,9 @@ def draw_truth(split: str, seed: int, number: int, text: str = "") -> Truth:
 
 
 def turned_about(scene: Scene, rng: np.random.Generator) -> Scene:
-    """Return a scene whose things face anywhere: layouts turn most of them to the viewer.
+    """Return a scene with objects in random directions, since layouts turn most to the viewer.
 
-    Things that stand on the table, bear nothing, and have room to turn are turned.
+    Objects that stand on the table, support nothing, and have space to rotate are rotated.
     """
     bearing = {o.placement.on for o in scene.objects}
     shapes = {o.name: _outline(o) for o in scene.objects}
@@ -96,7 +96,7 @@ def turned_about(scene: Scene, rng: np.random.Generator) -> Scene:
 
 
 def _turn(thing: Object, angle: float) -> Object:
-    """Return an object turned about the vertical where it stands."""
+    """Return an object rotated about the vertical in place."""
     quaternion = turned_quaternion(thing.pose.quaternion, angle)
     placement = dataclasses.replace(thing.placement, yaw=wrap(thing.placement.yaw + angle))
     pose = Pose(thing.pose.position, quaternion / np.linalg.norm(quaternion))
@@ -109,7 +109,7 @@ def _outline(thing: Object) -> Polygon:
 
 
 def photograph(text: str, scene: Scene, rng: np.random.Generator) -> Truth:
-    """Draw a scene on a light ground from the front above, from a little to the side."""
+    """Draw a scene on a light ground from the front above, slightly from the side."""
     view = View(
         float(np.deg2rad(rng.uniform(-25, 25))),
         float(np.deg2rad(rng.uniform(32, 60))),
@@ -130,9 +130,9 @@ def photograph(text: str, scene: Scene, rng: np.random.Generator) -> Truth:
 
 
 def apart(truth: Truth, index: int, symmetry: float) -> float:
-    """Return how much the most alike other side of an object differs in the scene's picture.
+    """Return the difference to an object's most similar other side in the scene's picture.
 
-    Where the picture shows another object, it tells nothing about this one. See ``alike``.
+    Pixels of other objects are ignored. See ``alike``.
     """
     thing = truth.scene.objects[index]
     model = dataclasses.replace(thing.model, size=thing.scale)
@@ -146,10 +146,10 @@ def apart(truth: Truth, index: int, symmetry: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class SeenObject:
-    """An object in its table's frame turned to the camera: +x right, +y away, metres, radians.
+    """An object in its table's frame, rotated to the camera: +x right, +y away, metres, radians.
 
-    ``place`` is from the table's centre, ``reach`` the root of its two longest sides' product.
-    ``upright`` tells whether it stands as its model does.
+    ``place`` is relative to the table's centre, ``reach`` the square root of the product of its two
+    longest sides. ``upright`` is true if it stands like its model.
     """
 
     place: Float[np.ndarray, "2"]
@@ -159,7 +159,7 @@ class SeenObject:
 
 
 def see(thing: Object, azimuth: float) -> SeenObject:
-    """Return an object as a camera of this azimuth (radians) sees it."""
+    """Return an object in the frame of a camera with this azimuth (radians)."""
     place = rotation_z(-azimuth)[:2, :2] @ thing.pose.position[:2]
     turn = quaternion_matrix(thing.pose.quaternion)
     reach = float(np.sqrt(np.prod(np.sort(thing.scale)[1:])))
@@ -168,9 +168,9 @@ def see(thing: Object, azimuth: float) -> SeenObject:
 
 
 def azimuth_error(truth: Truth, azimuth: float) -> float | None:
-    """Return how far an azimuth (radians) is off, degrees, modulo the table's own symmetry.
+    """Return the error of an azimuth (radians), degrees, modulo the table's own symmetry.
 
-    None of a round table, which has no front.
+    None for a round table, which has no front.
     """
     table = truth.scene.table
     symmetry = order(table.model.mesh, np.asarray(table.scale), prints=False)
@@ -180,6 +180,6 @@ def azimuth_error(truth: Truth, azimuth: float) -> float | None:
 
 
 def table_width(scene: Scene, azimuth: float) -> float:
-    """Return how wide a scene's tabletop is from left to right as the camera sees it, metres."""
+    """Return the width of a scene's tabletop from left to right in the camera's frame, metres."""
     outline = scene.table.outline @ rotation_z(-azimuth)[:2, :2].T
     return float(np.ptp(outline[:, 0]))

@@ -1,4 +1,4 @@
-"""By how much one object is turned against another of another make, told by their surfaces."""
+"""Rotation between two models of one object, estimated from their surfaces."""
 
 from __future__ import annotations
 
@@ -9,22 +9,23 @@ from scipy.spatial import KDTree
 from generator.evaluation.surfaces.symmetry import Cloud, find_changes
 from generator.geometry import wrap
 
-_COARSE, _FINE = 1200, 4000  # points of each cloud as turns are searched, and refined
-_FLAT = 0.012  # change of the mean distance, over the object's radius, that is the samples' own
-_TIE = 0.03  # of what turning changes: so nearly alike may two turns fit
-_TELLING = 0.15  # of what two turns differ by in the true object, so much decides between them
-_FEW = 20  # points that must differ for it
-_INK = 0.3  # weight of colours beside places
+_COARSE, _FINE = 1200, 4000  # points of each cloud during the search, and during refinement
+_FLAT = 0.012  # sampling noise of the mean distance, relative to the object's radius
+_TIE = 0.03  # relative margin within which two rotations fit about equally well
+_TELLING = 0.15  # share of their difference in the true object that decides between them
+_FEW = 20  # minimum number of points that must differ
+_INK = 0.3  # weight of colours relative to positions
 
 
 def best_turn(found: Cloud, true: Cloud) -> float | None:
-    """Return by how much one posed object is turned against another of another make, radians.
+    """Return the rotation of one posed object relative to another model of it, radians.
 
-    Both clouds are posed; sizes are made equal. The turn undone that brings the surfaces, with
-    their colours, closest together counts. Of turns that do so nearly equally well, as those of a
-    pencil's two ends, the one counts that fits clearly better where the true object itself looks
-    different turned from one to the other; where that does not tell either, the smallest of those
-    within ``_TIE`` of what turning changes. None if turning changes nothing: then one is round.
+    Both clouds are posed; sizes are made equal. The result is the rotation whose inverse brings the
+    surfaces, with their colours, closest together. Among rotations that fit nearly equally well,
+    like those of a pencil's two ends, the one is chosen that fits clearly better where the true
+    object itself looks different between them; if that does not decide either, the smallest one
+    within the margin ``_TIE``. None if rotation changes nothing, that is, if one of the objects is
+    round.
     """
     one, other = _normal(found), _normal(true)
     near, far = one.thin(_COARSE), other.thin(_COARSE)
@@ -47,12 +48,12 @@ def best_turn(found: Cloud, true: Cloud) -> float | None:
 
 
 def turn_cloud(points: Cloud, yaw: float) -> Cloud:
-    """Return a cloud turned by ``yaw`` radians."""
+    """Return a cloud rotated by ``yaw`` radians."""
     return Cloud(points.turn(yaw), points.color, points.spacing)
 
 
 def _refine(one: Cloud, other: Cloud, turn: float) -> tuple[float, float]:
-    """Return the cost and the turn of the minimum near ``turn``."""
+    """Return the cost and the rotation of the minimum near ``turn``."""
     cost = np.inf
     for reach, step in ((4.0, 1.0), (0.75, 0.25)):
         near = turn + np.deg2rad(np.arange(-reach, reach + step / 2, step))
@@ -62,10 +63,10 @@ def _refine(one: Cloud, other: Cloud, turn: float) -> tuple[float, float]:
 
 
 def _fits_better(found: Cloud, true: Cloud, rival: float, best: float) -> bool:
-    """Tell whether ``rival`` fits clearly better than ``best`` where the true object tells them.
+    """Return whether ``rival`` fits clearly better than ``best`` where the true object differs.
 
-    If ``rival`` is right, ``found`` turned back by ``best`` shows the true object turned by
-    ``rival - best``: only where that changes it can the two be told apart.
+    If ``rival`` is correct, ``found`` rotated back by ``best`` shows the true object rotated by
+    ``rival - best``: only where that changes the object can the two be distinguished.
     """
     between = rival - best
     telling = find_changes(true, -between)
@@ -86,11 +87,11 @@ def _normal(points: Cloud) -> Cloud:
 
 
 def _features(points: Cloud, angle: float) -> Float[np.ndarray, "n 6"]:
-    """Return turned places and weighted colours side by side."""
+    """Return rotated positions and weighted colours side by side."""
     return np.hstack([points.turn(angle), _INK * points.color])
 
 
 def _apart(one: Cloud, other: Cloud, angle: float) -> float:
-    """Return the mean distance of nearest points, both ways, in space and (weighted) colour."""
+    """Return the mean nearest-point distance, both ways, in space and (weighted) colour."""
     a, b = _features(one, angle), _features(other, 0.0)
     return float(KDTree(b).query(a)[0].mean() + KDTree(a).query(b)[0].mean())

@@ -1,1 +1,1 @@
-"""Texts with what a fair reader expects of their tables, and judges that look at the bundle."""
+"""Texts with the expected content of their tables, and its evaluation on bundles."""

@@ -1,8 +1,8 @@
-"""A text and what its table must show; ``dev.json`` and ``test.json`` hold one a line.
+"""A text and the required content of its table; ``dev.json`` and ``test.json`` have one per line.
 
-Texts were written and dealt to the two halves before anything was run: theme by theme, easy ones
-first, each to the half that has fewer of its level and of its theme so far. ``more.json`` holds
-texts that were written later, to learn from: seven sets by writers who knew nothing of the parser.
+Texts were written and divided into the two halves before any run: theme by theme, easy ones first,
+each into the half with fewer of its level and theme so far. ``more.json`` contains texts written
+later for development: seven sets by writers who did not know the parser.
 """
 
 from __future__ import annotations
@@ -16,17 +16,18 @@ from typing import Any
 HERE = Path(__file__).parent
 HALVES = ("dev", "test")
 MANY = 99
-"""The upper end of a count that has none."""
+"""The upper end of an unbounded count."""
 
 Names = str | tuple[str, ...]
-"""One pattern, or several: things of each."""
+"""One pattern, or several with objects of each."""
 
 
 @dataclass(frozen=True)
 class ExpectedThing:
-    """Things that the table must show: ``least`` to ``most`` whose name matches ``any``.
+    """Objects that the table must show: ``least`` to ``most`` whose name matches ``any``.
 
-    ``word`` is the author's own word for it. ``cm`` is the range of the longest side, centimetres.
+    ``word`` is the author's own word for them. ``cm`` is the range of the longest side,
+    centimetres.
     """
 
     word: str
@@ -39,9 +40,10 @@ class ExpectedThing:
 
 @dataclass(frozen=True)
 class ExpectedRelation:
-    """Things ``a`` stand in a relation to things ``b``, or on the table where ``b`` is None.
+    """A relation of objects ``a`` to objects ``b``, or to the table if ``b`` is None.
 
-    ``how`` says how many of ``a`` must: None all, "some" at least one, a number at least so many.
+    ``how`` is the number of ``a`` that must satisfy it: None for all, "some" for at least one, or a
+    minimum number.
     """
 
     a: Names
@@ -52,7 +54,7 @@ class ExpectedRelation:
 
 @dataclass(frozen=True)
 class Case:
-    """A text with its theme, its level, and all that is expected of its table."""
+    """A text with its theme, its level, and all requirements on its table."""
 
     id: str
     theme: str
@@ -66,12 +68,12 @@ class Case:
 
 
 def matches(pattern: str, words: str) -> bool:
-    """Return whether a name has the pattern as whole words, in singular or plural."""
+    """Return whether a name contains the pattern as whole words, in singular or plural."""
     return re.search(rf"\b(?:{pattern})(?:s|es)?\b", plain(words)) is not None
 
 
 def plain(words: str) -> str:
-    """Return words in lower case, without the numbers at the end of names, hyphens as blanks."""
+    """Return words in lower case, without numbers at the end of names, with hyphens as spaces."""
     return re.sub(r"[_\-]+|\b\d+\b", " ", words.lower().replace("_", " ")).strip()
 
 
@@ -83,7 +85,7 @@ def cases_of(half: str, folder: Path = HERE) -> list[Case]:
 
 
 def case_of(entry: dict[str, Any]) -> Case:
-    """Return a case as its entry of the file says it."""
+    """Return a case from its entry in the file."""
     return Case(
         id=entry["id"],
         theme=entry["theme"],

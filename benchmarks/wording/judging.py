@@ -1,4 +1,4 @@
-"""A case held against what a bundle shows: counts, relations, and what nobody asked for."""
+"""Evaluation of a case on a bundle: counts, relations, and objects that were not requested."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from wording.relations import Things, holds
 from wording.seen import Seen, Thing
 
 COLOURED = 0.15
-"""The part of a thing's surface from which on it is of a colour."""
+"""Share of an object's surface from which it has a colour."""
 PACKS = (
     "bag|ball|bar|block|bottle|box|bunch|can|carton|case|jar|loaf|pack|packet|roll|slice|stack|tin"
 )
@@ -22,13 +22,13 @@ PACKS = (
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a table shows of its text.
+    """Agreement of a table with its text.
 
-    ``counts`` are the clauses that are not met, in words; ``silent`` those of them that no warning
-    and no stand-in names. ``other`` are things called as asked whose kind is another one's, as far
-    as their names tell; ``changed`` are those of them that no warning names, and the silent ones
-    for which something that nobody asked for is there. ``excused`` is how many unmet clauses a
-    warning named that a text's ``terms_may_warn`` allow.
+    ``counts`` describes the unsatisfied clauses; ``silent`` those of them that no warning and no
+    stand-in mentions. ``other`` are objects with the requested name but of another kind, judging by
+    their names; ``changed`` are those of them that no warning mentions, and the silent ones for
+    which an unrequested object is present. ``excused`` is the number of unsatisfied clauses
+    mentioned in a warning that a text's ``terms_may_warn`` allow.
     """
 
     asked: int
@@ -45,18 +45,18 @@ class Verdict:
 
     @property
     def right(self) -> bool:
-        """All that was asked for is there, as asked, and nothing else."""
+        """Everything requested is present, as requested, and nothing else."""
         wrong = (self.counts, self.relations, self.phantoms, self.forbidden)
         return not any(wrong)
 
     @property
     def strict(self) -> bool:
-        """Right, without plain shapes, and each thing of the kind it is called, by its name."""
+        """Right, without plain shapes, and each object is of the kind that its name states."""
         return self.right and not self.other and not self.stand_ins
 
 
 def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
-    """Hold a case against what its bundle shows and against the warnings that came with it."""
+    """Evaluate a case on its bundle and the warnings of its command."""
     real = [t for t in seen.things if not t.stand_in]
     given = assign(case.objects, real)
     left = [t for t in real if not any(t is x for group in given for x in group)]
@@ -112,18 +112,14 @@ def judge(case: Case, seen: Seen, warnings: Sequence[str] = ()) -> Verdict:
 
 
 def assign(clauses: Sequence[ExpectedThing], things: Sequence[Thing]) -> list[list[Thing]]:
-    """Give things to clauses so that as many counts as possible are met.
-
-    Among such ways it is the one in which most names are the clauses' own words, and most sizes
-    and colours are right.
-    """
+    """Assign objects to clauses such that as many counts as possible are satisfied."""
     slots = [
         (k, n < c.least) for k, c in enumerate(clauses) for n in range(min(c.most, len(things)))
     ]
     given: list[list[Thing]] = [[] for _ in clauses]
     if not slots:
         return given
-    cost = np.full((len(things), len(slots) + len(things)), 0.0)  # the last ones: to none
+    cost = np.full((len(things), len(slots) + len(things)), 0.0)  # the last ones: unassigned
     for i, thing in enumerate(things):
         for j, (k, needed) in enumerate(slots):
             cost[i, j] = _cost(clauses[k], thing, needed)
@@ -134,12 +130,12 @@ def assign(clauses: Sequence[ExpectedThing], things: Sequence[Thing]) -> list[li
 
 
 def fits(clause: ExpectedThing, thing: Thing) -> bool:
-    """Return whether a thing's label or name is one that a clause asks for."""
+    """Return whether an object's label or name is one that a clause requests."""
     return any(matches(clause.any, w) for w in _words(thing))
 
 
 def told(clause: ExpectedThing, text: str, warnings: Sequence[str]) -> bool:
-    """Return whether a warning names what a clause asks for, by any of its words."""
+    """Return whether a warning mentions the object of a clause, by any of its words."""
     said = [plain(w) for w in warnings]
     terms = re.findall(rf"\b((?:{clause.any})(?:s|es)?)\b", plain(text))
     words = {(t if isinstance(t, str) else t[0]).strip() for t in terms} | {clause.word}
@@ -156,7 +152,7 @@ def _cost(clause: ExpectedThing, thing: Thing, needed: bool) -> float:
 
 
 def _looks(clause: ExpectedThing, thing: Thing) -> str:
-    """Return what is wrong with a thing's size and colour, nothing where it is as asked."""
+    """Return what is wrong with an object's size and colour; empty if correct."""
     longest = 100 * float(max(thing.extents))
     if clause.cm and not clause.cm[0] <= longest <= clause.cm[1]:
         return f"{thing.name} is {longest:.0f} cm long"
@@ -169,16 +165,16 @@ def _fault(clause: ExpectedThing, given: Sequence[Thing], surplus: Sequence[Thin
     many = len(given) + (len(surplus) if len(given) >= clause.most else 0)
     if not clause.least <= many <= clause.most:
         most = "" if clause.most == clause.least else "+" if clause.most > 90 else f"-{clause.most}"
-        return f"{clause.word}: {many}, not {clause.least}{most}"
+        return f"{clause.word}: {many}, expected {clause.least}{most}"
     wrong = [w for t in given if (w := _looks(clause, t))]
     return f"{clause.word}: {', '.join(wrong)}" if wrong else ""
 
 
 class _Groups:
-    """The things that a relation's patterns mean: those given to a clause, else all that match.
+    """The objects of a relation's patterns: those assigned to a clause, or else all matches.
 
-    Where a clause lacks things, plain shapes that stand for them have places too: what is wrong
-    with the counts is not counted again with the relations.
+    If a clause lacks objects, plain stand-in shapes have positions too: errors in counts are not
+    counted again as errors in relations.
     """
 
     def __init__(
@@ -219,17 +215,18 @@ def _may(case: Case, clause: ExpectedThing) -> bool:
 
 
 def _held(clause: ExpectedThing, real: Sequence[Thing]) -> bool:
-    """Return whether a vessel is called after what it holds, a "bowl of sweets", and shows it so.
+    """Return whether a vessel is named after its contents, a "bowl of sweets", and contains them.
 
-    That is enough where no number was asked for.
+    That is sufficient if no number was requested.
     """
     return clause.most >= MANY and any(matches(rf"of (?:{clause.any})", t.label) for t in real)
 
 
 def _kind(clause: ExpectedThing, thing: Thing) -> bool:
-    """Return whether a thing's name, which says what it is, ends with what a clause asks for.
+    """Return whether an object's name, which states its kind, ends with what a clause requests.
 
-    A word of ``PACKS`` may follow: a stack of paper is paper, a rack of test tubes no test tube.
+    A word of ``PACKS`` may follow: a stack of paper is paper, but a rack of test tubes is not a
+    test tube.
     """
     pattern = rf"\b(?:{clause.any})(?:s|es)?(?: (?:{PACKS}))?$"
     return re.search(pattern, plain(thing.name)) is not None

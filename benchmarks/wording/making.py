@@ -1,4 +1,4 @@
-"""Scenes made by the command, as a stranger makes them, and kept with what it said."""
+"""Scenes made by the command, as by a new user, and stored with its output."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from typing import Any
 
 ROOT = Path(__file__).parents[2]
 LONGEST = 900.0
-"""Seconds after which a command is given up."""
+"""Timeout of a command in seconds."""
 
 
 @dataclass(frozen=True)
 class Made:
-    """What a command left: its code, its ``--json``, its errors, its seconds of processor time.
+    """Results of a command: its exit code, ``--json``, errors, and processor seconds.
 
-    ``bundle`` is the name of the bundle's folder, empty where there is none.
+    ``bundle`` is the name of the bundle's folder; empty if there is none.
     """
 
     code: int
@@ -38,12 +38,12 @@ class Made:
 
     @property
     def warnings(self) -> list[str]:
-        """What it warned of."""
+        """Its warnings."""
         return [str(w) for w in self.said.get("warnings", ())]
 
 
 def make(text: str, name: str, route: str, seed: int, folder: Path) -> Made:
-    """Return what the route's command makes of a text; one made before is read from ``folder``."""
+    """Run the route's command on a text; an existing result is read from ``folder``."""
     kept = folder / f"{name}-{seed}.json"
     if kept.exists():
         return Made(**json.loads(kept.read_text(encoding="utf-8")))
@@ -61,7 +61,7 @@ def make(text: str, name: str, route: str, seed: int, folder: Path) -> Made:
         code, out, errors = 124, "", f"no answer in {LONGEST:.0f} s"
     said = _read(out)
     bundle = Path(said["bundle"]).name if "bundle" in said else ""
-    errors = errors.replace(f"{ROOT}{os.sep}", "")  # results name no machine's folders
+    errors = errors.replace(f"{ROOT}{os.sep}", "")  # results contain no absolute paths
     made = Made(code, said, errors[-2000:], round(_processor_seconds() - before, 2), bundle)
     kept.write_text(json.dumps(asdict(made)), encoding="utf-8")
     return made

@@ -1,6 +1,6 @@
-"""Whether things stand in a relation, from their boxes and from who carries whom.
+"""Relations between objects, from their boxes and their load-bearing contacts.
 
-Metres. Sides of the table and its corners are parts of its width and depth, from its middle.
+Metres. Sides and corners of the table are shares of its width and depth, from its centre.
 """
 
 from __future__ import annotations
@@ -13,23 +13,24 @@ import numpy as np
 from wording.seen import Seen, Thing
 
 NEAR = 0.15
-"""Metres between two things that are next to each other."""
+"""Maximum distance in metres of two adjacent objects."""
 ROUND = 0.30
-"""Metres between a thing and those around it."""
+"""Maximum distance in metres between an object and those around it."""
 SIDE = 0.08
-"""Parts of the table's width, or depth, beyond which a thing is on that side."""
+"""Share of the table's width, or depth, beyond which an object is on that side."""
 MIDDLE = (0.2, 0.25)
-"""Parts of the table's width and depth within which a thing is in its middle."""
+"""Shares of the table's width and depth within which an object is in its middle."""
 CORNER = (0.18, 0.14)
-"""Parts of the table's width and depth beyond which a thing is in a corner."""
+"""Shares of the table's width and depth beyond which an object is in a corner."""
 STEP = 0.01
-"""Metres by which the middle of one thing must be beyond another's."""
+"""Minimum distance in metres of one object's centre beyond another's."""
 SKEW = 0.7
-"""How far aside a thing may be for each metre that it is away in the direction asked."""
+"""Maximum sideways offset per metre in the requested direction."""
 SHALLOW = 0.05
-"""Metres of height up to which what is on a tray, a dish or a rack counts as in it."""
+"""Height in metres up to which objects on a tray, a dish or a rack count as in it."""
 GROWTH = 0.02
-"""The part by which each of ordered things is larger than the one before, or smaller."""
+"""Minimum share by which each of several ordered objects is larger or smaller than the one
+before."""
 
 Things = Sequence[Thing]
 Signs = tuple[float, float]
@@ -44,7 +45,7 @@ ZONES: Mapping[str, Signs] = {
 
 
 def pair(kind: str, a: Thing, b: Thing, seen: Seen) -> bool:
-    """Return whether one thing stands in a relation to another."""
+    """Return whether one object stands in a relation to another."""
     if kind in TOWARDS:
         return towards(TOWARDS[kind], a, b)
     if kind == "on":
@@ -57,7 +58,7 @@ def pair(kind: str, a: Thing, b: Thing, seen: Seen) -> bool:
 
 
 def gaps(a: Thing, b: Thing) -> np.ndarray:
-    """Return the room between two boxes along x and y, 0 where they overlap."""
+    """Return the gaps between two boxes along x and y, 0 where they overlap."""
     return np.maximum(0.0, np.maximum(a.low - b.high, b.low - a.high))[:2]
 
 
@@ -74,7 +75,7 @@ def towards(way: Signs, a: Thing, b: Thing) -> bool:
 
 
 def between(a: Thing, p: Thing, q: Thing) -> bool:
-    """Return whether a thing is between two others, seen from above."""
+    """Return whether an object is between two others, seen from above."""
     line = (q.centre - p.centre)[:2]
     length = float(np.linalg.norm(line))
     if length < STEP:
@@ -87,7 +88,7 @@ def between(a: Thing, p: Thing, q: Thing) -> bool:
 
 
 def zone(kind: str, a: Thing, seen: Seen) -> bool:
-    """Return whether a thing is in the middle, on a side or in a corner of the table."""
+    """Return whether an object is in the middle, on a side or in a corner of the table."""
     place = a.centre[:2] / np.array(seen.top)
     if kind == "centre":
         return bool((np.abs(place) <= MIDDLE).all())
@@ -98,7 +99,7 @@ def zone(kind: str, a: Thing, seen: Seen) -> bool:
 
 
 def row(things: Things, direction: int | None = None) -> bool:
-    """Return whether things stand in one line, of a direction (0 along x, 1 along y) or of any."""
+    """Return whether objects form a line, in a given direction (0 along x, 1 along y) or any."""
     if len(things) < 2:
         return False
     places = np.array([t.centre[:2] for t in things])
@@ -116,7 +117,7 @@ def row(things: Things, direction: int | None = None) -> bool:
 
 
 def ordered(things: Things, sign: int) -> bool:
-    """Return whether things from left to right grow (1) or shrink (-1), in height or in bulk."""
+    """Return whether objects from left to right grow (1) or shrink (-1), in height or in volume."""
     line = sorted(things, key=lambda t: float(t.centre[0]))
     measures = [[float(np.prod(t.extents)) for t in line], [float(t.extents[2]) for t in line]]
     rises = [all(sign * (b - a) > GROWTH * a for a, b in itertools.pairwise(m)) for m in measures]
@@ -124,21 +125,21 @@ def ordered(things: Things, sign: int) -> bool:
 
 
 def stack(things: Things, seen: Seen, piles: int = 1) -> bool:
-    """Return whether things lie on each other, in at most so many piles."""
+    """Return whether objects lie on each other, in at most a given number of piles."""
     names = {t.name for t in things}
     bottoms = [t for t in things if not seen.below(t.name) & names]
     return len(things) > 1 and 0 < len(bottoms) <= piles and len(bottoms) < len(things)
 
 
 def widest(things: Things, middle: np.ndarray) -> float:
-    """Return the largest angle between neighbours around a place (2,), degrees."""
+    """Return the largest angle between neighbours around a position (2,), degrees."""
     offsets = np.array([t.centre[:2] - middle for t in things])
     angles = np.sort(np.degrees(np.arctan2(offsets[:, 1], offsets[:, 0])))
     return float(np.diff(np.append(angles, angles[0] + 360.0)).max())
 
 
 def circle(things: Things) -> bool:
-    """Return whether things stand in a circle, or in a square."""
+    """Return whether objects form a circle or a square."""
     if len(things) < 3:
         return False
     places = np.array([t.centre[:2] for t in things])
@@ -149,27 +150,27 @@ def circle(things: Things) -> bool:
 
 
 def around(things: Things, b: Thing) -> bool:
-    """Return whether things surround another: two of them on either side, more all around."""
+    """Return whether objects surround another: two on either side, more on all sides."""
     close = all(gap(a, b) <= ROUND for a in things)
     most = {1: 360.0, 2: 250.0}.get(len(things), 200.0)
     return bool(things) and close and widest(things, b.centre[:2]) <= most
 
 
 def eachside(things: Things, b: Thing) -> bool:
-    """Return whether there is a thing on either side of another."""
+    """Return whether there is an object on either side of another."""
     pairs = (("left", "right"), ("front", "behind"))
     sides = [[any(towards(TOWARDS[w], a, b) for a in things) for w in ways] for ways in pairs]
     return any(all(both) for both in sides)
 
 
 def upright(a: Thing) -> bool:
-    """Return whether a thing stands: it is higher than it is wide, seen from its narrow side."""
+    """Return whether an object stands: it is higher than wide, seen from its narrow side."""
     reach = a.points[:, :2] @ a.edges[:, :2].T
     return bool(a.size[2] >= 1.3 * np.ptp(reach, axis=0).min())
 
 
 def corners(things: Things, seen: Seen) -> bool:
-    """Return whether each of four corners has a thing, and no thing is elsewhere."""
+    """Return whether each of four corners has an object, and no object is elsewhere."""
     found = {k for k in ZONES if "corner" in k for a in things if zone(k, a, seen)}
     inside = all(any(zone(k, a, seen) for k in found) for a in things)
     return inside and len(found) == min(4, len(things))
@@ -180,7 +181,7 @@ ALONE: Mapping[str, Callable[[Thing, Seen], bool]] = {
     "lying": lambda a, seen: bool(a.size[2] <= 0.7 * max(a.size[:2])),
     "empty": lambda a, seen: not any(seen.on(t, a) for t in seen.things),
 }
-"""Relations of one thing to none."""
+"""Relations of a single object."""
 TOGETHER: Mapping[str, Callable[[Things, Seen], bool]] = {
     "row": lambda things, seen: row(things),
     "column": lambda things, seen: row(things, 1),
@@ -189,13 +190,13 @@ TOGETHER: Mapping[str, Callable[[Things, Seen], bool]] = {
     "circle": lambda things, seen: circle(things),
     "corners": corners,
 }
-"""Relations of several things to none."""
+"""Relations within a group of objects."""
 
 
 def holds(
     kind: str, a: Sequence[Things], b: Sequence[Things], how: int | str | None, seen: Seen
 ) -> bool:
-    """Return whether a relation holds, for things of each pattern of its two sides."""
+    """Return whether a relation holds, for objects of each pattern on its two sides."""
     things = [t for group in a for t in group]
     others = [t for group in b for t in group]
     if not things or (b and not others):

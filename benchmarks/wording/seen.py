@@ -1,7 +1,7 @@
-"""What a saved bundle shows, by plain MuJoCo: boxes, outlines, who carries whom, colours.
+"""The content of a saved bundle, by plain MuJoCo: boxes, outlines, supports, colours.
 
-Metres, in the frame of ``docs/concepts/frames.md``: +x right, +y away, +z up. Nothing is taken
-from the report that the bundle holds.
+Metres, in the frame of ``docs/concepts/frames.md``: +x right, +y away, +z up. Nothing is taken from
+the bundle's report.
 """
 
 from __future__ import annotations
@@ -20,22 +20,24 @@ from scipy.spatial import ConvexHull, QhullError
 
 TABLE = "table"
 SETTLE = 0.3
-"""Seconds that a bundle is simulated before its contacts are read."""
+"""Seconds of simulation before contacts are read."""
 LIFT = 0.05
-"""The part of its weight from which on a contact carries a thing."""
+"""Minimum share of its weight that a contact must carry to support an object."""
 THIN = 3e-4
-"""Metres that a thing on another begins above its lowest point, at the least: a sheet of paper."""
+"""Minimum height in metres of an object's bottom above its support's lowest point: a sheet of
+paper."""
 HEAP = 0.01
-"""Metres that a thing in a container may begin above its rim, as on a heap."""
+"""Maximum height in metres above the rim at which an object in a container may start, as on a
+heap."""
 
 
 @dataclass(frozen=True)
 class Thing:
-    """A thing that was simulated: corners of its box, points of its mesh (n, 3), colours (m, 3).
+    """A simulated object: corners of its box, points of its mesh (n, 3), colours (m, 3).
 
-    ``label`` is what it is called; ``stand_in`` says that a plain shape stands for it. ``areas``
-    (m,) are the shares of the surface that have the colours, RGB from 0 to 1. ``own`` are the
-    extents along its own axes, where they are known.
+    ``label`` is its name; ``stand_in`` means that it is a plain shape. ``areas`` (m,) are the
+    shares of the surface with the colours, RGB from 0 to 1. ``own`` are the extents along its own
+    axes, if known.
     """
 
     name: str
@@ -48,17 +50,17 @@ class Thing:
 
     @cached_property
     def low(self) -> np.ndarray:
-        """The least corner of its box."""
+        """The minimum corner of its box."""
         return self.points.min(0)
 
     @cached_property
     def high(self) -> np.ndarray:
-        """The greatest corner of its box."""
+        """The maximum corner of its box."""
         return self.points.max(0)
 
     @property
     def centre(self) -> np.ndarray:
-        """The middle of its box."""
+        """The centre of its box."""
         return (self.low + self.high) / 2
 
     @property
@@ -68,12 +70,12 @@ class Thing:
 
     @property
     def extents(self) -> np.ndarray:
-        """Its length, width and height, however it is turned."""
+        """Its length, width and height in its own axes."""
         return self.size if self.own is None else self.own
 
     @cached_property
     def foot(self) -> np.ndarray:
-        """The place of the lowest tenth of its height, (2,)."""
+        """The position of the lowest tenth of its height, (2,)."""
         under = self.points[:, 2] <= self.low[2] + 0.1 * self.size[2]
         return self.points[under, :2].mean(0)
 
@@ -88,25 +90,25 @@ class Thing:
             return np.column_stack([axes, [-highs[0], -highs[1], lows[0], lows[1]]])
 
     def covers(self, place: np.ndarray, slack: float = 0.005) -> bool:
-        """Return whether a place (2,) is within the outline seen from above."""
+        """Return whether a position (2,) is within the outline seen from above."""
         return bool((self.edges[:, :2] @ place + self.edges[:, 2] <= slack).all())
 
     def share(self, colour: str) -> float:
-        """Return the part of the surface that is of a colour, from 0 to 1."""
+        """Return the share of the surface with a colour, from 0 to 1."""
         of = [is_colour(rgb, colour) for rgb in self.colours]
         return float(self.areas[of].sum() / max(self.areas.sum(), 1e-12)) if of else 0.0
 
 
 @dataclass(frozen=True)
 class Seen:
-    """All things of a bundle, the table's top (width, depth) in metres, and who carries whom."""
+    """All objects of a bundle, the tabletop (width, depth) in metres, and their supports."""
 
     things: tuple[Thing, ...]
     top: tuple[float, float]
     carriers: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     def below(self, name: str) -> set[str]:
-        """Return all that carries a thing, by however many things between."""
+        """Return all direct and indirect supports of an object."""
         found: set[str] = set()
         left = [name]
         while left:
@@ -116,22 +118,22 @@ class Seen:
         return found - {name}
 
     def on(self, a: Thing, b: Thing) -> bool:
-        """Return whether ``a`` stands on ``b``, over things between too, and begins above it."""
+        """Return whether ``a`` stands on ``b``, directly or indirectly, and starts above it."""
         return b.name in self.below(a.name) and bool(a.low[2] > b.low[2] + THIN)
 
     def inside(self, a: Thing, b: Thing) -> bool:
-        """Return whether ``b`` carries ``a`` within its outline, from below its rim on."""
+        """Return whether ``b`` supports ``a`` within its outline, starting below its rim."""
         over = b.covers(a.centre[:2]) or b.covers(a.foot)
         return self.on(a, b) and over and bool(a.low[2] < b.high[2] + HEAP)
 
 
 def look(bundle: Path, told: Iterable[Mapping[str, Any]] = ()) -> Seen:
-    """Simulate a bundle for ``SETTLE`` seconds and return what it shows.
+    """Simulate a bundle for ``SETTLE`` seconds and return its content.
 
-    ``told`` are the objects of a command's ``--json``: labels and stand-ins are theirs.
+    ``told`` are the objects of a command's ``--json``, which give labels and stand-ins.
     """
     model = mujoco.MjModel.from_xml_path(str(bundle / "scene.xml"))
-    model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)  # what sleeps has no contacts
+    model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)  # no contacts in sleep
     data = mujoco.MjData(model)
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
@@ -148,12 +150,12 @@ def look(bundle: Path, told: Iterable[Mapping[str, Any]] = ()) -> Seen:
 
 
 def find_carriers(model: mujoco.MjModel, data: mujoco.MjData) -> dict[str, frozenset[str]]:
-    """Return for each body the bodies whose contact takes ``LIFT`` of its weight or more."""
+    """Return for each body the bodies whose contacts carry at least ``LIFT`` of its weight."""
     lift: dict[tuple[int, int], float] = defaultdict(float)
     for k, contact in enumerate(data.contact):
         force = np.zeros(6)
         mujoco.mj_contactForce(model, data, k, force)
-        up = float(contact.frame.reshape(3, 3)[:, 2] @ force[:3])  # of geom 1 on geom 2
+        up = float(contact.frame.reshape(3, 3)[:, 2] @ force[:3])  # on geom 1 from geom 2
         one, two = (int(model.geom_bodyid[g]) for g in contact.geom)
         lift[two, one] += up
         lift[one, two] -= up
@@ -175,7 +177,7 @@ def _thing(model: mujoco.MjModel, data: mujoco.MjData, body: int, told: Mapping[
 
 
 def _meshes(model: mujoco.MjModel, body: int) -> list[int]:
-    """Return the geoms that are drawn."""
+    """Return the visual geoms."""
     first, count = int(model.body_geomadr[body]), int(model.body_geomnum[body])
     geoms = range(first, first + count)
     return [g for g in geoms if model.geom_group[g] == 2 and model.geom_dataid[g] >= 0]
@@ -194,11 +196,11 @@ def _points(model: mujoco.MjModel, data: mujoco.MjData, body: int) -> np.ndarray
 _PLACES = np.array([
     [i + 1 / 3, j + 1 / 3, 4 - i - j + 1 / 3] for i in range(5) for j in range(5 - i)
 ]) / 5  # fmt: skip
-"""Places in a triangle whose colours are looked at: weights of its corners."""
+"""Sample positions in a triangle for colours: weights of its corners."""
 
 
 def _colours(model: mujoco.MjModel, body: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return colours at some places of each triangle, and the area that each stands for."""
+    """Return colours at sample positions of each triangle, and the area of each sample."""
     colours, areas = [np.zeros((0, 3))], [np.zeros(0)]
     for geom in _meshes(model, body):
         mesh = model.mesh(int(model.geom_dataid[geom]))
@@ -226,7 +228,7 @@ def _colours(model: mujoco.MjModel, body: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _texture(model: mujoco.MjModel, material: int) -> np.ndarray | None:
-    """Return a material's texture, row 0 where v is 0, or None."""
+    """Return a material's texture, row 0 at v = 0, or None."""
     ids = model.mat_texid[material] if material >= 0 else np.array([-1])
     used = [int(t) for t in ids if t >= 0]
     if not used:
@@ -241,11 +243,11 @@ HUES: Mapping[str, tuple[float, float]] = {
     "red": (335, 22), "orange": (12, 45), "yellow": (38, 72), "green": (70, 175),
     "blue": (175, 262), "purple": (255, 330), "pink": (300, 360), "brown": (8, 45),
 }  # fmt: skip
-"""Degrees of the colour circle."""
+"""Hues in degrees."""
 
 
 def is_colour(rgb: np.ndarray, colour: str) -> bool:
-    """Return whether RGB from 0 to 1 is called by a colour's name."""
+    """Return whether RGB values from 0 to 1 match a colour's name."""
     hue, strong, light = colorsys.rgb_to_hsv(*(float(np.clip(c, 0, 1)) for c in rgb[:3]))
     if colour == "white":
         return strong < 0.25 and light > 0.65

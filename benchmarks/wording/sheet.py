@@ -1,4 +1,4 @@
-"""A contact sheet of scenes with their texts, numbered, to be marked blindly from 1 to 5."""
+"""A contact sheet of numbered scenes with their texts, for blind ratings from 1 to 5."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from pathlib import Path
 from PIL import Image, ImageDraw, ImageFont
 
 WIDTH, GAP, LINE, COLUMNS = 480, 16, 18, 3
-"""Pixels of a picture, between pictures and of a line of text; scenes beside each other."""
+"""Pixels of a picture, between pictures and of a line of text; scenes per row."""
 SIGNS = 62
-"""Letters of a line below a picture."""
+"""Characters of a line below a picture."""
 
 
 @dataclass(frozen=True)
 class SheetEntry:
-    """A scene of the sheet; a bundle that is None is one that was not made."""
+    """A scene of the sheet; its bundle is None if none was made."""
 
     text: str
     bundle: Path | None
 
 
 def contact_sheet(entries: Sequence[SheetEntry]) -> Image.Image:
-    """Return the previews, top views below them where there are some, and the texts."""
+    """Return the previews, with top views below them if available, and the texts."""
     cells = [_cell(number, entry) for number, entry in enumerate(entries, start=1)]
     rows = [cells[k : k + COLUMNS] for k in range(0, len(cells), COLUMNS)]
     heights = [max(c.height for c in line) for line in rows]

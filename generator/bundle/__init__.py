@@ -1,4 +1,4 @@
-"""Bundles: a scene as a folder that anyone can load, and back."""
+"""Bundles: a scene stored as a folder that anyone can load, and read back."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""How large a bundle may be: one table, checked on counts and headers before anything is decoded.
+"""Limits on the size of a bundle, checked on counts and headers before anything is decoded.
 
-The shipped tables hold at most 7 models, 253 convex parts and 20,000 triangles a mesh. The bounds
-leave room for 20 foreign models of 24,000 triangles, which modelers keep at most by default, with
-textures of 2048 texels a side. A bundle at all of them at once was verified in 10 s of one core
-with 1.3 GB, and loaded in 8 s with 0.8 GB.
+The shipped tables have at most 7 models, 253 convex parts and 20,000 triangles per mesh. The limits
+allow 20 foreign models of 24,000 triangles, the modelers' default maximum, with textures of 2048
+texels per side. A bundle at all limits at once was verified in 10 s of one core with 1.3 GB, and
+loaded in 8 s with 0.8 GB.
 """
 
 from __future__ import annotations
@@ -17,17 +17,19 @@ from ..errors import BundleError
 
 @dataclass(frozen=True)
 class Bounds:
-    """The most of everything. ``all_`` fields count the whole bundle.
+    """Maximum sizes and counts. ``all_`` fields count the whole bundle.
 
     Attributes:
         files: listed files.
-        truth_bytes, file_bytes, all_bytes: of ``scene.json``, of one listed file, of all of them.
-        models, objects: of the scene.
+        truth_bytes, file_bytes, all_bytes: bytes of ``scene.json``, of one listed file, of all of
+            them.
+        models, objects: counts in the scene.
         parts, all_parts: convex parts of a model, an object or the table.
         part_vertices, all_part_vertices: points of a convex part.
-        vertices, all_vertices: of a mesh; all counts a mesh once for each body that shows it.
+        vertices, all_vertices: vertices of a mesh; ``all`` counts a mesh once per body that shows
+            it.
         faces, all_faces: likewise, triangles.
-        texels, all_texels: of a picture; all counts the textures of different models.
+        texels, all_texels: texels of a picture; ``all`` counts the textures of different models.
     """
 
     files: int = 4096
@@ -50,25 +52,25 @@ class Bounds:
     def check(self, name: str, count: int, what: str) -> None:
         """Check a count of the bundle against the field ``name``.
 
-        ``what`` says who has it, and of what: "scene.json has {} models".
+        ``what`` is a sentence with a placeholder for the count: "scene.json has {} models".
 
         Raises:
-            BundleError: it is out of bounds.
+            BundleError: the count is out of bounds.
         """
         most = getattr(self, name)
         if not 0 <= count <= most:
-            raise BundleError(f"{what.format(count)}; at most {most} are read.")
+            raise BundleError(f"{what.format(count)}; at most {most} are allowed.")
 
 
 BOUNDS = Bounds()
-"""Those that every bundle keeps."""
+"""Files that every bundle contains."""
 
 
 def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
-    """Check what the values of ``scene.json`` count, before arrays are made of them.
+    """Check the counts in the values of ``scene.json`` before arrays are made of them.
 
     Raises:
-        BundleError: they count too much, or are not of the types that can be counted.
+        BundleError: a count is out of bounds, or a value has the wrong type.
     """
     models = _of(payload, "models", dict, "scene.json")
     objects = _of(payload, "objects", list, "scene.json")
@@ -87,10 +89,10 @@ def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
 
 
 def check_listed(files: object) -> None:
-    """Check the list of a bundle's files: their number, and their sizes as stated.
+    """Check the list of a bundle's files: their number, and their stated sizes.
 
     Raises:
-        BundleError: there are too many or too large ones, or it is no such list.
+        BundleError: there are too many files, a file is too large, or the list is malformed.
     """
     if not isinstance(files, dict):
         raise BundleError("scene.json must list the bundle's files.")
@@ -109,13 +111,13 @@ def check_listed(files: object) -> None:
 def check_drawn(
     meshes: Sequence[tuple[int, int]], shown: Sequence[tuple[int, int]], texels: Sequence[int]
 ) -> None:
-    """Check what is drawn, by what the headers of meshes and textures say.
+    """Check meshes and textures, by their headers.
 
-    ``meshes`` are the vertices and triangles of each mesh that is kept, ``shown`` those of each
-    body's mesh, ``texels`` those of each texture that is kept.
+    ``meshes`` are the vertices and triangles of each stored mesh, ``shown`` those of each body's
+    mesh, ``texels`` those of each stored texture.
 
     Raises:
-        BundleError: it is too much.
+        BundleError: they are out of bounds.
     """
     for name, at in (("vertices", 0), ("faces", 1)):
         BOUNDS.check(name, max((k[at] for k in meshes), default=0), f"a mesh has {{}} {name}")

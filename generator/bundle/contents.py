@@ -1,4 +1,4 @@
-"""Meshes and pictures of a bundle: what their headers count, and how they are decoded."""
+"""Meshes and pictures of a bundle: their header counts, and their decoding."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ _OBJ = re.compile(
 _LIMITS = PictureLimits(
     formats=("PNG",), max_bytes=BOUNDS.file_bytes, max_pixels=BOUNDS.texels, max_frames=1
 )
-_LEAST_AREA = 1e-3  # of twice the surface of a mesh, whose box is the unit box
+_LEAST_AREA = 1e-3  # relative to twice the surface of a mesh, whose box is the unit box
 
 
 def picture_size(raw: bytes, name: str) -> tuple[int, int]:
-    """Return width and height of a PNG called ``name``, by its header alone.
+    """Return width and height of the PNG ``name``, from its header alone.
 
     Raises:
-        BundleError: it is not a PNG, or is out of bounds.
+        BundleError: the file is not a PNG, or is out of bounds.
     """
     try:
         width, height = pictures.png_size(raw)
@@ -42,21 +42,21 @@ def picture_size(raw: bytes, name: str) -> tuple[int, int]:
 
 
 def decode_png(raw: bytes, name: str) -> UInt8[np.ndarray, "h w 3"]:
-    """Return the colours of a PNG called ``name``.
+    """Return the colours of the PNG ``name``.
 
-    It is decoded in this process: a bundle has many, whose cost the bounds limit.
+    It is decoded in this process, since a bundle has many pictures and the bounds limit their cost.
 
     Raises:
-        BundleError: it is not a PNG, or is out of bounds.
+        BundleError: the file is not a PNG, or is out of bounds.
     """
     return _decode(raw, name, "rgb").pixels
 
 
 def decode_indices(raw: bytes, name: str) -> UInt8[np.ndarray, "h w"]:
-    """Return the palette indices of a PNG called ``name``, decoded as ``decode_png`` does.
+    """Return the palette indices of the PNG ``name``, decoded like ``decode_png``.
 
     Raises:
-        BundleError: it is not a PNG with a palette, or is out of bounds.
+        BundleError: the file is not a PNG with a palette, or is out of bounds.
     """
     picture = _decode(raw, name, "stored")
     if picture.mode != "P":
@@ -73,23 +73,23 @@ def _decode(raw: bytes, name: str, form: Form) -> DecodedPicture:
 
 
 def mesh_counts(raw: bytes) -> tuple[int, int]:
-    """Return how many vertices and triangles a mesh's file has, counting its lines."""
+    """Return the numbers of vertices and triangles of a mesh file, by counting its lines."""
     return raw.count(b"\nv ") + raw.startswith(b"v "), raw.count(b"\nf ")
 
 
 def decode_obj(
     raw: bytes, name: str
 ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"]]:
-    """Return vertices, triangles and texture coordinates of a mesh called ``name``.
+    """Return vertices, triangles and texture coordinates of the mesh ``name``.
 
-    It is read as ``mjcf.encode_obj`` writes it, and no other way.
+    Only the format written by ``mjcf.encode_obj`` is supported.
 
     Raises:
-        BundleError: it is written otherwise, or has no surface to draw.
+        BundleError: the file has another format, or no visible surface.
     """
     found = _OBJ.fullmatch(raw)
     if found is None:
-        raise BundleError(f"{name} is not a mesh as bundles hold them.")
+        raise BundleError(f"{name} is not in the mesh format of bundles.")
     start, end = raw.index(b"\nvt "), raw.index(b"\nf ")
     vertices = _numbers(raw[:start], b"v").reshape(-1, 3)
     uv = _numbers(raw[start:end], b"vt").reshape(-1, 2)
@@ -97,7 +97,7 @@ def decode_obj(
     faces -= 1
     inside = faces.min() >= 0 and faces.max() < len(vertices)
     if len(vertices) < 4 or len(uv) != len(vertices) or not inside:
-        raise BundleError(f"{name} is no mesh: its triangles and vertices do not fit together.")
+        raise BundleError(f"{name} is not a mesh: its triangles and vertices do not match.")
     if areas(vertices, faces).sum() < _LEAST_AREA:
         raise BundleError(f"{name} has no surface: its triangles are points and lines.")
     return vertices, faces, uv

@@ -18,14 +18,14 @@ from .contents import decode_obj, decode_png, mesh_counts, picture_size
 from .encoder import HIDDEN
 from .fields import arguments, default_fields
 
-_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")  # controls as ``dumps`` writes them
+_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")  # as ``dumps`` writes controls
 _BESIDE_THE_SCENE = ("schema", "files", "instances")
 _Looks = tuple[str, str, float]  # paths of mesh and texture, and opacity
 
 
 @dataclass(frozen=True, eq=False)
 class Decoded:
-    """A scene, and the paths of mesh and texture of everything that it draws."""
+    """A scene, and the mesh and texture paths of its bodies."""
 
     scene: Scene
     paths: Mapping[Mesh, tuple[str, str]]
@@ -35,24 +35,24 @@ def loads(raw: bytes, where: str) -> dict[str, Any]:
     """Parse ``scene.json``.
 
     Raises:
-        BundleError: it is not a JSON object, holds a number that is not finite, or a text that
-            would change a terminal that shows it.
+        BundleError: it is not a JSON object, or has a number that is not finite or a text with
+            terminal control characters.
     """
     what = f"{where}: scene.json"
     payload = parse_object(raw, what, BundleError, max_bytes=BOUNDS.truth_bytes)
     if (b"\\" in raw and _ESCAPE.search(raw)) or (
         (b"\x7f" in raw or not raw.isascii()) and HIDDEN.search(raw.decode())
     ):
-        raise BundleError(f"{what} holds texts with characters that cannot be printed.")
+        raise BundleError(f"{what} has texts with unprintable characters.")
     return payload
 
 
 def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> Decoded:
-    """Return the scene of ``encode_scene``; ``file`` gives the content of a file by path.
+    """Return the scene of ``encode_scene``; ``file`` returns the content of a file by its path.
 
     Raises:
-        BundleError: it is out of bounds, or a field, a mesh or a texture is not as written.
-        InputError: the values' own checks refuse it.
+        BundleError: the scene is out of bounds, or a field, a mesh or a texture is not as encoded.
+        InputError: a value violates its own constraints.
     """
     check_counts(dict(payload))
     entry = arguments(
@@ -98,7 +98,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
 
 
 def _decode_report(entry: object) -> Report | None:
-    """Return a report; of failures without values, which an earlier version wrote, the text."""
+    """Return a report; failures from an earlier version, without values, are kept as texts."""
     if entry is None:
         return None
     what = "scene.json.report"
@@ -108,7 +108,7 @@ def _decode_report(entry: object) -> Report | None:
     if failures is None:
         failures = tuple(Failure("recorded", sentence=text) for text in fields.get("failures", ()))
     if len(failures) != len(fields.get("failures", ())):
-        raise BundleError(f"{what}.failure_values must be as many as its failures.")
+        raise BundleError(f"{what}.failure_values must have as many entries as its failures.")
     fields["failures"] = failures
     lean: float | None = fields.get("lean")
     if lean is not None and not 0 <= lean <= np.deg2rad(MAX_LEAN):
@@ -117,18 +117,20 @@ def _decode_report(entry: object) -> Report | None:
 
 
 def _check_models(models: Mapping[str, Any], used: Sequence[str]) -> None:
-    """Check that the models are those used."""
+    """Check that the listed models are exactly those used."""
     for key in used:
         if key not in models:
-            raise BundleError(f"scene.json uses the model {key[:80]!r}, which it does not have.")
+            raise BundleError(
+                f"scene.json refers to the model {key[:80]!r}, which it does not contain."
+            )
     if unused := sorted(models.keys() - set(used)):
-        raise BundleError(f"scene.json has a model that nothing is: {unused[0][:80]!r}.")
+        raise BundleError(f"scene.json has an unused model: {unused[0][:80]!r}.")
 
 
 def _meshes(
     looks: Mapping[str, _Looks], bodies: list[str], file: Callable[[str], bytes]
 ) -> dict[_Looks, Mesh]:
-    """Return the textured meshes that the models share, each file decoded once."""
+    """Return the textured meshes of the models, each file decoded once."""
     shapes = {shape: file(shape) for shape, _, _ in looks.values()}
     pictures = {picture: file(picture) for _, picture, _ in looks.values()}
     counts = {name: mesh_counts(raw) for name, raw in shapes.items()}
@@ -142,7 +144,7 @@ def _meshes(
     for path_of, contents in ((mesh_path, shapes), (texture_path, pictures)):
         for name, raw in contents.items():
             if path_of(raw) != name:
-                raise BundleError(f"{name[:200]!r} is not named by its content.")
+                raise BundleError(f"{name[:200]!r} does not match the digest of its content.")
     surfaces = {name: decode_obj(raw, name) for name, raw in shapes.items()}
     meshes: dict[_Looks, Mesh] = {}
     for name, raw in pictures.items():
@@ -154,7 +156,7 @@ def _meshes(
 
 
 def _check_supports(scene: Scene) -> None:
-    """Check that nothing stands on itself, by however many others."""
+    """Check that no object supports itself, directly or indirectly."""
     on = {thing.name: thing.placement.on for thing in scene.objects}
     for name in on:
         below, seen = on[name], {name}

@@ -1,4 +1,4 @@
-"""``scene.xml`` is derived: it must say what the values say, and nothing else."""
+"""Checks that the derived ``scene.xml`` matches the values of ``scene.json``."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     import mujoco
 
 _AT_START = " from its start"
-_MAX_CONTACTS = 4096  # at the start of a scene; a crowded table has some hundreds
+_MAX_CONTACTS = 4096  # at the start of a scene; a crowded table has a few hundred
 
-# Attributes whose numbers are computed: another machine may end them otherwise, within rounding.
+# Attributes with computed numbers, which another machine may round differently.
 _COMPUTED = frozenset(
     ["fullinertia", "mass", "pos", "quat", "qpos", "scale", "size", "vertex", "xyaxes"]
 )
-_ROUNDING = 1e-6  # share of the attribute's largest number
+_ROUNDING = 1e-6  # relative to the attribute's largest number
 _NUMBER = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[-+]?[0-9]+)?")
 _ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset></mujoco>'
 
@@ -33,29 +33,29 @@ _ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset
 def check_xml(decoded: Decoded, raw: bytes) -> str:
     """Compare a bundle's ``scene.xml`` with its values; return the document of the values.
 
-    All must be the same but computed numbers, which another machine may round otherwise.
+    Everything must be equal except computed numbers, which another machine may round differently.
 
     Raises:
-        BundleError: the document says something else.
+        BundleError: the documents differ.
     """
     wanted = document(decoded.scene, paths=decoded.paths).xml
     if raw == wanted.encode():
         return wanted
     if difference := _difference(ET.fromstring(wanted), _parse(raw, 2 * len(wanted))):
         raise BundleError(
-            f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
+            f"scene.xml does not match scene.json: {difference}. Make the bundle again."
         )
     return wanted
 
 
 def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> mujoco.MjModel:
-    """Return what MuJoCo builds of a scene's document, with a single pixel for each texture.
+    """Return MuJoCo's model of a scene's document, with a single pixel for each texture.
 
-    Textures are built one by one: it keeps three copies of each meanwhile. ``contents`` are the
-    files that the document refers to, by path.
+    Textures are built one at a time, since MuJoCo holds three copies of each while it builds.
+    ``contents`` are the files that the document refers to, by path.
 
     Raises:
-        SceneError: it does not.
+        SceneError: MuJoCo cannot build the scene.
     """
     name, files = decoded.scene.name, dict(contents)
     pixel = encode_png(np.zeros((1, 1, 3), np.uint8))
@@ -66,12 +66,12 @@ def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> m
 
 
 def check_starts(model: mujoco.MjModel, name: str) -> None:
-    """Check that MuJoCo can compute the forces at the start of the scene called ``name``.
+    """Check that MuJoCo can compute the forces at the start of the scene ``name``.
 
-    Bodies that overlap all over have more contacts than it has memory for.
+    Bodies that overlap completely have more contacts than its memory allows.
 
     Raises:
-        SceneError: it cannot.
+        SceneError: the forces cannot be computed.
     """
     import mujoco
 
@@ -84,7 +84,7 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
         raise unsimulatable(name, str(error), _AT_START) from error
     said = [*list_warnings(data)]
     if data.ncon > _MAX_CONTACTS:
-        said.append(f"{data.ncon} contacts; at most {_MAX_CONTACTS} are simulated")
+        said.append(f"{data.ncon} contacts; at most {_MAX_CONTACTS} are allowed")
     if not np.isfinite(data.qacc).all():
         said.append("forces that are not finite")
     if said:
@@ -94,17 +94,17 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
 def _parse(raw: bytes, maximum: int) -> ET.Element:
     """Parse plain elements of at most ``maximum`` bytes: no declarations, entities or comments."""
     if len(raw) > maximum:
-        raise BundleError(f"scene.xml does not fit scene.json: it has {len(raw)} bytes.")
+        raise BundleError(f"scene.xml does not match scene.json: it has {len(raw)} bytes.")
     if b"<!" in raw or b"<?" in raw:
-        raise BundleError("scene.xml does not fit scene.json: it holds more than elements.")
+        raise BundleError("scene.xml does not match scene.json: it has more than elements.")
     try:
         return ET.fromstring(raw.decode())
     except (ET.ParseError, ValueError) as error:
-        raise BundleError(f"scene.xml is no XML ({error}).") from error
+        raise BundleError(f"scene.xml is not valid XML ({error}).") from error
 
 
 def _difference(wanted: ET.Element, found: ET.Element) -> str:
-    """Say where two elements differ; empty where they do not."""
+    """Describe where two elements differ; empty if they are equal."""
     name = wanted.get("name", "")[:80]
     where = f"<{wanted.tag}{f' name={name!r}' if name else ''}>"
     if wanted.tag != found.tag:
@@ -123,7 +123,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
 
 
 def _close(key: str, wanted: str, found: str) -> bool:
-    """Return whether an attribute is computed, and its numbers are within rounding."""
+    """Return whether an attribute is computed, and its numbers agree within rounding."""
     words = found.split(" ")
     if key not in _COMPUTED or not all(map(_NUMBER.fullmatch, words)):
         return False

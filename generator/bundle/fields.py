@@ -1,4 +1,4 @@
-"""Values of a JSON text by the annotations of the dataclasses that they become: strictly typed."""
+"""JSON values converted by the annotations of dataclass fields, with strict types."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ _MOST_INTEGER = 2**64
 def arguments(
     kind: type, entry: object, what: str, optional: Set[str] = frozenset(), **written: Any
 ) -> dict[str, Any]:
-    """Return an object of JSON as a dataclass's arguments: all of its fields, each of its own type.
+    """Return a JSON object as a dataclass's arguments: all of its fields, each of its type.
 
-    ``what`` says where it stands: "objects[3]". ``optional`` fields are not written where they have
-    their default: a field that is new, and that earlier bundles lack, is one. ``written`` are the
-    types of fields that are written in another way; None for those that are never written.
+    ``what`` is its position, for messages: "objects[3]". ``optional`` fields may be absent, which
+    means their default, such as fields that earlier bundles lack. ``written`` maps fields with
+    another JSON type to that type, or to None if they are never written.
 
     Raises:
         BundleError: a field is missing, unknown or of another type.
-        InputError: a value's own checks refuse it.
+        InputError: a value violates its own constraints.
     """
     hints = {k: hint for k, hint in (_hints(kind) | written).items() if hint is not None}
     return _fields(hints, hints.keys() - optional, entry, what)
@@ -38,7 +38,7 @@ def arguments(
 def _fields(
     hints: Mapping[str, Any], required: Set[str], entry: object, what: str
 ) -> dict[str, Any]:
-    """Return the fields of an object of JSON: known ones only, each of its own type."""
+    """Return the fields of a JSON object: known ones only, each of its type."""
     if not isinstance(entry, dict):
         raise BundleError(f"{what} must be a JSON object, not {type(entry).__name__}.")
     values = typing.cast("dict[str, Any]", entry)
@@ -50,7 +50,7 @@ def _fields(
 
 
 def _convert(kind: Any, value: Any, what: str) -> Any:
-    """Return a JSON value as ``kind``, an annotation of a dataclass's field."""
+    """Return a JSON value as ``kind``, the annotation of a dataclass field."""
     origin, inner = get_origin(kind), get_args(kind)
     if kind is Any:
         return value
@@ -78,17 +78,17 @@ def _convert(kind: Any, value: Any, what: str) -> Any:
 
 
 def numbers(value: object, what: str) -> np.ndarray:
-    """Return nested lists of numbers, which are not ragged, as an array."""
+    """Return nested lists of numbers, which must not be ragged, as an array."""
     leaves: list[Any] = typing.cast("list[Any]", value if isinstance(value, list) else [None])
     while {type(leaf) for leaf in leaves} == {list}:
         leaves = list(itertools.chain.from_iterable(leaves))
-    # The types come first: an array of texts has room for the longest at every place.
+    # The types come first: in an array of texts, every entry has the length of the longest.
     array = None
     if {type(leaf) for leaf in leaves} <= {int, float}:
         with contextlib.suppress(ValueError, OverflowError):
             array = np.array(value, np.float64)
     if array is None:
-        raise BundleError(f"{what} must be lists of numbers.")
+        raise BundleError(f"{what} must be (nested) lists of numbers.")
     return array
 
 

@@ -1,4 +1,4 @@
-"""All files of a bundle as they are, to be copied, zipped or served."""
+"""Copies of bundles, and all files of a bundle, for archives and web servers."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ _MOST_BESIDE = 64 * 2**20
 def read_files(path: str | Path) -> dict[str, bytes]:
     """Return the content of every file of a bundle by its path in it.
 
-    These are ``scene.json``, the files that it lists, each compared with its entry, and what may
-    lie beside them, such as a certificate. Whether they make a sound scene is for ``load`` to say.
+    These are ``scene.json``, the files that it lists, each compared with its entry, and
+    accompanying files such as a certificate. Only ``load`` checks that they form a valid scene.
 
     Raises:
         BundleError: there is no bundle, or a file is missing or was changed.
@@ -34,7 +34,7 @@ def read_files(path: str | Path) -> dict[str, bytes]:
 
 
 def copy(path: str | Path, folder: str | Path) -> Path:
-    """Publish a copy of a bundle inside ``folder``, made if missing; return the copy's path.
+    """Publish a copy of a bundle inside ``folder``, created if missing; return the copy's path.
 
     Raises:
         BundleError: there is no bundle, or a file is missing or was changed.

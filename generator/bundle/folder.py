@@ -1,9 +1,10 @@
-"""Bundles: a scene as a folder that anyone can load, and back.
+"""Bundles: a scene stored as a folder that anyone can load, and read back.
 
-``<name>-<digest12>/`` holds ``scene.json`` (the truth: every value, the report, and size and sha256
-of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``, ``textures/`` and
-pictures. A bundle is *published or absent* (``publication``). The digest is that of ``scene.json``,
-which names all else by content, so the same scene gives the same folder, byte for byte.
+``<name>-<digest12>/`` contains ``scene.json`` (the source of truth: every value, the report, and
+size and sha256 of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``,
+``textures/`` and pictures. A bundle is *published or absent* (``publication``). The digest is that
+of ``scene.json``, which refers to all other files by content, so the same scene gives the same
+folder, byte for byte.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ from .segments import PATH as SEGMENTS_PATH
 from .segments import Segments, decode_segments, encode_segments
 
 SCHEMA = 1
-"""Version of ``scene.json``; other versions are refused."""
+"""Version of ``scene.json``; other versions are rejected."""
 
 BESIDE = frozenset({"certificate.json", "grasps.json", "ledger.json"})
 """Files in a bundle's folder that ``scene.json`` need not list."""
@@ -54,16 +55,16 @@ def save(
     segments: Segments | None = None,
     allow_failed: bool = False,
 ) -> Path:
-    """Publish ``scene`` as a bundle inside ``folder``, made if missing; return the bundle's path.
+    """Publish ``scene`` as a bundle inside ``folder``, created if missing; return its path.
 
-    Numbers are rounded (lengths to 0.1 micrometre) as they are written. ``images`` are pictures by
-    file stem ("reference", "preview", ...), as pixels or PNG bytes; ``segments`` what was found in
-    the reference picture, if there was one. ``allow_failed`` publishes although the scene's report
+    Numbers are rounded (lengths to 0.1 micrometre) when written. ``images`` are pictures by file
+    stem ("reference", "preview", ...), as pixels or PNG bytes; ``segments`` are the detections in
+    the reference picture, if there was one. ``allow_failed`` publishes a scene even if its report
     failed or is missing.
 
     Raises:
-        SceneError: the report failed or is missing, or a picture is not a PNG or is too large to
-            be read.
+        SceneError: the report failed or is missing, or a picture is not a PNG or is too large to be
+            read back.
         StorageError: the folder cannot be written, or the disk is full.
     """
     _check_publishable(scene, allow_failed)
@@ -89,12 +90,12 @@ def save(
 
 @steady
 def load(path: str | Path) -> Scene:
-    """Read a bundle back, every file checked against its recorded size and hash.
+    """Read a bundle, and check every file against its recorded size and hash.
 
-    What is returned simulates: MuJoCo has built its bodies, and ``scene.xml`` says the same.
+    The returned scene can be simulated: MuJoCo has built its bodies, and ``scene.xml`` matches it.
 
     Raises:
-        BundleError: there is no bundle, it is damaged, unsafe, out of bounds, or from another
+        BundleError: there is no bundle, or it is damaged, unsafe, out of bounds, or from another
             schema.
     """
     folder = Path(path)
@@ -103,7 +104,7 @@ def load(path: str | Path) -> Scene:
 
 @steady
 def load_segments(path: str | Path) -> Segments | None:
-    """Read what was found in the bundle's reference picture; None if it keeps nothing of it.
+    """Read the detections in the bundle's reference picture; None if it stores none.
 
     Raises:
         BundleError: there is no bundle, or this part of it is damaged.
@@ -114,7 +115,7 @@ def load_segments(path: str | Path) -> Segments | None:
 
 @steady
 def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | None:
-    """Read a picture of a bundle ("reference", "preview", ...), checked; None if it has none.
+    """Read and check a picture of a bundle ("reference", "preview", ...); None if it has none.
 
     Raises:
         BundleError: there is no bundle, or the picture is damaged.
@@ -129,7 +130,7 @@ def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | No
 
 @steady
 def load_pictures(path: str | Path) -> dict[str, bytes]:
-    """Read every picture of a bundle as the bytes of its PNG, by stem, checked.
+    """Read and check every picture of a bundle, as PNG bytes by stem.
 
     Raises:
         BundleError: there is no bundle, or a picture is damaged.
@@ -142,27 +143,27 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
 
 @steady
 def load_verified(path: str | Path) -> Scene:
-    """Read a bundle as ``load`` does, have MuJoCo build what is drawn, and read the segments.
+    """Read a bundle like ``load``, build the visual geoms in MuJoCo, and read the segments.
 
     Raises:
-        BundleError: there is no bundle, or something is wrong with it.
+        BundleError: there is no bundle, or it is invalid.
     """
     return _read_all(Path(path))[0]
 
 
 def verify(path: str | Path) -> list[str]:
-    """Return what is wrong with a bundle on disk: nothing, or reasons; see :func:`check`."""
+    """Return the problems of a bundle on disk, or none; see :func:`check`."""
     try:
         return check(path)
     except BundleError as error:
         return [str(error)]
     except OSError as error:
-        return [f"{path} cannot be looked into: {error.strerror or error}."]
+        return [f"{path} cannot be read: {error.strerror or error}."]
 
 
 @steady
 def check(path: str | Path) -> list[str]:
-    """Check a bundle as ``load_verified`` does; return what ``scene.json`` does not list of it.
+    """Check a bundle like ``load_verified``; return its files that ``scene.json`` does not list.
 
     Raises:
         MissingError: there is no bundle.
@@ -172,21 +173,21 @@ def check(path: str | Path) -> list[str]:
     listed = {*_read_all(folder)[1]["files"], "scene.json"}
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
-        f"{folder} holds {name}, which scene.json does not list"
+        f"{folder} contains {name}, which scene.json does not list"
         for name in sorted(found - listed - BESIDE)
     ]
 
 
 def check_name(name: str) -> None:
-    """Check that a scene called ``name`` can be published: the name becomes a folder's.
+    """Check that ``name`` is valid as the name of a scene and its folder.
 
     Raises:
-        SceneError: it cannot be a folder's name.
+        SceneError: it is not a valid folder name.
     """
     if not _NAME.fullmatch(name) or len(name) > 80:
         raise SceneError(
-            f"A scene called {name!r} cannot be a folder's name; use at most 80 letters, "
-            "digits, '.', '_' and '-'."
+            f"The scene name {name!r} is not a valid folder name; use at most 80 letters, digits, "
+            "'.', '_' and '-'."
         )
 
 
@@ -198,20 +199,20 @@ def _check_publishable(scene: Scene, allow_failed: bool) -> None:
     if allow_failed:
         return
     if scene.report is None:
-        raise SceneError(
-            f"Scene {scene.name!r} was never judged; see generator.physics.gate.judge."
-        )
+        raise SceneError(f"Scene {scene.name!r} has no report; see generator.physics.gate.judge.")
     if not scene.report.passed:
         raise SceneError(
-            f"Scene {scene.name!r} failed its physical gate: {scene.report.failure_text}. "
-            "Pass allow_failed=True to publish it all the same."
+            f"Scene {scene.name!r} failed its physical gate: {scene.report.failure_text}. Pass "
+            "allow_failed=True to publish it anyway."
         )
 
 
 def _picture(stem: str, image: UInt8[np.ndarray, "h w c"] | bytes) -> tuple[str, bytes]:
-    """Return the name and content of a picture's file, which can be read again."""
+    """Return the name and content of a picture's file, after checking that it can be read back."""
     if not _PICTURE.fullmatch(stem):
-        raise SceneError(f"A picture cannot be called {stem!r}; use small letters, digits and '_'.")
+        raise SceneError(
+            f"The picture name {stem!r} is invalid; use lower-case letters, digits and '_'."
+        )
     name, content = f"{stem}.png", image if isinstance(image, bytes) else encode_png(image)
     try:
         picture_size(content, name)
@@ -232,7 +233,7 @@ def read_truth(folder: Path) -> dict[str, Any]:
     try:
         there = folder.is_dir()
     except OSError as error:
-        raise BundleError(f"{folder} cannot be looked into: {error.strerror}.") from error
+        raise BundleError(f"{folder} cannot be read: {error.strerror}.") from error
     if not there:
         raise BundleError(f"There is no bundle at {folder}.")
     raw = read_inside(folder, "scene.json", BOUNDS.truth_bytes)
@@ -273,12 +274,12 @@ def _read_segments(folder: Path, payload: dict[str, Any]) -> Segments | None:
 
 
 def _read(folder: Path, payload: dict[str, Any], visuals: bool = False) -> Scene:
-    """Read and check all of a bundle's files; with ``visuals`` MuJoCo builds what is drawn, too."""
+    """Read and check all files of a bundle; ``visuals`` also builds the visual geoms in MuJoCo."""
     contents = _contents(folder, payload["files"])
 
     def file(name: str) -> bytes:
         if name not in contents:
-            raise BundleError(f"scene.json uses {name[:200]!r}, which it does not list.")
+            raise BundleError(f"scene.json refers to {name[:200]!r}, which it does not list.")
         return contents[name]
 
     try:
@@ -297,7 +298,7 @@ def _read(folder: Path, payload: dict[str, Any], visuals: bool = False) -> Scene
 
 
 def _contents(folder: Path, listed: Mapping[str, Any]) -> dict[str, bytes]:
-    """Check every listed file; return those that the scene is made of."""
+    """Check every listed file; return those that make up the scene."""
     contents: dict[str, bytes] = {}
     for name, entry in listed.items():
         content = read_listed(folder, name, entry)
@@ -312,7 +313,7 @@ def read_listed(folder: Path, name: str, entry: Any) -> bytes:
     """Read one listed file and compare it with its entry in ``scene.json``.
 
     Raises:
-        BundleError: it is missing, or not what was listed.
+        BundleError: it is missing, or differs from its entry.
     """
     content = read_inside(folder, name, entry["bytes"])
     if _fingerprint(content) != entry:
@@ -327,7 +328,7 @@ def read_inside(
     error: type[TabletopError] = BundleError,
     kind: Literal["bundle", "folder"] = "bundle",
 ) -> bytes:
-    """Read a plain file inside ``folder``: no way out of it, no links, no more than ``limit``.
+    """Read a regular file inside ``folder``, without links or ``..``, of at most ``limit`` bytes.
 
     ``kind`` is the word for the folder in messages.
 
@@ -336,16 +337,16 @@ def read_inside(
     """
     path, hint = PurePosixPath(name), " Make or copy the bundle again." if kind == "bundle" else ""
     if not name.isprintable():
-        raise error(f"{folder}: {name!r} is not a file's name.")
+        raise error(f"{folder}: {name!r} is not a valid file name.")
     if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name or not path.parts:
         raise error(f"{folder}: the path {name!r} leaves the {kind}; it was not opened.")
     try:
         with _opened_inside(folder, path) as descriptor:
             status = os.fstat(descriptor)
             if not stat.S_ISREG(status.st_mode):
-                raise error(f"{folder}: {name} is not a plain file.")
+                raise error(f"{folder}: {name} is not a regular file.")
             if status.st_size > limit:
-                wanted = f"not {limit}" if kind == "bundle" else f"at most {limit} are read"
+                wanted = f"not {limit}" if kind == "bundle" else f"at most {limit} are allowed"
                 raise error(f"{folder}: {name} is {status.st_size} bytes, {wanted}.")
             with open(descriptor, "rb", closefd=False) as file:
                 return file.read(limit + 1)
@@ -354,14 +355,14 @@ def read_inside(
     except OSError as failure:
         if failure.errno == errno.ELOOP or (failure.errno == errno.ENOTDIR and folder.is_dir()):
             raise error(
-                f"{folder}: {name} is a link, or in no plain folder; plain files only are read."
+                f"{folder}: {name} is a link, or its folder is one; only regular files are read."
             ) from failure
         raise error(f"{folder}: {name} cannot be read: {failure.strerror}.") from failure
 
 
 @contextlib.contextmanager
 def _opened_inside(folder: Path, path: PurePosixPath) -> Generator[int, None, None]:
-    """Open a file inside ``folder`` step by step, so that nothing on the way can become a link."""
+    """Open a file inside ``folder`` step by step, so that no part of its path can become a link."""
     flags = os.O_RDONLY | os.O_CLOEXEC
     with contextlib.ExitStack() as opened:
         place = os.open(folder, flags | os.O_DIRECTORY)

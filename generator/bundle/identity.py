@@ -1,4 +1,4 @@
-"""What a scene is, told by ``scene.json`` alone: its digest and the kinds of its objects."""
+"""Identity of a scene, from ``scene.json`` alone: its digest and the categories of its objects."""
 
 from __future__ import annotations
 
@@ -17,17 +17,18 @@ _CONTENT = ("table", "objects", "models")
 
 
 def digest(scene: Scene) -> str:
-    """Return 12 hexadecimal digits that tell scenes apart by their table and objects alone.
+    """Return 12 hexadecimal digits that identify a scene by its table and objects alone.
 
-    Name, provenance, report and pictures do not count, so this is not the digest in the name of a
-    bundle, which names all of its bytes. A scene and its bundle have the same (``load_digest``).
+    Name, provenance, report and pictures do not count, so this differs from the digest in a
+    bundle's name, which depends on all of its bytes. A scene and its bundle have the same digest
+    (``load_digest``).
     """
     return _digest(encode_scene(scene)[0])
 
 
 @steady
 def load_digest(path: str | Path) -> str:
-    """Read what ``digest`` says of the scene of a bundle, without its meshes.
+    """Read the ``digest`` of a bundle's scene, without its meshes.
 
     Raises:
         BundleError: there is no bundle, or its ``scene.json`` is damaged.
@@ -40,7 +41,7 @@ def load_digest(path: str | Path) -> str:
 
 @steady
 def load_fingerprint(path: str | Path) -> str:
-    """Return the sha256 of a bundle's ``scene.json``; its first 12 digits end the bundle's name.
+    """Return the sha256 of a bundle's ``scene.json``, whose first 12 digits end the bundle's name.
 
     Raises:
         BundleError: there is no bundle, or its ``scene.json`` is damaged.
@@ -68,16 +69,16 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
 
 @steady
 def load_report(path: str | Path) -> dict[str, Any]:
-    """Read the recorded gate of a bundle, field by field, and how many ``objects`` it judged.
+    """Read the gate's report of a bundle and the number of ``objects`` it covers, field by field.
 
     Raises:
-        BundleError: there is no bundle, or its ``scene.json`` is damaged or holds no report.
+        BundleError: there is no bundle, or its ``scene.json`` is damaged or has no report.
     """
     payload = read_truth(Path(path))
     try:
         return {**payload["report"], "objects": len(payload["objects"])}
     except (TypeError, LookupError) as error:
-        raise BundleError(f"{path}: scene.json holds no report. Make the bundle again.") from error
+        raise BundleError(f"{path}: scene.json has no report. Make the bundle again.") from error
 
 
 def _digest(payload: Mapping[str, Any]) -> str:

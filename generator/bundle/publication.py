@@ -1,9 +1,9 @@
-"""Folders that are published or absent, whoever saves, removes and reads them at the same time.
+"""Folders that are published or absent, even with concurrent writers, removers and readers.
 
-A bundle is built in a staging folder beside its place and put there by one rename; it is taken away
-by one rename, too, and deleted afterwards. Savers and removers therefore need no lock. A staging
-folder is locked by the process that made it: what a dead process left is removed by the next that
-saves or removes something in the same place.
+A bundle is built in a staging folder next to its destination and moved there by one rename; it is
+also removed by one rename, and deleted afterwards. Writers and removers therefore need no lock. A
+staging folder is locked by its process; a process that later writes or removes in the same place
+deletes those left by dead processes.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from ..errors import BundleError, MissingError, StorageError
 from ..io.files import remove_file, remove_tree
 
 _STAGING = ".staging-"
-_RANDOM = re.compile(re.escape(_STAGING) + r"[a-z0-9_]{8}")  # as ``tempfile.mkdtemp`` names it
-_MARKER = ".tabletopgen-staging"  # in each: folders of other programs are left alone
-_INNER = "new"  # the folder in it that is renamed in the end
-_STALE = 60.0  # seconds after which a staging folder that nobody locks is removed
-_TRIES = 200  # more than any number of processes at one bundle needs
+_RANDOM = re.compile(re.escape(_STAGING) + r"[a-z0-9_]{8}")  # as named by ``tempfile.mkdtemp``
+_MARKER = ".tabletopgen-staging"  # marker file in each: folders of other programs are not touched
+_INNER = "new"  # the folder in it that is finally renamed
+_STALE = 60.0  # age in seconds at which an unlocked staging folder is removed
+_TRIES = 200  # exceeds any number of processes at one bundle
 _OCCUPIED = frozenset({errno.ENOTEMPTY, errno.EEXIST, errno.ENOTDIR})
 _ABSENT = frozenset({errno.ENOENT, errno.ENOTDIR})
 
@@ -42,8 +42,8 @@ def publish(
 ) -> Path:
     """Publish files, by their paths of at most two parts, as ``folder / name``; return that path.
 
-    What is there already stays if it holds the same, maybe with files ``beside``; else it makes
-    way.
+    An existing folder with the same content, and possibly the files ``beside``, is kept; otherwise
+    it is replaced.
 
     Raises:
         OSError: the folder cannot be written, or the disk is full.
@@ -63,9 +63,9 @@ def publish(
 
 
 def put_in_place(source: Path, target: Path, is_fine: Callable[[], bool]) -> None:
-    """Rename a folder to ``target``; what lies there stays if ``is_fine`` says so.
+    """Rename a folder to ``target``; an existing target is kept if ``is_fine`` accepts it.
 
-    Otherwise it makes way, a link itself and not what it leads to.
+    Otherwise the target is replaced; a link itself is replaced, not what it points to.
 
     Raises:
         OSError: the folder cannot be written.
@@ -80,11 +80,11 @@ def put_in_place(source: Path, target: Path, is_fine: Callable[[], bool]) -> Non
         if is_fine():  # another process published it first
             return
         discard(target)
-    raise StorageError(errno.EBUSY, "Others put something else in its place over and over")
+    raise StorageError(errno.EBUSY, "Another process keeps replacing it")
 
 
 def discard(path: Path) -> bool:
-    """Remove a bundle so that no reader meets half of it; return False if it is gone already.
+    """Remove a bundle so that no reader sees a part of it; return False if it does not exist.
 
     Raises:
         OSError: it cannot be removed.
@@ -99,10 +99,10 @@ def discard(path: Path) -> bool:
 
 @contextlib.contextmanager
 def staging_in(folder: Path) -> Generator[Path, None, None]:
-    """Yield a new folder, inside one in ``folder``, that in the end is removed or was renamed.
+    """Yield a new folder, inside one in ``folder``, which is removed at the end unless renamed.
 
     Raises:
-        OSError: it cannot be made or removed.
+        OSError: it cannot be created or removed.
     """
     sweep(folder)
     staging, lock = _make_staging(folder)
@@ -120,7 +120,7 @@ def staging_in(folder: Path) -> Generator[Path, None, None]:
 
 
 def sweep(folder: Path) -> None:
-    """Remove the staging folders that dead processes left in ``folder``, as far as that works."""
+    """Remove the staging folders that dead processes left in ``folder``, as far as possible."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         left = [entry.name for entry in entries if _RANDOM.fullmatch(entry.name)]
         for name in left:
@@ -129,10 +129,11 @@ def sweep(folder: Path) -> None:
 
 
 def steady(read: Reader[P, R]) -> Reader[P, R]:
-    """Make a reader of bundles that meets whole bundles only: repeat it if one was replaced.
+    """Wrap a reader of bundles so that it sees complete bundles only: retry if one was replaced.
 
-    ``read`` takes the bundle's path first, and raises BundleError or OSError where something in it
-    is missing. If the bundle was removed meanwhile, that is a MissingError instead.
+    ``read`` takes the bundle's path as its first argument, and raises BundleError or OSError if
+    something in it is missing. If the bundle was removed in the meantime, that becomes a
+    MissingError.
     """
 
     @functools.wraps(read)
@@ -144,13 +145,13 @@ def steady(read: Reader[P, R]) -> Reader[P, R]:
                 except (BundleError, OSError):
                     if opened is None or _is_at(Path(path), opened):
                         raise
-        raise BundleError(f"{path} was replaced over and over while it was read. Try again.")
+        raise BundleError(f"{path} was replaced repeatedly while it was read. Try again.")
 
     return reading
 
 
 def _holds(target: Path, files: Mapping[str, bytes], beside: Collection[str]) -> bool:
-    """Tell whether a folder holds exactly these plain files, and maybe some of ``beside``."""
+    """Return whether a folder has exactly these regular files, and possibly some of ``beside``."""
     found: set[str] = set()
     try:
         for place, folders, names in os.walk(target):
@@ -165,33 +166,35 @@ def _holds(target: Path, files: Mapping[str, bytes], beside: Collection[str]) ->
 
 
 def _content(path: Path, size: int) -> bytes | None:
-    """Return the content of a plain file of that size; None if it is something else."""
+    """Return the content of a regular file of that size; None for anything else."""
     descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
     with os.fdopen(descriptor, "rb") as file:
         return file.read() if os.fstat(descriptor).st_size == size else None
 
 
 def _make_staging(folder: Path) -> tuple[Path, int]:
-    """Return a new staging folder, and the descriptor by which it is locked."""
+    """Return a new staging folder, and the file descriptor of its lock."""
     for _ in range(_TRIES):
         staging = Path(tempfile.mkdtemp(prefix=_STAGING, dir=folder))
         try:
             lock = os.open(staging, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
-        except FileNotFoundError:  # removed by one whose clock is far ahead
+        except FileNotFoundError:  # removed by a process whose clock is far ahead
             continue
         if _lock(lock) and _is_at(staging, lock):
             return staging, lock
         os.close(lock)
-    raise StorageError(errno.EBUSY, f"Staging folders in {folder} vanish; see who removes them")
+    raise StorageError(
+        errno.EBUSY, f"Staging folders in {folder} disappear; check which program removes them"
+    )
 
 
 def _lock(descriptor: int) -> bool:
-    """Lock a new folder, unless it is about to be removed by one whose clock is far ahead."""
+    """Lock a new folder, unless a process whose clock is far ahead is about to remove it."""
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         return False
-    except OSError:  # a file system without locks: there it never counts as stale
+    except OSError:  # file system without locks: it never counts as stale there
         return True
     return True
 
@@ -203,14 +206,14 @@ def _remove_if_stale(folder: Path, name: str) -> None:
         if time.time() - os.fstat(lock).st_mtime > _STALE:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             held = os.listdir(lock)  # noqa: PTH208 - a descriptor
-            if _MARKER in held or not held:  # none yet: its maker died before it was marked
+            if _MARKER in held or not held:  # not marked: its process died before it was
                 _remove(folder / name)
     finally:
         os.close(lock)
 
 
 def _remove(staging: Path) -> None:
-    """Remove a staging folder; its marker last, so that one who dies meanwhile leaves it marked."""
+    """Remove a staging folder, its marker last, so that an interruption leaves it marked."""
     remove_tree(staging, _INNER)
     remove_file(staging, _MARKER)
     staging.rmdir()
@@ -218,9 +221,9 @@ def _remove(staging: Path) -> None:
 
 @contextlib.contextmanager
 def _open(path: Path) -> Generator[int | None, None, None]:
-    """Yield a descriptor of a folder that is there, None where it cannot be opened all the same.
+    """Yield a descriptor of an existing folder, or None if it cannot be opened.
 
-    As long as it is open, no other folder has the same number.
+    While it is open, no other folder has the same inode number.
     """
     try:
         descriptor = os.open(path, os.O_PATH | os.O_DIRECTORY | os.O_CLOEXEC)
@@ -236,7 +239,7 @@ def _open(path: Path) -> Generator[int | None, None, None]:
 
 
 def _is_at(path: Path, descriptor: int) -> bool:
-    """Tell whether an opened folder still is what lies at ``path``."""
+    """Return whether an open folder is still the one at ``path``."""
     try:
         return os.path.samestat(path.stat(), os.fstat(descriptor))
     except OSError:

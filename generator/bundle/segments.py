@@ -1,4 +1,4 @@
-"""What was found in the picture: every instance's visible pixels, as one indexed PNG and names."""
+"""Detections in the picture: every instance's visible pixels, as one indexed PNG and names."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from .contents import decode_indices
 from .encoder import one_line
 
 PATH = "stages/instances.png"
-"""Where a bundle keeps it."""
+"""Path of the picture in a bundle."""
 
-_MOST = 255  # instances that one byte a pixel can tell apart
+_MOST = 255  # maximum number of instances with one byte per pixel
 
 
 @dataclass(frozen=True, eq=False)
 class Segments:
     """The instances of a reference picture.
 
-    ``index`` has the picture's size; 0 is nothing, ``k`` the instance ``names[k - 1]``, whose word
-    is ``labels[k - 1]``. The table comes first and is what no object covers.
+    ``index`` has the picture's size; 0 is background, ``k`` is the instance ``names[k - 1]`` with
+    the label ``labels[k - 1]``. The table comes first and covers its pixels that no object covers.
     """
 
     names: tuple[str, ...]
@@ -39,7 +39,7 @@ class Segments:
     def __post_init__(self) -> None:
         freeze(self, index=(np.uint8, (None, None)))
         if len(self.names) != len(self.labels) or len(set(self.names)) < len(self.names):
-            raise InputError(f"Segments need one label a name and no name twice: {self.names}.")
+            raise InputError(f"Segments need one label per name and unique names: {self.names}.")
         if self.index.size and (top := self.index.max()) > len(self.names):
             raise InputError(
                 f"Segments.index goes up to {top}, but there are {len(self.names)} names."
@@ -47,10 +47,10 @@ class Segments:
 
     @classmethod
     def of(cls, instances: Sequence[Instance]) -> Segments:
-        """Flatten the masks of ``instances``; where two overlap, the smaller one is in front.
+        """Merge the masks of ``instances``; where two overlap, the smaller one is in front.
 
         Raises:
-            InputError: no instance, or more than 255.
+            InputError: there are no instances, or more than 255.
         """
         if not 0 < len(instances) <= _MOST:
             raise InputError(f"1 to {_MOST} instances can be stored, got {len(instances)}.")
@@ -61,7 +61,7 @@ class Segments:
         return cls(tuple(i.name for i in ordered), tuple(i.label for i in ordered), index)
 
     def mask(self, name: str) -> Bool[np.ndarray, "h w"]:
-        """Return the visible pixels of the instance called ``name``; none if there is none."""
+        """Return the visible pixels of the instance ``name``; none if there is no such instance."""
         if name not in self.names:
             return np.zeros(self.index.shape, bool)
         return self.index == self.names.index(name) + 1
@@ -81,10 +81,10 @@ def encode_segments(segments: Segments) -> tuple[list[dict[str, str]], bytes]:
 
 
 def decode_segments(entries: Any, raw: bytes) -> Segments:
-    """Return the segments of :func:`encode_segments`.
+    """Decode the result of :func:`encode_segments`.
 
     Raises:
-        BundleError: the picture or the names are not as written.
+        BundleError: the picture or the names are invalid.
     """
     index = decode_indices(raw, PATH)
     try:
@@ -94,11 +94,11 @@ def decode_segments(entries: Any, raw: bytes) -> Segments:
         )
         return Segments(names, labels, index)
     except (InputError, TypeError, KeyError) as error:
-        raise BundleError(f"{PATH} and its names do not fit together ({error}).") from error
+        raise BundleError(f"{PATH} and its names do not match ({error}).") from error
 
 
 def _palette(index: int) -> tuple[int, int, int]:
-    """Return colours that neighbours tell apart: black, grey for the table, then a hue circle."""
+    """Return colours that are easy to distinguish: black, grey for the table, then a hue circle."""
     import colorsys
 
     if index < 2:

@@ -1,8 +1,8 @@
-"""A scene or an object as all exports write it: meshes in metres, inertia and convex pieces.
+"""A scene or an object in the form that all exports write: meshes, inertia and convex pieces.
 
-All is in the body's own frame (an object's is its canonical frame scaled to metres; the table's has
-its origin at the centre of its box), z up in the world, metres, kilograms, radians. Names are
-identifiers, which every format allows.
+Everything is in the body's own frame (an object's is its canonical frame scaled to metres; the
+table's has its origin at the centre of its box), z up in the world, metres, kilograms, radians.
+Names are identifiers that all formats allow.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ from ..physics.inertia import volume_mass
 from ..physics.mjcf import FLOOR
 
 RESERVED = ("world", "floor", "scene", "sun", "PhysicsScene", TABLE)
-"""Names that objects do not get: exports use them for what else there is."""
+"""Reserved names, which exports use for other elements."""
 
 SEGMENTS = 32
-"""Sides of a round piece, where a format has no primitive for it."""
+"""Number of sides of a round piece in formats without a primitive for it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,12 +40,12 @@ class ExportPiece:
     """One convex piece of a body's collision shape.
 
     Attributes:
-        kind: what it is; "mesh" is the convex hull of ``vertices``.
-        center: middle of its box, metres.
+        kind: kind of shape; "mesh" is the convex hull of ``vertices``.
+        center: centre of its box, metres.
         half: half extents of its box along the body's axes, metres; of a sphere three radii.
-        axis: along which a cylinder runs, 0, 1 or 2.
-        vertices, faces: its surface, outward; of round pieces with ``SEGMENTS`` sides, whose
-            corners lie on the surface.
+        axis: axis of a cylinder, 0, 1 or 2.
+        vertices, faces: its surface, facing outwards; round pieces have ``SEGMENTS`` sides, whose
+            vertices lie on the surface.
     """
 
     kind: GeomKind
@@ -57,7 +57,7 @@ class ExportPiece:
 
     @property
     def radius(self) -> float:
-        """Of a cylinder or a sphere, metres."""
+        """Radius of a cylinder or a sphere, metres."""
         return float(np.delete(self.half, self.axis).mean())
 
 
@@ -67,12 +67,12 @@ class ExportBody:
 
     Attributes:
         name: an identifier, unique in the scene.
-        label: the word for it.
-        fixed: it does not move.
-        position, quaternion: its pose in the world frame, metres and a unit wxyz.
+        label: its name in words.
+        fixed: whether it is static.
+        position, quaternion: its pose in the world frame, metres and a unit wxyz quaternion.
         mass, com, inertia: kilograms, metres, and kg m² about ``com`` along the body's axes.
         friction: coefficient of sliding friction.
-        mesh: its picture, in the unit box; ``vertices`` are the same in metres.
+        mesh: its visual mesh, in the unit box; ``vertices`` are the same in metres.
         pieces: its collision shape.
     """
 
@@ -95,8 +95,8 @@ class ExportWorld:
     """Bodies above a floor at z = 0, as all formats write them.
 
     Attributes:
-        name: of the scene or the object.
-        bodies: the table, if there is one, then the objects.
+        name: name of the scene or the object.
+        bodies: the table, if there is one, followed by the objects.
         ground: coefficient of friction of the floor and the table.
         mjcf: returns the same bodies as MJCF with its files.
     """
@@ -108,7 +108,7 @@ class ExportWorld:
 
 
 def scene_world(scene: Scene) -> ExportWorld:
-    """Return a scene for its export.
+    """Return a scene in the form that exports write.
 
     Raises:
         SceneError: the table's shape has no volume.
@@ -117,7 +117,7 @@ def scene_world(scene: Scene) -> ExportWorld:
 
 
 def object_world(thing: Object) -> ExportWorld:
-    """Return one object at its pose above a floor that is as rough as itself."""
+    """Return one object at its pose above a floor with the same friction."""
 
     def mjcf() -> Document:
         return object_document(thing, visuals=True, floor=thing.friction)
@@ -127,7 +127,7 @@ def object_world(thing: Object) -> ExportWorld:
 
 
 def bodies_of(scene: Scene) -> tuple[ExportBody, ...]:
-    """Return the table, fixed, and the objects of a scene as they rest.
+    """Return the table, fixed, and the objects of a scene at rest.
 
     Raises:
         SceneError: the table's shape has no volume.
@@ -155,9 +155,9 @@ def _object_body(name: str, thing: Object) -> ExportBody:
 
 
 def legal_names(names: Iterable[str]) -> list[str]:
-    """Return an identifier for each name: ASCII, unique, none of ``RESERVED``.
+    """Return an identifier for each name: ASCII, unique, and not in ``RESERVED``.
 
-    Legal names stay as they are. Letters lose their accents, other characters become "_".
+    Valid names are unchanged. Letters lose their accents, other characters become "_".
     """
     asked = [*names]
     kept = {name for name in asked if _plain(name) == name and name not in RESERVED}
@@ -172,7 +172,7 @@ def _plain(name: str) -> str:
 
 
 def free_name(word: str, taken: set[str]) -> str:
-    """Return the word, numbered if it is taken; then it is."""
+    """Return the word, with a number if it is taken, and mark it as taken."""
     name, number = word, 2
     while name in taken:
         name, number = f"{word}_{number}", number + 1
@@ -181,7 +181,7 @@ def free_name(word: str, taken: set[str]) -> str:
 
 
 def piece_of(part: ConvexPart) -> ExportPiece:
-    """Return a convex part as MuJoCo collides with it: a primitive wherever it is one."""
+    """Return a convex part as MuJoCo collides with it: as a primitive if possible."""
     kind, (low, high) = primitive_kind(part), part.bounds
     center, half = (low + high) / 2, (high - low) / 2
     surface = _surface(kind, part, half)
@@ -220,7 +220,7 @@ _FACES = (
 
 
 def floor_body(friction: float) -> ExportBody:
-    """Return the floor, fixed, its upper side at z = 0."""
+    """Return the floor, fixed, with its upper side at z = 0."""
     corners = np.array([*product((-0.5, 0.5), repeat=3)])
     vertices, faces = corners * _SIZE, np.array(_FACES)
     mesh = Mesh(corners, faces, np.full((8, 2), 0.5), np.full((2, 2, 3), _COLOR, np.uint8))

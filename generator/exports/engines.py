@@ -1,8 +1,8 @@
-"""What physics engines need beside shapes and masses to behave as MuJoCo does.
+"""Friction and contact settings with which other physics engines behave like MuJoCo.
 
-Where two bodies touch, MuJoCo takes the larger of their coefficients of friction. Others combine
-them by rules of their own, so that each engine gets coefficients of its own, in the element that
-only it reads:
+Where two bodies touch, MuJoCo takes the larger of their coefficients of friction. Other engines
+combine them differently, so each engine gets its own coefficients, in an element that only it
+reads:
 
 | engine | two coefficients a, b become | element |
 |---|---|---|
@@ -11,11 +11,13 @@ only it reads:
 | Gazebo | min(a, b) | ``mu1``, ``mu2`` (URDF), ``ode/mu`` (SDF) |
 | Isaac Sim | max(a, b), set by ``physxMaterial:frictionCombineMode`` | ``UsdPhysicsMaterialAPI`` |
 
-Between an object and the table the result is MuJoCo's. Between two objects PyBullet's and Drake's
-is MuJoCo's where at most one of them is rougher than the table, and none is smoother; in Drake also
-none may be rougher than 1.8 times the table. Gazebo takes the smaller of the two.
+Between an object and the table the result equals MuJoCo's. Between two objects, PyBullet's and
+Drake's results equal MuJoCo's if at most one of them is rougher than the table and neither is
+smoother; in Drake, neither may be rougher than 1.8 times the table. Gazebo takes the smaller of the
+two.
 
-Drake also gets compliant hydroelastic contact: with point contact a flat body rests on one point.
+Drake also gets compliant hydroelastic contact, since with point contact a flat body rests on a
+single point.
 """
 
 from __future__ import annotations
@@ -31,13 +33,13 @@ from .bodies import ExportBody, ExportPiece
 from .files import number_text
 
 DRAKE: Mapping[str, str] = MappingProxyType({"xmlns:drake": "http://drake.mit.edu"})
-"""Attribute of a document that has tags of Drake."""
+"""Attribute of a document that declares Drake's tags."""
 
 HYDROELASTIC_MODULUS = 1e7
-"""Pressure at the middle of a body in Drake, Pa: a plate of 0.5 kg sinks in by a micrometre."""
+"""Pressure at the centre of a body in Drake, Pa: a plate of 0.5 kg sinks in by a micrometre."""
 
-_SHARE = 0.25  # of a round piece's radius: edges of its hydroelastic mesh
-_REACH = 0.55  # of the largest coefficient: least one of the table in Drake, see ``_harmonic``
+_SHARE = 0.25  # edge length of a round piece's hydroelastic mesh, relative to its radius
+_REACH = 0.55  # minimum coefficient of the table in Drake, relative to the largest one
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class EngineFriction:
 
 
 def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, EngineFriction]:
-    """Return the coefficients of each body by its name; the floor is as rough as the ``table``."""
+    """Return the coefficients of each body by name; the floor has those of the ``table``."""
     wanted = {body.name: max(body.friction, table) for body in bodies}  # on the table, in MuJoCo
     most = max(wanted.values())
     middle = max(table, _REACH * most)
@@ -68,7 +70,7 @@ def _harmonic(wanted: float, other: float) -> float:
 
 
 def drake_properties(piece: ExportPiece, friction: float) -> Mapping[str, str | None]:
-    """Return the tags of a collision element that Drake reads, with the value of each, if any."""
+    """Return the tags of a collision element that Drake reads, with their values, if any."""
     tags: dict[str, str | None] = {
         "drake:compliant_hydroelastic": None,
         "drake:hydroelastic_modulus": number_text([HYDROELASTIC_MODULUS]),

@@ -1,8 +1,7 @@
 """Files and numbers of the XML exports: Wavefront OBJ meshes in metres, textures.
 
-The mesh that draws a body has the body's name; other files are named by the digest of their
-content. All lie in one folder, since some readers take no file from outside an OBJ's own; no file
-is scaled where it is used.
+A body's visual mesh has the body's name; other files are named by the digest of their content. All
+are in one folder, since some readers reject files outside an OBJ's own. Files are used unscaled.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ _FOLDER = "meshes"
 
 
 class ExportFiles:
-    """Collects the files of an export by their path in its folder, each content once."""
+    """Collects the files of an export by their path in its folder; equal contents share a file."""
 
     def __init__(self) -> None:
         self.content: dict[str, bytes] = {}
@@ -69,7 +68,7 @@ def plain_obj(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"])
 
 
 INERTIA = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
-"""Names of an inertia's entries, of URDF and SDF, and where they are."""
+"""Names of an inertia's entries in URDF and SDF, and their indices."""
 
 _ALONG = np.array([[0, np.pi / 2, 0], [-np.pi / 2, 0, 0], [0, 0, 0]])
 
@@ -80,16 +79,16 @@ def number_text(numbers: Iterable[float]) -> str:
 
 
 def roll_pitch_yaw(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3"]:
-    """Return a unit wxyz quaternion as turns about the fixed x, y and z axes, in this order."""
+    """Return a unit wxyz quaternion as rotations about the fixed x, y and z axes, in this order."""
     return Rotation.from_quat(quaternion, scalar_first=True).as_euler("xyz")
 
 
 def along(axis: int) -> Float[np.ndarray, "3"]:
-    """Return roll, pitch and yaw that turn the z axis to ``axis``."""
+    """Return the roll, pitch and yaw that rotate the z axis onto ``axis``."""
     return _ALONG[axis]
 
 
 def document_text(root: ET.Element) -> bytes:
-    """Return an indented document with its declaration."""
+    """Return an indented document with its XML declaration."""
     ET.indent(root)
     return b'<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(root, encoding="utf-8") + b"\n"

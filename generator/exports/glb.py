@@ -1,11 +1,11 @@
-"""glTF 2.0 binary: one file with two scenes, what is drawn and what collides.
+"""glTF 2.0 binary: one file with two scenes, the visual meshes and the collision shapes.
 
-The first scene, which viewers show, holds a node for each body with its textured mesh. The scene
-"collision" holds the same nodes with a mesh for each convex piece. glTF has y up, so both hang on a
-node that turns z up to y up. A node's ``extras`` have what glTF has no field for: ``mass`` (kg),
-``center_of_mass`` (metres), ``inertia`` (kg m², rows, about the centre of mass), ``friction``,
-``fixed``, in the body's frame; a piece's are its ``kind`` and ``half_extents``, and the node above
-the pieces has the name of their ``body``.
+The first scene, which viewers show, has a node for each body with its textured mesh. The scene
+"collision" has the same nodes with a mesh for each convex piece. glTF is y up, so both have a root
+node that rotates z up to y up. A node's ``extras`` hold values for which glTF has no field:
+``mass`` (kg), ``center_of_mass`` (metres), ``inertia`` (kg m², rows, about the centre of mass),
+``friction``, ``fixed``, in the body's frame. The extras of a piece are its ``kind`` and
+``half_extents``, and the node above the pieces has the name of their ``body``.
 """
 
 from __future__ import annotations
@@ -90,9 +90,9 @@ def _piece_details(piece: ExportPiece) -> dict[str, Any]:
 def _arrange(
     tree: dict[str, Any], name: str, details: Mapping[str, dict[str, Any]], roots: Sequence[str]
 ) -> None:
-    """Give nodes their extras; hang bodies on turned roots, what collides in a scene of its own.
+    """Set the nodes' extras, and attach bodies to rotated roots, pieces in a scene of their own.
 
-    ``roots`` are the names of the root of what is drawn and of that of what collides.
+    ``roots`` are the names of the root nodes of the visual scene and the collision scene.
     """
     nodes, (scene,) = tree["nodes"], tree["scenes"]
     for node in nodes:
@@ -112,7 +112,7 @@ def _arrange(
 
 
 def _mark_buffers(tree: dict[str, Any]) -> None:
-    """Say which views of the buffer hold vertices, and which hold indices."""
+    """Mark which buffer views hold vertices, and which hold indices."""
     views = [tree["bufferViews"][accessor["bufferView"]] for accessor in tree["accessors"]]
     for mesh in tree["meshes"]:
         for primitive in mesh["primitives"]:

@@ -1,7 +1,7 @@
-"""MJCF with every mesh in a file: ``scene.xml``, for importers that read no vertices in the XML.
+"""MJCF with every mesh in a file: ``scene.xml``, for importers that need meshes as files.
 
-It is a bundle's ``scene.xml`` otherwise, cameras and the keyframe "settled" included, but the table
-has an inertia, too, and bodies that are added without one get theirs from their geoms.
+It equals a bundle's ``scene.xml``, including cameras and the keyframe "settled", except that the
+table has an inertia, too, and bodies that are added without one get theirs from their geoms.
 ``load_mujoco.py`` loads it.
 """
 
@@ -31,7 +31,7 @@ def mjcf_files(world: ExportWorld) -> Mapping[str, bytes]:
             files[path] = plain_obj(hull.vertices, hull.faces)
             mesh.set("file", path)
     for compiler in root.iter("compiler"):
-        compiler.attrib.pop("inertiafromgeom")  # whose default takes geoms where nothing is said
+        compiler.attrib.pop("inertiafromgeom")  # by default it applies to geoms
     fixed = {body.name: body for body in world.bodies if body.fixed}
     for element in root.iter("body"):
         if element.attrib["name"] in fixed:

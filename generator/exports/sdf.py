@@ -1,7 +1,7 @@
 """SDFormat 1.9: ``scene.sdf``, a world of models, as Gazebo loads it.
 
 Table and floor are static models. A convex piece is one collision: a primitive, or a mesh that is
-its hull. Friction is Coulomb's, of both directions, for Gazebo and for Drake, see ``engines``.
+its hull. Friction is isotropic Coulomb friction, for Gazebo and for Drake, see ``engines``.
 ``load_drake.py`` loads the scene into Drake.
 """
 
@@ -18,7 +18,7 @@ from .files import INERTIA, ExportFiles, along, document_text, number_text, roll
 from .loaders import loader_scripts
 
 VERSION = "1.9"
-"""Of SDFormat; ellipsoids came with 1.8."""
+"""Version of SDFormat; ellipsoids need at least 1.8."""
 
 
 def sdf_files(content: ExportWorld) -> Mapping[str, bytes]:

@@ -1,14 +1,14 @@
-"""URDF: ``scene.urdf``, a tree of the world, the table and the objects, and a file each for them.
+"""URDF: ``scene.urdf`` with the world, the table and the objects, and one file for each body.
 
-In ``scene.urdf`` the table hangs on the link "world" by a fixed joint and each object by a floating
-one, at the pose where it rests, for readers that know floating joints (MuJoCo). Others load
-``objects/NAME.urdf``, one body each, the table and the floor included, at the poses of
+In ``scene.urdf`` the table is attached to the link "world" by a fixed joint and each object by a
+floating joint, at its resting pose, for readers that support floating joints (MuJoCo). Others load
+``objects/NAME.urdf``, one body each, including the table and the floor, at the poses of
 ``poses.json``, as ``load_pybullet.py`` and ``load_drake.py`` do. URDF has no friction: it is in
 elements of PyBullet, Drake and Gazebo, see ``engines``. Ellipsoids are hulls.
 
-Beside its texture a body has a colour. In ``scene.urdf`` it is the mean of the texture, for readers
-that draw no textures (MuJoCo), which would show white things; an object's own file has white, with
-which PyBullet multiplies the texture.
+In addition to its texture a body has a colour. In ``scene.urdf`` it is the mean of the texture, for
+readers without textures (MuJoCo), which would otherwise draw white objects; in an object's own file
+it is white, since PyBullet multiplies the texture by it.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _COMPILER = {"strippath": "false", "fusestatic": "false", "discardvisual": "fals
 
 
 def urdf_files(world: ExportWorld) -> Mapping[str, bytes]:
-    """Return the URDF and the files it refers to, by path."""
+    """Return the URDF files and the files they refer to, by path."""
     files, bodies = ExportFiles(), world.bodies
     rubbing = engine_friction(bodies, world.ground)
     root = _robot(world.name)
@@ -68,7 +68,7 @@ def _robot(name: str) -> ET.Element:
 def _link(
     root: ET.Element, body: ExportBody, rubbing: EngineFriction, files: ExportFiles, above: str
 ) -> None:
-    """Add a body; ``above`` leads from the document to the export's folder."""
+    """Add a body; ``above`` is the path from the document to the export's folder."""
     link = ET.SubElement(root, "link", name=body.name)
     inertial = ET.SubElement(link, "inertial")
     ET.SubElement(inertial, "origin", xyz=number_text(body.com), rpy="0 0 0")
@@ -96,7 +96,7 @@ def _link(
 
 
 def mean_color(body: ExportBody) -> list[float]:
-    """Return the mean colour of what a body's texture shows of it, 0 to 1."""
+    """Return the mean colour of the visible part of a body's texture, 0 to 1."""
     mesh = body.mesh
     area = areas(body.vertices, mesh.faces.astype(np.int64))
     shown = sample_texture(mesh.texture, mesh.uv[mesh.faces].astype(np.float64).mean(1))

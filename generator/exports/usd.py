@@ -1,9 +1,9 @@
-"""USD with UsdPhysics: ``scene.usdc`` and its textures, or all in one ``scene.usdz``.
+"""USD with UsdPhysics: ``scene.usdc`` and its textures, or a single ``scene.usdz``.
 
-Z up, metres, kilograms. /World holds PhysicsScene, floor, table, and an Xform for each
-object: a rigid body with mass, centre of mass and principal inertia. Below it are Visual, a mesh
-with texture, Collision with one prim for each convex piece (a Cube, Cylinder or Sphere, or a Mesh
-whose approximation is "convexHull"), and Looks with the materials of both.
+Z up, metres, kilograms. /World holds PhysicsScene, floor, table, and an Xform for each object: a
+rigid body with mass, centre of mass and principal inertia. Below it are Visual, a mesh with
+texture, Collision with one prim for each convex piece (a Cube, Cylinder or Sphere, or a Mesh whose
+approximation is "convexHull"), and Looks with the materials of both.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def usdz_files(world: ExportWorld) -> Mapping[str, bytes]:
         _write(world, Path(folder))
         from pxr import Sdf, UsdUtils
 
-        noon = time.mktime((2000, 1, 1, 12, 0, 0, 0, 0, -1))  # the package holds local times
+        noon = time.mktime((2000, 1, 1, 12, 0, 0, 0, 0, -1))  # the package stores local times
         for name in _read_all(Path(folder)):
             os.utime(Path(folder) / name, (noon, noon))
         package = Path(folder) / "scene.usdz"
@@ -93,7 +93,7 @@ def _write(content: ExportWorld, folder: Path) -> None:
 
 
 def _put(stage: Any, path: str, body: ExportBody, folder: Path) -> None:
-    """Write one body to a path of a stage."""
+    """Write one body at a path of a stage."""
     from pxr import Gf, UsdGeom, UsdPhysics
 
     xform = UsdGeom.Xform.Define(stage, path)
@@ -168,7 +168,7 @@ def _solid(stage: Any, path: str, piece: ExportPiece) -> Any:
 
 
 def _paint(stage: Any, path: str, body: ExportBody, visual: Any, folder: Path) -> None:
-    """Give a mesh its texture, by the shader that every renderer knows."""
+    """Apply a body's texture to its mesh, with the shader that every renderer supports."""
     from pxr import Gf, Sdf, UsdGeom, UsdShade, Vt
 
     uv = UsdGeom.PrimvarsAPI(visual).CreatePrimvar(
@@ -205,7 +205,7 @@ def _paint(stage: Any, path: str, body: ExportBody, visual: Any, folder: Path) -
 
 
 def _friction(stage: Any, path: str, body: ExportBody) -> Any:
-    """Write a body's physics material; PhysX takes the larger of two coefficients, as MuJoCo."""
+    """Write a body's physics material; PhysX takes the larger of two coefficients, like MuJoCo."""
     from pxr import Sdf, UsdPhysics, UsdShade
 
     material = UsdShade.Material.Define(stage, path)
@@ -237,7 +237,7 @@ def _quaternion(wxyz: Float[np.ndarray, "4"]) -> Any:
 def principal(
     inertia: Float[np.ndarray, "3 3"],
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "4"]]:
-    """Return the moments about the principal axes, and the turn to these, a unit wxyz."""
+    """Return the principal moments and the rotation to the principal axes, unit wxyz."""
     moments, axes = np.linalg.eigh(inertia)
     if np.linalg.det(axes) < 0:
         axes[:, 2] *= -1

@@ -27,27 +27,27 @@ WRITERS: Mapping[str, Callable[[ExportWorld], Mapping[str, bytes]]] = MappingPro
         "usdz": usdz_files,
     }
 )
-"""What makes the files of each format, by path in the export's folder."""
+"""Functions that make the files of each format, by path in the export's folder."""
 
 ALONE = ("glb", "usdz")
-"""Formats of one file."""
+"""Formats that are a single file."""
 
 _ADVICE = "Free space there, or choose another folder."
 
 
 def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -> Path:
-    """Write a scene to ``folder``; return the path of what was written.
+    """Write a scene to ``folder``; return the path of the export.
 
-    That is ``NAME.glb`` or ``NAME.usdz``, or else a folder ``NAME-FORMAT`` with the document
+    The export is ``NAME.glb`` or ``NAME.usdz``, or else a folder ``NAME-FORMAT`` with the document
     (``scene.xml``, ``scene.urdf``, ``scene.sdf``, ``scene.usdc``) and the files it refers to. It is
-    written whole or not at all; what is there already makes way. The same scene gives the same
+    written completely or not at all, and replaces an existing export. The same scene gives the same
     bytes.
 
     Args:
-        scene: what to write.
+        scene: scene to write.
         to: a key of ``WRITERS``.
-        folder: made if it is missing.
-        name: of the file or folder; None for the scene's.
+        folder: created if missing.
+        name: name of the file or folder; None uses the scene's.
 
     Raises:
         InputError: there is no such format, or its library is not installed.
@@ -58,7 +58,7 @@ def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -
 
 
 def export_object(thing: Object, to: str, folder: str | Path) -> Path:
-    """Write one object as ``export`` writes a scene: free, above a floor, without a table.
+    """Write one object like ``export`` writes a scene: free, above a floor, without a table.
 
     Raises:
         InputError: there is no such format, or its library is not installed.

@@ -1,13 +1,13 @@
-"""Scenes of other programs turned into scenes of this one: MJCF, and GLB files.
+"""Scenes of other programs converted to scenes of this one: MJCF, and GLB files.
 
     from generator.imports import import_scene
 
     scene = import_scene("foreign/scene.xml")
 
-A foreign scene is a set of rigid bodies at rest on a table. What it says of them is kept: where
-they are, what they weigh, how they slide, the shapes that collide, and how they look. Then the
-scene is settled and judged. An object that cannot be used is refused, and the others stay:
-``list_outcomes`` says what was done with each.
+A foreign scene is a set of rigid bodies at rest on a table. Its poses, masses, friction
+coefficients, collision shapes and appearance are preserved. The scene is then settled and passed
+through the gate. Objects that cannot be imported are refused without affecting the others;
+``list_outcomes`` gives the outcome of each object.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ if TYPE_CHECKING:
 def import_scene(
     source: str | Path, options: ImportOptions | None = None, config: AssemblyConfig | None = None
 ) -> Scene:
-    """Return a foreign scene, settled and judged; see ``importer.import_scene``."""
+    """Return a foreign scene, settled, with its report; see ``importer.import_scene``."""
     from .importer import import_scene as run
 
     return run(source, options or ImportOptions(), config)
 
 
 def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
-    """Return what the import of a scene did with each object; see ``building.list_outcomes``.
+    """Return the import outcome of each object of a scene; see ``building.list_outcomes``.
 
     Raises:
-        BundleError: the scene's provenance lists something else there.
+        BundleError: the entry in the scene's provenance has another format.
     """
     from .building import list_outcomes as run
 

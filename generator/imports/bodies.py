@@ -1,7 +1,7 @@
 """A foreign body as an object or a table: canonical model, collision shape, mass.
 
-What cannot be repaired degrades step by step: a torn surface is drawn as it is, a surface that
-cannot be decomposed collides as its convex hull.
+Bodies that cannot be repaired degrade step by step: a torn surface is drawn unchanged, a surface
+that cannot be decomposed collides as its convex hull.
 """
 
 from __future__ import annotations
@@ -45,20 +45,20 @@ from ..scene.triangles import areas
 from .foreign import DENSITY, LARGEST, ForeignBody, ImportOutcome
 from .shapes import few_corners
 
-_MOST_FACES = 24_000  # triangles of a body that stay as they are
-_TEXTURE = 1024  # side of a texture made again, texels
+_MOST_FACES = 24_000  # number of triangles up to which a body is not simplified
+_TEXTURE = 1024  # side of a regenerated texture, texels
 _MOST_SIDE, _LEAST_SIDE, _MOST_TABLE = 5.0, 5e-4, 20.0  # metres, of an object's longest side
 _MASSES = (1e-9, 1e3)  # kilograms, of an object
-_USUAL_SIDE = (3e-3, 1.5)  # metres, of things on a table: what a proposed scale leads to
+_USUAL_SIDE = (3e-3, 1.5)  # metres, of objects on a table: target range of a suggested scale
 
 
 def build_table(
     body: ForeignBody, drawn: SurfaceCache, budget: CutBudget
 ) -> tuple[Table, Float[np.ndarray, "3"], ImportOutcome]:
-    """Return the table, by how much the world moves so that it stands in the middle, and repairs.
+    """Return the table, the translation of the world that centres it, and its repairs.
 
     Raises:
-        InputError: it is too large.
+        InputError: the table is too large.
         BackendError: its surface cannot be drawn.
     """
     _check_side(body, "The table", 0.0, _MOST_TABLE)
@@ -80,12 +80,12 @@ def build_table(
 def build_object(
     body: ForeignBody, name: str, table: Table, drawn: SurfaceCache, budget: CutBudget
 ) -> tuple[Object, ImportOutcome]:
-    """Return an object whose +z is the axis of its body that points up most, and its outcome.
+    """Return an object whose +z is the body axis that points most nearly up, and its outcome.
 
     Raises:
-        InputError: its size or mass is out of range.
-        BackendError: its surface cannot be drawn.
-        SceneError: MuJoCo refuses its shape or inertia.
+        InputError: the size or mass is out of range.
+        BackendError: the surface cannot be drawn.
+        SceneError: MuJoCo rejects the shape or inertia.
     """
     _check_side(body, repr(name), _LEAST_SIDE, _MOST_SIDE)
     turn = _upright(body.rotation)
@@ -133,13 +133,13 @@ def _outcome(name: str, repairs: Sequence[str], reason: str) -> ImportOutcome:
 
 @dataclass(frozen=True)
 class _Side:
-    """The longest side of a body in the world, metres, and what it is called."""
+    """The longest side of a body in the world, metres, and its name in messages."""
 
     length: float
     word: str
 
     def hint(self) -> str:
-        """Return the scale that makes it usual for a thing on a table; empty if none does."""
+        """Return a scale that gives a plausible size on a table; empty if there is none."""
         low, high = _USUAL_SIDE
         factors = (1e-3, 1e-2, 10.0, 100.0, 1000.0)
         fitting = (f for f in factors if low <= f * self.length <= high)
@@ -156,10 +156,10 @@ def _longest(extent: Float[np.ndarray, "3"]) -> _Side:
 
 
 def _check_side(body: ForeignBody, what: str, least: float, most: float) -> None:
-    """Check the size and place of a body.
+    """Check the size and position of a body.
 
     Raises:
-        InputError: its longest side is out of range, or it is too far away.
+        InputError: the longest side is out of range, or the body is too far away.
     """
     side = _longest(np.ptp(body.surface.vertices @ body.rotation.T, axis=0))
     if not least <= side.length <= most:
@@ -168,15 +168,15 @@ def _check_side(body: ForeignBody, what: str, least: float, most: float) -> None
         )
     far = float(np.abs(body.position).max() + np.abs(body.surface.vertices).max())
     if far > LARGEST:
-        raise InputError(f"{what} reaches farther than {LARGEST:g} m. Lengths are metres.")
+        raise InputError(f"{what} extends beyond {LARGEST:g} m. Lengths are in metres.")
 
 
 def _check_mass(name: str, mass: float, extent: Float[np.ndarray, "3"]) -> None:
     if not _MASSES[0] <= mass < _MASSES[1]:
         side = _longest(extent)
         raise InputError(
-            f"{name!r} is {side}, and weighs {mass:.3g} kg{side.hint()}; its mass must be in "
-            f"[{_MASSES[0]:g}, {_MASSES[1]:g}) kg."
+            f"{name!r} is {side}, and has a mass of {mass:.3g} kg{side.hint()}; the mass must be "
+            f"in [{_MASSES[0]:g}, {_MASSES[1]:g}) kg."
         )
 
 
@@ -184,17 +184,17 @@ def _check_mass(name: str, mass: float, extent: Float[np.ndarray, "3"]) -> None:
 
 
 class SurfaceCache:
-    """Textured meshes by the content of their surfaces: bodies that show one mesh share it."""
+    """Caches textured meshes by the content of their surfaces, so that bodies can share a mesh."""
 
     def __init__(self) -> None:
         self._meshes: dict[bytes, tuple[Mesh, tuple[str, ...]]] = {}
 
     def draw(self, surface: ColoredSurface, body: ForeignBody) -> tuple[Mesh, tuple[str, ...]]:
-        """Return a surface of a body as one textured mesh, and how it was repaired.
+        """Return a surface of a body as one textured mesh, and its repairs.
 
         Raises:
-            InputError: all its triangles are without area.
-            BackendError: it can neither be repaired nor be drawn as it is.
+            InputError: all its triangles have zero area.
+            BackendError: it can neither be repaired nor drawn unchanged.
         """
         key = _digest(surface, bool(body.parts))
         if key not in self._meshes:
@@ -203,7 +203,7 @@ class SurfaceCache:
 
 
 def _digest(surface: ColoredSurface, solid: bool) -> bytes:
-    """Return the sha256 of what ``_draw`` makes a mesh of."""
+    """Return the sha256 of the inputs of ``_draw``."""
     digest = hashlib.sha256(repr((solid, surface.opacity)).encode())
     columns = (surface.vertices, surface.faces, surface.uv, surface.colors, surface.picture)
     for array in (*columns, *surface.pictures):
@@ -213,14 +213,14 @@ def _digest(surface: ColoredSurface, solid: bool) -> bytes:
 
 
 def _draw(surface: ColoredSurface, body: ForeignBody) -> tuple[Mesh, tuple[str, ...]]:
-    """Return a surface as one textured mesh, and how it was repaired.
+    """Return a surface as one textured mesh, and its repairs.
 
-    It is repaired and reduced only where it has to be. If that fails, it is drawn as it is.
+    It is repaired and simplified only if necessary. If that fails, it is drawn unchanged.
     """
     if body.parts and len(surface.faces) <= _MOST_FACES:
         return _as_it_is(surface, body), ()
     surface, thickness = thicken(surface)
-    repairs = (f"a sheet, made {1e3 * thickness:.2g} mm thick",) if thickness else ()
+    repairs = (f"thin sheet thickened to {1e3 * thickness:.2g} mm",) if thickness else ()
     try:
         mesh, more = repair_surface(surface, "The surface", Normal(texture=_TEXTURE))
     except BackendError as error:
@@ -240,7 +240,7 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
 
 
 def _solid(model: Model, extent: Float[np.ndarray, "3"], budget: CutBudget) -> tuple[Model, str]:
-    """Return a model that has a collision shape, and why that is its convex hull, if it is."""
+    """Return a model with a collision shape, and the reason if that is its convex hull."""
     if model.parts:
         return model, ""
     try:
@@ -258,7 +258,7 @@ def _weigh(
     turn: Float[np.ndarray, "3 3"],
     center: Float[np.ndarray, "3"],
 ) -> MassProperties:
-    """Return the mass that is said, else the category's, in the object's frame."""
+    """Return the given mass, or else the category's, in the object's frame."""
     if body.mass is not None:
         given = body.mass
         return MassProperties(given.mass, turn @ given.com - center, turn @ given.inertia @ turn.T)
@@ -269,7 +269,7 @@ def _weigh(
 
 
 def _upright(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3 3"]:
-    """Return the turn of a body's axes that makes +z the one that points up most."""
+    """Return the rotation of a body's axes that makes +z the one that points most nearly up."""
     up = rotation[2]
     axis = int(np.abs(up).argmax())
     if axis == 2 and up[2] > 0:
@@ -282,7 +282,7 @@ def _upright(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3 3"]:
 def _move(
     part: ConvexPart, turn: Float[np.ndarray, "3 3"], shift: Float[np.ndarray, "3"]
 ) -> ConvexPart:
-    """Return a part turned and shifted: a hull unless the turn takes axes to axes."""
+    """Return a part rotated and translated: a hull unless the rotation maps axes to axes."""
     vertices = part.vertices @ turn.T + shift
     if part.kind == "hull" or np.abs(np.abs(turn) - np.abs(turn).round()).max() > 1e-6:
         return ConvexPart(vertices)
@@ -294,6 +294,6 @@ def _slide(friction: float) -> float:
 
 
 def _label(name: str) -> str:
-    """Return the words of a name: "coffee_mug_2" is a coffee mug."""
+    """Return the words of a name: "coffee_mug_2" becomes "coffee mug"."""
     words = "".join(c if c.isalpha() else " " for c in name).split()
     return " ".join(words).lower()[:80] or "thing"

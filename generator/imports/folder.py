@@ -1,4 +1,4 @@
-"""A folder of GLB and OBJ files with ``poses.json``: which file is what, and where it stands.
+"""A folder of GLB and OBJ files with ``poses.json``, which lists the files and their poses.
 
     {
       "table": {"file": "table.glb"},
@@ -8,9 +8,10 @@
       ]
     }
 
-Positions are metres, z up; quaternions wxyz; both are of the file's own frame, once that is upright
-(a GLB is y up; ``"up": "z"`` says otherwise) and scaled. In place of a file the table may have a
-``"size"``: length, width and height in metres of a plain table in the middle of the world.
+Positions are in metres, z up; quaternions are wxyz. Both refer to the file's own frame after it is
+made upright (GLB is y up unless the entry has ``"up": "z"``) and scaled. Instead of a file the
+table may have a ``"size"``: length, width and height in metres of a plain table at the world's
+origin.
 """
 
 from __future__ import annotations
@@ -35,13 +36,13 @@ from ..tables import build_table
 from .foreign import ForeignBody, ForeignScene, Refusals, check_count, read_source
 
 POSES = "poses.json"
-"""Name of the file that says what is where."""
+"""Name of the file that lists files and poses."""
 
 _MOST_POSES, _MOST_SCALE = 2**20, 1e4
-_APART = SandboxLimits(cpu_seconds=4.0)  # of one file, once all together reached their limit
-_MOST_EXHAUSTED = 3  # files that may reach it until no other is read
+_APART = SandboxLimits(cpu_seconds=4.0)  # of a single file, once all together reached their limit
+_MOST_EXHAUSTED = 3  # number of files that may reach it before the remaining ones are skipped
 _MOST_TOGETHER = 384 * 2**20  # bytes of all files, each counted once
-_PLAIN = (1.2, 0.8, 0.74)  # metres, the least size of a plain table
+_PLAIN = (1.2, 0.8, 0.74)  # metres, the minimum size of a plain table
 _OBJECT = {"name", "file", "position", "quaternion", "mass", "category", "scale", "friction", "up"}
 _TABLE = {"file", "position", "quaternion", "scale", "friction", "up", "size"}
 
@@ -49,8 +50,8 @@ _TABLE = {"file", "position", "quaternion", "scale", "friction", "up", "size"}
 def read_folder(folder: Path, scale: float = 1.0, apart: bool = False) -> ForeignScene:
     """Read a folder of files with ``poses.json``; objects that cannot be read are refused.
 
-    ``scale`` is that of objects without one. ``apart`` reads each file in a child process of its
-    own, so that one that reaches a limit is refused alone.
+    ``scale`` applies to objects without a scale of their own. ``apart`` reads each file in its own
+    child process, so that only a file that reaches a limit is refused.
 
     Raises:
         InputError: ``poses.json`` is missing or damaged, or no object can be read.
@@ -61,14 +62,14 @@ def read_folder(folder: Path, scale: float = 1.0, apart: bool = False) -> Foreig
     table, objects = payload.get("table"), payload.get("objects")
     if isinstance(table, dict) and "quaternion_wxyz" in table:
         raise InputError(
-            f"{folder / POSES} is that of a URDF export, which is not read. Export the scene as "
-            "GLB or MJCF and import that."
+            f"{folder / POSES} belongs to a URDF export, which cannot be imported. Export the "
+            "scene as GLB or MJCF and import that."
         )
     _check_keys(payload, {"table", "objects", "name"}, POSES)
     if not isinstance(table, dict):
         raise InputError(f'{POSES} has no table: {{"file": …}} or {{"size": [x, y, z]}}.')
     if not isinstance(objects, list) or not objects:
-        raise InputError(f"{POSES} has no objects: a list of at least one.")
+        raise InputError(f"{POSES} has no objects: it needs a list of at least one.")
     check_count(len(objects))
     refusals, bodies = Refusals(), list[ForeignBody]()
     for k, entry in enumerate(cast("list[Any]", objects)):
@@ -86,15 +87,15 @@ def read_file(path: Path) -> ForeignScene:
     """Read a GLB or OBJ file as a single object without a table.
 
     Raises:
-        InputError: its name cannot be printed.
-        BackendError: it cannot be read; see ``meshes.reading``.
+        InputError: the file's name has unprintable characters.
+        BackendError: the file cannot be read; see ``meshes.reading``.
     """
     entry = {"name": path.stem, "file": path.name, "position": [0.0, 0.0, 0.0]}
     return ForeignScene(path.stem, None, (_FolderReader(path.parent).object(entry, 0),))
 
 
 def on_plain_table(foreign: ForeignScene) -> ForeignScene:
-    """Return a scene without a table with its one object in the middle of a plain table."""
+    """Return a scene of a single object, placed in the middle of a plain table."""
     (body,) = foreign.objects
     world = body.surface.vertices @ body.rotation.T
     low, high = world.min(0), world.max(0)
@@ -105,7 +106,7 @@ def on_plain_table(foreign: ForeignScene) -> ForeignScene:
 
 
 def _name_of(entry: object, number: int) -> str:
-    """Return what an entry of ``poses.json`` calls its object, for messages."""
+    """Return the object's name in an entry of ``poses.json``, for messages."""
     name = cast("dict[str, Any]", entry).get("name") if isinstance(entry, dict) else None
     return name[:100] if isinstance(name, str) and name else f"thing_{number + 1}"
 
@@ -119,14 +120,14 @@ class _FolderReader:
         self._apart = apart
         self._decoded: dict[PurePosixPath, ColoredSurface | BackendError | InputError] = {}
         self._surfaces: dict[tuple[PurePosixPath, Axis], ColoredSurface] = {}
-        self._faces = 0  # of all bodies
+        self._faces = 0  # triangles of all bodies
         self._texture_bytes = 0
-        self._left = _MOST_TOGETHER  # bytes of files
-        self._budget = CpuBudget(LIMITS.cpu_seconds)  # of files read apart: as of all together
-        self._exhausted = 0  # files that reached a limit
+        self._left = _MOST_TOGETHER  # remaining bytes of files
+        self._budget = CpuBudget(LIMITS.cpu_seconds)  # of files read separately
+        self._exhausted = 0  # number of files that reached a limit
 
     def read(self, name: str, limit: int) -> bytes:
-        """Return the content of a file inside of the folder."""
+        """Return the content of a file inside the folder."""
         return read_source(self._folder, name, limit)
 
     def object(self, entry: Any, number: int) -> ForeignBody:
@@ -149,7 +150,7 @@ class _FolderReader:
         what = f"{POSES}, table"
         _check_keys(entry, _TABLE, what)
         if ("size" in entry) == ("file" in entry):
-            raise InputError(f"{what} needs a file or a size, not both.")
+            raise InputError(f"{what} needs either a file or a size.")
         if "file" in entry:
             return self._body({"position": [0, 0, 0], **entry}, TABLE, what, TABLE, None)
         length, width, height = _vector(entry["size"], 3, f"{what}.size").tolist()
@@ -184,23 +185,25 @@ class _FolderReader:
     def _surface(self, file: object, what: str, up: Axis) -> ColoredSurface:
         if not isinstance(file, str) or not file:
             raise InputError(f"{what} has no file.")
-        path = PurePosixPath(file)  # one for all spellings: "./a.glb" is "a.glb"
+        path = PurePosixPath(file)  # "./a.glb" is the same file as "a.glb"
         if path.suffix.lower() not in (".glb", ".obj"):
-            raise InputError(f"{what} names {file[:80]!r}; GLB and OBJ files are read.")
+            raise InputError(
+                f"{what} refers to {file[:80]!r}; only GLB and OBJ files can be imported."
+            )
         if (path, up) not in self._surfaces:
             self._surfaces[path, up] = self._decode(path, what).upright(up)
         surface = self._surfaces[path, up]
         faces = self._faces + len(surface.faces)
         if faces > MOST_FACES:
             raise InputError(
-                f"The files of {POSES} have more than {MOST_FACES} triangles together, those of a "
-                "file that is named again counted again. Reduce them."
+                f"The files of {POSES} have more than {MOST_FACES} triangles in total, including "
+                "repeated uses of a file. Simplify them."
             )
         self._faces = faces
         return surface
 
     def _decode(self, path: PurePosixPath, what: str) -> ColoredSurface:
-        """Return a file's surface as it lies there; each is read once, also if that fails."""
+        """Return a file's surface in its own frame; each file is read once, even if that fails."""
         if path not in self._decoded:
             try:
                 self._decoded[path] = self._load(path, what)
@@ -215,7 +218,7 @@ class _FolderReader:
         kind: Kind = "glb" if path.suffix.lower() == ".glb" else "obj"
         if self._left <= 0:
             raise InputError(
-                f"The files of {POSES} have more than {_MOST_TOGETHER} bytes together."
+                f"The files of {POSES} have more than {_MOST_TOGETHER} bytes in total."
             )
         raw = self.read(str(path), min(MOST_BYTES, self._left))
         self._left -= len(raw)
@@ -228,8 +231,8 @@ class _FolderReader:
         self._texture_bytes += sum(texture.nbytes for texture in surface.pictures)
         if self._texture_bytes > LIMITS.output:
             raise InputError(
-                f"The files of {POSES} have more than {LIMITS.output >> 20} MiB of textures "
-                "together. Make them smaller or fewer."
+                f"The files of {POSES} have more than {LIMITS.output >> 20} MiB of textures in "
+                "total. Make them smaller or fewer."
             )
         return surface
 
@@ -240,8 +243,8 @@ class _FolderReader:
             return read_surface(raw, what, kind, beside)
         if self._exhausted == _MOST_EXHAUSTED or not self._budget.left:
             raise BackendError(
-                f"{what} is not read, since {_MOST_EXHAUSTED} files of {POSES} reached a limit, or "
-                f"all together took {LIMITS.cpu_seconds:g} s of CPU time."
+                f"{what} was skipped: {_MOST_EXHAUSTED} files of {POSES} reached a limit, or all "
+                f"together took {LIMITS.cpu_seconds:g} s of CPU time."
             )
         try:
             return call(
@@ -254,7 +257,7 @@ class _FolderReader:
 
 
 def body_of(model: Model) -> ForeignBody:
-    """Return a model as a body standing in the middle of the world."""
+    """Return a model as a body at the world's origin."""
     size = np.asarray(model.size, np.float64)
     parts = tuple(ConvexPart(p.vertices * size, p.kind, p.axis) for p in model.parts)
     return ForeignBody(
@@ -275,7 +278,8 @@ def _surface_of(mesh: Mesh, size: Float[np.ndarray, "3"]) -> ColoredSurface:
 def _check_keys(entry: Mapping[str, Any], known: set[str], what: str) -> None:
     if unknown := sorted(entry.keys() - known):
         raise InputError(
-            f"{what} has an unknown key {unknown[0][:40]!r}; there are {', '.join(sorted(known))}."
+            f"{what} has an unknown key {unknown[0][:40]!r}; valid keys are "
+            f"{', '.join(sorted(known))}."
         )
 
 

@@ -1,7 +1,7 @@
-"""A foreign scene as it was read: bodies with a surface, shapes that collide, mass and pose.
+"""A foreign scene as read: bodies with surface, collision shapes, mass and pose.
 
-Its files are plain ones inside of its folder, and no others (``read_source``). An object that
-cannot be used is refused by itself, with an ``ImportOutcome``; the others stay.
+Its files must be regular files inside its folder (``read_source``). Objects that cannot be imported
+are refused individually, with an ``ImportOutcome``, and the others are kept.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ DENSITY = (1.0, 29_000.0)
 """Densities of materials, kg/m³."""
 
 LARGEST = 100.0
-"""No body of a foreign scene is larger, or farther from its table, metres."""
+"""Maximum size of a body of a foreign scene, and maximum distance from its table, metres."""
 
 OutcomeKind = Literal["taken", "repaired", "hull", "refused", "left out"]
-"""What an import does with an object: "hull" means that it collides as its convex hull, "left out"
-that the physical gate failed because of it."""
+"""Outcomes of an object's import: "hull" means that it collides as its convex hull, "left out" that
+it made the physical gate fail."""
 
 
 @dataclass(frozen=True)
 class ImportOutcome:
-    """What an import did with one object.
+    """The outcome of one object's import.
 
     Attributes:
         name: The object.
-        kind: What was done.
-        detail: How it was repaired, or why it was refused; empty if there is nothing to say.
+        kind: The kind of outcome.
+        detail: The repairs, or the reason for the refusal; may be empty.
     """
 
     name: str
@@ -52,7 +52,7 @@ class ImportOutcome:
 
 @dataclass
 class Refusals:
-    """Collects the objects of a scene that cannot be used, so that the others can.
+    """Collects the objects of a scene that cannot be imported, so that the others can.
 
     Attributes:
         outcomes: An outcome for each refused object.
@@ -76,10 +76,11 @@ class Refusals:
             self.add(name, error)
 
     def check_left(self, left: Sized) -> None:
-        """Check that objects are left.
+        """Check that some objects are left.
 
         Raises:
-            InputError: All are refused; with the reasons. Of a single one its own error is raised.
+            InputError: all objects are refused, with their reasons. A single object's own error is
+                raised unchanged.
         """
         if len(left) or self.first is None:
             return
@@ -93,17 +94,18 @@ class Refusals:
 
 @dataclass(frozen=True, eq=False)
 class ForeignBody:
-    """A rigid body in a frame of its own; metres, kilograms, z up in the world.
+    """A rigid body with its own frame; metres, kilograms, z up in the world.
 
     Attributes:
-        name: what it is called there.
-        position, rotation: of its frame in the world.
-        surface: what is drawn of it, in its frame.
-        parts: convex shapes that collide, in its frame; without any, the surface is decomposed.
-        mass: mass, centre of mass and inertia along the axes of its frame; None: by its category.
-        friction: coefficient of sliding friction; None: by its category.
-        category: what it is, a word; empty: its name says.
-        weight: kilograms, where that is all that is said of its mass.
+        name: its name in the foreign scene.
+        position, rotation: pose of its frame in the world.
+        surface: the visible surface, in its frame.
+        parts: convex collision shapes, in its frame; if empty, the surface is decomposed.
+        mass: mass, centre of mass and inertia along the axes of its frame; None uses its
+            category's.
+        friction: coefficient of sliding friction; None uses its category's.
+        category: its category, as a word; if empty, derived from its name.
+        weight: mass in kilograms, if no other mass properties are given.
     """
 
     name: str
@@ -118,23 +120,24 @@ class ForeignBody:
 
     def __post_init__(self) -> None:
         if not len(self.surface.faces):
-            raise InputError(f"The body {self.name!r} has no faces; nothing of it can be drawn.")
+            raise InputError(f"The body {self.name!r} has no faces, so it cannot be drawn.")
         points = sum(len(part.vertices) for part in self.parts)
         if len(self.parts) > BOUNDS.parts or points > BOUNDS.all_part_vertices:
             raise InputError(
                 f"The body {self.name!r} has {len(self.parts)} collision shapes with {points} "
-                f"points; at most {BOUNDS.parts} with {BOUNDS.all_part_vertices} are read. Use "
+                f"points; at most {BOUNDS.parts} with {BOUNDS.all_part_vertices} are allowed. Use "
                 "fewer, or a mesh that is its own collision shape."
             )
         far = np.abs(self.surface.vertices).max(), np.abs(self.position).max()
         if not np.isfinite(far).all():
-            raise InputError(f"The body {self.name!r} holds a number that is not finite.")
+            raise InputError(f"The body {self.name!r} has a number that is not finite.")
 
     def scale(self, factor: float) -> ForeignBody:
         """Return the body with all lengths multiplied.
 
-        A mass that fits the body's own lengths, 1 to 29,000 kg/m³ of its box, was computed from
-        them and scales with the volume; any other mass is kilograms and stays.
+        A mass that is plausible for the body's unscaled lengths, 1 to 29,000 kg/m³ of its box, was
+        computed from them and scales with the volume; any other mass is taken as kilograms and
+        stays.
         """
         mass = self.mass
         if mass is not None:
@@ -152,9 +155,9 @@ class ForeignBody:
 
 @dataclass(frozen=True, eq=False)
 class ForeignScene:
-    """What was read of a foreign scene: its table, its objects, and what was left out of it.
+    """The content of a foreign scene: its table, its objects, and warnings about ignored parts.
 
-    ``table`` is None if the source holds a single object and no table. ``refused`` are the objects
+    ``table`` is None if the source has a single object and no table. ``refused`` lists the objects
     that could not be read.
     """
 
@@ -174,22 +177,22 @@ class ForeignScene:
 
 
 def check_count(objects: int) -> None:
-    """Check how many objects a foreign scene has, before they are read.
+    """Check the number of objects of a foreign scene before they are read.
 
     Raises:
-        InputError: a scene holds fewer.
+        InputError: there are more than a scene can hold.
     """
     if objects > BOUNDS.objects:
         raise InputError(
-            f"The scene has {objects} objects; at most {BOUNDS.objects} are imported. Take some "
-            "out of it."
+            f"The scene has {objects} objects; at most {BOUNDS.objects} are allowed. Remove some "
+            "of them."
         )
 
 
 def read_source(folder: Path, name: str, limit: int) -> bytes:
-    """Read a plain file inside of a folder: no way out of it, no links, no more than ``limit``.
+    """Read a regular file inside a folder, without links or ``..``, of at most ``limit`` bytes.
 
     Raises:
-        InputError: the file is missing, too large, or not inside of the folder.
+        InputError: the file is missing, too large, or not inside the folder.
     """
     return read_inside(folder, name, limit, InputError, "folder")

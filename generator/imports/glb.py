@@ -1,8 +1,8 @@
-"""GLB files as bodies: a whole scene in one file, or a folder of files and where each goes.
+"""GLB files as bodies: a whole scene in one file.
 
-A body of one file is a node with a mesh, with all below it. What ``tabletopgen export --to glb``
-writes beside glTF (``extras``, and the second scene "collision") is read back; nodes without it get
-convex parts by decomposition, and the mass of what their name says.
+A body is a node with a mesh, including all nodes below it. The data that ``tabletopgen export --to
+glb`` adds to glTF (``extras``, and the second scene "collision") is read back; nodes without it get
+convex parts by decomposition, and the mass of the category that their name suggests.
 """
 
 from __future__ import annotations
@@ -30,19 +30,19 @@ from .foreign import ForeignBody, ForeignScene, Refusals, check_count
 from .mjcf import TABLE_WORDS
 from .shapes import part_of
 
-_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # of y up
-_RIGID = 1e-3  # by which the axes of a node may be off
+_Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # from y up
+_RIGID = 1e-3  # tolerance of a node's axes
 _COLLISION = "collision"
 
 
 def read_glb(path: Path, table: str | None = None) -> ForeignScene:
-    """Read a GLB file with a whole scene in it, y up as glTF says, lengths in metres.
+    """Read a GLB file that contains a whole scene, y up as in glTF, lengths in metres.
 
-    ``table`` is the name of the node that is the table; None takes the one that says it is fixed,
-    or whose name says so.
+    ``table`` is the name of the table's node; None chooses a node marked as fixed, or one whose
+    name suggests a table.
 
     Raises:
-        InputError: no bodies, no table, or a node that is not placed rigidly.
+        InputError: there are no bodies, no table, or a node without a rigid transform.
         BackendError: the file cannot be read; see ``meshes.reading``.
     """
     what = f"The scene {path.name!r}"
@@ -93,32 +93,34 @@ def _arrange(
 ) -> ForeignScene:
     """Return a scene with one of its bodies as the table.
 
-    ``whole`` tells that no body was refused: a single one is then a scene without a table.
+    ``whole`` means that no body was refused: a single body is then a scene without a table.
     """
     if table is not None and table not in fixed:
-        raise InputError(f"Nothing is called {table!r}." + choices(table, (b.name for b in bodies)))
+        raise InputError(
+            f"There is no node named {table!r}." + choices(table, (b.name for b in bodies))
+        )
     if whole and not fixed and len(bodies) == 1 and not TABLE_WORDS.search(bodies[0].name):
         return ForeignScene(name, None, (replace(bodies[0], name=name),))
     if not fixed:
         called = [body for body in bodies if TABLE_WORDS.search(body.name)]
         if len(called) != 1:
             raise InputError(
-                f"The scene has {len(called)} nodes with the name of a table. Name it (--table)."
+                f"{len(called)} nodes of the scene have a name for a table. Choose one (--table)."
                 + choices("table", (b.name for b in bodies))
             )
         bodies.remove(called[0])
         fixed[called[0].name] = called[0]
     chosen = table or next((n for n in fixed if TABLE_WORDS.search(n)), next(iter(fixed)))
     if not bodies:
-        raise InputError("The scene has no free body: nothing but a table.")
+        raise InputError("The scene has a table but no free body.")
     others = sorted(fixed.keys() - {chosen})
-    told = (f"fixed things are left out: {', '.join(others[:8])}",) if others else ()
+    told = (f"fixed objects are ignored: {', '.join(others[:8])}",) if others else ()
     return ForeignScene(name, fixed[chosen], tuple(bodies), told)
 
 
 @dataclass(frozen=True, eq=False)
 class _Place:
-    """A mesh of a scene: its node, the node that is its body, and its place in the world."""
+    """A mesh of a scene: its node, the node that is its body, and their world transforms."""
 
     node: int
     owner: int
@@ -128,10 +130,10 @@ class _Place:
 
 
 def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
-    """Return the meshes of a scene; bodies are nodes with extras of one, else the topmost meshes.
+    """Return the meshes of a scene; bodies are nodes with a body's extras, else the topmost meshes.
 
     Raises:
-        InputError: the nodes are no tree, or one is no node.
+        InputError: the nodes do not form a tree, or one of them is invalid.
     """
     try:
         return [*_walk(header, scene)]
@@ -148,7 +150,7 @@ def _walk(header: Header, scene: int) -> Iterator[_Place]:
     while waiting:
         k, above, owner, at = waiting.pop()
         if k in seen or not 0 <= k < len(nodes):
-            raise Crooked(f"node {k} is not in one place")
+            raise Crooked(f"node {k} has no unique position")
         seen.add(k)
         node = nodes[k]
         matrix = above @ local_matrix(node)
@@ -158,7 +160,7 @@ def _walk(header: Header, scene: int) -> Iterator[_Place]:
         if "mesh" in node and owner >= 0:
             mesh = int(node["mesh"])
             if not 0 <= mesh < len(header.get("meshes", ())):
-                raise Crooked(f"node {k} names a mesh that is not there")
+                raise Crooked(f"node {k} refers to a missing mesh")
             yield _Place(k, owner, mesh, matrix, at)
         waiting += [(int(c), matrix, owner, at) for c in reversed(node.get("children", ()))]
 
@@ -171,7 +173,7 @@ def _extras(node: object) -> Mapping[str, Any]:
 def _load_each(
     raw: bytes, header: Header, places: Sequence[_Place], what: str
 ) -> list[list[trimesh.Trimesh] | BackendError]:
-    """Return the meshes of each place, or why they cannot be read."""
+    """Return the meshes of each place, or the errors of those that cannot be read."""
     try:
         return [*_load(raw, header, places, what)]
     except BackendError as error:
@@ -195,9 +197,9 @@ def _load(
     flat = {**header, "nodes": nodes, "scenes": scenes, "scene": 0}
     try:
         loaded = trimesh.load_scene(io.BytesIO(flatten(raw, flat)), file_type="glb", process=False)
-    except MemoryError:  # the sandbox explains it
+    except MemoryError:  # handled by the sandbox
         raise
-    except Exception as error:  # whatever a parser may stumble over in a foreign file
+    except Exception as error:  # parsers raise many types of errors for malformed files
         raise BackendError(
             f"{what} cannot be read ({type(error).__name__}: {error}). Export it again."
         ) from error
@@ -257,20 +259,22 @@ def _read_body(
 def _split(
     matrix: Float[np.ndarray, "4 4"], name: str
 ) -> tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
-    """Return rotation, scale and place of a node."""
+    """Return rotation, scale and translation of a node."""
     with np.errstate(all="ignore"):
         scale = np.linalg.norm(matrix[:3, :3], axis=0)
         turn = matrix[:3, :3] / scale
     if not np.isfinite(matrix).all() or not np.abs(turn.T @ turn - np.eye(3)).max() < _RIGID:
-        raise InputError(f"The node {name!r} is not placed by a rotation, a scale and a shift.")
+        raise InputError(
+            f"The transform of node {name!r} is not a rotation, scale and translation."
+        )
     if np.linalg.det(turn) < 0:
-        raise InputError(f"The node {name!r} is mirrored. Apply its transform in the mesh.")
+        raise InputError(f"Node {name!r} is mirrored. Apply its transform to the mesh.")
     u, _, v = np.linalg.svd(turn)
     return u @ v, scale, matrix[:3, 3].copy()
 
 
 def _mass(extras: Mapping[str, Any], name: str) -> MassProperties | None:
-    """Return the mass of a node that says it; None for others."""
+    """Return the mass of a node that has one; None for others."""
     mass = _number(extras.get("mass"), name, "mass")
     if mass is None or "inertia" not in extras:
         return None
@@ -278,10 +282,10 @@ def _mass(extras: Mapping[str, Any], name: str) -> MassProperties | None:
         com = np.array(extras.get("center_of_mass"), np.float64).reshape(3)
         inertia = np.array(extras.get("inertia"), np.float64).reshape(3, 3)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InputError(f"The node {name!r} has no sound centre of mass and inertia.") from error
+        raise InputError(f"Node {name!r} has no valid centre of mass and inertia.") from error
     least = np.linalg.eigvalsh((inertia + inertia.T) / 2).min() if np.isfinite(inertia).all() else 0
     if not (mass > 0 and np.isfinite(com).all() and least > 0):
-        raise InputError(f"The node {name!r} has no sound mass, centre of mass and inertia.")
+        raise InputError(f"Node {name!r} has no valid mass, centre of mass and inertia.")
     return MassProperties(mass, com, (inertia + inertia.T) / 2)
 
 
@@ -289,16 +293,16 @@ def _number(value: object, name: str, what: str) -> float | None:
     if value is None:
         return None
     if not is_number(value, minimum=-1e12):
-        raise InputError(f"The node {name!r} has no number as its {what}.")
+        raise InputError(f"Node {name!r} needs a number as its {what}.")
     return float(cast("float", value))
 
 
 def _collision_of(
     raw: bytes, header: Header, shown: int, what: str
 ) -> tuple[Mapping[str, tuple[ConvexPart, ...]], Sequence[str]]:
-    """Return the convex parts of each body that the scene "collision" has, and warnings.
+    """Return the convex parts of each body in the scene "collision", and warnings.
 
-    A body with a damaged part has none of them: its collision shape is made from its surface.
+    If one part of a body is damaged, all are ignored: its collision shape is made from its surface.
     """
     scenes = header.get("scenes", ())
     number = next(
@@ -329,10 +333,10 @@ def _shells(
     if isinstance(meshes, BackendError):
         raise meshes
     kind = str(_extras(header["nodes"][place.node]).get("kind"))
-    _split(place.owner_matrix, _name(header, place.owner))  # which refuses what has no inverse
+    _split(place.owner_matrix, _name(header, place.owner))  # fails without an inverse
     own = np.linalg.inv(place.owner_matrix) @ place.matrix
     for mesh in meshes:
         points = np.asarray(mesh.vertices, np.float64) @ own[:3, :3].T + own[:3, 3]
         if not np.isfinite(points).all():
-            raise InputError(f"{what} holds NaN or infinity; every vertex must be finite.")
+            raise InputError(f"{what} contains NaN or infinity; all vertices must be finite.")
         yield part_of(points, kind)

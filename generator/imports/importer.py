@@ -1,4 +1,4 @@
-"""Import of a foreign scene: read, rebuilt, settled and judged."""
+"""Import of a foreign scene: reading, conversion, settling and the gate."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ def import_scene(
     options: ImportOptions = _USUAL,
     config: AssemblyConfig | None = None,
 ) -> Scene:
-    """Return a foreign scene, settled and judged; its report may have failed.
+    """Return a foreign scene, settled, with its report; the gate may have failed.
 
-    ``source`` is a MJCF, GLB or OBJ file, a folder with ``poses.json`` and the files it names, or a
-    folder with ``scene.xml``, as ``export`` writes it. A single object without a table stands on a
-    plain one. Objects that cannot be used are refused and the others stay; ``list_outcomes`` says
-    what was done with each. The same source gives the same scene.
+    ``source`` is an MJCF, GLB or OBJ file, a folder with ``poses.json`` and the files it lists, or
+    a folder with ``scene.xml``, as written by ``export``. A single object without a table is placed
+    on a plain one. Objects that cannot be imported are refused without affecting the others;
+    ``list_outcomes`` gives the outcome of each. The same source gives the same scene.
 
-    ``config`` replaces the settings of the assembly, the gate's lean with them; by default that is
-    the lean of the options.
+    ``config`` replaces the settings of the assembly, including the gate's lean, which is otherwise
+    that of the options.
 
     Raises:
-        InputError: it cannot be read, or has no object that can be used, no table or too many
+        InputError: the source cannot be read, or has no usable object, no table or too many
             objects.
-        SceneError: nothing comes to rest.
+        SceneError: no object comes to rest.
     """
     kind, path = find_source(Path(source))
     try:
@@ -60,12 +60,12 @@ def import_scene(
             "manual", 0, source_sha256=_digest(path), config=settings, versions=versions()
         )
         return build_scene(foreign, provenance, name, config, options.drop_failing)
-    except BackendError as error:  # a mesh that cannot be read is no backend's fault here
+    except BackendError as error:  # here an unreadable mesh is an error of the input
         raise InputError(str(error)) from error
 
 
 def find_source(path: Path) -> tuple[SourceKind, Path]:
-    """Return what a path is, and the file or folder to read.
+    """Return the kind of a source, and the file or folder to read.
 
     Raises:
         InputError: there is nothing to import.
@@ -75,11 +75,12 @@ def find_source(path: Path) -> tuple[SourceKind, Path]:
             return "folder", path
         if (path / _SCENE).is_file():
             return "mjcf", path / _SCENE
-        raise InputError(f"{path} has neither {_SCENE} nor {POSES}; see the page on importing.")
+        raise InputError(f"{path} has neither {_SCENE} nor {POSES}. See the guide on importing.")
     suffix = path.suffix.lower()
     if suffix not in _KINDS:
         raise InputError(
-            f"{path} cannot be imported: MJCF (.xml), GLB, OBJ and folders with {POSES} can."
+            f"{path} cannot be imported. Pass an MJCF (.xml), GLB or OBJ file, or a folder with "
+            f"{POSES}."
         )
     if not path.is_file():
         raise InputError(f"There is no file {path}.")
@@ -87,6 +88,6 @@ def find_source(path: Path) -> tuple[SourceKind, Path]:
 
 
 def _digest(path: Path) -> str:
-    """Return the sha256 of the file that says what is where."""
+    """Return the sha256 of a source's main file."""
     file = path / POSES if path.is_dir() else path
     return hashlib.sha256(file.read_bytes()).hexdigest()

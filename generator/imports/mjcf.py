@@ -1,7 +1,7 @@
-"""A foreign MJCF as bodies: what moves freely are objects, one thing that does not is the table.
+"""A foreign MJCF as bodies: free bodies are objects, and one fixed body or geom is the table.
 
-MuJoCo compiles it; all is taken from the compiled model at its initial state, so that defaults,
-frames, classes and fitted shapes mean what they mean there. A mesh that collides is its convex
+MuJoCo compiles the file; everything is taken from the compiled model at its initial state, so that
+defaults, frames, classes and fitted shapes have MuJoCo's meaning. A colliding mesh is its convex
 hull, as in MuJoCo.
 """
 
@@ -31,24 +31,24 @@ if TYPE_CHECKING:
     import mujoco
 
 TABLE_WORDS = re.compile(r"table|desk|bench|counter|island|worktop", re.IGNORECASE)
-"""What the name of a table has in it."""
+"""Words of a table's name."""
 
 _KINDS: dict[int, Solid] = {3: "capsule", 2: "ellipsoid", 4: "ellipsoid", 5: "cylinder", 6: "box"}
 _PLANE, _MESH = 0, 7  # of mjtGeom
-_JOINTED = "it has joints that are not free; only rigid bodies are imported"
-_UNDER = 0.05  # metres that an object may be sunk into what it stands on
-_SEEN = 0.01  # opacity from which a geom is drawn
+_JOINTED = "it has joints other than free ones; only rigid bodies can be imported"
+_UNDER = 0.05  # metres that an object may penetrate its support
+_SEEN = 0.01  # minimum opacity of a visible geom
 
 
 def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) -> ForeignScene:
-    """Read a MJCF file; its files have to be inside of ``folder``, by default its own.
+    """Read an MJCF file; its files must be inside ``folder``, by default its own.
 
-    ``table`` is the name of the fixed body or geom that is the table; None finds it, by its name or
-    as what most objects stand on.
+    ``table`` is the name of the fixed body or geom that is the table; None detects it by its name,
+    or as the support of most objects.
 
     Raises:
-        InputError: it cannot be read (``mjcf_files``) or compiled, has joints other than free ones,
-            no free body, or no table.
+        InputError: the file cannot be read (``mjcf_files``) or compiled, has joints other than free
+            ones, no free body, or no table.
     """
     refusals = Refusals()
     model = compile_sound(
@@ -77,7 +77,7 @@ def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
     """Return the compiled model; ``what`` names it in messages.
 
     Raises:
-        InputError: MuJoCo refuses it.
+        InputError: MuJoCo rejects it.
     """
     import mujoco
 
@@ -86,11 +86,11 @@ def compile_foreign(gathered: GatheredModel, what: str) -> mujoco.MjModel:
         return mujoco.MjModel.from_xml_string(gathered.xml, gathered.files)
     except ValueError as error:
         said = " ".join(str(error).split())[:500]
-        raise InputError(f"MuJoCo refuses {what}: {said!r}. Correct it there.") from error
+        raise InputError(f"MuJoCo rejects {what}: {said!r}. Correct the file.") from error
 
 
 def _check_meshes(model: mujoco.MjModel) -> None:
-    """Refuse meshes with too many triangles, counted once for each geom that shows one."""
+    """Check the number of triangles of meshes, counted once per geom that uses them."""
     shown = model.geom_dataid[model.geom_type == _MESH]
     _check_faces(int(model.mesh_facenum[shown].sum(dtype=np.int64)))
 
@@ -98,8 +98,8 @@ def _check_meshes(model: mujoco.MjModel) -> None:
 def _check_faces(count: int) -> None:
     if count > MOST_FACES:
         raise InputError(
-            f"The model shows {count} triangles or more, repeated ones counted each time; at most "
-            f"{MOST_FACES} are read. Use meshes with fewer, or take things out."
+            f"The model shows at least {count} triangles, including repetitions; at most "
+            f"{MOST_FACES} are allowed. Simplify meshes, or remove objects."
         )
 
 
@@ -119,12 +119,12 @@ class _ModelReader:
         self.solid: Bool[np.ndarray, "g"] = (model.geom_contype | model.geom_conaffinity) != 0
         self.looks = GeomLooks(model)
         self._drawn = 0  # triangles
-        self._meshes: dict[int, tuple[Any, Any, Any]] = {}  # by number; geoms may share them
+        self._meshes: dict[int, tuple[Any, Any, Any]] = {}  # by index; geoms may share them
         colors = [self.looks.color(g)[3] > _SEEN for g in range(model.ngeom)]
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
 
     def single_body(self, name: str) -> ForeignBody | None:
-        """Return the only body of a model without joints, if it is not a table; else None."""
+        """Return the only body of a model without joints, unless it is a table; else None."""
         groups = self._fixed_groups()
         if self.model.njnt or len(groups) != 1:
             return None
@@ -139,17 +139,18 @@ class _ModelReader:
         return self._body(called or name, geoms, np.zeros(3), np.eye(3), mass)
 
     def check_joints(self, refusals: Refusals) -> None:
-        """Refuse bodies with joints that are not free, and the model if no free body is left."""
+        """Refuse bodies with joints other than free ones; raise if no free body is left."""
         model = self.model
         other = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) not in self.free]
         tops = {int(model.body_rootid[model.jnt_bodyid[j]]) for j in other}
         self.free = [b for b in self.free if b not in tops]
         if other:
-            names = sorted({model.body(int(model.jnt_bodyid[j])).name or "without a name"
+            names = sorted({model.body(int(model.jnt_bodyid[j])).name or "(unnamed body)"
                             for j in other})  # fmt: skip
             error = InputError(
-                f"The model has {len(other)} joints that are not free, of {', '.join(names[:5])}. "
-                "Only rigid bodies with a free joint are imported; take out robots and doors."
+                f"The model has {len(other)} joints other than free ones, in "
+                f"{', '.join(names[:5])}. Only rigid bodies with a free joint can be imported; "
+                "remove robots and doors."
             )
             if not self.free:
                 raise error
@@ -157,12 +158,12 @@ class _ModelReader:
                 refusals.add(model.body(top).name or f"body_{top}", InputError(_JOINTED))
         if not self.free:
             raise InputError(
-                "The model has no free body: nothing on its table can move. Give each object a "
+                "The model has no free body, so nothing on its table can move. Give each object a "
                 "<freejoint/>."
             )
 
     def body(self, body: int) -> ForeignBody:
-        """Return a free body with all that is welded to it."""
+        """Return a free body, including everything welded to it."""
         model, data = self.model, self.data
         position, rotation = data.xpos[body].copy(), data.xmat[body].reshape(3, 3).copy()
         geoms = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body)
@@ -177,22 +178,24 @@ class _ModelReader:
         return self._body(name, geoms, position, rotation, join_bodies(masses))
 
     def fixed_body(self, name: str, geoms: Int[np.ndarray, "k"]) -> ForeignBody:
-        """Return geoms that do not move as one body, in the world's frame."""
+        """Return geoms that do not move as one body, in the world frame."""
         return self._body(name, geoms, np.zeros(3), np.eye(3), None)
 
     def find_table(
         self, asked: str | None, objects: Sequence[ForeignBody]
     ) -> tuple[Int[np.ndarray, "k"], str]:
-        """Return the geoms of the table, and what it is called."""
+        """Return the geoms of the table, and its name."""
         groups = self._fixed_groups()
         if asked is not None:
             if asked not in groups:
-                raise InputError(f"Nothing fixed is called {asked!r}." + choices(asked, groups))
+                raise InputError(
+                    f"There is no fixed body or geom named {asked!r}." + choices(asked, groups)
+                )
             return groups[asked], asked
         if not groups:
             raise InputError(
-                "The model has no table: nothing that is fixed in the world collides but planes. "
-                "Add a fixed body of boxes or a mesh that the objects stand on."
+                "The model has no table: only planes are fixed in the world and collide. Add a "
+                "fixed body of boxes or a mesh that the objects stand on."
             )
         votes = dict.fromkeys(groups, 0)
         boxes = {name: self._box(geoms) for name, geoms in groups.items()}
@@ -210,25 +213,25 @@ class _ModelReader:
         best = max(groups, key=lambda name: (votes[name] > 0, name in called, votes[name]))
         if not votes[best]:
             raise InputError(
-                "The model has no table: nothing that is fixed is under any of its free bodies. "
-                "Name the table (--table)." + choices("table", groups)
+                "The model has no table: nothing fixed is below any of its free bodies. Choose "
+                "the table (--table)." + choices("table", groups)
             )
         return groups[best], best
 
     def list_left(self, table: Int[np.ndarray, "k"]) -> Iterable[str]:
-        """Yield what is left out of the scene."""
+        """Yield the parts of the scene that are ignored."""
         others = [name for name, geoms in self._fixed_groups().items() if geoms[0] not in table]
         if others:
-            yield f"fixed things are left out: {', '.join(sorted(others)[:8])}"
+            yield f"fixed objects are ignored: {', '.join(sorted(others)[:8])}"
         for what, count in (
             ("actuators", self.model.nu), ("tendons", self.model.ntendon),
             ("equality constraints", self.model.neq),
         ):  # fmt: skip
             if count:
-                yield f"{count} {what} are left out"
+                yield f"{count} {what} are ignored"
 
     def _fixed_groups(self) -> dict[str, Int[np.ndarray, "k"]]:
-        """Return the geoms of fixed things: of each body of the world, and each geom in it."""
+        """Return the geoms of fixed objects: of each body of the world, and each geom in it."""
         model = self.model
         groups: dict[str, list[int]] = {}
         for g in range(model.ngeom):
@@ -241,7 +244,7 @@ class _ModelReader:
         return {n: np.array(k) for n, k in groups.items() if self.solid[k].any()}
 
     def _box(self, geoms: Int[np.ndarray, "k"]) -> Float[np.ndarray, "2 3"]:
-        """Return the corners of the box about what collides of geoms, in the world."""
+        """Return the corners of the box around colliding geoms, in the world."""
         points = [self._part(int(g), np.zeros(3), np.eye(3)).bounds for g in geoms if self.solid[g]]
         return np.stack([np.min(points, axis=0)[0], np.max(points, axis=0)[1]])
 
@@ -261,7 +264,7 @@ class _ModelReader:
         if not len(drawn):
             drawn = solid
         if not len(drawn):
-            raise InputError(f"The body {name!r} has no geom that collides or is drawn.")
+            raise InputError(f"The body {name!r} has no geom that collides or is visible.")
         friction = self.model.geom_friction[solid, 0]
         return ForeignBody(
             name, position, rotation, self._surface(drawn, position, rotation),
@@ -281,7 +284,7 @@ class _ModelReader:
     def _place(
         self, geom: int, position: Float[np.ndarray, "3"], rotation: Float[np.ndarray, "3 3"]
     ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
-        """Return where a geom is in a frame, and its rotation there."""
+        """Return the position and rotation of a geom in a frame."""
         data = self.data
         turn = rotation.T @ data.geom_xmat[geom].reshape(3, 3)
         return rotation.T @ (data.geom_xpos[geom] - position), turn
@@ -300,13 +303,13 @@ class _ModelReader:
         kind = int(self.model.geom_type[geom])
         if kind not in _KINDS:
             raise InputError(
-                f"The geom {self.model.geom(geom).name!r} has a shape that is not imported; boxes, "
-                "spheres, cylinders, capsules, ellipsoids and meshes are."
+                f"The geom {self.model.geom(geom).name!r} has an unsupported shape; use boxes, "
+                "spheres, cylinders, capsules, ellipsoids or meshes."
             )
         return _KINDS[kind]
 
     def _half(self, geom: int) -> Float[np.ndarray, "3"]:
-        """Return a primitive's half extents along its axes; of a capsule without its caps."""
+        """Return a primitive's half extents along its axes; for a capsule without its caps."""
         size, kind = self.model.geom_size[geom], int(self.model.geom_type[geom])
         if kind == 2:
             return np.full(3, size[0])

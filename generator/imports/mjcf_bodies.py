@@ -1,4 +1,4 @@
-"""Free bodies of a gathered MJCF, compiled apart to find those that MuJoCo refuses."""
+"""Free bodies of a gathered MJCF, compiled separately to find those that MuJoCo rejects."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ if TYPE_CHECKING:
     CompileModel = Callable[[GatheredModel, str], mujoco.MjModel]
 
 MAX_REFUSED = 20
-"""Bodies of a file that are left out since MuJoCo refuses them; with more the file is refused."""
+"""Maximum number of bodies left out because MuJoCo rejects them; with more the file is rejected."""
 
 
 def free_bodies(gathered: GatheredModel) -> list[str]:
-    """Return the names of the bodies of the world that have a free joint of their own."""
+    """Return the names of the bodies of the world that have their own free joint."""
     found = _free_elements(ET.fromstring(gathered.xml))
     return [body.get("name") or f"body_{k + 1}" for k, (_, body) in enumerate(found)]
 
 
 def keep_bodies(gathered: GatheredModel, which: Sequence[int]) -> GatheredModel:
-    """Return the model with some of its ``free_bodies``, and without assets that nothing uses."""
+    """Return the model with only some of its ``free_bodies``, and without unused assets."""
     root = ET.fromstring(gathered.xml)
     for k, (world, body) in enumerate(_free_elements(root)):
         if k not in which:
             world.remove(body)
-    for tag in ("mesh", "material", "texture"):  # textures last: materials use them
+    for tag in ("mesh", "material", "texture"):  # textures last, since materials use them
         _drop_unused(root, tag)
     used = {e.get(name) for e in root.iter() for name in ("file", *SIDES)}
     files = {name: content for name, content in gathered.files.items() if name in used}
@@ -50,7 +50,7 @@ def _free_elements(root: ET.Element) -> list[tuple[ET.Element, ET.Element]]:
 
 
 def _drop_unused(root: ET.Element, tag: str) -> None:
-    """Remove the assets of a kind that no other element names."""
+    """Remove the assets of a kind that no other element refers to."""
     used = {e.get(tag) for e in root.iter() if e.tag != tag}
     for asset in root.findall("asset"):
         for element in asset.findall(tag):
@@ -64,10 +64,10 @@ def compile_sound(
     refusals: Refusals,
     compile_model: CompileModel,
 ) -> mujoco.MjModel:
-    """Return a compiled model without the free bodies that MuJoCo refuses.
+    """Return a compiled model without the free bodies that MuJoCo rejects.
 
     Raises:
-        InputError: MuJoCo refuses it for another reason, all its bodies, or more than
+        InputError: MuJoCo rejects the model for another reason, all its bodies, or more than
             ``MAX_REFUSED`` of them.
     """
     try:
@@ -92,13 +92,13 @@ def _list_sound(
     found: Refusals,
     compile_model: CompileModel,
 ) -> list[int]:
-    """Return those of some bodies that compile, by halves; ``found`` collects the others.
+    """Return the bodies that compile, by bisection; ``found`` collects the others.
 
     The search stops at one body beyond ``MAX_REFUSED``.
     """
     if len(found.outcomes) > MAX_REFUSED:
         return []
-    if len(which) < len(names):  # all of them together are refused already
+    if len(which) < len(names):  # all bodies together are already rejected
         try:
             compile_model(keep_bodies(gathered, which), what)
         except InputError as error:

@@ -1,7 +1,7 @@
-"""How much a foreign MJCF may make MuJoCo allocate, counted before it is compiled.
+"""Limits on what MuJoCo allocates for a foreign MJCF, checked before it is compiled.
 
-The limits of the child process hold for whatever is not counted here. What is counted ends with a
-reason that says what to change.
+The limits of the child process apply to everything that is not counted here. The checks here give a
+reason and a fix.
 """
 
 from __future__ import annotations
@@ -15,29 +15,29 @@ from ..meshes.reading.bounds import MOST_FACES, MOST_TEXELS, MOST_TEXELS_TOGETHE
 from ..pictures import DamagedHeader, png_size
 
 MOST_GEOMS = 10_000
-"""Geoms of a model, those that replicates make counted each."""
+"""Maximum number of geoms of a model, including replicated ones."""
 
 MOST_COPIES = 200
-"""Copies that one replicate makes."""
+"""Maximum number of copies per replicate element."""
 
 _UNUSED = (
     "size", "sensor", "keyframe", "custom", "actuator", "tendon", "equality", "contact",
 )  # fmt: skip
-"""Sections that no scene is read from."""
+"""Sections that scenes are not read from."""
 
 
 def drop_unused(root: ET.Element) -> None:
-    """Remove the sections and attributes that an import ignores and a compiler spends time on."""
+    """Remove the sections and attributes that an import ignores but that take compile time."""
     for element in root.iter():
         element.attrib.pop("user", None)
-        for child in element.findall("lengthrange"):  # simulates actuators for as long as it says
+        for child in element.findall("lengthrange"):  # simulates actuators for an arbitrary time
             element.remove(child)
     for section in [child for child in root if child.tag in _UNUSED]:
         root.remove(section)
 
 
 def merge_textures(root: ET.Element) -> None:
-    """Keep one of textures that differ in nothing but their names, as MuJoCo makes each of them."""
+    """Merge textures that differ only in their names, since MuJoCo allocates each of them."""
     kept: dict[tuple[tuple[str, str], ...], str] = {}
     renamed: dict[str, str] = {}
     for asset in root.findall("asset"):
@@ -53,7 +53,7 @@ def merge_textures(root: ET.Element) -> None:
 
 
 def check_copies(root: ET.Element, most_elements: int) -> None:
-    """Check how many geoms and elements a model has once its replicates are expanded.
+    """Check the number of geoms and elements of a model after expanding its replicates.
 
     Raises:
         InputError: there are more than ``MOST_GEOMS`` geoms or ``most_elements``.
@@ -68,27 +68,26 @@ def check_copies(root: ET.Element, most_elements: int) -> None:
             count = element.get("count", "1")
             if not _is_few(count):
                 raise InputError(
-                    f"The model replicates a body {count.strip()[:40]!r} times; whole numbers up "
-                    f"to {MOST_COPIES} are read. Correct the count, or replicate less."
+                    f"The model replicates a body {count.strip()[:40]!r} times; only whole numbers "
+                    f"up to {MOST_COPIES} are allowed. Correct the count, or replicate less."
                 )
             times *= int(count)
         if geoms > MOST_GEOMS or elements > most_elements:
             raise InputError(
-                f"The model has more than {MOST_GEOMS} geoms or {most_elements} elements, those "
-                "that replicates make counted each. Replicate less, or take things out."
+                f"The model has more than {MOST_GEOMS} geoms or {most_elements} elements, "
+                "including replicated ones. Replicate less, or remove objects."
             )
         waiting += [(child, times) for child in element]
 
 
 def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[str]) -> None:
-    """Check how much the textures and meshes of a model unpack to.
+    """Check the decompressed size of a model's textures and meshes.
 
-    ``files`` are those that the model names, by name; ``sides`` the attributes that name the
-    pictures of a cube. Equal textures are one (``merge_textures``); meshes count once for each
-    element.
+    ``files`` are the model's files, by name; ``sides`` the attributes that refer to the pictures of
+    a cube. Equal textures count once (``merge_textures``), meshes once per element.
 
     Raises:
-        InputError: a texture, or all, have too many texels; meshes have too many faces.
+        InputError: a texture, or all together, have too many texels; meshes have too many faces.
     """
     texels = faces = 0
     for element in root.iter():
@@ -99,26 +98,26 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
             if own > MOST_TEXELS or texels > MOST_TEXELS_TOGETHER:
                 raise InputError(
                     f"The texture {element.get('name', '')[:80]!r} has {own:.4g} texels; at most "
-                    f"{MOST_TEXELS} of one, and {MOST_TEXELS_TOGETHER} of all, are read. Make "
+                    f"{MOST_TEXELS} are allowed, and {MOST_TEXELS_TOGETHER} for all textures. Make "
                     "textures smaller or fewer."
                 )
         elif element.tag == "mesh" and (name := element.get("file", "")) in files:
             faces += files[name].count(b"\nf") if name.endswith(".obj") else 0
             if faces > MOST_FACES:
                 raise InputError(
-                    f"The meshes of the model have more than {MOST_FACES} faces. Reduce them."
+                    f"The meshes of the model have more than {MOST_FACES} faces. Simplify them."
                 )
 
 
 def _file_texels(element: ET.Element, named: Sequence[bytes]) -> float:
-    """Return how many texels MuJoCo makes of the files of a texture."""
+    """Return the number of texels that MuJoCo allocates for the files of a texture."""
     texels = sum(map(_texels_of, named))
     cells = math.prod(map(_number, element.get("gridsize", "1 1").split()))
-    return max(texels, 6 * texels / cells) if cells > 1 else texels  # six cells are kept
+    return max(texels, 6 * texels / cells) if cells > 1 else texels  # six sides are stored
 
 
 def _texels_of(raw: bytes) -> int:
-    """Return how many texels a PNG has, by its header; 0 if it is none, which MuJoCo refuses."""
+    """Return the texels of a PNG, by its header; 0 for other files, which MuJoCo rejects."""
     try:
         return math.prod(png_size(raw))
     except DamagedHeader:
@@ -138,7 +137,7 @@ def _is_few(text: str) -> bool:
 
 
 def _number(text: str) -> float:
-    """Return a number that is not negative; 0 for a text that is none, which MuJoCo refuses."""
+    """Return a nonnegative number; 0 for invalid text, which MuJoCo rejects."""
     try:
         value = float(text)
     except ValueError:

@@ -1,7 +1,7 @@
 """A foreign MJCF and its files, gathered before MuJoCo reads any: bounded, and inside one folder.
 
-Includes are put where they stand, files are renamed and handed over in memory, so that MuJoCo opens
-nothing. What could run code, make other files or grow without bounds is refused.
+Includes are expanded in place; files are renamed and passed to MuJoCo in memory, so that it opens
+none itself. Elements that could run code, create files or grow without bounds are rejected.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from .foreign import read_source
 from .mjcf_budget import check_assets, check_copies, drop_unused, merge_textures
 
 MOST_XML, MOST_FILE, MOST_TOGETHER = 32 * 2**20, 128 * 2**20, 384 * 2**20
-"""Bytes of an XML file, of a mesh or a picture, and of all together."""
+"""Maximum bytes of an XML file, of a mesh or picture, and of all together."""
 
 MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES = 200_000, 100, 200
-"""Elements of all files, how deep they nest, and files."""
+"""Maximum numbers of elements in all files, of nesting levels, and of files."""
 
 _REFUSED = {
     "extension": "plugins run code", "plugin": "plugins run code",
@@ -31,34 +31,34 @@ _REFUSED = {
 }  # fmt: skip
 _FILES = {"mesh": "meshdir", "texture": "texturedir"}
 SIDES = ("fileright", "fileleft", "fileup", "filedown", "filefront", "fileback")
-"""Attributes that name the six files of a cube texture."""
+"""Attributes that refer to the six files of a cube texture."""
 _SUFFIXES = {"mesh": (".obj", ".stl", ".msh"), "texture": (".png",)}
 
 
 @dataclass(frozen=True)
 class GatheredModel:
-    """A model as one XML text, and the files that it names, by name."""
+    """A model as one XML text, and its files, by name."""
 
     xml: str
     files: dict[str, bytes]
 
 
 def gather(path: Path, folder: Path | None = None) -> GatheredModel:
-    """Read a MJCF file with what it includes and names inside of ``folder``, by default its own.
+    """Read an MJCF file and the files it refers to inside ``folder``, by default its own.
 
     Raises:
-        InputError: it is no such XML, names what is outside of the folder, is too large, or has
-            elements that are refused.
+        InputError: the file is not a valid MJCF, refers to files outside the folder, is too large,
+            or has rejected elements.
     """
     home = (folder or path.parent).resolve()
     place = path.parent.resolve() / path.name
     if not place.is_relative_to(home):
-        raise InputError(f"{path} is not inside of {home}. Name a folder that holds it.")
+        raise InputError(f"{path} is not inside {home}. Pass a folder that contains it.")
     inside = PurePosixPath(place.relative_to(home).as_posix())
     reader = _Reader(home, inside.parent)
     root = reader.parse(inside, 0)
     if root.tag != "mujoco":
-        raise InputError(f"{path} is no MJCF: its root is {root.tag[:40]!r}, not 'mujoco'.")
+        raise InputError(f"{path} is not an MJCF: its root is {root.tag[:40]!r}, not 'mujoco'.")
     reader.include(root, inside.parent, 1)
     for element in root.iter():
         reader.check(element)
@@ -72,7 +72,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
 
 @dataclass
 class _Reader:
-    """Reads files of one folder, the model's being ``base``; ``files`` are those to hand over."""
+    """Reads files of one folder; ``base`` is the model's folder, ``files`` go to MuJoCo."""
 
     folder: Path
     base: PurePosixPath
@@ -83,7 +83,7 @@ class _Reader:
     _elements: int = 0
 
     def parse(self, path: PurePosixPath, above: int) -> ET.Element:
-        """Return the root of an XML file; ``above`` it are so many elements."""
+        """Return the root of an XML file at nesting depth ``above``."""
         self._included.add(path)
         if len(self._included) > MOST_INCLUDES:
             raise InputError(f"The model includes more than {MOST_INCLUDES} files.")
@@ -93,9 +93,9 @@ class _Reader:
         return root
 
     def include(self, parent: ET.Element, where: PurePosixPath, depth: int) -> None:
-        """Put what is included below an element in its place.
+        """Replace includes below an element by their content.
 
-        ``where`` is its file's folder, ``depth`` counts it and the elements that it stands in.
+        ``where`` is the folder of its file, ``depth`` its nesting depth.
         """
         for at, child in reversed([*enumerate(parent)]):
             if child.tag != "include":
@@ -104,21 +104,23 @@ class _Reader:
             path = self._find(child.get("file", ""), self.base, where)
             if path in self._included:
                 raise InputError(f"The model includes {str(path)!r} twice, or within itself.")
-            root = self.parse(path, depth - 1)  # whose children come to stand below ``parent``
+            root = self.parse(path, depth - 1)  # its children become children of ``parent``
             self.include(root, path.parent, depth)
             parent[at : at + 1] = [*root]
 
     def check(self, element: ET.Element) -> None:
-        """Refuse what is not supported."""
+        """Reject unsupported elements."""
         tag = element.tag
         if tag in _REFUSED:
-            raise InputError(f"The model has a <{tag}>, which is refused: {_REFUSED[tag]}.")
+            raise InputError(f"The model has a <{tag}>, which is not allowed: {_REFUSED[tag]}.")
         named = element.get("file"), *(element.get(side) for side in SIDES)
         if tag not in _FILES and any(named):
-            raise InputError(f"The model names a file in <{tag[:40]}>; meshes and textures may.")
+            raise InputError(
+                f"The model refers to a file in <{tag[:40]}>; only meshes and textures may."
+            )
 
     def hand_over(self, root: ET.Element) -> None:
-        """Read each mesh and texture, and name it as it is handed over."""
+        """Read each mesh and texture, and rename it for MuJoCo."""
         folders, strip = _folders(root)
         for compiler in root.iter("compiler"):
             for name in ("meshdir", "texturedir", "assetdir", "strippath"):
@@ -140,7 +142,7 @@ class _Reader:
         suffix = path.suffix.lower()
         if suffix not in _SUFFIXES[tag]:
             raise InputError(
-                f"The {tag} {str(path)!r} is not read; {', '.join(_SUFFIXES[tag])} files are."
+                f"The {tag} {str(path)!r} is not supported; use {', '.join(_SUFFIXES[tag])} files."
             )
         if path not in self._names:
             self._names[path] = f"file_{len(self._names)}{suffix}"
@@ -148,15 +150,15 @@ class _Reader:
         return self._names[path]
 
     def _find(self, given: str, *places: PurePosixPath) -> PurePosixPath:
-        """Return the path of a file that is named: below the first place that has it, or the last.
+        """Return the path of a referenced file, in the first folder that contains it, or the last.
 
-        Of an include these are the model's folder and that of the file that names it, as MuJoCo
-        looks for it.
+        For an include, the folders are the model's and that of the referring file, in MuJoCo's
+        order.
         """
         path = PurePosixPath(given.replace("\\", "/"))
         if path.is_absolute() or not given or ":" in given:
             raise InputError(
-                f"The model names the file {given[:200]!r}; paths have to be relative, and stay "
+                f"The model refers to the file {given[:200]!r}; paths must be relative, and stay "
                 "inside its folder."
             )
         found = [_plain(place / path) for place in places]
@@ -165,8 +167,8 @@ class _Reader:
                 return inside
         if found[-1] is None:
             raise InputError(
-                f"The model names the file {given[:200]!r} outside of its folder. Name a folder "
-                "that holds both (--root)."
+                f"The model refers to the file {given[:200]!r} outside its folder. Pass a folder "
+                "that contains both (--root)."
             )
         return found[-1]
 
@@ -174,12 +176,12 @@ class _Reader:
         raw = read_source(self.folder, str(path), limit)
         self._total += len(raw)
         if self._total > MOST_TOGETHER:
-            raise InputError(f"The model's files have more than {MOST_TOGETHER} bytes together.")
+            raise InputError(f"The model's files have more than {MOST_TOGETHER} bytes in total.")
         return raw
 
 
 def _plain(path: PurePosixPath) -> PurePosixPath | None:
-    """Return a path without ``..``, which may lead up; None where it leads out of the folder."""
+    """Return a path without ``..``; None if it leaves the folder."""
     parts: list[str] = []
     for part in path.parts:
         if part == "..":
@@ -192,7 +194,7 @@ def _plain(path: PurePosixPath) -> PurePosixPath | None:
 
 
 def _folders(root: ET.Element) -> tuple[dict[str, str], bool]:
-    """Return the folders of meshes and textures, and whether folders in names do not count."""
+    """Return the folders of meshes and textures, and whether folders in file names are ignored."""
     folders, strip = {"mesh": "", "texture": ""}, False
     for compiler in root.iter("compiler"):
         both = compiler.get("assetdir")
@@ -205,7 +207,7 @@ def _folders(root: ET.Element) -> tuple[dict[str, str], bool]:
 def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:
     """Return the root of an XML text without entities, of at most ``most`` elements.
 
-    ``above`` elements stand above its root, and count in how deep it nests.
+    ``above`` is the nesting depth of its root, which counts towards the maximum depth.
     """
     if b"<!DOCTYPE" in raw or b"<!ENTITY" in raw or b"\0" in raw:
         raise InputError(f"{what} declares a document type or entities, or is not text.")
@@ -230,14 +232,15 @@ def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:
                 depth, count = depth + 1, count + 1
                 if depth > MOST_DEPTH or count > most:
                     raise InputError(
-                        f"{what} nests too deep, or the model has too many elements: at most "
-                        f"{MOST_DEPTH} deep, and {MOST_ELEMENTS} in all its files, are read."
+                        f"{what} is nested too deeply, or the model has too many elements: the "
+                        f"limits are {MOST_DEPTH} levels, and {MOST_ELEMENTS} elements in all "
+                        "files."
                     )
         parser.close()
     except (ET.ParseError, ValueError) as error:
         if isinstance(error, InputError):
             raise
-        raise InputError(f"{what} is no XML ({error}).") from error
+        raise InputError(f"{what} is not valid XML ({error}).") from error
     assert root is not None
     return root
 

@@ -1,4 +1,4 @@
-"""How geoms of a compiled MJCF look: colours, and textures, which those that show one share."""
+"""Appearance of the geoms of a compiled MJCF: colours, and textures, shared where equal."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 class GeomLooks:
-    """The looks of a model's geoms, by number."""
+    """Appearance of a model's geoms, by index."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         self._model = model
         self._pictures: dict[tuple[int, bytes], UInt8[np.ndarray, "h w 3"]] = {}
 
     def color(self, geom: int) -> Float[np.ndarray, "4"]:
-        """Return the rgba of a geom; a material's where it has one, as MuJoCo draws it."""
+        """Return the rgba of a geom, or of its material if it has one, as in MuJoCo."""
         model = self._model
         material, own = int(model.geom_matid[geom]), model.geom_rgba[geom]
         if material < 0 or not np.allclose(own, [0.5, 0.5, 0.5, 1.0]):
@@ -31,17 +31,17 @@ class GeomLooks:
         return model.mat_rgba[material].astype(np.float64)
 
     def repeat(self, geom: int) -> Float[np.ndarray, "2"]:
-        """Return how often a geom shows its texture along each of its sides."""
+        """Return the number of repetitions of a geom's texture along each of its sides."""
         material = int(self._model.geom_matid[geom])
         if material < 0:
             return np.ones(2)
         return self._model.mat_texrepeat[material].astype(np.float64)
 
     def picture(self, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
-        """Return a geom's texture in its colour; None if it has none. Of a cube, the first side.
+        """Return a geom's texture in its colour; None without one. Of a cube, the first side.
 
-        All geoms that share both get the same array, which is read-only, so that meshes share it.
-        Its longest side is at most ``MOST_TEXTURE``.
+        Geoms with the same texture and colour get the same read-only array, so that meshes share
+        it. Its longest side is at most ``MOST_TEXTURE``.
         """
         texture = self._texture(geom)
         if texture < 0:
@@ -53,7 +53,7 @@ class GeomLooks:
         return self._pictures[key]
 
     def _texture(self, geom: int) -> int:
-        """Return the number of a geom's texture, -1 if it has none."""
+        """Return the index of a geom's texture, or -1."""
         import mujoco
 
         material = int(self._model.geom_matid[geom])

@@ -1,4 +1,4 @@
-"""How a foreign scene is read."""
+"""Options of an import."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ..scene import MAX_LEAN
 
 @dataclass(frozen=True)
 class ImportOptions:
-    """How a foreign scene is read.
+    """Options of an import.
 
     Attributes:
-        name: Name of the scene; its own if left out.
-        table: Name of the fixed body, geom or node that is the table; found if left out.
-        root: Folder that a MJCF and all its files are inside of; the file's own if left out.
-        drop_failing: Leave out objects that the physical gate names, instead of failing.
+        name: Name of the scene; by default its own.
+        table: Name of the fixed body, geom or node that is the table; by default it is detected.
+        root: Folder that contains an MJCF and all its files; by default the file's own.
+        drop_failing: Leave out objects that fail the physical gate, instead of failing.
         scale: Factor of all lengths: 0.001 for a file in millimetres. In a folder it applies to the
             files of objects that have no scale of their own, not to positions.
-        lean: Degrees by which gravity leans in the physical gate; 0 judges the scene on a level
-            table, where round objects stay, and generated scenes pass at 2.
+        lean: Angle in degrees by which gravity leans in the physical gate; 0 tests the scene on a
+            level table, where round objects stay. Generated scenes pass at 2.
 
     Raises:
         InputError: scale or lean is out of range.

@@ -1,7 +1,7 @@
-"""Read a foreign scene in a child process with limits.
+"""Reads a foreign scene in a child process with limits.
 
-Whatever a file holds is parsed and compiled there, and nowhere else: a file that makes a parser
-loop, crash or fill the memory costs a child process, and ends as one error.
+Files are parsed and compiled only in that process: a file that makes a parser loop, crash or fill
+the memory costs a child process, and results in one error.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ..scene import ConvexPart
 from .foreign import ForeignBody, ForeignScene, ImportOutcome
 
 SourceKind = Literal["mjcf", "glb", "obj", "folder"]
-"""What a foreign scene is: a MJCF, GLB or OBJ file, or a folder of files with ``poses.json``."""
+"""Kinds of foreign scenes: an MJCF, GLB or OBJ file, or a folder of files with ``poses.json``."""
 
 _VALUES = (ForeignScene, ForeignBody, ColoredSurface, ConvexPart, MassProperties, ImportOutcome)
 
@@ -32,10 +32,10 @@ def read_scene(
 ) -> ForeignScene:
     """Return a foreign scene with a table, read in a child process; its arrays are read-only.
 
-    ``root`` is the folder that a MJCF and all its files are inside of, ``table`` the name of the
-    fixed thing that is the table, ``scale`` multiplies lengths; see the reader of each kind. If the
-    files of a folder reach a limit together, each is read in a child of its own, so that one that
-    reaches it alone is refused alone.
+    ``root`` is the folder that contains an MJCF and all its files, ``table`` the name of the fixed
+    body or geom that is the table, ``scale`` multiplies lengths; see the reader of each kind. If
+    the files of a folder reach a limit together, each is read in its own child process, so that
+    only a file that reaches it alone is refused.
 
     Raises:
         InputError: the file cannot be read, or its reader reaches a limit.

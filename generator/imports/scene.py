@@ -1,4 +1,4 @@
-"""A foreign scene as one of this project: its objects built one by one, settled and judged."""
+"""Conversion of a foreign scene: builds its objects, settles them and runs the gate."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ from ..scene.provenance import plain
 from .bodies import SurfaceCache, build_object, build_table
 from .foreign import ForeignScene, ImportOutcome, Refusals, check_count
 
-_RIM = 0.01  # metres below a container's rim from which a thing is in it
-_ROUNDS = 20  # objects left out, one after the other
+_RIM = 0.01  # metres below a container's rim at which an object counts as inside
+_ROUNDS = 20  # maximum number of objects left out
 _OUTCOMES, _MOST_OUTCOMES = "outcomes", 10_000
 
 
@@ -35,15 +35,15 @@ def build_scene(
     config: AssemblyConfig | None = None,
     leave_out: bool = False,
 ) -> Scene:
-    """Return a foreign scene settled and judged; its report may have failed.
+    """Return a foreign scene, settled, with its report; the gate may have failed.
 
-    The world moves so that the table stands on the floor z = 0 in the middle. Objects keep their
-    places to the bit unless settling moves them. An object that cannot be built is refused, and the
-    others stay; ``list_outcomes`` says what was done with each. ``leave_out`` leaves out, one after
-    the other, the objects that a failed gate names.
+    The world is translated so that the table stands on the floor z = 0 at the origin. Objects keep
+    their exact poses unless settling moves them. Objects that cannot be built are refused without
+    affecting the others; ``list_outcomes`` gives the outcome of each. ``leave_out`` removes the
+    objects that a failed gate names, one at a time.
 
     Raises:
-        InputError: too many objects, or none that can be built.
+        InputError: there are too many objects, or none that can be built.
         SceneError: no object comes to rest.
     """
     check_count(len(foreign.objects))
@@ -76,30 +76,30 @@ def build_scene(
 
 
 class _Shapes:
-    """The convex parts of a scene as a bundle counts them: of all bodies, and of their models."""
+    """Counts the convex parts of a scene as a bundle does: of all bodies, and of their models."""
 
     def __init__(self) -> None:
         self._parts = self._points = 0
         self._models: set[Hashable] = set()
 
     def check(self, *lists: Sequence[ConvexPart]) -> tuple[int, int]:
-        """Return how many parts and points there are with more of them.
+        """Return the numbers of parts and points after adding more of them.
 
         Raises:
-            InputError: a bundle holds fewer.
+            InputError: they exceed the limits of a bundle.
         """
         parts = self._parts + sum(map(len, lists))
         points = self._points + sum(len(part.vertices) for some in lists for part in some)
         if parts > BOUNDS.all_parts or points > BOUNDS.all_part_vertices:
             raise InputError(
                 f"With its collision shapes the scene has {parts} convex parts with {points} "
-                f"points, those of models counted again; at most {BOUNDS.all_parts} with "
-                f"{BOUNDS.all_part_vertices} are kept. Use fewer shapes, or fewer objects."
+                f"points, including those of models; at most {BOUNDS.all_parts} with "
+                f"{BOUNDS.all_part_vertices} are allowed. Use fewer shapes, or fewer objects."
             )
         return parts, points
 
     def add(self, body: Object | Table) -> None:
-        """Count the parts of a body that is used; see ``check``."""
+        """Count the parts of a body; see ``check``."""
         key = _content(body.model)
         own = () if key in self._models else body.model.parts
         self._parts, self._points = self.check(body.parts, own)
@@ -107,7 +107,7 @@ class _Shapes:
 
 
 def _content(model: Model) -> Hashable:
-    """Return the same for models that a bundle keeps as one, but for rounding."""
+    """Return a key: equal for models that a bundle stores once, except for rounding."""
     arrays = (model.size, model.mesh.vertices, model.mesh.faces, model.mesh.uv, model.mesh.texture)
     parts = tuple((part.kind, part.axis, part.vertices.tobytes()) for part in model.parts)
     looks = hashlib.sha256(b"".join(np.ascontiguousarray(array).tobytes() for array in arrays))
@@ -115,12 +115,12 @@ def _content(model: Model) -> Hashable:
 
 
 def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
-    """Return what the import of a scene did with each object; empty if it was not imported.
+    """Return the import outcome of each object of a scene; empty if it was not imported.
 
-    A table is among them if it was repaired.
+    The table is included if it was repaired.
 
     Raises:
-        BundleError: the scene is from a bundle whose provenance lists something else there.
+        BundleError: the scene is from a bundle whose provenance has another format.
     """
     listed: object = scene.provenance.config.get(_OUTCOMES, ())
     what = f"{scene.name}: provenance.config[{_OUTCOMES!r}]"
@@ -133,7 +133,7 @@ def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
 
 
 def _record(provenance: Provenance, outcomes: Sequence[ImportOutcome]) -> Provenance:
-    """Return the provenance with the outcomes, and a warning for each that changed something."""
+    """Return the provenance with the outcomes, and a warning for each object that was changed."""
     changed = (str(o) for o in outcomes if o.kind != "taken")
     return replace(
         provenance, config={**provenance.config, _OUTCOMES: plain([*outcomes])},
@@ -144,7 +144,7 @@ def _record(provenance: Provenance, outcomes: Sequence[ImportOutcome]) -> Proven
 def _settle(
     scene: Scene, config: AssemblyConfig | None, leave_out: bool
 ) -> tuple[Scene, list[ImportOutcome]]:
-    """Return the scene settled and judged, and what was left out of it so that it passes."""
+    """Return the settled scene with its report, and the objects left out to pass the gate."""
     done = reassemble(scene, scene, (), config)
     dropped: list[ImportOutcome] = []
     while leave_out and len(dropped) < _ROUNDS and (worst := _find_failing(done)):
@@ -165,7 +165,7 @@ def _settle(
 
 
 def _find_failing(scene: Scene) -> str | None:
-    """Return the object that the report's failures name most."""
+    """Return the object that the report's failures name most often."""
     failures = scene.report.failures if scene.report else ()
     counts = Counter(name for failure in failures for name in failure.objects)
     named = (o.name for o in scene.objects if counts[o.name])
@@ -176,7 +176,7 @@ def _find_failing(scene: Scene) -> str | None:
 
 
 def _free_names(names: Sequence[str]) -> list[str]:
-    """Return names that objects of a scene may have, each once; those that may be so stay."""
+    """Return a unique, valid name for each object; valid ones are unchanged."""
     taken = {TABLE, "world"}
     found = []
     for given in names:
@@ -192,7 +192,7 @@ def _free_names(names: Sequence[str]) -> list[str]:
 
 
 def _mark_inside(scene: Scene) -> Scene:
-    """Return the scene with what lies in a container, below its rim, marked so."""
+    """Return the scene with objects below the rim of a container marked as inside it."""
     things = {o.name: o for o in scene.objects}
     marked = []
     for thing in scene.objects:

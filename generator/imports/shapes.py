@@ -13,10 +13,10 @@ from ..geometry import hull_points
 from ..scene import ConvexPart
 
 Solid = Literal["box", "cylinder", "capsule", "ellipsoid"]
-"""What a primitive is; a sphere is an ellipsoid."""
+"""Kinds of primitives; a sphere is an ellipsoid."""
 
 _SIDES, _RINGS = 32, 16
-_ALIGNED = 1e-4  # by which a rotation may differ from one that takes axes to axes
+_ALIGNED = 1e-4  # tolerance of a rotation that maps axes to axes
 
 
 def solid_surface(
@@ -24,7 +24,7 @@ def solid_surface(
 ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
     """Return vertices and outward faces of a solid about the origin with half extents ``half``.
 
-    Cylinders and capsules run along z, half[2] being without a capsule's caps.
+    Cylinders and capsules are along z; half[2] excludes a capsule's caps.
     """
     from trimesh import creation
 
@@ -56,7 +56,7 @@ def solid_part(
     center: Float[np.ndarray, "3"],
     rotation: Float[np.ndarray, "3 3"],
 ) -> ConvexPart:
-    """Return a solid at a place as a convex part: a primitive where it lies along the axes."""
+    """Return a solid at a pose as a convex part: a primitive if it is aligned with the axes."""
     axes = np.abs(rotation).round()
     ball = kind == "ellipsoid" and np.ptp(half) < 1e-9
     aligned = ball or np.abs(np.abs(rotation) - axes).max() < _ALIGNED
@@ -84,12 +84,12 @@ def part_of(points: Float[np.ndarray, "n 3"], kind: str) -> ConvexPart:
 
 
 def hull_corners(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    """Return the corners of the convex hull of points; of a flat set all, each once."""
+    """Return the vertices of the convex hull of points; if coplanar, all distinct points."""
     return hull_points(np.unique(np.asarray(points, np.float64).round(7), axis=0))
 
 
 def few_corners(points: Float[np.ndarray, "n 3"], most: int = 128) -> Float[np.ndarray, "k 3"]:
-    """Return at most ``most`` corners of the convex hull, farthest in evenly spread directions."""
+    """Return at most ``most`` vertices of the convex hull, extreme in evenly spread directions."""
     corners = hull_corners(points)
     if len(corners) <= most:
         return corners

@@ -1,1 +1,1 @@
-"""Textured meshes: unwrapping, baking, repairing, reducing, and the size and mass of a thing."""
+"""Textured meshes: reading, repair, simplification, unwrapping, baking, and metric size."""

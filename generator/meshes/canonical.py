@@ -1,4 +1,4 @@
-"""From a foreign mesh to a model of the project: upright, repaired, light, in one texture."""
+"""Normalisation of foreign meshes: upright, repaired, simplified, with one texture."""
 
 from __future__ import annotations
 
@@ -23,16 +23,17 @@ from .reading.textures import MOST_TEXTURE
 from .repair import check_surface, clean, fill_holes, inside_out, tidy, welded_shape
 from .texture import best_size, own_texture, painted_faces, painted_shape
 
-_FILLED = 0.4  # share of its box that an open mesh is taken to fill
+_FILLED = 0.4  # assumed ratio of an open mesh's volume to that of its box
 
 
 @dataclass(frozen=True)
 class Normal:
-    """What foreign meshes are brought to.
+    """Target size of foreign meshes.
 
     Attributes:
-        faces: most triangles, 50 to 25,000; up to four times as many where the shape needs them.
-        texture: side of a texture made again, texels, at most 2048; more where many faces need it.
+        faces: maximum number of triangles, 50 to 25,000; up to four times as many where the shape
+            needs them.
+        texture: side of a regenerated texture, texels, at most 2048; more if many faces need it.
     """
 
     faces: int = 6000
@@ -54,24 +55,24 @@ def normal_mesh(
 ) -> Mesh:
     """Return a GLB or OBJ file as one textured mesh with +z up, in the file's units.
 
-    All its faces look outwards as far as that can be told, and of its edges, taken across seams of
-    the texture, 99 % or more join two faces (or two pairs, where things touch) or run around an
-    opening (``repair``): what was closed but for small holes is closed; cups, tubes and leaves
-    stay open, solid by their convex parts alone. At most four times as many triangles stay as are
-    wanted. A texture of at most 2048 texels that all parts share, that does not repeat and needs no
-    other triangles stays as it is.
+    Faces look outwards as far as this can be determined. At least 99 % of the edges, joined across
+    texture seams, belong to two faces (or two pairs, where objects touch) or run around an opening
+    (``repair``). Small holes are closed; cups, tubes and leaves stay open, and only their convex
+    parts make them solid. The mesh has at most four times the requested number of triangles. A
+    texture of at most 2048 texels is kept if all parts share it, it does not repeat and the mesh is
+    not simplified.
 
-    ``what`` names it in messages: backend, question, name. ``up`` is the file's upward axis, ``to``
-    how light it is to be; ``beside`` holds the files that an OBJ names (``companions``).
+    ``what`` names the file in messages: backend, query, name. ``up`` is the file's upward axis,
+    ``to`` the target size; ``beside`` holds the files that an OBJ refers to (``companions``).
 
     Raises:
-        BackendError: it cannot be read (``inspection``), repaired (``repair``) or reduced.
+        BackendError: the file cannot be read (``inspection``), repaired (``repair``) or simplified.
     """
     return normal_surface(load_surface(raw, what, kind, beside), what, up=up, to=to)
 
 
 def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:
-    """Return a mesh that a library made as ``normal_mesh`` does a file."""
+    """Return a mesh of the ``trimesh`` library, normalised as by ``normal_mesh``."""
     return normal_surface(surface_of([mesh], what), what, up=up, to=to)
 
 
@@ -85,10 +86,10 @@ def normal_surface(
 def repair_surface(
     surface: ColoredSurface, what: str, to: Normal | None = None
 ) -> tuple[Mesh, tuple[str, ...]]:
-    """Return an upright surface as one textured mesh, and what was repaired; see ``normal_mesh``.
+    """Return an upright surface as one textured mesh, and its repairs; see ``normal_mesh``.
 
     Raises:
-        BackendError: it cannot be repaired (``repair``) or reduced.
+        BackendError: it cannot be repaired (``repair``) or simplified.
     """
     to, given = to or Normal(), len(surface.faces)
     surface = clean(surface, what)
@@ -104,7 +105,10 @@ def repair_surface(
     before = len(faces)
     vertices, faces = fill_holes(vertices, faces)
     repairs += _list_repairs(
-        {"triangles turned outwards": int(over.sum()), "triangles close holes": len(faces) - before}
+        {
+            "triangles added to close holes": int(over.sum()),
+            "triangles close holes": len(faces) - before,
+        }
     )
     check_surface(faces, what)
     size = best_size(surface, to.texture, len(faces))
@@ -119,9 +123,10 @@ def _list_repairs(counts: Mapping[str, int]) -> tuple[str, ...]:
 
 
 def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
-    """Return a normal mesh as an instance's raw model: its own proportions, the prior's size.
+    """Return a normalised mesh as an instance's raw model: its own proportions, the prior's size.
 
-    A thing that the catalogue knows weighs and slides as there; else it is as dense as light wood.
+    Mass and friction of a known category are those of the catalogue; otherwise the density is that
+    of light wood.
     """
     unit, _, extent = to_unit_box(mesh)
     kind = known_category(instance, size)
@@ -137,7 +142,7 @@ def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
 
 
 def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
-    """Return what a foreign mesh is made of: such that one of usual size has its kind's mass."""
+    """Return physical properties that give a foreign mesh of usual size its category's mass."""
     if kind is None:
         return Physics(density=500.0, friction=0.6)
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED

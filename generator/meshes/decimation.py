@@ -1,4 +1,4 @@
-"""Fewer triangles for the same shape, and the proof that it is the same."""
+"""Simplification of meshes, with a check that the shape is preserved."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from ..errors import BackendError
 from ..scene.triangles import closed
 from .pixels import mask_iou
 
-_TRIES = (1, 2, 4)  # times the wanted number of faces
-_OVERLAP = 0.97  # least overlap of the silhouettes before and after
-_VOLUME = 0.05  # largest change of the volume of closed meshes
-_SIDE = 128  # pixels of a silhouette
-_AT_ONCE = 100_000  # faces worked on together
-_CARE = 3  # of 0 to 10; from 5 on, the rims of cups become jagged
-_CELLS = 1000, 500, 250  # along the longest side: corners in one cell become one
-_BITS = 4  # of a pixel's fraction
+_TRIES = (1, 2, 4)  # multiples of the requested number of faces
+_OVERLAP = 0.97  # minimum overlap of the silhouettes before and after
+_VOLUME = 0.05  # maximum relative change of the volume of closed meshes
+_SIDE = 128  # side of a silhouette, pixels
+_AT_ONCE = 100_000  # faces per batch
+_CARE = 3  # on a scale of 0 to 10; from 5 on, the rims of cups become jagged
+_CELLS = 1000, 500, 250  # along the longest side: vertices in one cell are merged
+_BITS = 4  # subpixel bits
 
 _SIGHTS = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], float)
 
@@ -30,11 +30,11 @@ Faces = Int[np.ndarray, "_ 3"]
 def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[Vertices, Faces]:
     """Return a shape with about ``maximum`` triangles, up to four times as many if it needs them.
 
-    By quadric error. It is held against the shape it was made of: silhouettes from four sides
-    overlap by 97 % or more, and the volume of a closed one changes by 5 % at most.
+    Simplified by quadric error. The result is compared with the original: silhouettes from four
+    directions overlap by at least 97 %, and the volume of a closed shape changes by at most 5 %.
 
     Raises:
-        BackendError: the shape does not survive it.
+        BackendError: the shape is not preserved.
     """
     before = list(silhouettes(vertices, faces, vertices))
     solid = volume(vertices, faces)
@@ -48,7 +48,7 @@ def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[V
                 break
             fewer = _simplify(*cluster(vertices, faces, cells), times * maximum)
         if len(fewer[1]) > _TRIES[-1] * maximum:
-            said = "no so few can hold it"
+            said = "the triangles are too few"
             continue
         after = silhouettes(*fewer, vertices)
         overlap = min(mask_iou(a, b) for a, b in zip(before, after, strict=True))
@@ -58,14 +58,14 @@ def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[V
         said = f"silhouettes overlap by {overlap:.0%}, the volume changes by {change:.0%}"
     raise BackendError(
         f"{what} has {len(faces)} triangles and does not keep its shape with "
-        f"{_TRIES[-1] * maximum}: {said}. Reduce it yourself, or allow more (faces)."
+        f"{_TRIES[-1] * maximum}: {said}. Simplify it yourself, or allow more triangles (faces)."
     )
 
 
 def silhouettes(
     vertices: Vertices, faces: Faces, frame: Vertices
 ) -> Iterator[Bool[np.ndarray, "s s"]]:
-    """Yield what a shape covers along four directions, scaled so that ``frame`` fits."""
+    """Yield the pixels that a shape covers along four directions, scaled so that ``frame`` fits."""
     for sight in _SIGHTS:
         forward = sight / np.linalg.norm(sight)
         right = np.cross(forward, np.roll(forward, 1) if sight.sum() < 2 else [0.0, 0.0, 1.0])
@@ -78,7 +78,7 @@ def silhouettes(
 
 
 def _cover(pixels: Float[np.ndarray, "n 2"], faces: Faces) -> Bool[np.ndarray, "s s"]:
-    """Return the cells that triangles cover; those smaller than a cell by their corners."""
+    """Return the cells that triangles cover; tiny triangles are drawn by their vertices."""
     covered = np.zeros((_SIDE, _SIDE), np.uint8)
     for first in range(0, len(faces), _AT_ONCE):
         corners = pixels[faces[first : first + _AT_ONCE]]
@@ -92,7 +92,7 @@ def _cover(pixels: Float[np.ndarray, "n 2"], faces: Faces) -> Bool[np.ndarray, "
 
 
 def volume(vertices: Vertices, faces: Faces) -> float:
-    """Return the volume that a closed shape encloses; 0 for an open one."""
+    """Return the volume of a closed shape; 0 for an open one."""
     if not closed(faces):
         return 0.0
     centred, total = vertices - vertices.mean(0), 0.0
@@ -103,9 +103,10 @@ def volume(vertices: Vertices, faces: Faces) -> float:
 
 
 def cluster(vertices: Vertices, faces: Faces, cells: int) -> tuple[Vertices, Faces]:
-    """Return a shape whose corners in each cell of a grid are one, at their mean.
+    """Return a shape whose vertices in each cell of a grid are merged at their mean.
 
-    Quadric error does not thin out what is evenly subdivided: its collapses are taken for flips.
+    Quadric error does not simplify evenly subdivided surfaces, since it rejects their collapses as
+    flips.
     """
     low, span = vertices.min(0), float(np.ptp(vertices, axis=0).max())
     cell = np.floor((vertices - low) / span * cells).astype(np.int64)

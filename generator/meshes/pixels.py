@@ -15,7 +15,7 @@ def nearest_inside(
 ) -> tuple[Int[np.ndarray, "h w"], Int[np.ndarray, "h w"]]:
     """Return row and column of the nearest pixel inside ``mask``, for every pixel.
 
-    ``steps`` is what a step to the next row and to the next column counts.
+    ``steps`` are the lengths of a step to the next row and to the next column.
     """
     found = ndimage.distance_transform_edt(
         ~mask, sampling=steps, return_distances=False, return_indices=True
@@ -30,12 +30,12 @@ def dilate(mask: Mask, side: int) -> Mask:
 
 
 def erode(mask: Mask, side: int) -> Mask:
-    """Return a mask shrunk by a square brush of ``side`` pixels, but not at the frame."""
+    """Return a mask shrunk by a square brush of ``side`` pixels, except at the image border."""
     return cv2.erode(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
 
 
 def foot_of(mask: Mask) -> Mask:
-    """Return the lowest sixth of a mask: where a thing stands."""
+    """Return the lowest sixth of a mask, where an object touches its support."""
     rows = np.flatnonzero(mask.any(1))
     line = rows[-1] + (rows[0] - rows[-1]) // 6 if len(rows) else 0
     return mask & (np.arange(mask.shape[0])[:, None] >= line)
@@ -58,9 +58,9 @@ def hull_corners(mask: Mask) -> Float[np.ndarray, "k 2"]:
 
 
 def distances(mask: Mask) -> Float[np.ndarray, "h w"]:
-    """Return every pixel's distance from the nearest one of ``mask``, pixels.
+    """Return every pixel's distance from the nearest pixel of ``mask``, pixels.
 
-    SciPy's transform: OpenCV's exact one does not repeat itself to the bit.
+    Uses SciPy's transform, since OpenCV's exact one is not reproducible bit for bit.
     """
     return np.asarray(ndimage.distance_transform_edt(~mask))
 
@@ -75,7 +75,7 @@ def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarra
 
 
 def main_parts(mask: Mask, share: float = 0.1) -> Mask:
-    """Return the largest connected part of a mask, with the others of at least its ``share``."""
+    """Return the largest connected part of a mask, and others above a ``share`` of its area."""
     _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
     areas = stats[1:, cv2.CC_STAT_AREA]
     if not len(areas):
@@ -102,10 +102,10 @@ def largest_piece(mask: Mask) -> Mask:
 
 
 def in_one_piece(mask: Mask, minimum: float = 0.02) -> Mask:
-    """Return a mask with its pieces joined where they are nearest to each other, as one thing is.
+    """Return a mask with its pieces joined where they are nearest to each other.
 
-    A bridge is as wide as the narrower of the two ends that it joins. Specks of less than
-    ``minimum`` of the whole stay as they are.
+    A bridge is as wide as the narrower of the two ends that it joins. Specks below a share of
+    ``minimum`` of the whole are not joined.
     """
     labels = np.asarray(cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)[1])
     counts = np.bincount(labels.ravel())

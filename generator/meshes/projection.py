@@ -1,8 +1,8 @@
-"""How the picture of one instance projects: the reference camera, cut to the instance's crop.
+"""Projection of one instance's picture: the reference camera, cropped to the instance.
 
-The modeler is told the view along the instance's own ray and no distance. Unit of length here is
+The modeler gets the view along the instance's own ray, and no distance. The unit of length is
 therefore the *pixel at the object's depth*: the object frame has its origin on the ray through the
-centre of the instance's box, one focal length (in reference pixels) away from the camera along the
+centre of the instance's box, one focal length (in reference pixels) from the camera along the
 optical axis, with +x right, +y away and +z up as in the world frame.
 """
 
@@ -25,13 +25,13 @@ Vector = Float[np.ndarray, "3"]
 def camera_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: int) -> View:
     """Return the view of the camera whose ray through ``pixel`` has the direction of ``view``.
 
-    The inverse of ``geometry.ray_view``. Of two such cameras, it is the one that looks most nearly
-    along +y.
+    This is the inverse of ``geometry.ray_view``. Of the two such cameras, the one that looks more
+    nearly along +y is returned.
     """
     focal = height / 2 / np.tan(view.fov / 2)
     right, down = (np.asarray(pixel, float) - [width / 2, height / 2]) / focal
     c, s = np.cos(view.roll), np.sin(view.roll)
-    x, y = c * right - s * down, s * right + c * down  # as a level camera would see it
+    x, y = c * right - s * down, s * right + c * down  # as seen by a level camera
     sine = np.sqrt(1 + x * x + y * y) * np.sin(view.elevation) / np.sqrt(1 + y * y)
     first = np.arcsin(np.clip(sine, -1, 1))
     options = []
@@ -40,7 +40,7 @@ def camera_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: i
         if total > first and elevation > np.pi / 2:
             continue
         elevation = float(np.clip(elevation, 1e-3, np.pi / 2))
-        # In the camera's own heading the ray goes x to the right and `ahead` away from it.
+        # In the camera's heading the ray runs x to the right and `ahead` forwards.
         ahead = np.cos(elevation) - y * np.sin(elevation)
         azimuth = wrap(view.azimuth + np.arctan2(x, ahead))
         options.append(View(azimuth, elevation, view.fov, view.roll))
@@ -103,7 +103,7 @@ class Projection:
 
     @property
     def sine(self) -> float:
-        """Sine of the elevation under which the camera sees the origin."""
+        """Sine of the elevation at which the camera sees the origin."""
         return float(np.clip(self.position[2] / np.linalg.norm(self.position), 0.05, 1.0))
 
     def to_camera(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
@@ -118,7 +118,7 @@ class Projection:
     def on_plane(
         self, pixels: Float[np.ndarray, "n 2"], point: Vector, normal: Vector
     ) -> Float[np.ndarray, "n 3"]:
-        """Return where the rays through crop ``pixels`` meet a plane."""
+        """Return the intersections of the rays through crop ``pixels`` with a plane."""
         flat = (np.asarray(pixels, float) - self.center) / self.focal
         rays = np.column_stack([flat, np.ones(len(flat))]) @ self.rotation
         along = rays @ normal
@@ -126,24 +126,24 @@ class Projection:
         return self.position + rays * (((point - self.position) @ normal) / along)[:, None]
 
     def corners(self, vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m 3 3"]:
-        """Return per face and corner (pixel x, pixel y, 1/depth), as ``raster.rasterise`` takes."""
+        """Return (pixel x, pixel y, 1/depth) per face and corner, for ``raster.rasterise``."""
         p = self.to_camera(vertices)
         depth = np.maximum(p[:, 2:], 1e-6)
         return np.concatenate([p[:, :2] / depth * self.focal + self.center, 1 / depth], 1)[faces]
 
     def silhouette(self, vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "h w"]:
-        """Return which crop pixels a closed mesh covers."""
+        """Return the crop pixels that a closed mesh covers."""
         fixed = np.round((self.project(vertices) - 0.5) * 16).clip(-(2**20), 2**20)
         triangles = fixed.astype(np.int32)[faces]
         (ax, ay), (bx, by) = (triangles[:, k].T - triangles[:, 0].T for k in (1, 2))
         canvas = np.zeros((self.height, self.width), np.uint8)
-        # A closed surface's picture is that of the faces turned to the camera (y runs down).
+        # The silhouette of a closed surface is that of its front faces (y points down).
         for triangle in triangles[ax * by - ay * bx < 0]:
             cv2.fillConvexPoly(canvas, triangle, 1, cv2.LINE_8, 4)
         return canvas > 0
 
     def hull_silhouette(self, vertices: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "h w"]:
-        """Return which crop pixels the convex hull of ``vertices`` covers."""
+        """Return the crop pixels that the convex hull of ``vertices`` covers."""
         canvas = np.zeros((self.height, self.width), np.uint8)
         fill_hull(canvas, self.project(vertices))
         return canvas > 0
@@ -151,7 +151,7 @@ class Projection:
     def inside(
         self, mask: Bool[np.ndarray, "h w"], points: Float[np.ndarray, "... 3"]
     ) -> Bool[np.ndarray, "..."]:
-        """Tell which points project into ``mask`` (a mask of this projection's size)."""
+        """Return which points project into ``mask`` (a mask of this projection's size)."""
         pixels = np.floor(self.project(points.reshape(-1, 3))).astype(np.int64)
         x, y = pixels[:, 0], pixels[:, 1]
         on = (x >= 0) & (y >= 0) & (x < self.width) & (y < self.height)
@@ -161,6 +161,6 @@ class Projection:
 
 
 def fill_hull(canvas: UInt8[np.ndarray, "h w"], pixels: Float[np.ndarray, "n 2"]) -> None:
-    """Fill the convex hull of ``pixels`` (centres at halves) with 1, in place."""
+    """Fill the convex hull of ``pixels`` (centres at half-integers) with 1, in place."""
     fixed = np.round((pixels - 0.5) * 16).clip(-(2**20), 2**20).astype(np.int32)
     cv2.fillConvexPoly(canvas, cv2.convexHull(fixed), 1, cv2.LINE_8, 4)

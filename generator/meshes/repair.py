@@ -1,8 +1,8 @@
-"""Repair foreign meshes: loose, doubled and inside-out triangles; sheets get a thickness.
+"""Repair of foreign meshes: loose, duplicate and inside-out triangles; sheets get a thickness.
 
-In this order: vertices at one place are one; slivers, doubled faces, crumbs and fins go
-(``clean``); faces are turned outwards; small holes are closed (``fill_holes``). What then has more
-than 1 % of flawed edges is refused (``check_surface``).
+The steps: coincident vertices are merged; slivers, duplicate faces, crumbs and fins are removed
+(``clean``); faces are turned outwards; small holes are closed (``fill_holes``). A mesh with more
+than 1 % of flawed edges after that is rejected (``check_surface``).
 """
 
 from __future__ import annotations
@@ -20,23 +20,24 @@ from ..physics.parts import THINNEST
 from ..scene.triangles import Faces, Vertices, areas, pieces, weld_index
 from .reading.surface import ColoredSurface
 
-_CRUMB = 5e-4  # share of the whole area below which a loose piece is none
-_SHEET = 0.5  # share of faces with a back of their own from which a mesh is a doubled sheet
-_GAP = 0.2  # of the diagonal: length of rim of the largest hole that is closed
-_FIN = 0.05  # share of the whole area that may go of pieces that hang on edges of three faces
-_FLAWED = 0.01  # share of edges above which a mesh is no surface
-_FLAT = 1e-3  # of the longest side: thinner things are flat
+_CRUMB = 5e-4  # share of the total area below which a loose piece is removed
+_SHEET = 0.5  # share of faces with a coincident back face from which a mesh is a double-sided sheet
+_GAP = 0.2  # maximum rim length of a hole to close, as a fraction of the diagonal
+_FIN = 0.05  # maximum share of the total area of pieces removed at edges of three faces
+_FLAWED = 0.01  # maximum share of flawed edges
+_FLAT = 1e-3  # fraction of the longest side below which a mesh is flat
 
 
 def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
-    """Return a surface without slivers, doubled faces, loose crumbs and fins.
+    """Return a surface without slivers, duplicate faces, loose crumbs and fins.
 
-    A crumb is a piece with less than 0.05 % of the area; fins hang on edges of two other faces, and
-    have 5 % together at most. Of two faces on the same corners that look apart, an inner wall, both
-    go; where most faces are so doubled, it is a sheet, and one of each stays.
+    A crumb is a piece with less than 0.05 % of the area; fins are attached to edges of two other
+    faces, and have at most 5 % of the area in total. Two faces with the same vertices but different
+    colours, an inner wall, are both removed; if most faces are duplicated in this way, the mesh is
+    a sheet, and one of each pair is kept.
 
     Raises:
-        BackendError: nothing is left, or it is flat.
+        BackendError: nothing is left, or the surface is flat.
     """
     surface = surface.keep(_sound(surface.vertices, surface.faces, weld_index(surface.vertices)))
     if not len(surface.faces):
@@ -49,7 +50,7 @@ def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
 
 
 def welded_shape(vertices: Float[np.ndarray, "v 3"], faces: Faces) -> tuple[Vertices, Faces]:
-    """Return a shape with vertices at the same place made one, and unused ones left out."""
+    """Return a shape with coincident vertices merged and unused ones removed."""
     weld = weld_index(vertices)
     used, joined = np.unique(weld[faces], return_inverse=True)
     first = np.unique(weld, return_index=True)[1]
@@ -57,14 +58,14 @@ def welded_shape(vertices: Float[np.ndarray, "v 3"], faces: Faces) -> tuple[Vert
 
 
 def tidy(vertices: Vertices, faces: Faces) -> Int[np.ndarray, "k 3"]:
-    """Return a welded shape's faces put right as ``clean`` does a surface's."""
+    """Return a welded shape's faces, cleaned as in ``clean``."""
     return faces[_sound(vertices, faces, np.arange(len(vertices)))]
 
 
 def inside_out(vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "m"]:
     """Return which faces must be turned over so that all look outwards (by trimesh)."""
     mesh = trimesh.Trimesh(vertices, faces, process=False)
-    if mesh.is_watertight and mesh.is_winding_consistent:  # a cavity's wall may face inwards
+    if mesh.is_watertight and mesh.is_winding_consistent:  # walls of cavities may face inwards
         return np.full(len(faces), mesh.volume < 0)
     trimesh.repair.fix_normals(mesh, multibody=True)
     return (mesh.faces != faces).any(1)
@@ -73,10 +74,11 @@ def inside_out(vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "m"]:
 def fill_holes(
     vertices: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "j 3"]]:
-    """Close holes with a rim of at most a fifth of the diagonal; a bowl's mouth stays open.
+    """Close holes with a rim of at most a fifth of the diagonal; a bowl's opening stays open.
 
-    Each gets a fan around its middle, also those that meet in a corner; single triangles get none.
-    trimesh's own filling goes by the number of a rim's corners, and puts lids on boxes.
+    Each hole gets a fan around its centre, including holes that share a corner; single triangles
+    are skipped. trimesh's own filling is limited by the number of a rim's vertices, and would close
+    open boxes.
     """
     sides, edge, total = _edges(faces)
     rim = total[edge] == 1
@@ -100,27 +102,27 @@ def fill_holes(
 
 
 def check_surface(faces: Faces, what: str) -> None:
-    """Refuse what is no surface even after its repair.
+    """Check that the repaired mesh is a surface.
 
-    Of all edges, 1 % at most may be flawed. Sound are those that join two faces of one side, or
-    two pairs (things that touch), and rims that run around an opening and meet no other rim.
-    Flawed are those of three faces or more, of two that turn over, the rims of single triangles,
-    and where rims meet.
+    At most 1 % of all edges may be flawed. Sound edges join two faces with consistent orientation,
+    or two such pairs (objects that touch), or belong to rims that run around an opening and meet no
+    other rim. Flawed edges are those of three faces or more, of two faces with opposite
+    orientation, the rims of single triangles, and rims that meet.
 
     Raises:
-        BackendError: more are flawed.
+        BackendError: more edges are flawed.
     """
     torn, uneven = flaws(faces)
     if torn + uneven > _FLAWED:
         raise BackendError(
-            f"{what} is no surface: {torn:.1%} of its edges are torn, {uneven:.1%} join three "
-            f"faces or turn over; together {_FLAWED:.0%} may after repair. Merge its vertices, or "
-            "make it manifold (Blender: Mesh, Clean Up)."
+            f"{what} is not a surface: {torn:.1%} of its edges are torn, {uneven:.1%} join three "
+            f"faces or turn over; the limit for both together is {_FLAWED:.0%} after repair. Merge "
+            "its vertices, or make it manifold (Blender: Mesh, Clean Up)."
         )
 
 
 def flaws(faces: Faces) -> tuple[float, float]:
-    """Return which shares of a shape's edges are torn, and do not join two faces or two pairs."""
+    """Return the shares of edges that are torn, and that do not join two faces or two pairs."""
     sides, edge, total = _edges(faces)
     net = np.abs(np.bincount(edge, np.where(sides[:, 0] < sides[:, 1], 1, -1)))
     uneven = ((total > 2) & (total % 2 == 1)) | ((total == 2) & (net > 0))
@@ -135,14 +137,14 @@ def flaws(faces: Faces) -> tuple[float, float]:
 def _edges(
     faces: Faces,
 ) -> tuple[Int[np.ndarray, "s 2"], Int[np.ndarray, "s"], Int[np.ndarray, "e"]]:
-    """Return sides (all first ones first), the edge of each, and how many lie on each edge."""
+    """Return the half-edges, the edge of each, and the number of half-edges per edge."""
     sides = np.concatenate([faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
     _, edge, total = np.unique(_edge_keys(faces), return_inverse=True, return_counts=True)
     return sides, edge.reshape(-1), total
 
 
 def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
-    """Return a number for each side, the same for those on one edge."""
+    """Return a number per half-edge, equal for those on the same edge."""
     radix = int(faces.max()) + 1
     keys = np.empty((3, len(faces)), np.int64)
     for k in range(3):
@@ -152,7 +154,7 @@ def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
 
 
 def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool[np.ndarray, "m"]:
-    """Tell which faces stay: no slivers, doubled ones, loose crumbs or fins."""
+    """Return which faces to keep: no slivers, duplicates, loose crumbs or fins."""
     corner = weld[faces]
     kept = np.flatnonzero((corner != np.roll(corner, 1, axis=1)).all(1))
     area = areas(vertices, faces)
@@ -165,9 +167,9 @@ def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool
 
 
 def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Tell which faces stay when small pieces that hang on edges of three faces are left out."""
-    # A piece hangs together by edges of two faces. Those with a free rim go first, and smaller
-    # ones; what then hangs on sound edges stays.
+    """Return which faces to keep so that no small piece is attached to edges of three faces."""
+    # A piece is connected by edges of two faces. Pieces with a free rim are removed first, and
+    # smaller ones before larger ones; pieces that are then attached by sound edges are kept.
     total = np.unique(_edge_keys(faces), return_counts=True)[1]
     odd = (total > 2) & (total % 2 == 1)
     if not odd.any():
@@ -195,12 +197,12 @@ def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"
 
 
 def _single_sides(rim: Bool[np.ndarray, "s"]) -> Bool[np.ndarray, "s"]:
-    """Tell which sides are of faces with nothing but rims, given which sides are rims."""
+    """Return which half-edges are of faces that have only rims, given which are rims."""
     return np.tile(rim.reshape(3, -1).all(0), 3)
 
 
 def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:
-    """Return for each side of a rim which loop it is in, -1 for none; none meets a corner twice."""
+    """Return the loop of each rim half-edge, or -1; no loop visits a vertex twice."""
     ahead: dict[int, list[int]] = {}
     for side, corner in enumerate(start.tolist()):
         ahead.setdefault(corner, []).append(side)
@@ -210,7 +212,7 @@ def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.nda
         corners, place = [first], {first: 0}
         while way or ahead.get(first):
             sides = ahead.get(corners[-1])
-            if not sides:  # a way that ends nowhere is in no loop
+            if not sides:  # open paths belong to no loop
                 way.pop()
                 del place[corners.pop()]
                 continue
@@ -230,7 +232,7 @@ def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.nda
 
 
 def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Tell which faces stay where several have the same corners."""
+    """Return which faces to keep of those with the same vertices."""
     group = _group(np.sort(corner, axis=1))
     if int(group.max()) + 1 == len(corner):
         return np.ones(len(corner), bool)
@@ -248,7 +250,7 @@ def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
 
 
 def _group(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
-    """Return a number for each row, the same for equal ones, in their order."""
+    """Return a number per row, equal for equal rows, in order of the rows."""
     group = np.zeros(len(rows), np.int64)
     for column in rows.T:
         group = np.unique(group * (int(column.max()) + 1) + column, return_inverse=True)[1]
@@ -257,23 +259,23 @@ def _group(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
 
 
 def _sizable(corner: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Tell which faces belong to a connected piece of some size."""
+    """Return which faces belong to a connected piece of sufficient area."""
     piece = pieces(corner, int(corner.max()) + 1)[corner[:, 0]]
     area = np.bincount(piece, area)
     return (area > _CRUMB * area.sum())[piece]
 
 
-_SHARE = 1.5e-3  # of its longest side that a sheet is made thick; repair refuses a third less
-_THIN_SHARE = 0.05  # share of its longest side below which a thin thing is a sheet
-_SAME = 1e-6  # share of its longest side up to which both sides of a sheet are one
+_SHARE = 1.5e-3  # thickness of sheets, as a fraction of the longest side; below 2/3 repair rejects
+_THIN_SHARE = 0.05  # fraction of the longest side below which a thin mesh is a sheet
+_SAME = 1e-6  # fraction of the longest side up to which both sides of a sheet are merged
 
 
 def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
     """Return a sheet with a thickness, and the thickness; other surfaces unchanged, and 0.
 
-    A sheet is thinner than ``physics.parts.THINNEST`` or than 0.15 % of its longest side, along any
-    direction. If it has two sides, they move apart along that direction; a single layer becomes two
-    layers with a rim.
+    A sheet is thinner than ``physics.parts.THINNEST`` or than 0.15 % of its longest side, along
+    some direction. If it has two sides, they are moved apart along that direction; a single layer
+    becomes two layers with a rim.
     """
     used = surface.vertices[np.unique(surface.faces)]
     middle = used.mean(0)
@@ -291,7 +293,7 @@ def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
 
 
 def _normal(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "3"]:
-    """Return the direction in which points extend least; along an axis if nearly so."""
+    """Return the direction of least extent; an axis if nearly parallel to one."""
     normal = np.linalg.eigh(points.T @ points)[1][:, 0]
     axis = int(np.abs(normal).argmax())
     return np.eye(3)[axis] if abs(normal[axis]) > 1 - 1e-6 else normal
@@ -302,7 +304,7 @@ def _extrude(surface: ColoredSurface, half: Float[np.ndarray, "3"]) -> ColoredSu
     count, faces = len(surface.vertices), surface.faces
     sides, owner = _rim(surface)
     if len(faces) and np.cross(*np.diff(surface.vertices[faces[0]], axis=0)) @ half < 0:
-        half = -half  # the first layer looks outwards
+        half = -half  # the first layer faces outwards
     a, b = sides.T
     rim = np.concatenate([
         np.column_stack([b, a, a + count]), np.column_stack([b, a + count, b + count]),
@@ -318,7 +320,7 @@ def _extrude(surface: ColoredSurface, half: Float[np.ndarray, "3"]) -> ColoredSu
 
 
 def _rim(surface: ColoredSurface) -> tuple[Int[np.ndarray, "k 2"], Int[np.ndarray, "k"]]:
-    """Return the sides that belong to one face alone, and their faces."""
+    """Return the half-edges that belong to only one face, and their faces."""
     sides = np.concatenate([surface.faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
     welded = np.sort(weld_index(surface.vertices)[sides], axis=1)
     _, edge, total = np.unique(welded, axis=0, return_inverse=True, return_counts=True)

@@ -1,10 +1,10 @@
-"""Take the light out of an object's colours: estimate its shading, divide by it.
+"""Removes the light from an object's colours: estimates its shading and divides by it.
 
-A picture shows colour times light; a texture must hold colour alone, or the next light falls on
-top of the first. Light is taken to be the same all over one object and smooth in the surface's
-direction: ``1 + up * (n_z - 1) + side * n_x + ahead * n_y``, which is 1 for what faces up. Most
-light comes from above, so that is the prior; the picture's own brightness corrects it wherever
-one hue is seen from several directions.
+A picture shows colour times light; a texture must contain colour alone, or the scene's light would
+be applied on top of the picture's. Light is assumed constant over an object and smooth in the
+surface normal: ``1 + up * (n_z - 1) + side * n_x + ahead * n_y``, which is 1 for surfaces that face
+up. Most light comes from above, so that is the prior; the picture's own brightness corrects it
+where one hue is visible with several normals.
 """
 
 from __future__ import annotations
@@ -16,34 +16,34 @@ from jaxtyping import Bool, Float, Int
 
 Rows = Float[np.ndarray, "t 3"]
 
-_PRIOR = np.array([0.0, -0.04, 0.26])  # side, ahead, up: from above and a little from the front
+_PRIOR = np.array([0.0, -0.04, 0.26])  # side, ahead, up: from above and slightly from the front
 _SPREAD = np.array([0.12, 0.12, 0.1])
-_DARKEST = 0.5  # shading is not taken to be deeper than that
-_NOISE = 0.1  # relative brightness by which places of one hue and direction differ anyway
-_LEAST = 15  # points of one hue and direction that say something
-_LEVELS = 24  # of a colour's share of red, and of green
+_DARKEST = 0.5  # lower limit of the shading factor
+_NOISE = 0.1  # typical variation of relative brightness within one hue and direction
+_LEAST = 15  # minimum number of points of one hue and direction
+_LEVELS = 24  # steps of a colour's share of red, and of green
 
 
 @dataclass(frozen=True, eq=False)
 class Shading:
-    """How bright a surface looks by its direction; ``slope`` is the share per unit of n."""
+    """Brightness of a surface by its normal; ``slope`` is the change per unit of n."""
 
     slope: Float[np.ndarray, "3"]
 
     def at(self, normal: Rows) -> Float[np.ndarray, "t"]:
-        """Return the factor that light puts on the colours of a surface with these normals."""
+        """Return the factor by which light scales the colours of a surface with these normals."""
         return np.clip(1.0 + (normal - [0.0, 0.0, 1.0]) @ self.slope, _DARKEST, 1.25)
 
     def remove(self, colors: Rows, normal: Rows) -> Rows:
-        """Return colours as an even light from above would show them."""
+        """Return colours as under uniform light."""
         return np.minimum(colors / self.at(normal)[:, None], 255.0)
 
 
 def estimate_shading(colors: Rows, normal: Rows, seen: Bool[np.ndarray, "t"]) -> Shading:
-    """Return the shading that explains the brightness of the ``seen`` points' ``colors``.
+    """Estimate the shading that explains the brightness of the ``seen`` points' ``colors``.
 
-    Points are gathered by hue and direction; the middle brightness of each gathering is compared
-    with that of the others of its hue, so that prints and patterns count for little.
+    Points are grouped by hue and direction; the median brightness of each group is compared with
+    that of other groups of its hue, so that prints and patterns have little influence.
     """
     colors, normal = colors[seen], normal[seen]
     if len(colors) < 4 * _LEAST:
@@ -67,7 +67,8 @@ def estimate_shading(colors: Rows, normal: Rows, seen: Bool[np.ndarray, "t"]) ->
     if not lines:
         return Shading(_PRIOR)
     a, b, w = np.concatenate(lines), np.concatenate(values), np.concatenate(weights)
-    # Brightness is relative to a hue's mean, not to what faces up: one shrinking factor between.
+    # Brightness is relative to the mean of a hue, not to surfaces that face up: a damped fixed
+    # point.
     mean = 1.0 - 0.5 * _PRIOR[2]
     a, w = a / mean, w / _NOISE**2
     prior = np.diag(1.0 / _SPREAD**2)
@@ -76,7 +77,7 @@ def estimate_shading(colors: Rows, normal: Rows, seen: Bool[np.ndarray, "t"]) ->
 
 
 def _hues(colors: Rows) -> Int[np.ndarray, "t"]:
-    """Number colours by their shares of red and green; what is nearly black is apart."""
+    """Number colours by their shares of red and green; nearly black ones are one group."""
     total = np.maximum(colors.sum(1), 30.0)
     share = np.minimum((colors[:, :2] / total[:, None] * _LEVELS).astype(int), _LEVELS - 1)
     dark = np.digitize(total / 3, [25.0])
@@ -84,6 +85,6 @@ def _hues(colors: Rows) -> Int[np.ndarray, "t"]:
 
 
 def _directions(normal: Rows) -> Int[np.ndarray, "t"]:
-    """Number directions: each axis negative, near zero, or positive."""
+    """Number directions: each axis is negative, near zero, or positive."""
     thirds = np.digitize(normal, [-0.4, 0.4])
     return thirds @ np.array([9, 3, 1])

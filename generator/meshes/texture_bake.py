@@ -1,8 +1,8 @@
-"""Paint a mesh with the pixels of one picture: what the camera saw, and what it must look like.
+"""Textures a mesh from one picture: visible parts are copied, hidden parts are inferred.
 
-Visible texels take the picture's colours. Hidden ones take the colour of the mirrored place on the
-object where that was seen, else their own base colour recoloured like the parts that were seen,
-else the nearest seen colour.
+Visible texels get the picture's colours. Hidden texels get the colour of the mirrored position on
+the object if that is visible, otherwise their own base colour recoloured like the visible parts,
+otherwise the nearest visible colour.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ Texels = Float[np.ndarray, "t 3"]
 Image = UInt8[np.ndarray, "h w 3"]
 Plane = Float[np.ndarray, "4"]  # unit normal and offset
 
-_GRAZING = 0.18  # cosine below which a surface shows too few pixels to be painted from them
-_MIRRORED = 0.35  # the same for places that hidden ones are painted from
+_GRAZING = 0.18  # minimum cosine of visible surfaces; at lower ones the pixels are too few
+_MIRRORED = 0.35  # the same for points that hidden ones copy
 _PALETTE = 8
-_LIKE = 22.0  # grey levels by which mirrored places of a symmetric object differ at most
+_LIKE = 22.0  # maximum difference in grey levels between mirrored points of a symmetric object
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +54,7 @@ class SurfacePoints:
 
 
 def opaque_colors(crop: UInt8[np.ndarray, "h w 4"]) -> tuple[Image, Bool[np.ndarray, "h w"]]:
-    """Return the crop's colours carried over its soft edge and beyond, and its mask."""
+    """Return the crop's colours, extended over its soft edge and beyond, and its mask."""
     mask = crop[..., 3] > 127
     core = cv2.erode(mask.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0
     core = core if core.sum() > 16 else mask
@@ -63,7 +63,7 @@ def opaque_colors(crop: UInt8[np.ndarray, "h w 4"]) -> tuple[Image, Bool[np.ndar
 
 
 def surface_of(atlas: Atlas, vertices: Vertices) -> SurfacePoints:
-    """Return where each texel of ``atlas`` lies, given the original vertices' positions."""
+    """Return the surface point of each texel of ``atlas`` for given original vertices."""
     placed = vertices[atlas.source]
     corner = placed[atlas.faces[atlas.face]]
     point = (corner * atlas.weights[:, :, None]).sum(1)
@@ -75,7 +75,7 @@ def surface_of(atlas: Atlas, vertices: Vertices) -> SurfacePoints:
 
 @dataclass(frozen=True, eq=False)
 class CropView:
-    """What the camera sees of a mesh: ``near`` is the largest 1/depth around each crop pixel."""
+    """The camera's view of a mesh: ``near`` is the maximum 1/depth around each crop pixel."""
 
     projection: Projection
     near: Float[np.ndarray, "h w"]
@@ -83,7 +83,7 @@ class CropView:
 
     @classmethod
     def of(cls, vertices: Vertices, faces: Faces, projection: Projection) -> CropView:
-        """Look at a mesh in the object frame."""
+        """Render a mesh in the object frame."""
         corners = projection.corners(vertices, faces)
         near = nearest(corners, projection.width, projection.height)[1]
         near = near.reshape(projection.height, projection.width)
@@ -91,7 +91,7 @@ class CropView:
         return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))
 
     def sees(self, surface: SurfacePoints, minimum: float = _GRAZING) -> Bool[np.ndarray, "t"]:
-        """Tell which points are on the nearest surface, and seen at a cosine above ``minimum``."""
+        """Return which points are visible, and seen at a cosine above ``minimum``."""
         view, pixel = self.projection, np.floor(self.projection.project(surface.point)).astype(int)
         line = view.position - surface.point
         cosine = (surface.normal * line).sum(1) / np.linalg.norm(line, axis=1)
@@ -117,11 +117,11 @@ def sample(
 
 
 def recolor(base: Texels, seen: Bool[np.ndarray, "t"], colors: Texels) -> tuple[Texels, float]:
-    """Carry the seen parts' colours over to all texels with the same base colour.
+    """Transfer the visible parts' colours to all texels with the same base colour.
 
-    Base colours are grouped; each group moves by the difference of its seen median to its base
-    median (groups never seen move half as the nearest one). Also returns the share, in [0, 1], of
-    the seen colours' variance that the groups explain.
+    Base colours are clustered; each cluster is shifted by the difference of its visible median to
+    its base median (clusters without visible texels by half the shift of the nearest one). Also
+    returns the share, in [0, 1], of the visible colours' variance that the clusters explain.
     """
     group, centers = _palette(base)
     shift = np.zeros_like(centers)
@@ -142,7 +142,7 @@ def recolor(base: Texels, seen: Bool[np.ndarray, "t"], colors: Texels) -> tuple[
 
 
 def _palette(base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Group colours around at most ``_PALETTE`` centres found by farthest-first search."""
+    """Cluster colours around at most ``_PALETTE`` centres by farthest-first search."""
     stride = base[:: max(1, len(base) // 4000)]
     centers = [np.median(stride, 0)]
     gap = np.linalg.norm(stride - centers[0], axis=1)
@@ -162,10 +162,10 @@ def paint(
     size: int = 384,
     sure: bool = True,
 ) -> tuple[Atlas, UInt8[np.ndarray, "s s 3"]]:
-    """Unwrap a mesh (vertices in the object frame) and paint all of it from one crop.
+    """Unwrap a mesh (vertices in the object frame) and texture all of it from one crop.
 
-    ``planes`` are those of the object's mirror symmetries; unless ``sure``, those that the
-    picture's own colours contradict are left out.
+    ``planes`` are the object's mirror symmetries; unless ``sure``, those that the picture's colours
+    contradict are ignored.
     """
     atlas = unwrap(vertices, faces, size)
     surface = surface_of(atlas, vertices)
@@ -180,7 +180,7 @@ def paint(
 
 
 def agrees(surface: SurfacePoints, sight: CropView, image: Image, plane: Plane) -> bool:
-    """Tell whether points seen together with their mirror images mostly have the same colour."""
+    """Return whether points and mirror images that are both visible mostly agree in colour."""
     twin = surface.mirror(plane)
     both = sight.sees(surface) & sight.sees(twin)
     if both.sum() < 0.02 * len(both):
@@ -196,10 +196,10 @@ def seen_colors(
     shading: Shading,
     planes: tuple[Plane, ...],
 ) -> tuple[Texels, Bool[np.ndarray, "t"]]:
-    """Return the picture's colours, unshaded, of the points it shows, and which they are.
+    """Return the picture's colours, unshaded, of the visible points, and which points have one.
 
-    A hidden point takes the colour of its mirror image about one of ``planes``, or about two of
-    them in turn, if that is seen.
+    A hidden point gets the colour of its mirror image about one of ``planes``, or about two of them
+    in turn, if that is visible.
     """
     colors = np.zeros((len(surface.point), 3))
     known = np.zeros(len(surface.point), bool)
@@ -220,9 +220,9 @@ def seen_colors(
 def fill_nearest(
     surface: SurfacePoints, known: Bool[np.ndarray, "t"], colors: Texels, size: float
 ) -> Texels:
-    """Give unknown points the middle colour of known ones near by and facing alike.
+    """Give unknown points the median colour of nearby known points with similar normals.
 
-    What faces down gets the object's middle colour, darkened.
+    Surfaces that face down get the object's median colour, darkened.
     """
     if known.all() or not known.any():
         return colors

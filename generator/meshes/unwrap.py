@@ -1,4 +1,4 @@
-"""Cut a triangle mesh into charts and pack them into one square texture without overlap."""
+"""Cuts a triangle mesh into charts and packs them into one square texture without overlap."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ _GUTTER = 2.0  # texels between charts
 
 @dataclass(frozen=True, eq=False)
 class Atlas:
-    """A mesh with texture coordinates of its own, and what each texel shows.
+    """A mesh with new texture coordinates, and the surface point of each texel.
 
-    ``source`` gives the original vertex of each vertex. Per covered texel: ``texel`` its flat
-    index (row 0 on top), ``face`` its triangle, ``weights`` its place on that triangle.
+    ``source`` gives the original vertex of each vertex. Per covered texel: ``texel`` is its flat
+    index (row 0 on top), ``face`` its triangle, ``weights`` its barycentric position on that
+    triangle.
     """
 
     source: Int[np.ndarray, "n"]
@@ -34,7 +35,7 @@ class Atlas:
 def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return per face its chart and its dominant direction (0..5: -x +x -y +y -z +z)."""
     normal = face_normals(vertices, faces)
-    # A slight preference keeps the faces of a 45-degree bevel together.
+    # A slight bias keeps the faces of a 45-degree bevel together.
     axis = np.abs(normal * [1.0, 1.001, 1.002]).argmax(1)
     side = axis * 2 + (np.take_along_axis(normal, axis[:, None], 1)[:, 0] > 0)
     corner = weld_index(vertices)[faces]
@@ -50,9 +51,9 @@ def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nda
 
 
 def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.ndarray, "c 2"]]:
-    """Return the largest scale at which rectangles fit a square on shelves, and their corners."""
+    """Return the maximum scale at which rectangles fit a square on shelves, and their corners."""
     order = np.argsort(-sizes[:, 1], kind="stable")
-    # Gutters of many charts alone would be too much.
+    # The gutters alone may exceed the texture if there are many charts.
     gutter = min(_GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes)))))
     scale = float(np.sqrt(size * size / np.maximum((sizes[:, 0] * sizes[:, 1]).sum(), 1e-12)))
     while True:
@@ -72,7 +73,7 @@ def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.n
 
 
 def unwrap(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], size: int) -> Atlas:
-    """Unwrap a mesh: connected faces of like direction become one chart, laid flat along it.
+    """Unwrap a mesh: connected faces of similar direction form one chart, projected along it.
 
     ``vertices`` are in true proportions; ``size`` is the texture's side in texels.
     """

@@ -1,6 +1,6 @@
-"""Sec. 4.3, ablations: the reasoner gives the numbers in place of a stage.
+"""Sec. 4.3, ablations: the reasoner's answers replace a stage.
 
-Without DRO it gives the rotations (here); without TSA, places and sizes
+Without DRO the reasoner gives the rotations (this module); without TSA it gives positions and sizes
 (``alignment.placement.ask_layout``).
 """
 
@@ -17,19 +17,19 @@ from ..scene import TABLE, Instance, Reference, Rotation, SizePrior, View
 
 
 def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
-    """Return the reasoner as one that can be asked for poses.
+    """Return the reasoner as a backend that can answer queries for poses.
 
     Raises:
-        BackendError: the reasoner cannot.
+        BackendError: the reasoner has no such queries.
     """
     if isinstance(reasoner, PoseGuesser):
         return reasoner
     questions = ("guess_rotations", "guess_layout")
     missing = [q for q in questions if not callable(getattr(reasoner, q, None))]
     raise BackendError(
-        f"{type(reasoner).__name__} does not answer {' and '.join(missing)}, which stand in for "
-        "DRO and TSA where they are left out. See generator.backends.protocols.PoseGuesser, or "
-        "leave nothing out."
+        f"{type(reasoner).__name__} does not implement {' and '.join(missing)}, which the "
+        "ablations of DRO and TSA need. Implement generator.backends.protocols.PoseGuesser, or "
+        "disable the ablations."
     )
 
 
@@ -40,17 +40,17 @@ def ask_rotations(
     view: View,
     guesser: PoseGuesser,
 ) -> dict[str, Rotation]:
-    """Return the yaw that the reasoner gives for every instance but the table, without a loss.
+    """Return the reasoner's yaw for every instance except the table, without a loss.
 
     Raises:
-        BackendError: an answer is missing, or no finite angle.
+        BackendError: an answer is missing or is not a finite angle.
     """
     guesses = guesser.guess_rotations(reference, instances, sizes, view)
     rotations: dict[str, Rotation] = {}
     for name in (i.name for i in instances if i.name != TABLE):
         if name not in guesses or not np.isfinite(guesses[name]):
             raise BackendError(
-                f"guess_rotations: {type(guesser).__name__} gave no finite yaw for {name!r}."
+                f"guess_rotations: {type(guesser).__name__} returned no finite yaw for {name!r}."
             )
         rotations[name] = Rotation(name, wrap(float(guesses[name])), float("nan"))
     return rotations

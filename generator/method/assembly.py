@@ -1,9 +1,9 @@
-"""3D scene assembly (Sec. 3.4): models with their poses and scales become bodies that rest.
+"""3D scene assembly (Sec. 3.4): models with their poses and scales become bodies at rest.
 
 The paper imports the canonical models m_i with (r_i, t_i, s_i) into a simulator, gives each a
-collision shape by convex decomposition, and enables gravity and friction. Here that is: convex
-parts, volume-true inertia, least-displacement separation, seating by contact, settling in MuJoCo,
-and a gate that records whether the result is sound.
+collision shape by convex decomposition, and enables gravity and friction. This implementation uses
+convex parts, inertia computed from volumes, least-displacement separation, placement by contact,
+settling in MuJoCo, and a gate that records whether the result is valid.
 """
 
 from __future__ import annotations
@@ -38,22 +38,23 @@ from ..scene import (
     View,
 )
 
-_SHAKE = 1.5  # in leans of the gate
-_STAYS = 1e-4, 1e-3  # metres, radians: what moves less as a scene settles again has not moved
+_SHAKE = 1.5  # multiple of the gate's lean
+_STAYS = 1e-4, 1e-3  # metres, radians: smaller motions while settling again are ignored
 
 
 @dataclass(frozen=True)
 class AssemblyConfig:
     """Settings of the assembly.
 
-    clearance: gap left between objects that had overlapped, metres.
-    settle_seconds: longest time given to come to rest.
-    topple: an object that leans more than this after settling (radians) has toppled; it is set up
-        again on a weighted foot.
-    attempts: how often settling is tried.
-    drop_failing: leave out objects that cannot be freed or made to stand, instead of recording a
-        failure.
-    limits: what the gate demands.
+    Attributes:
+        clearance: gap between objects that overlapped before separation, metres.
+        settle_seconds: maximum settling time.
+        topple: an object that leans more than this after settling (radians) has toppled; it is set
+            upright on a weighted foot.
+        attempts: maximum number of settling attempts.
+        drop_failing: leave out objects that cannot be freed or made to stand, instead of recording
+            a failure.
+        limits: limits of the gate.
     """
 
     clearance: float = 1e-3
@@ -72,11 +73,16 @@ class AssemblyConfig:
 
 @dataclass(frozen=True, eq=False)
 class Rested:
-    """A scene at rest that is not judged yet (:func:`finish`).
+    """A scene at rest, before the gate (:func:`finish`).
 
-    wanted: everything where it was asked to be; arranged: free of overlaps; scene: at rest.
-    stuck, unstable, dropped: names of what has no free place, would not stand, was left out.
-    loose: names of what may be moved to pass the gate; None is everything.
+    Attributes:
+        wanted: the scene with all objects in their requested positions.
+        arranged: the scene without overlaps.
+        scene: the scene at rest.
+        stuck: names of objects without a free position.
+        unstable: names of objects that do not stand.
+        dropped: names of objects that were left out.
+        loose: names of objects that may be moved to pass the gate; None means all.
     """
 
     wanted: Scene
@@ -101,13 +107,13 @@ def assemble(
     plan: ScenePlan | None = None,
     footed: Collection[str] = (),
 ) -> Scene:
-    """Return a scene of canonical models at their placements, settled, with its report.
+    """Return a settled scene of canonical models at their placements, with its report.
 
-    The report may have failed; publishing checks it. The arguments are those of
-    :func:`bring_to_rest`.
+    The gate may have failed; the report says so, and publishing checks it. The arguments are those
+    of :func:`bring_to_rest`.
 
     Raises:
-        InputError: a placement without a model, or on something that is not there.
+        InputError: a placement has no model, or an unknown support.
         SceneError: a mesh has no convex parts and cannot be decomposed.
     """
     config = config or AssemblyConfig()
@@ -138,15 +144,15 @@ def bring_to_rest(
         placements: r_i, t_i, s_i and the support of each object, world frame.
         table_model: canonical model of the table.
         table_scale: the table's extent in metres.
-        provenance: where the scene comes from; warnings of this stage are added to it.
+        provenance: origin of the scene; warnings of this stage are added to it.
         name: name of the scene.
         config: settings.
         view: the reference image's camera; None keeps the scene's default.
-        plan: what the text asked for, kept with the scene.
-        footed: names of what stands on a weighted foot from the start.
+        plan: the text's plan, stored with the scene.
+        footed: names of objects that get a weighted foot from the start.
 
     Raises:
-        InputError: a placement without a model, or on something that is not there.
+        InputError: a placement has no model, or an unknown support.
         SceneError: a mesh has no convex parts and cannot be decomposed.
     """
     config = config or AssemblyConfig()
@@ -171,12 +177,12 @@ def bring_to_rest(
 def reassemble(
     wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig | None = None
 ) -> Scene:
-    """Settle and judge a scene whose objects stand where they are to be.
+    """Settle a scene whose objects are already in position, and run the gate on it.
 
-    ``wanted`` has everything where it was asked to be; ``arranged`` is free of overlaps, everything
-    on or just above what it stands on. ``fresh`` names what is new: other things get no foot, and
-    keep their pose bit for bit unless settling moves them. Gravity leans as when ``arranged`` was
-    judged.
+    ``wanted`` has all objects in their requested positions; in ``arranged`` there are no overlaps
+    and every object is on or just above its support. ``fresh`` names the new objects: the others
+    get no foot, and keep their pose bit for bit unless settling moves them. The lean of gravity is
+    that of the report of ``arranged``.
     """
     config = with_lean_of(arranged, config or AssemblyConfig())
     rested, unstable = rest(arranged, config, fresh)
@@ -185,16 +191,16 @@ def reassemble(
 
 
 def with_lean_of(scene: Scene, config: AssemblyConfig) -> AssemblyConfig:
-    """Return the settings with the lean of gravity at which a scene was judged, if it says one."""
+    """Return the settings with the lean of gravity from a scene's report, if it records one."""
     if scene.report is None or scene.report.lean is None:
         return config
     return replace(config, limits=replace(config.limits, lean=scene.report.lean))
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
-    """Remove overlaps from a scene: stand, separate, stack, separate again, and finally relocate.
+    """Remove overlaps: place on the table, separate, stack, separate again, and finally relocate.
 
-    Returns the scene and the names of objects for which there is no free place.
+    Returns the scene and the names of objects without a free position.
     """
     height = scene.table.height
     standing = [o if o.placement.on != TABLE else seat_on_table(o, height) for o in scene.objects]
@@ -212,11 +218,11 @@ def rest(
     may: Collection[str] | None = None,
     loose: Collection[str] | None = None,
 ) -> tuple[Scene, tuple[str, ...]]:
-    """Settle a scene; what topples is stood up again on a weighted foot and settled once more.
+    """Settle a scene; set objects that topple upright on a weighted foot and settle again.
 
-    ``may`` names what may get a foot, ``loose`` what may move; None is everything. What may not
-    move keeps its pose and carries what is loose. Returns the scene at rest and the names of
-    objects that would not stand.
+    ``may`` names the objects that may get a foot, ``loose`` those that may move; None means all.
+    Objects that may not move keep their poses and support the others. Returns the scene at rest and
+    the names of objects that do not stand.
     """
     moving, fixed = _split(scene, loose)
     footed: set[str] = set()
@@ -239,9 +245,9 @@ def rest(
 def table_body(
     model: Model, scale: Float[np.ndarray, "3"], budget: CutBudget | None = None
 ) -> Table:
-    """Return a model as a table of that scale (its extent in metres), with convex parts.
+    """Return a model as a table of the given extent (metres), with convex parts.
 
-    A mesh without parts is decomposed, within a ``budget`` of several meshes.
+    A mesh without parts is decomposed, within a ``budget`` shared by several meshes.
     """
     parts = model_parts(model, scale, budget)
     points = np.concatenate([p.vertices for p in parts])
@@ -250,7 +256,7 @@ def table_body(
 
 
 def body(model: Model, placement: Placement) -> Object:
-    """Return a model as a body of its placement's scale, with convex parts, mass and inertia."""
+    """Return a model as an object at a placement, with convex parts, mass and inertia."""
     parts = body_parts(model, placement.scale)
     weighed = body_mass(model.mesh, placement.scale, model.physics, parts)
     pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
@@ -261,7 +267,7 @@ def body(model: Model, placement: Placement) -> Object:
 
 
 def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]) -> None:
-    """Check that every support and model exists, and that no thing stands on itself."""
+    """Check that every support and model exists, and that no object supports itself."""
     on = {p.name: p.on for p in placements}
     for name, below in on.items():
         seen = {name}
@@ -269,7 +275,7 @@ def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]
             if below not in on:
                 raise InputError(f"{name!r} stands on unknown {below!r}." + choices(below, on))
             if below in seen:
-                raise InputError(f"{name!r} stands on itself, by way of {sorted(seen)}.")
+                raise InputError(f"{name!r} stands on itself, through {sorted(seen)}.")
             seen.add(below)
             below = on[below]
     for name in on:
@@ -281,7 +287,7 @@ def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]
 
 
 def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -> set[str]:
-    """Return things that lean too far though they should stand, and things that left the table."""
+    """Return objects that toppled although they should stand, and objects that left the table."""
     simulation.place(poses)
     simulation.contacts()
     gone = set(find_fallen(simulation))
@@ -293,7 +299,7 @@ def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -
 
 
 def _again(scene: Scene, config: AssemblyConfig, loose: Collection[str] | None) -> Scene:
-    """Settle what is loose further, shaken by more than the gate's lean unless that topples it."""
+    """Settle loose objects further, shaken by more than the gate's lean if none topples."""
     moving, fixed = _split(scene, loose)
     if not moving.objects:
         return scene
@@ -310,7 +316,7 @@ def _again(scene: Scene, config: AssemblyConfig, loose: Collection[str] | None) 
 
 
 def _split(scene: Scene, loose: Collection[str] | None) -> tuple[Scene, tuple[Object, ...]]:
-    """Return the scene with only what is loose (None: everything), and the other objects."""
+    """Return the scene with only its loose objects (None: all objects), and the other objects."""
     if loose is None:
         return scene, ()
     moving = tuple(o for o in scene.objects if o.name in loose)
@@ -318,13 +324,13 @@ def _split(scene: Scene, loose: Collection[str] | None) -> tuple[Scene, tuple[Ob
 
 
 def _merge(scene: Scene, objects: Sequence[Object]) -> Scene:
-    """Return the scene with these in place of its objects of the same names."""
+    """Return the scene with ``objects`` replacing its objects of the same names."""
     known = {o.name: o for o in objects}
     return scene.replace(objects=tuple(known.get(o.name, o) for o in scene.objects))
 
 
 def keep_unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
-    """Return the scene at rest; things that are neither new nor moved keep their exact pose."""
+    """Return the scene at rest; objects that are neither new nor moved keep their exact pose."""
     poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
     moved = (shift_distances(*poses) > _STAYS[0]) | (turn_angles(*poses) > _STAYS[1])
     triples = zip(arranged.objects, rested.objects, moved, strict=True)
@@ -339,7 +345,7 @@ def _only(names: set[str], may: Collection[str] | None) -> set[str]:
 def _steady(
     arranged: Scene, rested: Scene, config: AssemblyConfig, may: Collection[str] | None
 ) -> Scene:
-    """Return the scene at rest with a foot under what topples as the gate leans."""
+    """Return the scene at rest, with a foot under each object that topples as gravity leans."""
     if not config.limits.lean:
         return rested
     standing = {o.name for o in rested.objects if not o.placement.inside}
@@ -350,13 +356,13 @@ def _steady(
 
 
 def _list_footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
-    """Return what :func:`rest` has put on a foot, in the scene's order."""
+    """Return the names of objects that got a foot in :func:`rest`, in the scene's order."""
     pairs = zip(arranged.objects, rested.objects, strict=True)
     return tuple(after.name for before, after in pairs if len(after.parts) > len(before.parts))
 
 
 def _without(scene: Scene, names: set[str]) -> Scene:
-    """Return the scene without ``names`` and all that stands on them."""
+    """Return the scene without ``names`` and everything that stands on them."""
     pairs = zip(scene.objects, ancestry(scene.objects), strict=True)
     kept = (o for o, c in pairs if names.isdisjoint(scene.objects[k].name for k in c))
     return scene.replace(objects=tuple(kept))
@@ -365,7 +371,7 @@ def _without(scene: Scene, names: set[str]) -> Scene:
 def finish(
     rested: Rested, config: AssemblyConfig | None = None, may: Collection[str] | None = None
 ) -> Scene:
-    """Judge the scene; until it passes, put what topples on feet (if it ``may``) and shake it."""
+    """Run the gate; until it passes, put toppling objects (in ``may``) on feet and shake."""
     config = config or AssemblyConfig()
     wanted, arranged, scene = rested.wanted, rested.arranged, rested.scene
     poses = [[o.pose for o in each.objects] for each in (wanted, arranged)]
@@ -386,8 +392,8 @@ def finish(
         report = judge(scene.replace(report=report), config.limits)
     warnings = (
         *(f"{name} has no free place on the table" for name in rested.stuck),
-        *(f"{name} would not stand" for name in rested.unstable),
-        *(f"{name} stands on a weighted foot that the model does not have"
+        *(f"{name} does not stand" for name in rested.unstable),
+        *(f"{name} stands on a weighted foot that is not part of its model"
           for name in _list_footed(arranged, scene)),
         *(f"{name} was left out" for name in sorted(rested.dropped)),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Instance extraction (Sec. 3.1): list the things, segment them, complete each one."""
+"""Instance extraction (Sec. 3.1): list the objects, segment them, complete each one."""
 
 from __future__ import annotations
 
@@ -17,24 +17,28 @@ from ..meshes.pixels import fill_holes, main_parts
 from ..scene import TABLE, Detection, Instance, Reference, ScenePlan
 
 SPECK = 1e-4
-"""A region below this share of the picture is dropped."""
+"""Regions below this share of the picture are dropped."""
 
 GAP = 0.02
-"""A hole below this share of its region is filled; larger ones (a handle) are real."""
+"""Holes below this share of their region are filled; larger ones (a handle's) are kept."""
 
 SHOWN = 0.6
-"""A drawing that shows this share of the planned things is taken; none shows what a vessel hides,
-so that what is in another thing does not count."""
+"""A drawing that shows at least this share of the planned objects is accepted. Objects inside of
+other objects are not counted, since a drawing may hide them."""
 
-_APART = 1_000_003  # between the seeds of two drawings
+_APART = 1_000_003  # offset between the seeds of two drawings
 
 
 @dataclass(frozen=True)
 class ExtractionConfig:
-    """``drawings``: the largest number of times a plan is drawn until enough of it shows.
+    """Settings of instance extraction.
+
+    Attributes:
+        drawings: maximum number of drawings per plan; drawing stops once enough of the plan is
+            visible.
 
     Raises:
-        InputError: not a whole number from 1.
+        InputError: ``drawings`` is not a whole number from 1.
     """
 
     drawings: int = 3
@@ -53,14 +57,14 @@ def extract(
     *,
     complete_each: Each = in_turn,
 ) -> tuple[Reference, tuple[Instance, ...]]:
-    """Return the table, named "table", and then every thing on it, named ``<label>_<k>``.
+    """Return the table, named "table", followed by every object on it, named ``<label>_<k>``.
 
-    Image models forget or hide some of what a plan asks for. If too few things are found
-    (``SHOWN``), the plan is drawn again with another seed; of the drawing that
-    shows most comes the reference returned. A picture's own is never changed.
+    Image models omit or hide some of the planned objects. If too few are detected (``SHOWN``), the
+    plan is drawn again with another seed; the returned reference is the drawing that shows the
+    most. A given picture is never replaced.
 
     Raises:
-        SceneError: no table in the picture, or nothing stands on it.
+        SceneError: the picture shows no table, or nothing on it.
     """
     plan = reference.plan
     best, (tables, things) = reference, _find(reference, reasoner, segmenter)
@@ -68,33 +72,33 @@ def extract(
     for k in range(1, config.drawings):
         if plan is None or len(things) >= SHOWN * _count_in_sight(plan):
             break
-        with contextlib.suppress(SceneError):  # an unusable drawing; keep the previous one
+        with contextlib.suppress(SceneError):  # unusable drawing: keep the previous one
             drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
             found = _find(drawn, reasoner, segmenter)
             if found[0] and len(found[1]) > len(things):
                 best, (tables, things) = drawn, found
     if not tables:
         raise SceneError(
-            "No table found in the picture. Show the whole tabletop on a plain, light ground."
+            "No table found in the picture. Show the whole tabletop on a plain, light background."
         )
     if not things:
         raise SceneError(
-            "Nothing found on the table. Use a picture with at least one thing that differs in "
-            "colour from the tabletop."
+            "Nothing found on the table. Use a picture with at least one object that differs "
+            "in colour from the tabletop."
         )
     table = max(tables, key=lambda d: int(d.mask.sum()))
     return best, _complete(best, (table, *things), imager, complete_each)
 
 
 def _count_in_sight(plan: ScenePlan) -> int:
-    """Return how many planned things are in no other thing."""
+    """Return the number of planned objects that are not inside another object."""
     return sum(all(r.kind != "in" for r in o.relations) for o in plan.objects)
 
 
 def _find(
     reference: Reference, reasoner: Reasoner, segmenter: Segmenter
 ) -> tuple[list[Detection], list[Detection]]:
-    """Return the tables and the things that a segmenter finds, cleaned."""
+    """Return the tables and the objects detected by a segmenter, cleaned."""
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
@@ -107,7 +111,7 @@ def _find(
 def _complete(
     reference: Reference, found: tuple[Detection, ...], imager: Imager, complete_each: Each
 ) -> tuple[Instance, ...]:
-    """Return what was found (the table first), each cut out, whole, with a name of its own."""
+    """Return the detections (the table first), each cropped, completed and with a unique name."""
 
     def complete(detection: Detection) -> Instance:
         others = tuple(d for d in found if d is not detection)
@@ -119,10 +123,10 @@ def _complete(
 
 
 def clean(detection: Detection) -> Detection | None:
-    """Return the detection without specks and pin holes, or None if nothing is left.
+    """Return the detection without specks and pinholes, or None if nothing is left.
 
-    Small islands (under a tenth of the largest) go, small holes (``GAP``) are filled; the box is
-    made tight.
+    Small islands (under a tenth of the largest) are removed and small holes (``GAP``) filled; the
+    box becomes tight.
     """
     mask = fill_holes(main_parts(np.asarray(detection.mask)), GAP)
     if mask.sum() < SPECK * mask.size:
@@ -131,7 +135,7 @@ def clean(detection: Detection) -> Detection | None:
 
 
 def unique_names(labels: Sequence[str]) -> list[str]:
-    """Return a file-safe unique name per label: "toy car" twice gives toy_car_1, toy_car_2."""
+    """Return a unique, file-safe name per label: "toy car" twice gives toy_car_1, toy_car_2."""
     counts: dict[str, int] = {}
     names: list[str] = []
     for label in labels:

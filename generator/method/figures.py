@@ -1,4 +1,4 @@
-"""The stage-wise pictures of the paper's Sec. 6.1 (Figs. 8-14)."""
+"""The pictures of each stage, as in the paper's Sec. 6.1 (Figs. 8-14)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _Pictures = dict[str, UInt8[np.ndarray, "_h _w 3"]]
 def model_picture(
     model: Model, yaw: float = 0.0, view: View = _STUDIO, side: int = 256
 ) -> UInt8[np.ndarray, "side side 3"]:
-    """Draw one canonical model at its commonsense size, turned by ``yaw`` radians."""
+    """Draw one canonical model at its commonsense size, rotated by ``yaw`` radians."""
     item = place(model.mesh, model.size, np.zeros(3), yaw_quaternion(yaw))
     camera = framing_camera(np.asarray(item.vertices), view, side, side)
     return render([item], camera).image
@@ -36,20 +36,20 @@ def model_picture(
 def bundle_images(
     reference: Reference, top_view: TopView | None, scene: Scene
 ) -> dict[str, UInt8[np.ndarray, "_h _w 3"]]:
-    """Return the pictures a bundle keeps, by file stem."""
+    """Return the pictures that a bundle stores, by file stem."""
     pictures = {"reference": np.asarray(reference.image), "preview": preview(scene)}
     return pictures | ({"top_view": np.asarray(top_view.image)} if top_view else {})
 
 
 def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
-    """Draw a scene from its reference view: what ``preview.png`` shows."""
+    """Draw a scene from its reference view, as in ``preview.png``."""
     return render_scene(scene, width=960, height=720).image
 
 
 def draw_stage(stage: str, found: Mapping[str, Any]) -> dict[str, UInt8[np.ndarray, "_h _w 3"]]:
-    """Draw what a stage of ``pipeline.generate`` found, by file stem; nothing of some stages.
+    """Draw the results of a stage of ``pipeline.generate``, by file stem; some stages have none.
 
-    ``found`` is what its ``watch`` is called with as the stage ends: fields of a ``Generation``.
+    ``found`` is the argument of ``watch`` at the end of the stage: fields of a ``Generation``.
     """
     return _DRAWERS[stage](found) if stage in _DRAWERS else {}
 
@@ -126,7 +126,7 @@ def _things(found: Mapping[str, Any]) -> list[Instance]:
 
 
 def _detection(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray, "h w 3"]:
-    """What was found: each thing's visible pixels in a tint of their own, and its box."""
+    """Draw the detections: the visible pixels of each instance, tinted, and its box."""
     image = np.array(reference.image)
     for index, thing in enumerate(things):
         tint = np.array(BOX_COLORS[index % len(BOX_COLORS)], float)
@@ -135,7 +135,7 @@ def _detection(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray
 
 
 def _completion(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray, "h w 3"]:
-    """Fig. 9: raw segments (an instance's visible pixels) above, completed crops below."""
+    """Fig. 9: segments (visible pixels of each instance) above, completed crops below."""
     cuts: list[np.ndarray] = []
     for thing in things:
         x0, y0, x1, y1 = (round(float(v)) for v in thing.box)

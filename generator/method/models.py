@@ -15,10 +15,10 @@ from ..scene import Instance, Model, Reference, SizePrior, View
 from ..scene.quarter_turns import turn
 
 SQUARISH = 1.15
-"""Below this ratio of length to width, the two are not told apart."""
+"""Length and width are not distinguished if their ratio is below this."""
 
 STRETCH = 1.8
-"""A measured size changes a model's proportions by at most this factor."""
+"""Maximum factor by which a measured size changes a model's proportions."""
 
 
 def make_models(
@@ -34,9 +34,9 @@ def make_models(
 ) -> dict[str, Model]:
     """Return a canonical model m_i for every instance, by name.
 
-    Each instance is shown to the modeler under its own view, along the ray through the centre of
-    its box; the raw models m'_i are then turned upright as the reasoner says (Fig. 23).
-    ``model_each`` and ``review_each`` say how the two are asked about all of them.
+    The modeler gets each instance with the view along the ray through the centre of its box; the
+    raw models m'_i are then rotated upright according to the reasoner (Fig. 23). ``model_each`` and
+    ``review_each`` run the modeler's and the reasoner's queries for all instances.
 
     Raises:
         BackendError: an instance has no size.
@@ -45,7 +45,8 @@ def make_models(
     for instance in instances:
         if instance.name not in sizes:
             raise BackendError(
-                f"The reasoner gave no size for {instance.name!r}." + choices(instance.name, sizes)
+                f"The reasoner returned no size for {instance.name!r}."
+                + choices(instance.name, sizes)
             )
 
     def model(instance: Instance) -> Model:
@@ -62,9 +63,10 @@ def make_models(
 
 
 def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner) -> Model:
-    """Turn a model so that +z is up and x, y are the size's length and width (Sec. 3.2).
+    """Rotate a model so that +z is up and x, y are the size's length and width (Sec. 3.2).
 
-    The reasoner is shown the mesh in the model's own proportions: the canonical one fills a cube.
+    The reasoner gets the mesh in the model's own proportions, since the canonical mesh fills a
+    cube.
     """
     extent = np.asarray(raw.size, np.float32)
     shown = dataclasses.replace(raw.mesh, vertices=raw.mesh.vertices * extent)
@@ -76,12 +78,12 @@ def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner:
 
 
 def measured_size(model: Model, extent: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
-    """Return a model's size (metres) as ``extent`` (length, width, height) was measured.
+    """Return a model's size (metres) from the measured ``extent`` (length, width, height).
 
     The longer horizontal side is the length. A proportion that would change by more than
-    ``STRETCH`` keeps that much of the model's: then the picture, or the measuring, saw something
-    else. A catalogue shape that looks square from where it was measured, but is not, points its
-    longer side away (a mug its handle): that side keeps its proportion to the other.
+    ``STRETCH`` is only changed by that factor: the picture or the measurement is probably wrong. A
+    catalogue shape that appears square in the measured view, but is not, has its longer side along
+    the line of sight (a mug its handle): that side keeps its ratio to the other.
     """
     have = np.asarray(model.size)
     long = int(have[1] > have[0])
@@ -98,7 +100,7 @@ def measured_size(model: Model, extent: Float[np.ndarray, "3"]) -> Float[np.ndar
 def size_axes_turn(
     have: Float[np.ndarray, "3"], want: Float[np.ndarray, "3"]
 ) -> tuple[tuple[str, int], ...]:
-    """Return the quarter turn about z that makes the longer horizontal sides agree, if any."""
+    """Return the quarter turn about z that aligns the longer horizontal sides; empty if aligned."""
     own, asked = np.log(have[0] / have[1]), np.log(want[0] / want[1])
     clear = min(abs(own), abs(asked)) > np.log(SQUARISH)
     return (("z", 90),) if clear and own * asked < 0 else ()

@@ -1,15 +1,15 @@
-"""From placements to the scene that is published: one loop of attempts, each judged by the gate.
+"""From placements to the published scene: one loop of attempts, each checked by the gate.
 
-In a scene that fails its gate, the thing that the failures name most is put on a weighted foot if
-it does not rest; if that does not help, it is left out. One thing found wrong (two things taken for
-one, a shadow made solid) would otherwise cost the whole table. Provenance and report name what is
-left out.
+If a scene fails its gate, the object that the failures name most often is put on a weighted foot if
+it moves; if that does not help, it is left out. Otherwise one wrong detection (two objects merged
+into one, a shadow taken for an object) would discard the whole table. Provenance and report list
+the objects that were left out.
 
-A text's scene has what its plan asks for instead, as the plan has it (``planned``): things that
-fail, or between which a relation does not hold at rest, give way to the plan's, at last all.
+A text's scene must contain the planned objects instead (``planned``): objects that fail the gate,
+or whose relations do not hold at rest, are replaced by the plan's, and finally all objects.
 
-Assembly moves things again after the joint refinement, so the finished scene is measured again, in
-the same measure: a refinement that assembly undoes does not stay.
+Assembly moves objects after the joint refinement, so the finished scene is measured again with the
+same measure: a refinement that assembly undoes is discarded.
 """
 
 from __future__ import annotations
@@ -49,29 +49,31 @@ from .planned import ALIKE, REAL, Laid, SceneDraft, Turn, draft_scene, lay_out_d
 from .refinement import Refinement, RefinementConfig, outline_misfit
 
 WORSE = 0.005
-"""By how much the finished scene's outlines may agree worse than those before the refinement."""
+"""Maximum increase of the outlines' misfit from before the refinement to the finished scene."""
 
-_FEET = 4  # things of a picture that are put on feet to pass the gate
-_FULFILLED = 4  # scenes of a text tried until a sound one will do in which not all relations hold
-_FAITHFUL = 2  # of them keep what the drawing shows
-_MISPLACED = "what was found does not stand as asked for"
+_FEET = 4  # maximum number of a picture's objects that get a foot to pass the gate
+_FULFILLED = 4  # scenes after which a sound one will do in which not all relations hold
+_FAITHFUL = 2  # number of scenes that keep the objects of the drawing
+_MISPLACED = "the reconstruction violates its relations"
 
-UNREFINED = "The joint refinement is left out: finished, the scene agrees better without it."
+UNREFINED = (
+    "The joint refinement is discarded: the finished scene matches the picture better without it."
+)
 
 Placements = tuple[Placement, ...]
 
 
 @dataclass(frozen=True, eq=False)
 class Reconstruction:
-    """What the stages before assembly found, and the settings of those after it.
+    """Results of the stages before assembly, and settings of the stages after it.
 
-    ``instances`` and ``models`` have the table among them; ``table_scale`` is its extent, metres.
-    Warnings of the attempt are added to ``provenance``. ``seed`` is of the looks and places of what
-    is the plan's; ``supplements`` tells whether a text's plan puts things right, and
-    ``of_catalogue`` whether its drawing shows the catalogue's own things.
-    ``refinement`` sets the measure of outlines; ``leave_out`` is the share of what was found that
-    may be left out, in [0, 1]. ``rotations`` are those of the instances' models, and ``turn`` finds
-    that of another model in the picture; with None all models of a thing share its front.
+    ``instances`` and ``models`` include the table; ``table_scale`` is its extent, metres. Warnings
+    of the attempt are added to ``provenance``. ``seed`` determines the looks and positions of the
+    plan's objects; with ``supplements`` a text's plan corrects the reconstruction, and with
+    ``of_catalogue`` its drawing shows the catalogue's own objects. ``refinement`` sets the measure
+    of outlines; ``leave_out`` is the share of the detected objects that may be left out, in [0, 1].
+    ``rotations`` are those of the instances' models, and ``turn`` estimates the rotation of another
+    model in the picture; if None, all models of an object share its front.
     """
 
     reference: Reference
@@ -92,7 +94,7 @@ class Reconstruction:
     turn: Turn | None = None
 
     def assemble(self, attempt: Attempt) -> Scene:
-        """Return the settled and judged scene of an attempt (Sec. 3.4)."""
+        """Return the settled scene of an attempt with its report (Sec. 3.4)."""
         models = {name: model for name, model in self.models.items() if name != TABLE}
         provenance = self._warn(attempt.warnings)
         return assemble(
@@ -102,7 +104,7 @@ class Reconstruction:
         )  # fmt: skip
 
     def draft(self, placements: Placements) -> SceneDraft | None:
-        """Return what the text's plan makes of what was found; None where it says nothing."""
+        """Return the reconstruction corrected by the text's plan; None without a plan."""
         plan = self.reference.plan
         if plan is None or not self.supplements:
             return None
@@ -112,7 +114,7 @@ class Reconstruction:
         )  # fmt: skip
 
     def assemble_laid(self, laid: Laid) -> Scene:
-        """Return the settled and judged scene of a text's things at their places."""
+        """Return the settled scene of a draft's objects at their positions, with its report."""
         plan, size = laid.draft.plan, laid.table.size
         table = replace(plan.table, size=(float(size[0]), float(size[1]), float(size[2])))
         return assemble(
@@ -126,7 +128,7 @@ class Reconstruction:
         return replace(self.provenance, warnings=tuple(dict.fromkeys([*known, *warnings])))
 
     def misfit(self, scene: Scene) -> float:
-        """Return one minus the overlap of a finished scene's outlines with the picture's."""
+        """Return one minus the overlap of the finished scene's outlines with the picture's."""
         height, width = self.reference.image.shape[:2]
         return outline_misfit(
             self.instances, scene.objects, self.view, (width, height), self.refinement, self.seed
@@ -135,11 +137,11 @@ class Reconstruction:
 
 @dataclass(frozen=True)
 class Attempt:
-    """One scene to try: what was found, and where it stands.
+    """One scene to try: the detected objects and their placements.
 
-    ``warnings`` say why it is so, for the provenance. ``left_out`` names what was found and is left
-    out; ``removals`` counts how often a thing was because the gate failed. ``footed`` names what
-    stands on a weighted foot from the start, because it would not rest without one.
+    ``warnings`` explain the changes, for the provenance. ``left_out`` names the detected objects
+    that are left out; ``removals`` counts those left out because the gate failed. ``footed`` names
+    the objects on a weighted foot from the start, which do not rest without one.
     """
 
     placements: Placements
@@ -149,11 +151,11 @@ class Attempt:
     footed: tuple[str, ...] = ()
 
     def on_foot(self, name: str) -> Attempt:
-        """Return the attempt with a thing on a weighted foot."""
+        """Return the attempt with an object on a weighted foot."""
         return replace(self, footed=(*self.footed, name))
 
     def without(self, name: str, failures: Sequence[Failure]) -> Attempt:
-        """Return the attempt without a thing and its contents, and with a warning for each."""
+        """Return the attempt without an object and its contents, with a warning for each."""
         contents = contents_of(self.placements, name)
         reason = "; ".join(str(f) for f in failures if name in f.objects)
         told = [f"{name} was left out: {reason}."]
@@ -166,12 +168,12 @@ class Attempt:
 
 
 def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -> Scene:
-    """Return the scene to publish, judged, with its misfit in the report.
+    """Return the scene to publish, with its report and misfit.
 
-    Where a plan is followed, see ``publish_planned``. Else it is assembled of the refined
-    placements. If its outlines agree worse than the ``unrefined`` placements did, these are tried
-    as well; of the two a sound scene comes first, then the one that agrees better.
-    ``refined.before`` is 0 where nothing was refined. What an object is said to stand on is what
+    With a plan, see ``publish_planned``. Otherwise the scene is assembled from the refined
+    placements. If its outlines match the picture worse than those of the ``unrefined`` placements,
+    these are tried as well; a scene that passes its gate is preferred, then the one with the better
+    match. ``refined.before`` is 0 if nothing was refined. The support of an object is set to what
     it touches at rest.
     """
     draft = found.draft(refined.placements)
@@ -194,11 +196,11 @@ def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -
 
 
 def publish_planned(found: Reconstruction, draft: SceneDraft) -> Scene:
-    """Return the soundest scene of a draft in which most of the plan's relations hold at rest.
+    """Return a draft's scene that passes its gate with the fewest unmet relations of the plan.
 
-    The first attempt keeps what the drawing shows. Objects named by the gate's failures or by a
-    relation that does not hold are the plan's in later attempts, and all are from the third on.
-    Relations that do not hold in the end are warnings, and in the report.
+    Objects of the drawing are tried first. Objects that the gate's failures name, or whose
+    relations do not hold, are replaced by the plan's, and from the third scene on all objects are.
+    Relations that do not hold in the end are listed in the warnings and in the report.
     """
     attempts = try_layouts(_Drafting(found, draft).lay_out, found.seed, fulfilled=_FULFILLED)
     return attempts.failed[0] if attempts.best is None else warn_unmet(attempts.best)
@@ -206,7 +208,7 @@ def publish_planned(found: Reconstruction, draft: SceneDraft) -> Scene:
 
 @dataclass(eq=False)
 class _Drafting:
-    """A draft that doubts what did not hold in the attempts before."""
+    """A draft that replaces what did not hold in earlier attempts by the plan's objects."""
 
     found: Reconstruction
     draft: SceneDraft
@@ -224,7 +226,7 @@ class _Drafting:
         scene, known = self.found.assemble_laid(layout), {*self.draft.models}
         if scene.report is not None and not scene.report.passed:
             failing = {name for failure in scene.report.failures for name in failure.objects}
-            self.draft = self.draft.doubt(known & failing or known, "it would not stand")
+            self.draft = self.draft.doubt(known & failing or known, "it does not stand")
             return scene
         scene = record_relations(scene)
         doubted = {name for each in list_unmet(scene) for name in (each.name, each.target)}
@@ -234,7 +236,7 @@ class _Drafting:
 
 
 def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
-    """Return the first scene to pass its gate, or else the first that held all that was found."""
+    """Return the first scene that passes its gate, or else the first with all detected objects."""
     most = allowance(found.leave_out, len(attempt.placements))
     everything: Scene | None = None
     while True:
@@ -258,9 +260,9 @@ def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
 
 
 def allowance(share: float, count: int) -> int:
-    """Return how many of ``count`` things may be left out: a share of them, never all.
+    """Return how many of ``count`` objects may be left out: a share of them, but never all.
 
-    Of two or more it is one at least, unless the share is 0.
+    With two or more objects it is at least one, unless the share is 0.
     """
     return min(max(1, int(share * count + 1e-9)), count - 1) if share and count else 0
 
@@ -268,9 +270,9 @@ def allowance(share: float, count: int) -> int:
 def most_named(
     failures: Sequence[Failure], placements: Sequence[Placement], sizes: Mapping[str, SizePrior]
 ) -> str | None:
-    """Return which placed thing the gate's failures name most; None if they name none.
+    """Return the placed object that the gate's failures name most often; None if they name none.
 
-    Of those named equally often it is the one whose size is farthest from its kind's.
+    Ties are resolved in favour of the object whose size deviates most from its usual size.
     """
     counts = Counter(name for failure in failures for name in failure.objects)
     named = [(counts[p.name], _oddness(p, sizes), p.name) for p in placements]
@@ -279,14 +281,14 @@ def most_named(
 
 
 def _list_restless(failures: Sequence[Failure]) -> set[str]:
-    """Return the names of what moved or turned, which a foot may cure."""
+    """Return the names of objects that moved or tilted, which a foot may prevent."""
     return {name for failure in failures if failure.restless for name in failure.objects}
 
 
 def without(placements: Sequence[Placement], name: str) -> Placements:
-    """Return the placements without ``name`` and what is in it.
+    """Return the placements without ``name`` and its contents.
 
-    What stood on one of these stands on what ``name`` stood on.
+    Objects on top of a removed one are placed on the support of ``name``.
     """
     (first,) = (p for p in placements if p.name == name)
     gone = {name, *contents_of(placements, name)}
@@ -298,7 +300,7 @@ def without(placements: Sequence[Placement], name: str) -> Placements:
 
 
 def contents_of(placements: Sequence[Placement], name: str) -> tuple[str, ...]:
-    """Return what is in ``name``, and what is in that, in the order of the placements."""
+    """Return the contents of ``name``, including nested ones, in the order of the placements."""
     gone = {name}
     while more := {p.name for p in placements if p.inside and p.on in gone} - gone:
         gone |= more
@@ -306,7 +308,7 @@ def contents_of(placements: Sequence[Placement], name: str) -> tuple[str, ...]:
 
 
 def _oddness(placement: Placement, sizes: Mapping[str, SizePrior]) -> float:
-    """Return by what factor the longest side differs from the prior's, as a logarithm."""
+    """Return the absolute logarithm of the ratio of the longest side to the prior's."""
     prior = sizes.get(placement.name)
     return abs(float(np.log(placement.scale.max() / prior.extent.max()))) if prior else 0.0
 
@@ -320,7 +322,7 @@ def _round(before: float, after: float) -> tuple[float, float]:
 
 
 def _with_report(scene: Scene, **entries: Any) -> Scene:
-    """Return the scene with these entries of its report, if it has one."""
+    """Return the scene with these entries of its report replaced, if it has a report."""
     if scene.report is None:
         return scene
     return scene.replace(report=replace(scene.report, **entries))

@@ -1,4 +1,4 @@
-"""Reference (Sec. 3, Fig. 8): a text becomes a plan and a drawing; a picture passes through."""
+"""Reference (Sec. 3, Fig. 8): a text becomes a plan and a drawing; a picture is used directly."""
 
 from __future__ import annotations
 
@@ -21,16 +21,17 @@ Source = str | Path | bytes | ScenePlan | np.ndarray
 """A text, a plan, or a picture: a path, encoded bytes, or an array (h, w, 3 or 4) of uint8."""
 
 DepthSource = str | Path | bytes | np.ndarray
-"""A depth map as large as its picture: an array of metres (float) or millimetres (uint16), or a
+"""A depth map of the picture's size: an array of metres (float) or millimetres (uint16), or a
 16-bit PNG of millimetres (a path, or its bytes). 0, NaN and infinity mean unknown."""
 
 
 @dataclass(frozen=True)
 class ReferenceConfig:
-    """Limits on pictures: sides in pixels, file size in bytes, longest side worked at.
+    """Limits on pictures: sides in pixels, file size in bytes, longest side after shrinking.
 
-    ``max_ratio`` is the longer side over the shorter; ``max_depth`` the farthest that a depth map's
-    middle may lie, metres, and ``min_known`` the share of its pixels that must be known.
+    ``max_ratio`` is the maximum ratio of the longer side to the shorter; ``max_depth`` the maximum
+    median of a depth map, metres, and ``min_known`` the minimum share of its pixels with a known
+    depth.
     """
 
     min_side: int = 64
@@ -43,7 +44,7 @@ class ReferenceConfig:
 
     @property
     def picture_limits(self) -> PictureLimits:
-        """The limits that a picture's header is checked against."""
+        """Limits for the check of a picture's header."""
         return PictureLimits(
             max_bytes=self.max_bytes, max_pixels=self.max_pixels, min_side=self.min_side,
             max_ratio=self.max_ratio,
@@ -62,13 +63,13 @@ def refer(
 ) -> Reference:
     """Return the reference image I_ref of ``source``, with prompt and plan if it was a text.
 
-    A string is a text unless it names an existing file or ends like a picture's name. Pictures
-    are turned by their EXIF orientation, flattened onto white, and shrunk to ``work_side``; a
-    ``depth`` map and the ``intrinsics`` of the picture as passed are shrunk along with it.
+    A string is a text unless it names an existing file or ends with a picture's suffix. Pictures
+    are rotated by their EXIF orientation, flattened onto white, and shrunk to ``work_side``; a
+    ``depth`` map and the ``intrinsics`` of the original picture are shrunk with it.
 
     Raises:
-        InputError: an empty text, a missing or broken picture, one too small or too large; a depth
-            map without intrinsics, of another size, or with nothing in it.
+        InputError: the text is empty; the picture is missing, broken, too small or too large; the
+            depth map has no intrinsics, another size, or no known values.
     """
     config = config or ReferenceConfig()
     if depth is not None or intrinsics is not None:
@@ -84,7 +85,7 @@ def refer(
 
 
 def is_picture_name(text: str) -> bool:
-    """Tell whether a string means a picture file rather than a description."""
+    """Return whether a string is the name of a picture file rather than a description."""
     if "\n" in text or len(text) > 1024 or not text.strip():
         return False
     suffixes = {
@@ -107,11 +108,11 @@ def read_image(
 ) -> UInt8[np.ndarray, "h w 3"]:
     """Decode a picture into sRGB on white, upright, at most ``config.work_side`` long.
 
-    A file is decoded in a child process (see ``generator.pictures``), which another thread kills by
-    setting ``cancelled``.
+    A file is decoded in a child process (see ``generator.pictures``), which another thread
+    terminates by setting ``cancelled``.
 
     Raises:
-        InputError: a missing or broken picture, or one over a limit of ``config``.
+        InputError: the picture is missing, broken, or exceeds a limit of ``config``.
     """
     return _decode(source, config or ReferenceConfig(), cancelled).pixels
 
@@ -148,12 +149,12 @@ def _refer_depth(
         raise InputError("Depth and intrinsics belong to a picture; a text or a plan has neither.")
     if depth is None or intrinsics is None:
         missing = "depth map" if depth is None else "intrinsics (fx, fy, cx, cy in pixels)"
-        raise InputError(f"An RGB-D picture needs its {missing} too. Pass both, or neither.")
+        raise InputError(f"An RGB-D picture also needs its {missing}. Pass both, or neither.")
     picture = _decode(source, config)
     if picture.orientation != 1:
         raise InputError(
-            "The picture is stored turned (EXIF orientation), so depth and intrinsics may not fit "
-            "it. Save it upright first."
+            "The picture is stored rotated (EXIF orientation), so depth and intrinsics may not "
+            "match it. Save it upright first."
         )
     size = picture.width, picture.height
     _check_intrinsics(intrinsics, *size)
@@ -162,7 +163,7 @@ def _refer_depth(
     height, width = image.shape[:2]
     lines = (height, size[1]), (width, size[0])
     places: list[np.ndarray] = [(np.arange(new) + 0.5) * old / new for new, old in lines]
-    nearest = np.ix_(*(p.astype(int) for p in places))  # blending would invent surfaces
+    nearest = np.ix_(*(p.astype(int) for p in places))  # interpolation would create false surfaces
     scaled = intrinsics.scale(width / size[0], height / size[1])
     return Reference(image, depth=metres[nearest], intrinsics=scaled)
 
@@ -173,8 +174,8 @@ def read_depth(
     """Return a depth map in metres, 0 where unknown; it must have ``size`` (width, height).
 
     Raises:
-        InputError: not a depth map, of another size, negative, hardly anything known, or in
-            other units than stated in ``DepthSource``.
+        InputError: the map is not a depth map, has another size, negative or too few known values,
+            or is not in the units of ``DepthSource``.
     """
     raw = source if isinstance(source, np.ndarray) else _decode_depth(source, config)
     if raw.shape != (size[1], size[0]):
@@ -193,14 +194,14 @@ def read_depth(
     known = metres > 0
     if known.mean() < config.min_known:
         raise InputError(
-            f"Only {known.mean():.0%} of the depth map is known (not 0); at least "
-            f"{config.min_known:.0%} is needed."
+            f"Only {known.mean():.0%} of the depth map is known (not 0); the minimum is "
+            f"{config.min_known:.0%}."
         )
     middle = float(np.median(metres[known]))
     if not 0.05 < middle < config.max_depth:
         raise InputError(
-            f"The depth map's median is {middle:g} m; a tabletop is seen from 0.05 to "
-            f"{config.max_depth:g} m. Float arrays are metres, 16-bit PNGs millimetres."
+            f"The depth map's median is {middle:g} m; a tabletop is between 0.05 and "
+            f"{config.max_depth:g} m away. Float arrays are in metres, 16-bit PNGs in millimetres."
         )
     return metres
 
@@ -210,7 +211,8 @@ def _decode_depth(source: str | Path | bytes, config: ReferenceConfig) -> np.nda
     picture = decode(raw, "The depth map", InputError, config.picture_limits, "stored")
     if not picture.mode.startswith("I"):
         raise InputError(
-            f"A depth file is a 16-bit grey PNG in millimetres; this picture is {picture.mode!r}."
+            "A depth file must be a 16-bit grey PNG in millimetres; this picture has mode "
+            f"{picture.mode!r}."
         )
     return picture.pixels.clip(0, 65535).astype(np.uint16)
 
@@ -233,17 +235,17 @@ def _check_intrinsics(intrinsics: Intrinsics, width: int, height: int) -> None:
         )
 
 
-_SQUARE = 0.03  # how far fx and fy may be apart
+_SQUARE = 0.03  # maximum relative difference of fx and fy
 
 
 # ----------------------------------------------------------------------------------------- files
 
 
 def fetch(source: Source, config: ReferenceConfig | None = None) -> Source:
-    """Return a picture file's bytes, read once; any other source as it is.
+    """Return the bytes of a picture file, read once; any other source unchanged.
 
     Raises:
-        InputError: no such file, or one too large or unreadable.
+        InputError: the file does not exist, is too large or is unreadable.
     """
     if isinstance(source, Path) or (isinstance(source, str) and is_picture_name(source)):
         return _read_bytes(source, config or ReferenceConfig())
@@ -251,7 +253,7 @@ def fetch(source: Source, config: ReferenceConfig | None = None) -> Source:
 
 
 def source_digest(source: Source) -> str | None:
-    """Return the sha256 of a fetched picture's or depth map's bytes; None for a text or a plan."""
+    """Return the sha256 of the bytes of a picture or depth map; None for a text or a plan."""
     if isinstance(source, np.ndarray):
         return hashlib.sha256(np.ascontiguousarray(source).tobytes()).hexdigest()
     return hashlib.sha256(source).hexdigest() if isinstance(source, bytes) else None
@@ -260,10 +262,10 @@ def source_digest(source: Source) -> str | None:
 def fetch_depth(
     source: DepthSource | None, config: ReferenceConfig | None = None
 ) -> np.ndarray | bytes | None:
-    """Return a depth file's bytes, read once; an array, or None, as it is.
+    """Return the bytes of a depth file, read once; an array or None unchanged.
 
     Raises:
-        InputError: no such file, or one too large or unreadable.
+        InputError: the file does not exist, is too large or is unreadable.
     """
     if source is None or isinstance(source, np.ndarray):
         return source
@@ -277,15 +279,15 @@ def _read_bytes(source: object, config: ReferenceConfig, what: str = "picture") 
             hint = " Pass a text, or a path to a file." if what == "picture" else ""
             raise InputError(f"No {what} at {str(source)!r}.{hint}")
         if Path(source).is_dir():
-            raise InputError(f"{str(source)!r} is a directory. Name the file of a {what}.")
+            raise InputError(f"{str(source)!r} is a directory. Pass the path of a {what}.")
         data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
     if not isinstance(data, bytes):
         raise InputError(
-            f"A text, a plan or a picture (path, bytes or array) is needed, got "
+            "A text, a plan or a picture (path, bytes or array) is needed, got "
             f"{type(source).__name__}."
         )
     if not data or len(data) > config.max_bytes:
-        raise InputError(f"A {what} needs 1 to {config.max_bytes:,} bytes, got {len(data):,}.")
+        raise InputError(f"A {what} must have 1 to {config.max_bytes:,} bytes, got {len(data):,}.")
     return data
 
 
@@ -296,5 +298,5 @@ def _as_uint8(image: np.ndarray) -> np.ndarray:
             f"got {image.dtype} {image.shape}."
         )
     if image.ndim == 3 and image.shape[2] not in (3, 4):
-        raise InputError(f"An image array needs 3 or 4 channels, got {image.shape[2]}.")
+        raise InputError(f"An image array must have 3 or 4 channels, got {image.shape[2]}.")
     return np.ascontiguousarray(image)

@@ -1,4 +1,4 @@
-"""Times of the stages. They never reach a bundle: the same input gives the same bytes."""
+"""Durations of the stages. They are never stored in a bundle: equal inputs give equal bytes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any
 class Seconds:
     """Wall-clock and CPU seconds.
 
-    ``cpu`` counts all threads of this process, but not what processes that it started used.
+    ``cpu`` counts all threads of this process, but not its child processes.
     """
 
     wall: float
@@ -21,14 +21,14 @@ class Seconds:
 
 
 Watch = Callable[[str, Mapping[str, Any]], None]
-"""Called as a stage ends: its name, and all that was found until then, by name."""
+"""Callback at the end of a stage, with its name and all results so far, by name."""
 
 
 class Stopwatch:
-    """Goes through stages in order, notifies listeners, and records the seconds of each.
+    """Steps through stages in order, notifies listeners, and records the seconds of each.
 
-    ``progress`` is called as each stage begins, with its name, its number, and how many there are;
-    ``watch`` as each ends. Seconds spent in ``watch`` count for no stage.
+    ``progress`` is called at the start of each stage with its name, its number, and the number of
+    stages; ``watch`` at the end of each. Time spent in ``watch`` is not counted.
     """
 
     def __init__(
@@ -44,19 +44,19 @@ class Stopwatch:
         self._found: dict[str, Any] = {}
 
     def step(self, **found: Any) -> None:
-        """End the stage under way, which found ``found``, and begin the next."""
+        """End the current stage, with its results ``found``, and begin the next."""
         self._begun = self._end(found)
         if self._progress is not None:
             number = len(self._spent) + 1
             self._progress(self._stages[number - 1], number, len(self._stages))
 
     def stop(self, **found: Any) -> Mapping[str, Seconds]:
-        """End the last stage, which found ``found``; return the seconds of each, in order."""
+        """End the last stage, with its results ``found``; return the seconds of each, in order."""
         self._end(found)
         return MappingProxyType(dict(zip(self._stages, self._spent, strict=False)))
 
     def _end(self, found: Mapping[str, Any]) -> tuple[float, float]:
-        """End the stage under way, if there is one; return when the next begins."""
+        """End the current stage, if any; return the start time of the next."""
         now = time.perf_counter(), time.process_time()
         if self._begun is None:
             return now

@@ -1,13 +1,13 @@
-"""Convex parts grown until the drawn mesh nowhere sticks out of them.
+"""Growth of convex parts until they contain the drawn mesh.
 
-A shape's convex parts are often coarser than what is drawn: a ring of wedges has chords where the
-wall is round, a hull few corners. Two things that are drawn outside of their parts sink into each
-other. Here the nearest part's hull grows by what is drawn outside of all; what is far from every
-part gets hulls of its own. Where other things may come to lie, on surfaces open from above, hulls
-grow by a millimetre at most beyond what is drawn, so that a bowl stays hollow.
+A shape's convex parts are often coarser than its mesh: a ring of wedges has chords where the wall
+is round, and a hull has few vertices. Objects whose meshes extend beyond their parts appear to sink
+into each other. This module grows the nearest part's hull by the uncovered points; points far from
+every part get additional hulls. Where other objects may come to rest, on surfaces open from above,
+hulls extend at most a millimetre beyond the mesh, so that a bowl stays hollow.
 
-A hull takes only the vertices it needs: of those outside each of its faces the farthest, until
-none is left (after C. Barber et al., "The quickhull algorithm for convex hulls", 1996).
+A hull takes only the vertices it needs: the farthest point outside each of its faces, repeatedly
+until none is left (after C. Barber et al., "The quickhull algorithm for convex hulls", 1996).
 """
 
 from __future__ import annotations
@@ -29,28 +29,28 @@ from .mjcf import primitive_kind
 Points = Float[np.ndarray, "n 3"]
 
 TOLERANCE = 2.5e-4
-"""A vertex may stick out of the parts by this much, metres: half of an overlap one could see."""
+"""Maximum distance of a vertex from the parts, metres: half of a visible overlap."""
 
-_REACH = 6e-3  # a part grows at most by this, metres; what is farther out gets hulls of its own
-_ROUNDS = 8  # most times that a hull is grown
-_BURIED = 1e-3  # growth may cover what is drawn by this much, metres
-_OVERHANG = 3e-3  # what lies this far below the top of its column is covered, metres
-_HOLLOW = 0.01  # metres over a surface from which on a hull fills what is hollow
-_MUCH = 1e-3  # a convex piece is hulled as it is if it is _LARGE and sticks out by this, metres
+_REACH = 6e-3  # maximum growth of a part, metres; points farther out get additional hulls
+_ROUNDS = 8  # maximum number of growth rounds per hull
+_BURIED = 1e-3  # depth to which growth may cover the mesh, metres
+_OVERHANG = 3e-3  # points this far below the top of their column are covered, metres
+_HOLLOW = 0.01  # height above a surface from which a hull fills a hollow, metres
+_MUCH = 1e-3  # uncovered distance from which a _LARGE convex piece gets its own hull, metres
 _LARGE = 0.3  # share of the shape's longest side
-_FEW = 48  # corners that need no thinning
+_FEW = 48  # number of vertices that need no thinning
 _WAYS = np.array([*itertools.product((-1.0, 0.0, 1.0), repeat=3)])
-_CONVEX = 0.9  # share of its hull that a convex piece fills
+_CONVEX = 0.9  # minimum ratio of a convex piece's volume to that of its hull
 _SPECK = np.stack(np.meshgrid(*[(-2e-4, 2e-4)] * 3), -1).reshape(-1, 3)
 
 
 def covering(
     parts: Sequence[ConvexPart], vertices: Vertices, faces: Faces
 ) -> tuple[ConvexPart, ...]:
-    """Return parts that hold the mesh to ``TOLERANCE``: ``parts`` grown, and hulls added to them.
+    """Return parts that contain the mesh to within ``TOLERANCE``: ``parts``, grown, and new hulls.
 
-    A piece of the mesh that is convex by itself and sticks out is hulled as it is; parts that lie
-    within such a hull are left out. All is in metres and in one frame.
+    A connected piece of the mesh that is convex and not covered gets its own hull; parts inside
+    such a hull are dropped. Everything is in metres and in one frame.
     """
     places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces]
@@ -73,7 +73,7 @@ def covering(
     near, depth = out.argmin(0), out.min(0)
     for k in np.unique(near[depth <= _REACH]):
         mine = lacking[(near == k) & (depth <= _REACH)]
-        if primitive_kind(parts[k]) != "mesh":  # a hull does not hold its roundness: the mesh does
+        if primitive_kind(parts[k]) != "mesh":  # a hull would lose its roundness
             from_it = outside(parts[k], drawn)
             mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= _REACH))
         grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
@@ -88,7 +88,7 @@ def covering(
 def _lacking(
     parts: Sequence[ConvexPart], points: Points, depth: float = -TOLERANCE
 ) -> Int[np.ndarray, "k"]:
-    """Return the indices of points that lie in no part, or less deep in it than ``depth``."""
+    """Return the indices of points that are in no part, or at less than ``depth`` inside it."""
     left, at = np.arange(len(points)), points
     for part in parts:
         near = np.flatnonzero(_deep_in_box(part, at, depth))
@@ -100,7 +100,7 @@ def _lacking(
 
 
 def _deep_in_box(part: ConvexPart, points: Points, depth: float) -> Bool[np.ndarray, "n"]:
-    """Whether points lie deeper than ``depth`` in the box about a part."""
+    """Return whether points are deeper than ``depth`` inside a part's bounding box."""
     (x, y, z), (low, high) = points.T, part.bounds
     (x0, y0, z0), (x1, y1, z1) = low + depth, high - depth
     return (x > x0) & (x < x1) & (y > y0) & (y < y1) & (z > z0) & (z < z1)
@@ -113,8 +113,8 @@ def _distances(parts: Sequence[ConvexPart], points: Points) -> Float[np.ndarray,
 def _surface(
     places: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
-    """Return the vertices and points along the long edges; the normal at each; whose edges."""
-    # Two parts may hold the ends of an edge and not its middle.
+    """Return vertices and points along the long edges, their normals, and the edges' faces."""
+    # Parts may contain the ends of an edge but not its middle.
     turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
     for k in range(3):
@@ -132,7 +132,7 @@ def _surface(
 
 @dataclass(frozen=True, eq=False)
 class _Sky:
-    """How high the drawn surface is in each cell of a grid; -inf where none was looked at."""
+    """Height of the drawn surface in each cell of a grid; -inf in cells without samples."""
 
     low: Float[np.ndarray, "2"]
     cell: float
@@ -146,11 +146,11 @@ class _Sky:
         return cls(low, cell, top)
 
     def height(self, points: Points) -> Float[np.ndarray, "n"]:
-        """Return how high the surface is where points are."""
+        """Return the height of the surface at the given points."""
         return self.top[tuple(((points[:, :2] - self.low) / self.cell).astype(int).T)]
 
     def fills(self, part: ConvexPart) -> bool:
-        """Whether a part spans room that is open from above, as a lid on a jar does."""
+        """Return whether a part fills space that is open from above, like a lid on a jar."""
         corners = part.vertices
         one, other = np.triu_indices(len(corners), 1)
         middles = (corners[one] + corners[other]) / 2
@@ -160,12 +160,12 @@ class _Sky:
 
     @cached_property
     def around(self) -> Float[np.ndarray, "49 49"]:
-        """The highest surface within two cells of each: the grid has gaps."""
+        """The highest surface within two cells of each, since the grid has gaps."""
         return maximum_filter(self.top, 5, mode="nearest")
 
 
 def _seen_from_above(drawn: Points, normals: Points, sky: _Sky) -> Bool[np.ndarray, "n"]:
-    """Whether points face up with nothing above them: on these, other things may come to lie."""
+    """Return whether points face up with nothing above them, so that objects may rest there."""
     steep = normals[:, 2] < 0.3 * np.linalg.norm(normals, axis=1)
     return ~steep & (drawn[:, 2] > sky.height(drawn) - _OVERHANG)
 
@@ -173,9 +173,9 @@ def _seen_from_above(drawn: Points, normals: Points, sky: _Sky) -> Bool[np.ndarr
 def _convex_pieces(
     places: Vertices, faces: Faces, lacking: Int[np.ndarray, "k"], depth: Float[np.ndarray, "k"]
 ) -> list[ConvexPart]:
-    """Return hulls of the mesh's connected pieces that are convex and stick out by much.
+    """Return hulls of the mesh's connected pieces that are convex and clearly uncovered.
 
-    ``depth`` is how far each point that is ``lacking`` is outside of the parts.
+    ``depth`` is the distance of each ``lacking`` point from the parts.
     """
     piece = pieces(faces, len(places))
     corners = lacking < len(places)
@@ -198,20 +198,20 @@ def _convex_pieces(
 
 
 def _thin(corners: Points) -> ConvexPart:
-    """Return the hull of ``corners``, all of them extreme, without those it can do without."""
+    """Return the hull of ``corners``, all of them extreme, without redundant ones."""
     if len(corners) <= _FEW:
         return ConvexPart(corners.round(6))
     start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
     try:
         return _grow(ConvexPart(start), corners)
-    except QhullError:  # a sheet whose extreme corners lie in a plane
+    except QhullError:  # a sheet with coplanar extreme vertices
         return ConvexPart(corners.round(6))
 
 
 def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
-    """Return how far ``points`` are outside of a part, metres; negative inside.
+    """Return the distance of ``points`` from a part, metres; negative inside.
 
-    Beside an edge or a corner that is the distance to the farthest plane, a lower bound.
+    Near an edge or a corner it is the distance to the farthest plane, a lower bound.
     """
     low, high = part.bounds
     middle, half = (low + high) / 2, (high - low) / 2
@@ -228,15 +228,15 @@ def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
 
 
 def _heights(points: Points, planes: Float[np.ndarray, "k 4"]) -> Float[np.ndarray, "k n"]:
-    """Return how high points are over planes, metres."""
+    """Return the signed distances of points from planes, metres."""
     found = planes[:, :3] @ points.T
-    found += planes[:, 3:]  # in place: the memory of another array would take most of the time
+    found += planes[:, 3:]  # in place, since allocating another array would take most of the time
     return found
 
 
 @lru_cache(maxsize=1024)
 def _hull(part: ConvexPart) -> tuple[Int[np.ndarray, "c"], Float[np.ndarray, "k 4"]]:
-    """Return which vertices are a hull's corners, and the planes of its faces.
+    """Return the indices of a hull's vertices, and the planes of its faces.
 
     Each plane is an outward normal and an offset, metres.
     """
@@ -245,7 +245,7 @@ def _hull(part: ConvexPart) -> tuple[Int[np.ndarray, "c"], Float[np.ndarray, "k 
 
 
 def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
-    """Return the part with as many of the points as it takes to hold them all."""
+    """Return the part extended by as many of the points as it needs to contain them all."""
     extreme, planes = _hull(part)
     corners, left = part.vertices[extreme], lacking
     for k in range(_ROUNDS):
@@ -267,7 +267,7 @@ def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
 def _grown_where_solid(
     part: ConvexPart, lacking: Points, normals: Points, bare: Float[np.ndarray, "k 3"]
 ) -> ConvexPart:
-    """Return the part grown by the points that this buries no drawn surface for."""
+    """Return the part extended by the points that do not make it cover other drawn surfaces."""
     axis = np.abs(normals).argmax(1)
     facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
     for way in np.unique(facing):  # the points of one side of the surface at a time
@@ -278,7 +278,7 @@ def _grown_where_solid(
 
 
 def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
-    """Whether points of the drawn surface lie deep inside of a part."""
+    """Return whether points of the drawn surface are deep inside a part."""
     inside = bare[_deep_in_box(part, bare, _BURIED)]
     return bool(len(inside)) and bool((outside(part, inside) < -_BURIED).any())
 
@@ -286,9 +286,9 @@ def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
 def _patches(
     places: Vertices, faces: Faces, bare: Float[np.ndarray, "k 3"], sky: _Sky, halvings: int = 4
 ) -> list[ConvexPart]:
-    """Return hulls of triangles, halved along their longest side while they bury ``bare``.
+    """Return hulls of triangles, split while their hull covers ``bare`` or fills a hollow.
 
-    So they are while they fill what is hollow.
+    Triangles are split along their longest side.
     """
     if not len(faces):
         return []

@@ -1,15 +1,16 @@
-"""Convex decomposition of meshes that come without convex parts (Sec. 3.4), by CoACD.
+"""Convex decomposition of meshes without convex parts (Sec. 3.4), by CoACD.
 
 X. Wei et al., "Approximate convex decomposition for 3D meshes with collision-aware concavity and
-tree search", SIGGRAPH 2022. It is a blocking C call, so it runs in a sandbox, on a mesh reduced to
-about a thousand faces, once per mesh: results are kept by content.
+tree search", SIGGRAPH 2022. CoACD is a blocking C call, so it runs in a sandbox, on a mesh
+simplified to about a thousand faces, once per mesh: results are cached by content.
 
-CoACD first cuts a mesh into pieces, then merges them, which takes longest: a rough mesh falls into
-hundreds of pieces. The cut is therefore tried at falling thresholds, and the finest one that leaves
-a moderate number of pieces is merged. The number of pieces, never a clock, decides the result.
+CoACD first cuts a mesh into pieces and then merges them, which takes most of the time: a rough mesh
+yields hundreds of pieces. Cuts are therefore tried at decreasing thresholds, and the finest one
+with a moderate number of pieces is merged. The result depends on the number of pieces, never on a
+clock.
 
-An import of many meshes has one ``CutBudget``: pieces that all its first cuts may fall into. Meshes
-beyond it are refused, which their caller answers with their hulls.
+An import of many meshes has one ``CutBudget``: the total number of pieces of all first cuts. Meshes
+beyond the budget are rejected, and their callers use convex hulls instead.
 """
 
 from __future__ import annotations
@@ -32,30 +33,30 @@ from ..scene import ConvexPart, Mesh
 from ..scene.triangles import Faces, Vertices, closed, pieces
 from .inertia import weld
 
-_MOST_FACES = 1200  # meshes are reduced to this many: CoACD's time grows with them
-_FULL = 1.001  # of its hull that a mesh may fill, as reckoned
+_MOST_FACES = 1200  # simplified size of meshes: CoACD's time grows with it
+_FULL = 1.001  # maximum ratio of the estimated volume of a mesh to that of its hull
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
-_MOST_PIECES = 200  # of more, the boxes are not compared
+_MOST_PIECES = 200  # number of pieces above which their boxes are not compared
 
 Hulls = list[Float[np.ndarray, "_k 3"]]
 
-_LIMITS = SandboxLimits(cpu_seconds=90.0, threads=1)  # several times what the roughest meshes take
+_LIMITS = SandboxLimits(cpu_seconds=90.0, threads=1)  # enough for several rough meshes
 _SETTINGS = {
     "max_convex_hull": 24, "preprocess_resolution": 30, "resolution": 300, "mcts_nodes": 5,
     "mcts_iterations": 20, "mcts_max_depth": 1, "decimate": True, "max_ch_vertex": 48, "seed": 0,
 }  # fmt: skip
-_THRESHOLDS = 0.15, 0.06  # of concavity, from coarse to fine
-_MOST_CUTS = 48  # pieces of a cut up to which the next finer one is made
+_THRESHOLDS = 0.15, 0.06  # thresholds of concavity, from coarse to fine
+_MOST_CUTS = 48  # maximum number of pieces at which the next finer cut is tried
 
 
 class CutBudget:
-    """Pieces that the first cuts of several meshes may fall into together.
+    """Total number of pieces in the first cuts of several meshes.
 
-    A piece stands for 0.05 to 0.15 s of CPU time. Solid things fall into 1 to 16 pieces, rough
-    meshes into about 70. The count is the same on every machine, and whether results are cached or
-    not: a mesh is decomposed as long as pieces are left, and one that is met again costs nothing.
-    A mesh that fails counts as a rough one. All meshes together have the CPU time that a single one
-    may take, several times what the pieces take: whatever reaches it is refused.
+    A piece takes 0.05 to 0.15 s of CPU time. Solid objects yield 1 to 16 pieces, rough meshes about
+    70. The count is the same on all machines, with or without cached results: meshes are decomposed
+    as long as pieces are left, and a repeated mesh costs nothing. A mesh that fails counts as a
+    rough one. All meshes together have the CPU time limit of a single one, several times what the
+    pieces need; meshes that reach it are rejected.
     """
 
     def __init__(self, pieces: int = 200) -> None:
@@ -64,7 +65,7 @@ class CutBudget:
         self._hulls: dict[str, Hulls | SceneError] = {}
 
     def decompose(self, key: str, run: Callable[[], tuple[Hulls, int]]) -> Hulls:
-        """Return the hulls of the mesh ``key``, which ``run`` returns with its number of pieces.
+        """Return the hulls of the mesh ``key``; ``run`` returns them with the number of pieces.
 
         Raises:
             SceneError: no pieces are left, or ``run`` failed.
@@ -72,8 +73,8 @@ class CutBudget:
         if key not in self._hulls:
             if self.left <= 0 or not self.cpu.left:
                 raise SceneError(
-                    "Convex decomposition of the meshes before it took all the pieces of an "
-                    "import. Give models convex parts, or import fewer at a time."
+                    "Convex decomposition of earlier meshes used up the piece budget of the "
+                    "import. Add convex parts to the models, or import fewer at a time."
                 )
             try:
                 self._hulls[key], pieces = run()
@@ -95,18 +96,18 @@ def decompose(
     cache: Path | None = None,
     budget: CutBudget | None = None,
 ) -> tuple[ConvexPart, ...]:
-    """Return convex parts of a canonical mesh, in the canonical frame, as cut at ``scale``.
+    """Return convex parts of a canonical mesh decomposed at ``scale``, in the canonical frame.
 
-    Results are kept in ``cache`` (by default a folder of the user's cache) if it can be written.
-    ``budget`` is that of all meshes of an import.
+    Results are stored in ``cache`` (by default a folder of the user's cache) if it is writable.
+    ``budget`` is shared by all meshes of an import.
 
     Raises:
-        SceneError: CoACD failed or reached one of the ``limits``, or the budget is spent.
+        SceneError: CoACD failed or reached one of the ``limits``, or the budget is used up.
     """
     proportions = np.round(np.asarray(scale, float) / np.max(scale), 3).clip(1e-3)
     vertices, faces = weld(mesh)
     if not len(faces):
-        raise SceneError("The mesh has no triangle with an area. Give the model convex parts.")
+        raise SceneError("The mesh has no triangle with an area. Add convex parts to the model.")
     digest = hashlib.sha256(repr((_SETTINGS, _THRESHOLDS, _MOST_CUTS)).encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())
@@ -141,18 +142,20 @@ def _coacd(
         hulls, pieces = call(run_coacd, vertices, faces, remesh, limits=limits, budget=cpu)
     except SandboxError as error:
         raise SceneError(
-            f"Convex decomposition of {len(faces)} faces failed: it {error}. Give the model convex "
-            "parts, or a simpler mesh."
+            f"Convex decomposition of {len(faces)} faces failed: it {error}. Add convex parts to "
+            "the model, or use a simpler mesh."
         ) from error
     if not hulls:
-        raise SceneError("Convex decomposition found no solid piece. Give the model convex parts.")
+        raise SceneError(
+            "Convex decomposition found no solid piece. Add convex parts to the model."
+        )
     return hulls, pieces
 
 
 def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> tuple[Hulls, int]:
     """Return the hulls of a mesh, decomposed in this process, and the pieces of its first cut.
 
-    ``remesh`` makes the surface again first, which open and overlapping meshes need.
+    ``remesh`` rebuilds the surface first, which open and self-overlapping meshes need.
     """
     import coacd
 
@@ -173,8 +176,8 @@ def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> tuple[Hulls, in
 
 
 def _overlaps(vertices: Vertices, faces: Faces) -> bool:
-    """Return whether a closed mesh may overlap itself: holds more than its hull, or pieces meet."""
-    # CoACD does not end with such a mesh, unless its surface is made again first.
+    """Return whether a closed mesh may overlap itself: too much volume, or pieces that meet."""
+    # CoACD does not terminate on such a mesh unless its surface is rebuilt first.
     from scipy.spatial import ConvexHull, QhullError
 
     if _pieces_meet(vertices, faces):
@@ -188,7 +191,7 @@ def _overlaps(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
-    """Return whether the boxes about two connected pieces meet; of very many pieces, yes."""
+    """Return whether the boxes of two connected pieces intersect; assumed for very many pieces."""
     piece = pieces(faces, len(vertices))[faces[:, 0]]
     names, piece = np.unique(piece, return_inverse=True)
     if len(names) > _MOST_PIECES:
@@ -202,9 +205,9 @@ def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _read(path: Path) -> tuple[Hulls, int] | None:
-    """Return the hulls and pieces kept at ``path``; None if what is there is no such file."""
+    """Return the hulls and pieces stored at ``path``; None if the file is missing or invalid."""
     try:
-        arrays = read_arrays(path, "The kept hulls", SceneError, max_bytes=_MAX_KEPT)
+        arrays = read_arrays(path, "The cached hulls", SceneError, max_bytes=_MAX_KEPT)
         pieces = int(arrays.pop("pieces"))
         hulls = [np.asarray(array, np.float64) for array in arrays.values()]
     except (SceneError, KeyError, ValueError, TypeError):
@@ -214,7 +217,7 @@ def _read(path: Path) -> tuple[Hulls, int] | None:
 
 
 def _keep(path: Path, hulls: Hulls, pieces: int) -> None:
-    """Keep hulls for the next time, if the cache can be written: it only saves time."""
+    """Store hulls for later use if the cache is writable."""
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as part:
@@ -223,5 +226,5 @@ def _keep(path: Path, hulls: Hulls, pieces: int) -> None:
 
 
 def hulls_folder() -> Path:
-    """Return where decompositions are cached on this machine."""
+    """Return the folder of cached decompositions on this machine."""
     return Path(platformdirs.user_cache_dir("tabletopgen")) / "hulls"

@@ -1,4 +1,4 @@
-"""The physical gate: what a scene must show in simulation before it is published."""
+"""The physical gate: the simulation that a scene must pass before it is published."""
 
 from __future__ import annotations
 
@@ -19,17 +19,18 @@ from .simulation import ON_FLOOR, ON_TABLE, Motion, Simulation, find_supported, 
 
 @dataclass(frozen=True)
 class GateLimits:
-    """What passes. Lengths in metres, angles in radians, time in seconds.
+    """Limits of the gate. Lengths in metres, angles in radians, time in seconds.
 
-    penetration: deepest overlap of two collision shapes at the start.
-    drift, tilt: how far a thing may move and turn.
-    gap: what nothing touches within this distance floats.
-    seconds: how long it is watched.
-    lean: the same must hold with gravity leaning by this angle, at most ``MAX_LEAN``, to each of
-        four sides; 0 leaves that out.
+    Attributes:
+        penetration: maximum overlap of two collision shapes at the start.
+        drift, tilt: maximum displacement and rotation of an object.
+        gap: an object without contacts within this distance is floating.
+        seconds: duration of the simulation.
+        lean: drift and tilt are also tested with gravity leaning by this angle, at most
+            ``MAX_LEAN``, to each of four sides; 0 skips these tests.
 
     Raises:
-        InputError: not a number, negative, or no time at all.
+        InputError: a limit is not a number or negative, or the duration is zero.
     """
 
     penetration: float = 5e-4
@@ -49,21 +50,21 @@ PerObject = Float[np.ndarray, "n"]
 PerKind = Float[np.ndarray, "2"]
 """Of drift and tilt: metres, radians."""
 
-_STRIDE = 0.25  # seconds between two looks
-_SMALL = 5e-3  # of the limits: motion between two looks that may be a tremble in place
-_TINY = 0.4  # of that: motion that is one
-_LOST = 2.0  # times the limits: what has moved so far as gravity leans is not watched on
-_LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
+_STRIDE = 0.25  # seconds between two samples
+_SMALL = 5e-3  # relative to the limits: motion per sample that may be jitter
+_TINY = 0.4  # relative to that: motion that is certainly jitter
+_LOST = 2.0  # multiple of the limits at which the simulation under leaning gravity stops
+_LEANING_TIMESTEP = 4e-3  # coarser than the scene's own, as an additional test
 _FIXED: Mapping[int, Literal["table", "floor"]] = {ON_TABLE: "table", ON_FLOOR: "floor"}
 
 
 def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
-    """Simulate a scene from its settled poses and report what happens.
+    """Simulate a scene from its settled poses and return its report.
 
-    ``limits`` are by default those that the scene was judged by (:func:`limits_of`).
-    Penetration and floating are judged at the start; drift, turning and falling over
-    ``limits.seconds`` (:func:`watch`), then drift and turning again as the table leans, up to the
-    first side to which something moves. ``moved``, ``settling`` and ``dropped`` stay as they were.
+    ``limits`` default to those that the scene was tested with (:func:`limits_of`). Penetration and
+    floating are measured at the start; drift, rotation and falling over ``limits.seconds``
+    (:func:`watch`), then drift and rotation again under leaning gravity, up to the first side to
+    which an object moves. ``moved``, ``settling`` and ``dropped`` of an existing report are kept.
     """
     limits = limits or limits_of(scene)
     simulation = Simulation(scene)
@@ -108,19 +109,19 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
 
 
 def limits_of(scene: Scene) -> GateLimits:
-    """Return the usual limits, with the lean that the scene was judged by.
+    """Return the default limits, with the lean that the scene was tested with.
 
-    An imported scene is judged on a level table: its round things roll as their file says.
+    An imported scene is tested on a level table: its round objects roll as in its source.
     """
     lean = scene.report.lean if scene.report else None
     return GateLimits() if lean is None else GateLimits(lean=lean)
 
 
 def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:
-    """Simulate ``limits.seconds``; return how far each object moved and turned.
+    """Simulate ``limits.seconds``; return each object's displacement and rotation.
 
-    What creeps evenly is not watched to the end (:func:`_watch`): its forecast is returned. Once
-    the simulation has broken down the figures say nothing.
+    Objects in steady slow motion are not simulated to the end (:func:`_watch`): an extrapolation is
+    returned. The values are meaningless if the simulation diverges.
     """
     return _watch(simulation, limits, np.array([limits.drift, limits.tilt]))
 
@@ -128,12 +129,11 @@ def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObj
 def _watch(
     simulation: Simulation, limits: GateLimits, bounds: PerKind, lost: float = np.inf
 ) -> tuple[PerObject, PerObject]:
-    """Simulate until it is clear how far each object will have moved and turned in the end.
+    """Simulate until the final displacement and rotation of each object are certain.
 
-    That is so once two looks in a row show no object moving or turning faster than in the looks
-    before, and going on at twice its pace would keep each within ``bounds``, as would going on to
-    speed up by what it has since the last look (:func:`_speeds_up`); and once one has moved by
-    ``lost`` times the bounds.
+    That is the case if in two consecutive samples no object moves or turns faster than before, and
+    extrapolation at twice the speed, and at the current acceleration (:func:`_speeds_up`), keeps
+    each object within ``bounds``; or if an object has moved by ``lost`` times the bounds.
     """
     begin = simulation.time
     start = now = simulation.states
@@ -142,7 +142,7 @@ def _watch(
     gone = np.zeros((len(start), 2))
     steps: list[Motion] = []
     calm = 0
-    for k in range(looks):  # what topples speeds up, and is watched to the end
+    for k in range(looks):  # toppling objects accelerate, and are simulated to the end
         earlier, left = steps, looks - 1 - k
         simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:
@@ -164,7 +164,7 @@ def _watch(
 def _speeds_up(
     steps: Sequence[Motion], gone: Motion, left: int, bounds: PerKind, small: PerKind
 ) -> Bool[np.ndarray, "n 2"]:
-    """Whether motion would leave the bounds if each look's grew on as that of the last two did."""
+    """Return whether motion exceeds the bounds if it keeps growing as in the last two samples."""
     if len(steps) < 2:
         return np.zeros(gone.shape, bool)
     growth = np.clip(steps[-1] / np.maximum(steps[-2], 1e-12), 1.0001, 10.0)
@@ -173,7 +173,7 @@ def _speeds_up(
 
 
 def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[Failure]]:
-    """Return how far anything moves as gravity leans, the least time simulated, and failures."""
+    """Return the maximum motion under leaning gravity, the shortest simulation, and failures."""
     worst, shortest = 0.0, limits.seconds
     bounds = np.array([limits.drift, limits.tilt])
     for side in range(4):
@@ -189,10 +189,10 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
 def find_toppling(
     scene: Scene, limits: GateLimits, angle: float, among: Collection[str] | None = None
 ) -> tuple[str, ...]:
-    """Return what topples (``has_toppled`` by ``angle``, radians) as gravity leans to any side.
+    """Return the objects that topple (``has_toppled`` by ``angle``, radians) under leaning gravity.
 
-    ``among`` names what is asked about; None is everything. What lies as still, or creeps as
-    evenly, as :func:`watch` demands is not simulated to the end.
+    ``among`` names the objects to test; None means all. The simulation stops early if the tested
+    objects are as still as :func:`watch` requires.
     """
     asked = {o.name for o in scene.objects if among is None or o.name in among}
     if not asked:
@@ -212,7 +212,7 @@ def find_toppling(
 
 @contextmanager
 def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterator[None]:
-    """Start anew from the scene's poses, with gravity leaning to one of four sides."""
+    """Restart from the scene's poses, with gravity leaning to one of four sides."""
     simulation.place([o.pose for o in simulation.scene.objects])
     with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
         yield
@@ -221,7 +221,7 @@ def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterat
 def _moving(
     simulation: Simulation, drift: PerObject, tilt: PerObject, limits: GateLimits, *, leaning: bool
 ) -> list[Failure]:
-    """Return what the run just ended shows: what moved too far, or at what it broke down."""
+    """Return failures of the last run: objects that moved too far, or the divergence."""
     names = [o.name for o in simulation.scene.objects]
     if broken := simulation.diverged:
         return [Failure("diverged", (names[k],), leaning=leaning) for k in broken]
@@ -237,7 +237,7 @@ def _moving(
 
 
 def reach(scene: Scene) -> float:
-    """Return, from the best of the table's four sides, the farthest object's distance to it."""
+    """Return the distance of the farthest object from the best of the table's four sides."""
     if not scene.objects:
         return 0.0
     low, high = scene.table.outline.min(0), scene.table.outline.max(0)
@@ -258,7 +258,7 @@ def _overlapping(
 
 
 def find_fallen(simulation: Simulation) -> tuple[int, ...]:
-    """Return the objects that touch the floor, or whose mass hangs 5 cm below the tabletop."""
+    """Return objects that touch the floor, or whose centre of mass is 5 cm below the tabletop."""
     low = simulation.centers_of_mass[:, 2] < simulation.scene.table.height - 0.05
     touching = {int(b) for a, b in simulation.contacts().pairs if a == ON_FLOOR}
     return tuple(sorted(touching | set(np.flatnonzero(low).tolist())))

@@ -1,4 +1,4 @@
-"""Mass, centre of mass and inertia of meshes and convex parts, exact integrals over triangles."""
+"""Mass, centre of mass and inertia of meshes and convex parts, by exact integrals."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from ..errors import SceneError
 from ..scene import ConvexPart, Mesh, Physics
 from ..scene.triangles import Faces, Vertices, closed, scaled_normals
 
-_LEAST_MASS = 2e-3  # kg, given to lighter things so that contacts stay well conditioned
-_WELD = 1e-6  # of the unit box: vertices closer than this are one
+_LEAST_MASS = 2e-3  # kg, the minimum mass, so that contacts stay well conditioned
+_WELD = 1e-6  # of the unit box: closer vertices are merged
 
 LEAST_GYRATION = 0.005
-"""No radius of gyration is smaller than this share of the box's diagonal, so that wires hold still
-at the usual time steps. A pencil's about its length is 0.015, a skewer's of 3 by 200 mm 0.005."""
+"""Minimum radius of gyration as a share of the box's diagonal, so that thin wires are stable at the
+usual time steps. A pencil's about its axis is 0.015, a 3 by 200 mm skewer's 0.005."""
 
 Triangles = Float[np.ndarray, "m 3 3"]
 
@@ -34,13 +34,13 @@ class MassProperties:
 def body_mass(
     mesh: Mesh, scale: Float[np.ndarray, "3"], physics: Physics, parts: Sequence[ConvexPart]
 ) -> MassProperties:
-    """Return what a canonical mesh weighs at ``scale`` (its extent in metres).
+    """Return the mass properties of a canonical mesh at ``scale`` (its extent in metres).
 
-    Hollow things (``physics.shell``) are surfaces of that thickness. Others have the volume of
-    their mesh, or of ``parts`` (metres) where it is not watertight.
+    Hollow objects (``physics.shell``) are surfaces of that thickness. Others have the volume of
+    their mesh, or of ``parts`` (metres) if it is not watertight.
 
     Raises:
-        SceneError: the shape has no volume at all.
+        SceneError: the shape has no volume.
     """
     triangles = (mesh.vertices.astype(np.float64) * scale)[mesh.faces]
     if physics.shell is not None:
@@ -53,10 +53,10 @@ def body_mass(
 
 
 def volume_mass(triangles: Triangles, density: float) -> MassProperties:
-    """Return the mass of the solid that outward-turned triangles enclose.
+    """Return the mass properties of the solid enclosed by outward-facing triangles.
 
-    Signed tetrahedra to the origin: volume v = det(a, b, c) / 6 and second moment
-    v / 20 (aaᵀ + bbᵀ + ccᵀ + ssᵀ) with s = a + b + c (F. Tonon, J. Math. Stat. 1, 2004).
+    Signed tetrahedra to the origin: volume v = det(a, b, c) / 6 and second moment v / 20 (aaᵀ + bbᵀ
+    + ccᵀ + ssᵀ) with s = a + b + c (F. Tonon, J. Math. Stat. 1, 2004).
     """
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6
@@ -64,7 +64,7 @@ def volume_mass(triangles: Triangles, density: float) -> MassProperties:
 
 
 def surface_mass(triangles: Triangles, areal_density: float) -> MassProperties:
-    """Return the mass of a thin shell, ``areal_density`` in kg/m^2.
+    """Return the mass properties of a thin shell of ``areal_density``, kg/m^2.
 
     A triangle's second moment is A / 12 (aaᵀ + bbᵀ + ccᵀ + ssᵀ).
     """
@@ -73,7 +73,7 @@ def surface_mass(triangles: Triangles, areal_density: float) -> MassProperties:
 
 
 def parts_mass(parts: Sequence[ConvexPart], density: float) -> MassProperties:
-    """Return the mass of convex hulls taken together; where they overlap counts twice."""
+    """Return the mass properties of several convex hulls; overlaps count twice."""
     from scipy.spatial import ConvexHull
 
     pieces = []
@@ -91,13 +91,13 @@ def parts_mass(parts: Sequence[ConvexPart], density: float) -> MassProperties:
 def box_mass(
     mass: float, center: Float[np.ndarray, "3"], size: Float[np.ndarray, "3"]
 ) -> MassProperties:
-    """Return a solid box of ``mass`` (kg), ``center`` and ``size`` (m) as a body."""
+    """Return the mass properties of a solid box of ``mass`` (kg), ``center`` and ``size`` (m)."""
     squares = np.square(size)
     return MassProperties(mass, center, mass / 12 * np.diag(squares.sum() - squares))
 
 
 def join_bodies(bodies: Sequence[MassProperties]) -> MassProperties:
-    """Return bodies fixed to each other as one, by Steiner's theorem."""
+    """Return the mass properties of rigidly connected bodies, by the parallel axis theorem."""
     mass = sum(body.mass for body in bodies)
     com = sum((body.mass * body.com for body in bodies), np.zeros(3)) / mass
     inertia = np.zeros((3, 3))
@@ -108,7 +108,7 @@ def join_bodies(bodies: Sequence[MassProperties]) -> MassProperties:
 
 
 def is_watertight(mesh: Mesh) -> bool:
-    """Whether a mesh encloses a volume, faces outwards, its texture's seams taken as joined."""
+    """Return whether a mesh, with texture seams joined, encloses a volume and faces outwards."""
     vertices, faces = weld(mesh)
     if not closed(faces):
         return False
@@ -117,7 +117,7 @@ def is_watertight(mesh: Mesh) -> bool:
 
 
 def weld(mesh: Mesh) -> tuple[Vertices, Faces]:
-    """Return vertices and faces with vertices at the same place made one, slivers left out."""
+    """Return vertices and faces with coincident vertices merged and slivers removed."""
     cells = np.round(mesh.vertices.astype(np.float64) / _WELD).astype(np.int64)
     places, index = np.unique(cells, axis=0, return_inverse=True)
     faces = index.reshape(-1)[mesh.faces].astype(np.int64)
@@ -128,7 +128,7 @@ def weld(mesh: Mesh) -> tuple[Vertices, Faces]:
 def _from_moments(
     weights: Float[np.ndarray, "m"], triangles: Triangles, first: float, second: float
 ) -> MassProperties:
-    """Sum simplices of mass ``weights``: triangles, or (``first`` 4) tetrahedra to the origin."""
+    """Sum simplices of masses ``weights``: triangles, or (``first`` 4) tetrahedra to the origin."""
     total = float(weights.sum())
     if not total > 0:
         raise SceneError(f"A shape encloses no volume: its mass came out as {total:.3g} kg.")
@@ -141,7 +141,7 @@ def _from_moments(
 
 
 def _bound(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
-    """Keep the centre inside the box, and mass and inertia away from zero."""
+    """Keep the centre inside the box, and bound mass and inertia from below."""
     mass = max(found.mass, _LEAST_MASS)
     inertia = found.inertia * (mass / found.mass)
     floor = mass * (LEAST_GYRATION * float(np.linalg.norm(scale))) ** 2

@@ -1,9 +1,9 @@
-"""Scene to MJCF: one XML document and the files it names, loadable by plain MuJoCo.
+"""Scene to MJCF: one XML document and its files, which plain MuJoCo loads.
 
-Names in the document: body and free joint of an object carry the object's name, the table's body
-is "table", the floor's geom "floor"; cameras are "reference" (the scene's view) and "top"; the
-keyframe "settled" holds every object's resting pose. Geom groups: 2 drawn, 3 collision.
-Meshes, textures and hulls are named by the digest of their content.
+Names in the document: body and free joint of an object have the object's name, the table's body is
+"table", the floor's geom "floor"; cameras are "reference" (the scene's view) and "top"; the
+keyframe "settled" has every object's resting pose. Geom groups: 2 visual, 3 collision. Meshes,
+textures and hulls are named by the digest of their content.
 """
 
 from __future__ import annotations
@@ -27,34 +27,34 @@ FLOOR = "floor"
 """Name of the floor's geom."""
 
 FRICTION_STIFFNESS = 10
-"""How much stiffer friction is than contact (MuJoCo's impratio). At 1, what leans in a mug or lies
-in a heap creeps by half a millimetre a second; that falls with this factor, at hardly any cost in
-time up to ten. The environments have the same."""
+"""Ratio of frictional to normal contact impedance (MuJoCo's impratio). At 1, objects that lean in a
+mug or lie in a heap creep by half a millimetre per second; the creep falls with this ratio, at
+hardly any cost in time up to ten. The environments use the same value."""
 
 FLAT_SPOT = 0.1
-"""Rolling resistance of round things, in radii: they lie still on a table that leans by two
-degrees, with a margin of almost three, as fruit does, and roll away from six degrees on (its
-tangent is this). Small things have ``_LEAST_FLAT``, metres; glass marbles would roll at once."""
+"""Rolling resistance of round objects, in radii: they stay on a table that leans by two degrees,
+with a margin of almost three, as fruit does, and roll away from six degrees on (its tangent is this
+value). Small objects have ``_LEAST_FLAT``, metres; glass marbles would otherwise roll at once."""
 
 _LEAST_FLAT = 0.002
 _FIRM = {"solimp": "0.98 0.99 0.001", "solmix": "100"}
-"""Contacts of what resists rolling are this much firmer than MuJoCo's usual (0.9 0.95). Resistance
-gives way by a creep that goes with the softness and with the inverse square of FLAT_SPOT: on that
-leaning table an orange turns by 1 degree in 5 s with these, by 5 with the usual."""
+"""Contacts with rolling resistance are stiffer than MuJoCo's default (0.9 0.95). Resistance allows
+creep that grows with the softness and with the inverse square of FLAT_SPOT: on the leaning table an
+orange turns by 1 degree in 5 s with these values, by 5 with the defaults."""
 
-_SLENDER, _THIN = 0.35, 0.04  # a slender thing is thinner: share of its length; metres
-_ROUND = 0.02  # share by which two diameters of a round cross-section differ at most
+_SLENDER, _THIN = 0.35, 0.04  # slender objects are thinner: share of their length; metres
+_ROUND = 0.02  # maximum relative difference between two diameters of a round cross-section
 VERTEX_DIGITS, UV_DIGITS = 6, 5
-"""Decimals of meshes as they are stored: of vertices in the unit box, and of uv."""
+"""Decimals of stored meshes: of vertices in the unit box, and of uv."""
 
-_TINY = 1e-200  # numbers that are too small for MuJoCo are zero
+_TINY = 1e-200  # MuJoCo treats smaller numbers as zero
 _TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
 _HALF = np.sqrt(0.5)
-_AXIS_QUATERNION = ((_HALF, 0.0, _HALF, 0.0), (_HALF, -_HALF, 0.0, 0.0))  # a cylinder's z to x, y
+_AXIS_QUATERNION = ((_HALF, 0.0, _HALF, 0.0), (_HALF, -_HALF, 0.0, 0.0))  # rotate z to x, y
 
 
 GeomKind = Literal["mesh", "box", "cylinder", "sphere", "ellipsoid"]
-"""What a convex part is in MuJoCo."""
+"""The MuJoCo geom type of each kind of convex part."""
 
 
 @dataclass(frozen=True)
@@ -72,10 +72,10 @@ def document(
     paths: Mapping[Mesh, tuple[str, str]] = MappingProxyType({}),
     fixed: Sequence[Object] = (),
 ) -> Document:
-    """Return the MJCF of a scene; without ``visuals`` only what the physics needs.
+    """Return the MJCF of a scene; without ``visuals`` only the physics.
 
-    ``paths`` are those of meshes and textures that are there already: they are named, not written.
-    ``fixed`` objects are added before the scene's own, without a joint.
+    ``paths`` are those of existing meshes and textures, which are only referred to. ``fixed``
+    objects are added before the scene's own, without a joint.
     """
     root = ET.Element("mujoco", model=scene.name)
     _settings(root)
@@ -108,8 +108,8 @@ def object_document(
 
     Args:
         thing: the object.
-        visuals: also draw it, with a light; otherwise only what the physics needs.
-        floor: friction of a floor at z = 0; None leaves the space empty.
+        visuals: also add its visual geom and a light; otherwise only the physics.
+        floor: friction of a floor at z = 0; None adds no floor.
     """
     root = ET.Element("mujoco", model=thing.name)
     _settings(root)
@@ -127,7 +127,7 @@ def object_document(
 def written_poses(things: Sequence[Object]) -> Float[np.ndarray, "n 7"]:
     """Return positions (metres) and quaternions as MuJoCo reads them from the document.
 
-    They are rounded as they are written; MuJoCo gives quaternions a length of 1.
+    They are rounded as in the document; MuJoCo normalises quaternions.
     """
     poses = np.array([_read(_text(_pose(thing))) for thing in things]).reshape(-1, 7)
     w, x, y, z = poses[:, 3:].T
@@ -140,14 +140,14 @@ def written_poses(things: Sequence[Object]) -> Float[np.ndarray, "n 7"]:
 
 def encode_obj(mesh: Mesh) -> bytes:
     """Return a mesh as Wavefront OBJ: vertices to a millionth of the unit box, uv to 1e-5."""
-    corners = np.repeat(mesh.faces + 1, 2, axis=1)  # each a vertex and its uv
+    corners = np.repeat(mesh.faces + 1, 2, axis=1)  # each with a vertex and its uv
     vertex, uv = f" %.{VERTEX_DIGITS}f", f" %.{UV_DIGITS}f"
     text = row_lines(f"v{3 * vertex}\n", mesh.vertices) + row_lines(f"vt{2 * uv}\n", mesh.uv)
     return (text + row_lines("f %d/%d %d/%d %d/%d\n", corners)).encode("ascii")
 
 
 def row_lines(pattern: str, rows: Real[np.ndarray, "n k"]) -> str:
-    """Return a line for each row; all at once takes half the time of one by one."""
+    """Return a line per row; formatting all at once takes half the time of single rows."""
     return pattern * len(rows) % tuple(rows.ravel().tolist())
 
 
@@ -162,7 +162,7 @@ def texture_path(encoded: bytes) -> str:
 
 
 def mesh_files(mesh: Mesh) -> dict[str, bytes]:
-    """Return a mesh, then its texture, as files of a bundle by path."""
+    """Return a mesh and its texture, in this order, as files of a bundle by path."""
     obj, png = encode_obj(mesh), encode_png(mesh.texture)
     return {mesh_path(obj): obj, texture_path(png): png}
 
@@ -238,7 +238,7 @@ def _body(world: ET.Element, thing: Object, assets: _Assets, *, free: bool = Tru
 
 
 class _Assets:
-    """Adds geoms to bodies, and to the document each mesh, texture and hull once."""
+    """Adds geoms to bodies, and each mesh, texture and hull to the document once."""
 
     def __init__(
         self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
@@ -256,7 +256,7 @@ class _Assets:
         return name
 
     def draw(self, body: ET.Element, mesh: Mesh, scale: Float[np.ndarray, "3"]) -> None:
-        """Add the textured mesh as a geom that touches nothing."""
+        """Add the textured mesh as a geom without contacts."""
         if not self._visuals:
             return
         if mesh not in self._paths:
@@ -280,10 +280,10 @@ class _Assets:
     def collide(
         self, body: ET.Element, part: ConvexPart, friction: float, slender: bool = False
     ) -> None:
-        """Add a convex part as a collision geom, a primitive where it is one.
+        """Add a convex part as a collision geom, a primitive if possible.
 
-        What is round, or belongs to a ``slender`` thing, resists rolling, as fruit with its soft
-        spots and pens with their clips do on a table that leans a little.
+        Round parts, and those of ``slender`` objects, resist rolling, like fruit with its soft
+        spots and pens with their clips on a slightly leaning table.
         """
         kind, attributes = primitive(part)
         round_ = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
@@ -303,7 +303,7 @@ class _Assets:
 
 
 def primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
-    """Return a part's geom type and attributes; "mesh" where no primitive fits."""
+    """Return a part's geom type and attributes; "mesh" if no primitive fits."""
     kind = primitive_kind(part)
     if kind == "mesh":
         return kind, {}
@@ -321,7 +321,7 @@ def primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
 
 
 def primitive_kind(part: ConvexPart) -> GeomKind:
-    """Return a part's geom type; "mesh" where no primitive fits."""
+    """Return a part's geom type; "mesh" if no primitive fits."""
     if part.kind in ("hull", "box"):
         return "mesh" if part.kind == "hull" else "box"
     low, high = part.bounds
@@ -333,7 +333,7 @@ def primitive_kind(part: ConvexPart) -> GeomKind:
 
 
 def _points(scene: Scene) -> Float[np.ndarray, "n 3"]:
-    """Return every drawn vertex of a scene in the world frame."""
+    """Return every visual vertex of a scene in the world frame."""
     table = scene.table
     points = [table.model.mesh.vertices * table.scale + [0, 0, table.height / 2]]
     for thing in scene.objects:

@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from .decomposition import CutBudget
 
 THINNEST = 4e-4
-"""No part is thinner than this along an axis, metres; thinner ones grow about their middle, and so
-do sheets that lie askew."""
+"""Minimum thickness of a part along an axis, metres; thinner ones grow about their centre, and so
+do thin sheets in any direction."""
 
 _HAIR = 2e-4  # metres
-_ROOM = 1.5e-3  # what stands within the widest foot, or beyond it by this much, is raised, metres
+_ROOM = 1.5e-3  # parts within the widest foot, or beyond it by this much, are raised, metres
 
 
 def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
@@ -36,7 +36,7 @@ def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
         side = np.where(vertices > (low + high) / 2, 0.5, -0.5) * THINNEST
         vertices = np.where(thin, (low + high) / 2 + side, vertices)
     spread = np.linalg.svd(vertices - vertices.mean(0), compute_uv=False)
-    if spread[-1] < 1e-5:  # a sheet, however it lies
+    if spread[-1] < 1e-5:  # a sheet in any direction
         grown = np.stack(np.meshgrid(*[(-THINNEST / 2, THINNEST / 2)] * 3), -1).reshape(-1, 3)
         vertices = (vertices[:, None] + grown).reshape(-1, 3)
     return ConvexPart(vertices.round(6), part.kind, part.axis)
@@ -45,9 +45,9 @@ def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
 def model_parts(
     model: Model, scale: Float[np.ndarray, "3"], budget: CutBudget | None = None
 ) -> tuple[ConvexPart, ...]:
-    """Return the convex parts of ``model`` at ``scale`` (its extent in metres), as they are.
+    """Return the unmodified convex parts of ``model`` at ``scale`` (its extent in metres).
 
-    A mesh that has none is decomposed, within a ``budget`` of several meshes.
+    A mesh without parts is decomposed, within a ``budget`` shared by several meshes.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
@@ -61,9 +61,9 @@ def model_parts(
 def body_parts(
     model: Model, scale: Float[np.ndarray, "3"], budget: CutBudget | None = None
 ) -> tuple[ConvexPart, ...]:
-    """Return the collision shape of ``model`` at ``scale``: parts that cover what is drawn.
+    """Return the collision shape of ``model`` at ``scale``: parts that cover the visual mesh.
 
-    ``budget`` is that of several meshes, for one that has to be decomposed.
+    ``budget`` is shared by several meshes that may have to be decomposed.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
@@ -76,7 +76,7 @@ def body_parts(
 
 @dataclass(frozen=True)
 class _Shape:
-    """Convex parts and the mesh that they are to cover, in metres; equal by its digest."""
+    """Convex parts and the mesh that they should cover, in metres; compared by digest."""
 
     digest: bytes
     parts: tuple[ConvexPart, ...] = field(compare=False)
@@ -94,16 +94,16 @@ def _digest(parts: Sequence[ConvexPart], vertices: Vertices, faces: Faces) -> by
 
 @lru_cache(maxsize=128)
 def _cover(shape: _Shape) -> tuple[ConvexPart, ...]:
-    """Return the parts grown to hold their mesh. Things that look alike share them."""
+    """Return the parts grown to contain their mesh. Objects of equal shape share the result."""
     covered = covering(shape.parts, shape.vertices, shape.faces)
     return on_base([scale_part(part, np.ones(3)) for part in covered])
 
 
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
-    """Raise the undersides of parts that stand beside a wide one, by a hair.
+    """Raise the undersides of parts that stand next to a wide one, slightly.
 
-    A mug's wall of wedges ends where its bottom does: each would add contacts with the table, to
-    which a step's time goes, that the bottom's edge makes superfluous.
+    A mug's wall of wedges ends at the height of its bottom: each wedge would add contacts with the
+    table, which take most of a simulation step and which the bottom's edge makes redundant.
     """
     low = min(float(part.vertices[:, 2].min()) for part in parts)
     feet = [part.vertices[part.vertices[:, 2] < low + _HAIR / 2, :2] for part in parts]
@@ -114,7 +114,7 @@ def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
     for part, foot in zip(parts, feet, strict=True):
         beside = foot is not widest and len(foot) and inside_margin(foot, outline).min() > -_ROOM
         upright = part.kind in ("hull", "box") or (part.kind == "cylinder" and part.axis == 2)
-        if beside and upright:  # others would not keep their kind
+        if beside and upright:  # others would change their kind
             heights = np.maximum(part.vertices[:, 2], low + _HAIR)
             part = replace(part, vertices=np.column_stack([part.vertices[:, :2], heights]))
         based.append(part)
@@ -122,17 +122,17 @@ def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
 
 
 def lowest(thing: Object) -> float:
-    """Return the height of an upright object's lowest collision point over its origin."""
+    """Return the height of an upright object's lowest collision point above its origin."""
     return min(float(part.vertices[:, 2].min()) for part in thing.parts)
 
 
 def highest(thing: Object) -> float:
-    """Return the height of an upright object's highest collision point over its origin."""
+    """Return the height of an upright object's highest collision point above its origin."""
     return max(float(part.vertices[:, 2].max()) for part in thing.parts)
 
 
 def base(thing: Object, pose: Pose) -> Float[np.ndarray, "n 2"]:
-    """Return the world x, y of what an upright object stands on, its lowest tenth, and its com."""
+    """Return the world x, y of an upright object's lowest tenth and of its centre of mass."""
     points = np.concatenate([part.vertices for part in thing.parts])
     cut = points[:, 2].min() + 0.1 * np.ptp(points[:, 2])
     points = np.concatenate([points[points[:, 2] <= cut], thing.com[None]])

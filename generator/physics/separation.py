@@ -1,10 +1,10 @@
-"""Separating overlapping objects by the least displacement (Sec. 3.4), horizontally.
+"""Separation of overlapping objects by the least horizontal displacement (Sec. 3.4).
 
-Each overlapping pair gives a *cut*: along the direction u in which the pair comes apart soonest,
+Each overlapping pair gives a *cut*: along the direction u in which the pair separates soonest,
 object b must move at least t metres relative to object a. Together with the table's edges the cuts
 form a small quadratic program, ``min Σ |d_i|²`` subject to ``u · (D_b - D_a) >= t``, where d_i is
-an object's own displacement and D_i adds that of what it stands on. New overlaps give new cuts
-until none is left.
+an object's own displacement and D_i includes that of its supports. New overlaps add new cuts until
+none is left.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from .parts import base
 from .simulation import Simulation
 
 TOLERANCE = 2e-4
-"""Overlaps shallower than this, metres, are contact."""
+"""Overlaps up to this depth, metres, count as contact."""
 
 _PATIENCE = 6  # rounds without fewer overlaps before giving up
-_STIFFNESS = 1e4  # price of a square metre of unmet cuts, in square metres of displacement
+_STIFFNESS = 1e4  # cost of a square metre of violated cuts, in square metres of displacement
 
 
 @dataclass(frozen=True, eq=False)
 class Cut:
-    """``direction · (D_b - D_a) >= distance``; ``a`` None stands for the table."""
+    """``direction · (D_b - D_a) >= distance``; ``a`` None is the table."""
 
     a: int | None
     b: int
@@ -39,11 +39,11 @@ class Cut:
 
 
 def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
-    """Move overlapping objects apart on the table, what stands on them with them.
+    """Move overlapping objects apart on the table, together with the objects on them.
 
     Objects that support one another (directly or through others) are not pushed apart.
-    ``clearance`` is the gap left between objects that had overlapped, metres. Returned are the
-    scene and the names of objects that still overlap another, or are beyond the table's edge.
+    ``clearance`` is the gap between objects that overlapped, metres. Returns the scene and the
+    names of objects that still overlap another, or extend beyond the table's edge.
     """
     chains = ancestry(scene.objects)
     poses = start = [o.pose for o in scene.objects]
@@ -80,12 +80,12 @@ def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
 
 
 def off_table(scene: Scene, thing: Object) -> bool:
-    """Whether the centre of mass of an upright object lies beyond the table's outline."""
+    """Return whether the centre of mass of an upright object is beyond the table's outline."""
     return bool(inside_margin(base(thing, thing.pose)[-1:], scene.table.outline)[0] < 0)
 
 
 def ancestry(objects: Sequence[Object]) -> list[tuple[int, ...]]:
-    """Return for each object itself and what it stands on, down to the table."""
+    """Return for each object the indices of itself and its supports, down to the table."""
     index = {o.name: i for i, o in enumerate(objects)}
     chains = []
     for i, _ in enumerate(objects):
@@ -104,10 +104,10 @@ def with_poses(objects: Sequence[Object], poses: Sequence[Pose]) -> tuple[Object
 def least_push(
     a: Object, b: Object, scene: Scene, clearance: float
 ) -> tuple[Float[np.ndarray, "2"], float]:
-    """Return the horizontal direction and distance by which ``b`` soonest gets clear of ``a``.
+    """Return the horizontal direction and distance by which ``b`` separates from ``a`` soonest.
 
-    Candidate directions are the normals of both boxes' sides and sixteen around; the distance
-    along each is measured on the collision shapes, to 0.1 mm.
+    Candidate directions are the normals of both boxes' sides and sixteen around the circle; the
+    distance along each is measured on the collision shapes, to 0.1 mm.
     """
     alone = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in (a, b))
     pair = Simulation(scene.replace(objects=alone))
@@ -144,9 +144,9 @@ def _least_squares(
 ) -> Float[np.ndarray, "n 2"]:
     """Return each object's total displacement D.
 
-    A cut may stay short by s_k at the price of ``_STIFFNESS * s_k²``, so that there is always an
-    answer, and a compromise where the cuts contradict one another. In (d, s) this is a least
-    distance program, solved as a non-negative least squares problem (C. Lawson and R. Hanson,
+    A cut may be violated by s_k at the cost ``_STIFFNESS * s_k²``, so that there is always a
+    solution, and a compromise if the cuts contradict one another. In (d, s) this is a least
+    distance program, solved as a nonnegative least squares problem (C. Lawson and R. Hanson,
     "Solving Least Squares Problems", 1974, ch. 23, algorithm LDP).
     """
     count = len(chains)
@@ -171,7 +171,7 @@ def _least_squares(
 def _edge_cuts(scene: Scene) -> list[Cut]:
     """Return the cuts that keep objects on the table: footprints inside its outline.
 
-    Of an object wider than the table it is the centre of mass.
+    For an object wider than the table, its centre of mass is used instead.
     """
     outline = scene.table.outline
     edges = np.roll(outline, -1, axis=0) - outline

@@ -1,4 +1,4 @@
-"""Let a scene come to rest under gravity; objects that cannot stand get a weighted foot."""
+"""Settling of a scene under gravity; objects that do not stand get a weighted foot."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .inertia import MassProperties, box_mass, join_bodies
 from .parts import lowest
 from .simulation import Simulation, measure_motion
 
-_CHUNK = 0.1  # seconds between two looks
+_CHUNK = 0.1  # seconds between two samples
 _SHAKE = 0.5
 _DAMPING = 3.0
-_SOFT = 0.3  # the friction's stiffness (impratio) while things find their places
-_COARSE = 4e-3  # seconds, the time step meanwhile
-_FIRM = 0.5  # seconds at most until everything holds with the scene's own settings
-_STILL = np.array([2e-4, 2e-3])  # m/s, rad/s: a fifth of what the gate lets pass
-_SLOW = 5 * _STILL  # the same with soft friction, which creeps some thirty times as fast
+_SOFT = 0.3  # ratio of frictional impedance (impratio) in the first phase
+_COARSE = 4e-3  # seconds, time step of the first phase
+_FIRM = 0.5  # maximum seconds until everything is at rest with the scene's own settings
+_STILL = np.array([2e-4, 2e-3])  # m/s, rad/s: a fifth of the gate's limits
+_SLOW = 5 * _STILL  # the same with soft friction, which creeps about thirty times as fast
 
 
 def settle(
@@ -32,16 +32,16 @@ def settle(
 ) -> tuple[Pose, ...]:
     """Simulate until everything rests, from ``minimum`` to ``seconds`` long; return the poses.
 
-    Before that, gravity leans by ``shake`` (radians) to each of four sides in turn: a brush that
-    stands free in a mug falls against its rim, where it stays. Free motion dies out at 3 per second
-    meanwhile, so that round things stop, but for the last tenth of a second: what is returned holds
-    by itself.
+    First, gravity leans by ``shake`` (radians) to each of four sides in turn: a brush that stands
+    free in a mug falls against its rim, where it stays. Free motion is damped at a rate of 3 per
+    second, so that round objects stop, except in the last tenth of a second: the returned poses are
+    stable without damping.
 
-    What touches creeps, and faster with softer friction: for up to half of the time friction is
-    soft, so that a heap of fruit comes in two seconds to where it would creep in a minute; then it
-    is as it is in the scene. A tremble in place is no motion. Where the simulation breaks down, the
-    scene's own poses are returned, for the gate to say at what. ``simulation`` is one of the scene
-    at its own poses, if there is one already.
+    Touching objects creep, and faster with softer friction. Friction is therefore soft for up to
+    half of the time, so that a heap of fruit settles in two seconds as it would in a minute; then
+    it is that of the scene. Jitter does not count as motion. If the simulation diverges, the
+    scene's own poses are returned, and the gate reports the failure. ``simulation`` is an existing
+    simulation of the scene at its own poses.
     """
     simulation = simulation or Simulation(scene)
     option = simulation.model.opt
@@ -60,7 +60,7 @@ def settle(
 def _calm(
     simulation: Simulation, minimum: float, seconds: float, looks: int, pace: Float[np.ndarray, "2"]
 ) -> None:
-    """Simulate until in so many looks nothing has moved on faster than ``pace`` (m/s, rad/s)."""
+    """Simulate until nothing moves faster than ``pace`` (m/s, rad/s) in a number of samples."""
     still, now = 0, simulation.states
     for k in range(max(1, round(seconds / _CHUNK))):
         before = now
@@ -72,10 +72,10 @@ def _calm(
 
 
 def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:
-    """Whether an object set upright leans more than ``limit`` (radians) and is not as it was.
+    """Return whether an object leans more than ``limit`` (radians) and has changed its height.
 
-    A pencil that rolls onto its next side, or a die, keeps its height and has not toppled; what is
-    taller than wide has, if it stands on its head.
+    A pencil that rolls onto its next side, or a die, keeps its height and has not toppled; an
+    upside-down object that is taller than wide has.
     """
     up = quaternion_matrix(pose.quaternion)[2]
     if np.arccos(np.clip(up[2], -1.0, 1.0)) <= limit:
@@ -86,15 +86,16 @@ def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:
     return bool(on_head or abs(after - before) > 0.25 * before)
 
 
-_FOOT = 0.25, 0.75  # the least and the largest share of its weight that a thing has in its foot
+_FOOT = 0.25, 0.75  # minimum and maximum share of an object's mass in its foot
 
 
 def on_foot(thing: Object) -> Object:
-    """Return the object with a flat box under it that has a share of its weight.
+    """Return the object with a flat box under it that has a share of its mass.
 
-    The foot spans the object's box and is a thirtieth of its height, 2 mm at least. It has a
-    quarter of the weight, or as much (up to three) as draws the whole's centre down to a third of
-    the height; its own lies so that the whole's is over the middle, as far as the foot reaches.
+    The foot spans the object's box and is a thirtieth of its height, at least 2 mm. It has a
+    quarter of the mass, or as much (up to three quarters) as lowers the whole's centre of mass to a
+    third of the height. The foot's own centre is placed so that the whole's is over the middle, as
+    far as the foot extends.
     """
     height = float(thing.scale[2])
     size = np.array([*thing.scale[:2], max(2e-3, height / 30)])

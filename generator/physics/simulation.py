@@ -1,4 +1,4 @@
-"""A scene in MuJoCo: poses in and out, contacts by object, time."""
+"""A scene in MuJoCo: poses, contacts by object, and time."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import mujoco
 
 ON_TABLE = -1
-"""Index of the table among a scene's objects, in contacts."""
+"""Index of the table in contacts, among a scene's objects."""
 
 ON_FLOOR = -2
 """Index of the floor."""
@@ -30,21 +30,21 @@ States = Float[np.ndarray, "n 7"]
 """Position (metres) and quaternion of each object."""
 
 Motion = Float[np.ndarray, "n 2"]
-"""How far each object moved and turned, metres and radians."""
+"""Displacement and rotation of each object, metres and radians."""
 
 
 @dataclass(frozen=True, eq=False)
 class Contacts:
     """Pairs of touching bodies (object indices, ``ON_TABLE``, ``ON_FLOOR``), lower index first.
 
-    ``distance`` is negative where they overlap, metres. One pair may occur many times.
+    ``distance`` is negative for overlaps, metres. A pair may occur several times.
     """
 
     pairs: Int[np.ndarray, "n 2"]
     distance: Float[np.ndarray, "n"]
 
     def deepest(self) -> Mapping[tuple[int, int], float]:
-        """Return each pair's deepest overlap (positive metres); pairs that only touch give 0."""
+        """Return each pair's deepest overlap (positive metres); 0 for pairs that only touch."""
         found: dict[tuple[int, int], float] = {}
         for (a, b), distance in zip(self.pairs.tolist(), self.distance.tolist(), strict=True):
             found[a, b] = max(found.get((a, b), 0.0), -distance)
@@ -52,11 +52,11 @@ class Contacts:
 
 
 class Simulation:
-    """One compiled scene and its state, its objects first at their own poses.
+    """A compiled scene and its state, with the scene's objects first, at their own poses.
 
-    There is no sleeping: nothing is at rest by decree. ``fixed`` objects, which are not among the
-    scene's, stay at their poses and carry others as the table does; in contacts they are
-    ``ON_TABLE``.
+    Sleeping is disabled, so that no object is assumed to be at rest. ``fixed`` objects, which are
+    not among the scene's, keep their poses and support others as the table does; in contacts they
+    are ``ON_TABLE``.
     """
 
     def __init__(self, scene: Scene, fixed: Sequence[Object] = ()) -> None:
@@ -82,33 +82,33 @@ class Simulation:
 
     @property
     def states(self) -> States:
-        """The objects' positions and quaternions now, in the scene's order, copied."""
+        """The objects' current positions and quaternions, in the scene's order, copied."""
         found = self.data.qpos.reshape(-1, 7).copy()
         found[:, 3:] /= np.linalg.norm(found[:, 3:], axis=1, keepdims=True)
         return found
 
     @property
     def poses(self) -> tuple[Pose, ...]:
-        """The objects' poses now, in the scene's order."""
+        """The objects' current poses, in the scene's order."""
         return tuple(
             Pose(q[:3], q[3:] / np.linalg.norm(q[3:])) for q in self.data.qpos.reshape(-1, 7)
         )
 
     @property
     def positions(self) -> Float[np.ndarray, "n 3"]:
-        """Centres of the objects' boxes, metres; writing moves them."""
+        """Centres of the objects' boxes, metres; writable."""
         return self.data.qpos.reshape(-1, 7)[:, :3]
 
     @property
     def centers_of_mass(self) -> Float[np.ndarray, "n 3"]:
-        """The objects' centres of mass in the world, as of the last step or contact search."""
+        """The objects' centres of mass in the world, as of the last step or contact detection."""
         return self.data.xipos[self.model.nbody - len(self.scene.objects) :]
 
     @property
     def diverged(self) -> tuple[int, ...]:
-        """Objects whose motion left all bounds since :meth:`place`, in the scene's order.
+        """Objects whose motion diverged since :meth:`place`, in the scene's order.
 
-        MuJoCo then starts anew: what is measured after that says nothing.
+        MuJoCo then resets the simulation: later measurements are meaningless.
         """
         import mujoco
 
@@ -126,12 +126,12 @@ class Simulation:
         self.data.qpos[:] = np.concatenate(rows) if rows else []
 
     def contacts(self, margin: float = 0.0) -> Contacts:
-        """Return what touches, or comes within ``margin`` metres, exact in depth.
+        """Return the contacts, and the pairs within ``margin`` metres, with exact depths.
 
-        Only objects count: the table stands on the floor unmentioned.
+        Only objects count: the table's contact with the floor is omitted.
 
         Raises:
-            SceneError: there are more than MuJoCo has memory for.
+            SceneError: there are more than fit in MuJoCo's memory.
         """
         import mujoco
 
@@ -149,10 +149,10 @@ class Simulation:
         return Contacts(pairs, np.array(data.contact.dist, float))
 
     def run(self, seconds: float, damping: float = 0.0) -> None:
-        """Simulate; ``damping`` is the rate (1/s) at which free motion dies out.
+        """Simulate; ``damping`` is the rate (1/s) at which free motion decays.
 
         Raises:
-            SceneError: the objects have more contacts than MuJoCo has memory for.
+            SceneError: the objects have more contacts than fit in MuJoCo's memory.
         """
         import mujoco
 
@@ -166,7 +166,7 @@ class Simulation:
 
     @contextmanager
     def conditions(self, lean: float, toward: float, timestep: float) -> Iterator[None]:
-        """Meanwhile gravity leans by ``lean`` to ``toward`` (radians), and time steps differ."""
+        """Lean gravity by ``lean`` towards ``toward`` (radians) and set the time step meanwhile."""
         option = self.model.opt
         before = option.gravity.copy(), option.timestep
         across = np.array([np.cos(toward), np.sin(toward)]) * np.sin(lean)
@@ -179,7 +179,7 @@ class Simulation:
 
     @contextmanager
     def _as_scene_error(self) -> Iterator[None]:
-        """Raise MuJoCo's own fatal errors as those of the scene."""
+        """Convert MuJoCo's fatal errors to errors of the scene."""
         import mujoco
 
         try:
@@ -193,15 +193,15 @@ class Simulation:
 
 
 def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
-    """Return the compiled physics of a scene, the caller's own, for ``mj_setConst`` to complete.
+    """Return the compiled physics of a scene, as a copy for ``mj_setConst`` to complete.
 
-    A scene is simulated several times on its way to rest, at other poses each time. Shapes and
-    masses are compiled once for all of them. With what then follows from the poses the model is, to
-    the bit, as compiled at these, but for ``stat.center`` and ``stat.extent``, which only pictures
-    use.
+    A scene is simulated several times while it settles, with other poses each time. Shapes and
+    masses are compiled once for all of them. With the values that depend on the poses updated, the
+    model equals, bit for bit, one compiled at these poses, except for ``stat.center`` and
+    ``stat.extent``, which only affect rendering.
 
     Raises:
-        SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
+        SceneError: MuJoCo rejects a body: a flat hull, or an impossible inertia.
     """
     model = copy.copy(_compile(_Bodies.of(scene, fixed)))
     if scene.objects:
@@ -215,7 +215,7 @@ def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
 
 @dataclass(frozen=True)
 class _Bodies:
-    """What of a scene is compiled, wherever its objects are; fixed objects are where they are."""
+    """The parts of a scene that do not depend on poses, with fixed objects at theirs."""
 
     identity: Hashable
     scene: Scene = field(compare=False)
@@ -241,7 +241,7 @@ def _compile(bodies: _Bodies) -> mujoco.MjModel:
 
 
 def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
-    """Whether each object is held by the table or floor through a chain of touching objects."""
+    """Return whether the table or floor supports each object through a chain of contacts."""
     held = {ON_TABLE, ON_FLOOR}
     links = {(a, b) for a, b in contacts.pairs.tolist()}
     while True:
@@ -252,7 +252,7 @@ def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
 
 
 def measure_motion(before: States, after: States) -> Motion:
-    """Return how far each object moved (metres) and turned (radians)."""
+    """Return each object's displacement (metres) and rotation (radians)."""
     shift = np.linalg.norm(after[:, :3] - before[:, :3], axis=1)
     dots = np.abs((before[:, 3:] * after[:, 3:]).sum(1))
     return np.stack([shift, 2 * np.arccos(np.clip(dots, 0.0, 1.0))], axis=1)

@@ -20,21 +20,20 @@ if TYPE_CHECKING:
     import mujoco
 
 
-_LOG = "MUJOCO_LOG.TXT"  # MuJoCo's own default, in the working directory
+_LOG = "MUJOCO_LOG.TXT"  # MuJoCo's default, in the working directory
 _LOG_LOCK = threading.Lock()
-_LOG_WAIT = 5.0  # seconds; a process that was forked while a thread held the lock goes on
+_LOG_WAIT = 5.0  # seconds; limits the wait in a process forked while a thread held the lock
 
 
 def write_no_log() -> None:
-    """Have MuJoCo write no log file into the working directory, in this process from now on.
+    """Disable MuJoCo's log file in the working directory, in this process from now on.
 
-    Its warnings still go to standard error and to a handler of the caller's. A log file that the
-    caller has named stays in use. Unlike a handler of warnings this has no part in what threads
-    simulate.
+    Its warnings still go to standard error and to the caller's handler. A log file named by the
+    caller stays in use. Unlike a warning handler, this does not affect simulating threads.
     """
     import mujoco
 
-    if mujoco.MjLogConfig.get().logto_file:  # else done already
+    if mujoco.MjLogConfig.get().logto_file:  # otherwise already done
         with _changing_log():
             config = mujoco.MjLogConfig.get()
             if config.logfile == _LOG:
@@ -44,9 +43,9 @@ def write_no_log() -> None:
 
 @contextmanager
 def no_console() -> Iterator[None]:
-    """Meanwhile MuJoCo prints no warnings: ``list_warnings`` has those that matter to the caller.
+    """Suppress MuJoCo's printed warnings temporarily; ``list_warnings`` returns relevant ones.
 
-    Those of other threads are not printed meanwhile, either.
+    Warnings of other threads are suppressed at the same time, too.
     """
     import mujoco
 
@@ -63,7 +62,7 @@ def no_console() -> Iterator[None]:
 
 @contextmanager
 def _changing_log() -> Iterator[None]:
-    """Let one thread at a time change MuJoCo's log, which is one for the process."""
+    """Allow one thread at a time to change MuJoCo's log, which is shared by the process."""
     held = _LOG_LOCK.acquire(timeout=_LOG_WAIT)
     try:
         yield
@@ -73,7 +72,7 @@ def _changing_log() -> Iterator[None]:
 
 
 def new_data(model: mujoco.MjModel) -> mujoco.MjData:
-    """Return a state of a model, whose simulation writes no log file (``write_no_log``)."""
+    """Return the state of a model; its simulation writes no log file (``write_no_log``)."""
     import mujoco
 
     write_no_log()
@@ -81,7 +80,7 @@ def new_data(model: mujoco.MjModel) -> mujoco.MjData:
 
 
 def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
-    """Return what MuJoCo warned of since a state was made or reset, a text for each kind."""
+    """Return MuJoCo's warnings since a state was made or reset, one text per kind."""
     import mujoco
 
     raised = [(kind, data.warning[kind]) for kind in range(len(data.warning))]
@@ -102,8 +101,8 @@ def scene_spec(
 ) -> mujoco.MjSpec:
     """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to.
 
-    It compiles to what the document with its files does, but for the names of meshes and textures:
-    these are handed over as they are, for to encode and decode them takes most of the time.
+    It compiles to the same model as the document with its files, except for the names of meshes and
+    textures: these are passed directly, since encoding and decoding them takes most of the time.
     ``fixed`` objects are added before the scene's own, without a joint.
 
     Raises:
@@ -119,7 +118,7 @@ def scene_spec(
 
 
 def spec_of(made: Document, name: str) -> mujoco.MjSpec:
-    """Return the document of the scene called ``name`` as an ``MjSpec``.
+    """Return the document of the scene ``name`` as an ``MjSpec``.
 
     Raises:
         SceneError: MuJoCo cannot read it.
@@ -134,10 +133,10 @@ def spec_of(made: Document, name: str) -> mujoco.MjSpec:
 
 
 def compile_spec(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
-    """Compile the specification of the scene called ``name``.
+    """Compile the specification of the scene ``name``.
 
     Raises:
-        SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
+        SceneError: MuJoCo rejects a body: a flat hull, or an impossible inertia.
     """
     write_no_log()
     try:
@@ -150,13 +149,13 @@ def _unbuildable(name: str, error: ValueError) -> SceneError:
     said = " ".join(str(error).split())
     return SceneError(
         f"MuJoCo cannot build the scene {name!r}: {said!r}. Make the scene again, or give that "
-        "body a sound shape and inertia."
+        "body a valid shape and inertia."
     )
 
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """A mesh as it is after it was stored, and what its shape and its texture are called."""
+    """A mesh with its stored precision, and the names of its shape and texture."""
 
     shape: str
     picture: str
@@ -177,7 +176,7 @@ def _store(numbers: Float[np.ndarray, "n d"], digits: int) -> Float[np.ndarray, 
 
 
 def _name(*arrays: np.ndarray) -> str:
-    """Return a name for what arrays hold, the same for the same."""
+    """Return a name for the content of arrays, equal for equal content."""
     digest = hashlib.sha256()
     for array in arrays:
         digest.update(str(array.shape).encode() + array.tobytes())
@@ -185,7 +184,7 @@ def _name(*arrays: np.ndarray) -> str:
 
 
 def _hand_over(spec: mujoco.MjSpec, meshes: Collection[_Drawn]) -> None:
-    """Give a specification the meshes and textures that it names as files."""
+    """Pass the meshes and textures that a specification refers to as files."""
     import mujoco
 
     shapes, pictures = {m.shape: m for m in meshes}, {m.picture: m for m in meshes}
@@ -199,4 +198,4 @@ def _hand_over(spec: mujoco.MjSpec, meshes: Collection[_Drawn]) -> None:
         texture, named.file = pictures[named.file].texture, ""
         named.height, named.width, named.nchannel = texture.shape
         named.data = texture.tobytes()
-        named.colorspace = mujoco.mjtColorSpace.mjCOLORSPACE_LINEAR  # as it takes PNG files
+        named.colorspace = mujoco.mjtColorSpace.mjCOLORSPACE_LINEAR  # as MuJoCo reads PNG files

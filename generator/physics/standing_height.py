@@ -1,4 +1,4 @@
-"""Where things come to stand: heights by contact of the real shapes, spots that are free."""
+"""Heights of objects on their supports, by contact of their real shapes, and free positions."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from .separation import TOLERANCE, ancestry, off_table, with_poses
 from .simulation import ON_TABLE, Simulation
 
 _GOLDEN = np.pi * (3 - np.sqrt(5))
-_AWAY = np.array([20.0, 0.0, 20.0])  # metres, where the first of those waits that are not there yet
-_GAP = 2e-4  # objects start this far above what they stand on, metres
+_AWAY = np.array([20.0, 0.0, 20.0])  # metres, waiting position of objects that are not placed yet
+_GAP = 2e-4  # initial gap between objects and their supports, metres
 
 
 def seat_on_table(thing: Object, height: float) -> Object:
@@ -29,9 +29,9 @@ def seat_on_table(thing: Object, height: float) -> Object:
 def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
     """Lower each stacked object onto, or into, its support; lowest supports first.
 
-    ``names`` says which; None is all. It is let down from above at its own place; if that is taken,
-    or an object meant to go *into* a container would stay on its rim, at the nearest place on the
-    support that does better.
+    ``names`` selects the objects; None means all. An object is lowered from above at its own
+    position; if that is occupied, or if an object meant to go *into* a container would stay on its
+    rim, it is lowered at the nearest position on the support that is better.
     """
     chains = ancestry(scene.objects)
     order = sorted(range(len(chains)), key=lambda i: (len(chains[i]), i))
@@ -55,10 +55,10 @@ def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
 def relocate(
     scene: Scene, stuck: Sequence[str], wanted: Mapping[str, Pose]
 ) -> tuple[Scene, tuple[str, ...]]:
-    """Give objects that could not be freed the free places nearest to where they were wanted.
+    """Move objects that could not be freed to the free positions nearest to the requested ones.
 
-    The largest chooses first, with the others still in hand. What stands on them comes along.
-    Returned are the scene and the names of those without a place (a stacked one has only its own).
+    The largest object is moved first, while the others are ignored. Objects on top move along.
+    Returns the scene and the names of objects without a position (a stacked one has only its own).
     """
     waiting = sorted(stuck, key=lambda n: -float(np.prod(scene.object(n).scale[:2])))
     homeless = []
@@ -81,9 +81,9 @@ def relocate(
 def nearest_free(
     scene: Scene, name: str, wanted: Pose, absent: Collection[str] = ()
 ) -> Pose | None:
-    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing, if any.
+    """Return the pose on the table nearest to ``wanted`` without overlaps of ``name``, or None.
 
-    Objects in ``absent`` are looked through.
+    Objects in ``absent`` are ignored.
     """
     index, others = _others(scene, name, absent)
     thing = scene.objects[index]
@@ -101,12 +101,12 @@ def nearest_free(
 
 
 def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
-    """Whether ``name`` overlaps another object, those in ``absent`` aside, by more than contact."""
+    """Return whether ``name`` overlaps an object that is not ``absent``, by more than contact."""
     return _depth(Simulation(scene), *_others(scene, name, absent)) > TOLERANCE
 
 
 def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
-    """Put objects at new places, and what stands on them along."""
+    """Move objects to new positions, together with the objects on them."""
     poses = []
     for chain, thing in zip(ancestry(scene.objects), scene.objects, strict=True):
         movers = [scene.objects[k] for k in chain if scene.objects[k].name in places]
@@ -116,7 +116,7 @@ def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
 
 
 def spiral(radius: float, spacing: float) -> Iterator[Float[np.ndarray, "2"]]:
-    """Yield offsets from zero outwards, evenly spread (a sunflower), up to ``radius``."""
+    """Yield evenly distributed offsets outwards from zero (a sunflower spiral) to ``radius``."""
     for k in range(int((radius / spacing) ** 2) + 1):
         yield spacing * np.sqrt(k) * np.array([np.cos(k * _GOLDEN), np.sin(k * _GOLDEN)])
 
@@ -124,11 +124,11 @@ def spiral(radius: float, spacing: float) -> Iterator[Float[np.ndarray, "2"]]:
 def _seat(
     scene: Scene, index: int, below: int, simulation: Simulation, present: Collection[int]
 ) -> Scene:
-    """Return the scene with a thing let down onto ``below`` among those that are ``present``."""
+    """Return the scene with an object lowered onto ``below``, among the objects ``present``."""
     thing, support = scene.objects[index], scene.objects[below]
     rim = support.pose.position[2] + highest(support)
     reach = float(np.min(support.scale[:2])) / 2
-    deep = min(highest(support) - lowest(support), 0.1)  # how far anything could go into it
+    deep = min(highest(support) - lowest(support), 0.1)  # the maximum depth inside it
     wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * deep
     best: tuple[float, np.ndarray] | None = None
     for offset in spiral(reach, reach / 5):
@@ -136,7 +136,7 @@ def _seat(
         top, fall = rim - lowest(thing) + 0.002, highest(support) - lowest(support)
         if thing.placement.inside and not offset.any():
             simulation.positions[index] = thing.pose.position
-            if _depth(simulation, index, present) <= TOLERANCE:  # it touches what it stands on
+            if _depth(simulation, index, present) <= TOLERANCE:  # in contact with its support
                 top = min(top, float(thing.pose.position[2]) + TOLERANCE + 1e-5)
         z = _lower(simulation, index, present, xy, top, fall)
         if z is None:
@@ -161,7 +161,7 @@ def _lower(
     top: float,
     fall: float,
 ) -> float | None:
-    """Let an object down at ``xy`` until it touches; None if it is not even free on top."""
+    """Lower an object at ``xy`` until it touches; None if even the top position is not free."""
 
     def free(z: float) -> bool:
         simulation.positions[index] = [*xy, z]
@@ -180,7 +180,7 @@ def _lower(
 
 
 def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[int]]:
-    """Return the index of ``name``, and those of what is there and not on or below it."""
+    """Return the index of ``name``, and those of present objects that are not on or below it."""
     chains = ancestry(scene.objects)
     names = [o.name for o in scene.objects]
     index = names.index(name)

@@ -1,4 +1,4 @@
-"""Ship a trained eye: averaged weights in half precision, names calibrated on other pictures.
+"""Export a trained eye: averaged weights in half precision, names calibrated on other pictures.
 
 python -m research.eye.export --run DIR/run --data DIR/tuning
 """
@@ -22,10 +22,10 @@ from .train import STATE, Crops, collate
 
 
 def load_averaged(run: Path) -> tuple[Eye, tuple[str, ...], int, float]:
-    """Return a run's averaged eye, its categories, its steps and the seconds it took.
+    """Load a run's averaged eye, its categories, its steps and its training seconds.
 
     Raises:
-        InputError: the folder holds no run.
+        InputError: the folder contains no run.
     """
     path = run / STATE
     if not path.is_file():
@@ -38,10 +38,10 @@ def load_averaged(run: Path) -> tuple[Eye, tuple[str, ...], int, float]:
 
 
 def calibrate(eye: Eye, data: Path, batches: int, seed: int) -> float:
-    """Return the temperature at which the names' probabilities fit pictures not trained on.
+    """Return the temperature that calibrates the names' probabilities on pictures not trained on.
 
-    The temperature of least cross entropy: Guo et al., "On Calibration of Modern Neural
-    Networks", ICML 2017.
+    It minimises the cross entropy: Guo et al., "On Calibration of Modern Neural Networks", ICML
+    2017.
     """
     crops = Crops(data, 256, seed)
     logits, wished = [], []
@@ -60,7 +60,7 @@ def calibrate(eye: Eye, data: Path, batches: int, seed: int) -> float:
 
 
 TEMPLATE = Path(__file__).with_name("card.md")
-"""The model card, with the places for a run's facts."""
+"""Template of the model card, with placeholders for a run's values."""
 
 
 def card(run: Path, eye: Eye, categories: tuple[str, ...], temperature: float) -> str:
@@ -81,10 +81,12 @@ def card(run: Path, eye: Eye, categories: tuple[str, ...], temperature: float) -
 
 
 def main() -> None:
-    """Read the command line and export."""
+    """Parse the command line and export."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--run", type=Path, required=True)
-    parser.add_argument("--data", type=Path, required=True, help="shards not trained on")
+    parser.add_argument(
+        "--data", type=Path, required=True, help="folder of shards not used for training"
+    )
     parser.add_argument("--batches", type=int, default=40)
     parser.add_argument("--seed", type=int, default=0)
     args = parser.parse_args()

@@ -26,15 +26,15 @@ from generator.backends.embedded.eye.weights import JUDGE_PATH, load_weights, sa
 from .lessons import Lesson, gather
 from .sample import Sample, worth_finding
 
-_RIGHT = 0.5  # overlap (IoU) with a thing from which a detection shows it
+_RIGHT = 0.5  # minimum overlap (IoU) of a detection with an object that it shows
 _STEPS, _BATCH, _RATE, _DECAY = 3000, 512, 2e-3, 1e-2
 
 
 @dataclass(frozen=True, eq=False)
 class JudgeLesson(Lesson):
-    """Clues with their truths: detections that show a thing, and pairs that show two.
+    """Features and labels: detections that show an object, and pairs that show two.
 
-    ``counts`` is False for detections of things that hardly show: they are neither right nor wrong.
+    ``counts`` is False for detections of objects that are hardly visible, which are ignored.
     """
 
     alone: Float[np.ndarray, "n a"]
@@ -49,9 +49,9 @@ def lesson(
     visible: UInt8[np.ndarray, "h w"],
     full: Bool[np.ndarray, "n h w"],
 ) -> JudgeLesson:
-    """Return what one sRGB picture teaches: the eye looks, ``Sample`` says what there is to see.
+    """Return the lesson of one sRGB picture: the eye's detections, labelled by the ``Sample``.
 
-    ``visible`` is which thing each pixel shows, from 1, 0 none; ``full`` is each thing's whole
+    ``visible`` is the object in each pixel, from 1; 0 is none. ``full`` is each object's whole
     mask.
     """
     glance = glance_at(load_weights(), np.ascontiguousarray(image))
@@ -59,7 +59,7 @@ def lesson(
     count = len(full)
     area = np.bincount(visible.ravel(), minlength=count + 1)[1:]
     shows = worth_finding(area, full.sum((1, 2)))
-    overlap = np.zeros((len(glance.things), count + 1))  # the first column: no thing
+    overlap = np.zeros((len(glance.things), count + 1))  # the first column means no object
     for row, detection in zip(overlap, glance.things, strict=True):
         shared = np.bincount(visible[detection.visible], minlength=count + 1)[1:]
         row[1:] = shared / (area + detection.visible.sum() - shared)
@@ -71,7 +71,7 @@ def lesson(
 
 
 def teach(sample: Sample) -> JudgeLesson:
-    """Return what one render teaches."""
+    """Return the lesson of one render."""
     return lesson(sample.image, sample.visible, sample.full)
 
 
@@ -103,12 +103,12 @@ def _fit(
 
 
 def main() -> None:
-    """Read the command line and train."""
+    """Parse the command line and train."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
-        "--data", type=Path, required=True, help="shards the eye never learned from"
+        "--data", type=Path, required=True, help="folder of shards that the eye was not trained on"
     )
-    parser.add_argument("--work", type=Path, required=True, help="folder of what the eye found")
+    parser.add_argument("--work", type=Path, required=True, help="folder of the eye's detections")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=JUDGE_PATH)

@@ -1,4 +1,4 @@
-"""What shards of renders teach a small network, kept on disk so that an interrupted run resumes."""
+"""Training data for small networks, extracted from shards of renders and cached on disk."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from .shards import ShardReader
 
 @dataclass(frozen=True, eq=False)
 class Lesson:
-    """Arrays with one row an example; children name them."""
+    """Arrays with one row per example; subclasses define them."""
 
     def save(self, path: Path) -> None:
-        """Write the lesson to ``path``; an interrupted write leaves none."""
+        """Write the lesson to ``path``, completely or not at all."""
         partial_path = path.with_suffix(".partial")
         with partial_path.open("wb") as file:
             np.savez_compressed(file, **vars(self))
@@ -33,7 +33,7 @@ class Lesson:
 
     @classmethod
     def load(cls, path: Path) -> Self:
-        """Read a lesson that :meth:`save` wrote."""
+        """Read a lesson written by :meth:`save`."""
         with np.load(path, allow_pickle=False) as file:
             return cls(**{key: file[key] for key in cls.__dataclass_fields__})
 
@@ -51,7 +51,7 @@ L = TypeVar("L", bound=Lesson)
 def gather(
     kind: type[L], teach: Callable[[Sample], L], data: Path, work: Path, workers: int
 ) -> list[L]:
-    """Return what every shard in ``data`` teaches, in order; ``work`` keeps what was done.
+    """Return the lessons of all shards in ``data``, in order; ``work`` caches finished ones.
 
     Raises:
         InputError: there are no shards.
@@ -68,7 +68,7 @@ def gather(
 
 
 def _write(kind: type[L], teach: Callable[[Sample], L], work: Path, path: Path) -> Path:
-    """Write the lesson of one shard into ``work``, unless it is there; return its path."""
+    """Write the lesson of one shard into ``work``, unless it exists; return its path."""
     target = work / f"{path.stem}.npz"
     if not target.is_file():
         torch.set_num_threads(1)

@@ -15,14 +15,14 @@ WEIGHTS: Mapping[str, float] = {
     "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "quality": 1.0, "name": 0.6,
     "region": 1.0, "top": 1.0, "latitude": 4.0, "outline": 2.0,
 }  # fmt: skip
-_OUTLINED = 20  # things of a batch whose outlines are learned
-_LARGE = 0.18  # of the picture's side, the longer side of their boxes at the least
-_ASKED, _JUDGED = 0.1, 64  # certainty of cells whose masks are judged, and how many of a batch
+_OUTLINED = 20  # objects per batch whose outlines are trained
+_LARGE = 0.18  # minimum longer side of their boxes, relative to the picture's side
+_ASKED, _JUDGED = 0.1, 64  # minimum certainty of evaluated cells, and their number per batch
 
 
 @dataclass(frozen=True, eq=False)
 class CropBatch:
-    """Crops side by side; fields as in ``targets.Crop``, ``owner`` (k,) the cells' pictures."""
+    """Stacked crops; fields as in ``targets.Crop``, ``owner`` (k,) is the picture of each cell."""
 
     image: Tensor
     heat: Tensor
@@ -46,7 +46,7 @@ class CropBatch:
 
 
 def heat_loss(logits: Tensor, wished: Tensor, weight: Tensor) -> Tensor:
-    """Quality focal loss (Li et al., "Generalized Focal Loss", NeurIPS 2020), per thing."""
+    """Quality focal loss (Li et al., "Generalized Focal Loss", NeurIPS 2020), per object."""
     certainty = logits.sigmoid()
     cross = functional.binary_cross_entropy_with_logits(logits, wished, reduction="none")
     things = (wished > 0.99).sum().clamp(min=1)
@@ -65,7 +65,7 @@ def overlap_loss(logits: Tensor, wished: Tensor) -> Tensor:
 
 
 def terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
-    """Return every term for a batch; their names are the keys of ``WEIGHTS``."""
+    """Return all terms for a batch; their names are the keys of ``WEIGHTS``."""
     maps = eye(batch.image)
     wished_top = batch.top.float()[:, None]
     found = {
@@ -93,7 +93,7 @@ def terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
 
 
 def outline_terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
-    """Return the outliner's term alone; nothing else is learned from it."""
+    """Return only the outliner's term, for training the outliner alone."""
     with torch.no_grad():
         maps = eye(batch.image)
         size = (batch.boxes[:, :2] + batch.boxes[:, 2:4]).amax(1)
@@ -102,7 +102,7 @@ def outline_terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
 
 
 def _outline_loss(eye: Eye, maps: Maps, batch: CropBatch, drawn: Tensor, size: Tensor) -> Tensor:
-    """Loss of the outlines of large things, from masks that are the eye's own or made rough."""
+    """Loss of the outlines of large objects, from the eye's own masks or roughened ones."""
     large = (size > _LARGE * drawn.shape[1]).nonzero()[:, 0]
     chosen = large[torch.randperm(len(large))[:_OUTLINED].to(large.device)]
     if not len(chosen):
@@ -114,10 +114,10 @@ def _outline_loss(eye: Eye, maps: Maps, batch: CropBatch, drawn: Tensor, size: T
 
 
 def roughen(wished: Tensor, drawn: Tensor) -> Tensor:
-    """Return masks (n, h, w) as something rough might give them: the eye's own, parts, or blurred.
+    """Return rough versions of masks (n, h, w): the eye's own, partial, or distorted ones.
 
-    ``wished`` (n, 2h, 2w) are the true masks, ``drawn`` (n, h, w) what the eye drew of them. Of the
-    true ones half is cut off along a line, thin parts go, or the rim is moved.
+    ``wished`` (n, 2h, 2w) are the true masks, ``drawn`` (n, h, w) the eye's. True ones are halved
+    along a line, lose thin parts, or have their rim moved.
     """
     n = len(drawn)
     true = functional.avg_pool2d(wished[:, None], 2)
@@ -152,7 +152,7 @@ def _half_planes(masks: Tensor) -> Tensor:
 
 
 def _quality_loss(eye: Eye, maps: Maps, batch: CropBatch) -> Tensor:
-    """Loss of the mask quality at likely cells, good and bad ones."""
+    """Loss of the estimated mask quality at likely cells, good and bad ones."""
     with torch.no_grad():
         asked = ((maps.heat[:, 0].sigmoid() > _ASKED) | (batch.heat > 0.5)) & (batch.weight > 0)
         owner, row, column = asked.nonzero(as_tuple=True)
@@ -169,7 +169,7 @@ def _quality_loss(eye: Eye, maps: Maps, batch: CropBatch) -> Tensor:
 
 
 def best_overlap(drawn: Tensor, things: Tensor) -> Tensor:
-    """Return the largest IoU of masks (n, h, w) with any thing of maps of numbers (n, h, w)."""
+    """Return the maximum IoU of masks (n, h, w) with the objects of index maps (n, h, w)."""
     most = int(things.max())
     best = torch.zeros(len(drawn), device=drawn.device)
     for number in range(1, most + 1):

@@ -1,11 +1,11 @@
-"""Train the network that tells things' proportions (``eye.proportions``) on renders of its own.
+"""Train the network that estimates objects' proportions (``eye.proportions``) on renders.
 
     python -m research.eye.pictures.renders --out DIR/shapes --count 2100 --split hard --seed 32
     python -m research.eye.proportioning --data DIR/shapes --work DIR/shaped
 
-The eye first looks at every thing, a shard at a time; what it notices is kept in ``--work``, from
-where an interrupted run resumes. The network is small and then trains in a minute. A quarter of
-the shards is held out of a first training, which tells the errors; all are in the second.
+The eye first processes every object, a shard at a time; its features are kept in ``--work``, from
+where an interrupted run resumes. The network is small and then trains in a minute. A quarter of the
+shards is held out of a first training, to measure the errors; the second uses all of them.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from generator.geometry import mask_box
 from .lessons import Lesson, gather
 from .sample import Sample, worth_finding
 
-_EDGE = 3  # pixels: what comes as near to the frame may be cut by it
+_EDGE = 3  # pixels: closer to the border, an object may be cut off
 _STEPS, _BATCH, _RATE, _DECAY = 3000, 256, 2e-3, 0.05
 
 
 @dataclass(frozen=True, eq=False)
 class ProportionLesson(Lesson):
-    """Clues about things, and the true logarithms of width and height over length."""
+    """Features of objects, and the true logarithms of width and height over length."""
 
     clues: Float[np.ndarray, "n c"]
     logs: Float[np.ndarray, "n 2"]
 
 
 def teach(sample: Sample) -> ProportionLesson:
-    """Return what one render teaches: its things that show well and whole, as they lie or stand."""
+    """Return the lesson of one render: its clearly and fully visible objects that lie or stand."""
     count, (high, wide) = len(sample.full), sample.visible.shape
     area = np.bincount(sample.visible.ravel(), minlength=count + 1)[1:]
     masks, feet, logs = [], [], []
@@ -60,7 +60,7 @@ def teach(sample: Sample) -> ProportionLesson:
 def train_proportions(
     lesson: ProportionLesson, seed: int, steps: int = _STEPS
 ) -> ProportionNetwork:
-    """Return a network trained on a lesson; it takes its errors to be those of the lesson."""
+    """Train a network on a lesson; its error scales are estimated from the same lesson."""
     torch.manual_seed(seed)
     network = ProportionNetwork()
     x, wished = torch.from_numpy(lesson.clues), torch.from_numpy(lesson.logs)
@@ -83,19 +83,19 @@ def train_proportions(
 def errors(
     network: ProportionNetwork, lesson: ProportionLesson
 ) -> tuple[Float[np.ndarray, "n 2"], Float[np.ndarray, "n 2"]]:
-    """Return how far the network is off (absolute logarithms), and the spreads that it tells."""
+    """Return the network's errors (absolute logarithms), and the spreads that it estimates."""
     told = network.tell(lesson.clues)
     off = np.abs(np.stack([one.logs for one in told]) - lesson.logs)
     return off, np.stack([one.spread for one in told])
 
 
 def main() -> None:
-    """Read the command line and train."""
+    """Parse the command line and train."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument(
-        "--data", type=Path, required=True, help="shards the eye never learned from"
+        "--data", type=Path, required=True, help="folder of shards that the eye was not trained on"
     )
-    parser.add_argument("--work", type=Path, required=True, help="folder of what the eye noticed")
+    parser.add_argument("--work", type=Path, required=True, help="folder of the eye's features")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=PROPORTIONS_PATH)
@@ -112,8 +112,8 @@ def main() -> None:
     save_weights(args.out, network.state_dict(), notes)
     width, height = np.median(off, 0)
     print(
-        f"{args.out.name}: {things} things; median error of the logarithm on the {len(held.logs)} "
-        f"held out: width/length {width:.2f}, height/length {height:.2f}"
+        f"{args.out.name}: {things} objects; median error of the logarithm on the {len(held.logs)} "
+        f"held-out ones: width/length {width:.2f}, height/length {height:.2f}"
     )
 
 

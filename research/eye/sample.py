@@ -1,4 +1,4 @@
-"""One training picture with everything the eye is asked about it."""
+"""One training picture with the ground truth for all outputs of the eye."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ BACKGROUND, TOP, TABLE_REST, OBJECT = 0, 1, 2, 3
 """Values of ``Sample.region``."""
 
 UNKNOWN = -1
-"""Category of a thing that the catalogue does not have."""
+"""Category of an object that is not in the catalogue."""
 
 UNNAMED = -2
-"""Category of a thing of the catalogue whose name is not learned: it may look like any."""
+"""Category of a catalogue object whose name is not trained; it may resemble any other."""
 
-_PIXELS, _SHARE = 100, 0.15  # least that shows of a thing worth finding, and of its whole mask
+_PIXELS, _SHARE = 100, 0.15  # minimum visible share of an object to detect, and of its whole mask
 
 
 def worth_finding(
     visible: Int[np.ndarray, "n"], full: Int[np.ndarray, "n"]
 ) -> Bool[np.ndarray, "n"]:
-    """Tell which things show enough to be found, from the pixels of their masks."""
+    """Return which objects are visible enough to be detected, from the pixels of their masks."""
     return (visible >= _PIXELS) & (visible >= _SHARE * np.maximum(full, 1))
 
 
@@ -35,21 +35,21 @@ class Sample:
 
     Attributes:
         image: sRGB.
-        visible: which instance each pixel shows; 0 none.
-        full: whole mask of each instance, hidden parts included, cut by the frame.
+        visible: the instance in each pixel; 0 is none.
+        full: whole mask of each instance, including hidden parts, cropped to the picture.
         category: index into the shard's category keys, ``UNKNOWN`` or ``UNNAMED``.
         region: ``BACKGROUND``, ``TOP`` (its visible surface), ``TABLE_REST`` or ``OBJECT``.
-        top: the tabletop's whole upper surface, parts hidden by things included.
-        outline: pixels (x, y) of the top's outline in order, perhaps outside the frame. What lies
-            behind the camera is cut off. Empty when the top is nowhere in front of it.
+        top: the tabletop's whole upper surface, including parts hidden by objects.
+        outline: pixels (x, y) of the top's outline in order, possibly outside the picture. Parts
+            behind the camera are cut off. Empty if the whole top is behind the camera.
         view: azimuth, elevation and vertical field of view, radians, as ``scene.View``.
         focal: focal length in pixels; the principal point is the image centre.
-        yaw: turn of each instance about +z, radians (for a fallen one: before it fell).
+        yaw: rotation of each instance about +z, radians (of a tipped one: before it tipped over).
         upright: whether each instance stands in its everyday state.
         size: extent along each instance's own axes, metres.
         position: world centre of each instance's box, metres.
-        support: what each instance stands on or in: 0 the table, ``k`` instance ``k``.
-        depth: metres along the optical axis; infinite where nothing is near.
+        support: the support of each instance: 0 the table, ``k`` instance ``k``.
+        depth: metres along the optical axis; infinite in the background.
     """
 
     image: UInt8[np.ndarray, "h w 3"]
@@ -75,7 +75,7 @@ class Sample:
 
 
 def latitude(view: View, height: int, width: int) -> Float[np.ndarray, "h w"]:
-    """Return how far the ray of each pixel points below the horizon, radians (float32)."""
+    """Return the angle of each pixel's ray below the horizon, radians (float32)."""
     camera = Camera(np.zeros(3), view_rotation(view), view.fov, width, height)
     rows, columns = np.mgrid[0:height, 0:width] + 0.5
     rays = camera.rays(np.column_stack([columns.ravel(), rows.ravel()]))
@@ -83,7 +83,7 @@ def latitude(view: View, height: int, width: int) -> Float[np.ndarray, "h w"]:
 
 
 def fill(outline: Float[np.ndarray, "k 2"], height: int, width: int) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels whose centre lies inside a polygon given in pixels."""
+    """Return the pixels whose centre is inside a polygon given in pixels."""
     import cv2
 
     mask = np.zeros((height, width), np.uint8)

@@ -1,10 +1,11 @@
-"""Shards: files of about a hundred samples, compact, read at random, no pickles.
+"""Shards: compact files of about a hundred samples with random access, without pickles.
 
-A shard is an uncompressed zip archive. ``shard.json`` names the format, the number of samples and
-the category keys. Sample ``k`` is five members: ``k.jpg`` the picture; ``k.map.png`` one byte a
-pixel (0 background, 1 top, 2 rest of the table, 2 + i instance i); ``k.depth.png`` half the size,
-16 bits of nearness (0 is infinitely far); ``k.masks`` the whole masks, each cut to its box, in
-bits, deflated; ``k.json`` everything else. The top's mask is its outline, filled.
+A shard is an uncompressed zip archive. ``shard.json`` has the format, the number of samples and the
+category keys. Sample ``k`` has five members: ``k.jpg`` is the picture; ``k.map.png`` has one byte
+per pixel (0 background, 1 top, 2 rest of the table, 2 + i instance i); ``k.depth.png`` has half the
+size and 16 bits of inverse depth (0 is infinitely far); ``k.masks`` are the whole masks, each
+cropped to its box, as deflated bits; ``k.json`` has everything else. The top's mask is its outline,
+filled.
 """
 
 from __future__ import annotations
@@ -26,11 +27,11 @@ from generator.scene import View
 from .sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample, fill
 
 FORMAT = 1
-_NEAREST = 0.1  # metres; nearness is _NEAREST / depth in units of 2^-16
+_NEAREST = 0.1  # metres; inverse depth is _NEAREST / depth in units of 2^-16
 
 
 class ShardWriter:
-    """Writes a shard; it appears under its name only once it is complete."""
+    """Writes a shard; the file appears under its name once it is complete."""
 
     def __init__(self, path: Path, keys: Sequence[str], quality: int = 94) -> None:
         self._path, self._keys, self._quality = Path(path), tuple(keys), quality
@@ -63,7 +64,7 @@ class ShardWriter:
     def add(self, sample: Sample) -> None:
         """Append a sample. Raises InputError for more than 252 instances."""
         if len(sample.full) > 252:
-            raise InputError(f"A shard holds at most 252 instances a sample: {len(sample.full)}.")
+            raise InputError(f"A sample may have at most 252 instances, got {len(sample.full)}.")
         stem = f"{self._count:05d}"
         quality = [cv2.IMWRITE_JPEG_QUALITY, self._quality]
         self._put(f"{stem}.jpg", _encode(".jpg", sample.image[..., ::-1], quality))
@@ -93,7 +94,8 @@ class ShardReader:
             raise self._damage(error) from error
         if not known:
             raise StorageError(
-                f"{self.path} has shard format {head['format']}, this reads {FORMAT}: render again."
+                f"{self.path} has shard format {head['format']}; this version reads {FORMAT}. "
+                "Render it again."
             )
 
     def __len__(self) -> int:
@@ -103,9 +105,9 @@ class ShardReader:
         return self.read(index)
 
     def read(self, index: int, depth: bool = True) -> Sample:
-        """Return a sample; without ``depth`` (faster) its depth is empty, 0 x 0."""
+        """Return a sample; without ``depth`` (faster) its depth has shape 0 x 0."""
         if not 0 <= index < self._count:
-            raise IndexError(f"{self.path} has {self._count} samples, no {index}.")
+            raise IndexError(f"{self.path} has {self._count} samples; there is no sample {index}.")
         stem = f"{index:05d}"
         try:
             image = _decode(self._zip.read(f"{stem}.jpg"), cv2.IMREAD_COLOR)[..., ::-1]
@@ -126,7 +128,7 @@ class ShardReader:
 
     def _damage(self, error: Exception) -> StorageError:
         return StorageError(
-            f"{self.path} is missing, damaged or no shard ({type(error).__name__}: {error}). "
+            f"{self.path} is missing, damaged or not a shard ({type(error).__name__}: {error}). "
             "Delete it and render again: finished shards are kept."
         )
 
@@ -187,7 +189,7 @@ def _decode(content: bytes, flag: int) -> np.ndarray:
 
 
 def _nearness(depth: Float[np.ndarray, "h w"]) -> UInt16[np.ndarray, "h2 w2"]:
-    """Return half-size 16-bit nearness whose lowest 4 bits are 0, so that it packs well."""
+    """Return half-size 16-bit inverse depth; zeros in the lowest 4 bits compress well."""
     near = np.clip(_NEAREST / depth[::2, ::2].astype(np.float32), 0, 1) * 4095
     return np.round(near).astype(np.uint16) << 4
 

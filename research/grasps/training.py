@@ -2,9 +2,9 @@
 
     python -m research.grasps.training --lessons DIR --out grasps.safetensors
 
-Lessons are made once, ``CHUNK`` scenes a file of ``--lessons``, and found there the next time. They
-are of the training side of the split of fresh scenes, those of one more file of the held-out side:
-what the network makes of these is printed, and kept in the card of the file that is written.
+Lessons are generated once, ``CHUNK`` scenes per file of ``--lessons``, and reused. They are from
+the training side of the split of fresh scenes; one more file is from the held-out side: the
+network's scores on it are printed, and stored in the card of the output file.
 """
 
 from __future__ import annotations
@@ -39,19 +39,19 @@ from .labels import COLUMNS, GraspLesson, lessons
 from .sheet import sheet
 
 CHUNK = 100
-"""Scenes whose lessons are kept in one file."""
+"""Number of scenes whose lessons are in one file."""
 
 _DRAWN = 96  # objects on the sheet
-_MAX_LESSONS = 512 * 2**20  # bytes of one file of lessons
-_NEAR = (0.004, 0.008, 0.008)  # metres along, across and up within which grasps are the same
+_MAX_LESSONS = 512 * 2**20  # bytes per file of lessons
+_NEAR = (0.004, 0.008, 0.008)  # metres along, across and up within which grasps are equal
 
 
 @dataclass(frozen=True)
 class DetectorScores:
     """A detector's scores on lessons.
 
-    ``found`` is the share of the objects where the grasp it rates best is one of the planner's,
-    ``worse`` by how much the planner rates that one lower than its own best (mean).
+    ``found`` is the share of objects for which its best grasp is one of the planner's, ``worse``
+    the mean difference between the planner's rating of that grasp and of its own best.
     """
 
     objects: int
@@ -60,9 +60,9 @@ class DetectorScores:
 
 
 def batch_of(taught: Sequence[GraspLesson], mirrored: Int[np.ndarray, "b 2"]) -> GraspBatch:
-    """Return lessons as a batch; ``mirrored`` has -1 where an axis of the hand is to be mirrored.
+    """Return lessons as a batch; ``mirrored`` is -1 for axes of the hand to be mirrored.
 
-    A grasp's mirror image is one of the object's mirror image.
+    The mirror image of a grasp is a grasp of the mirrored object.
     """
     seen = torch.from_numpy(np.stack([turn_views(one.heights, one.facing) for one in taught]))
     share = torch.zeros(len(taught), TURNS * PLACES**2)
@@ -80,7 +80,7 @@ def batch_of(taught: Sequence[GraspLesson], mirrored: Int[np.ndarray, "b 2"]) ->
 def _best(
     lesson: GraspLesson, signs: Int[np.ndarray, "2"]
 ) -> tuple[Int[Tensor, "k"], Float[Tensor, "k 5"], Float[Tensor, "k"]]:
-    """Return the places that have a grasp, their best ones, and how good those are."""
+    """Return the cells with a grasp, their best grasps, and the ratings of these."""
     turn, x, y, z, opening, width, score = lesson.grasps.T
     turn, angle = turn.astype(int), lesson.facing + turn * np.pi / TURNS
     along = (x * np.cos(angle) + y * np.sin(angle)) * signs[0]
@@ -128,14 +128,14 @@ def evaluate(detector: GraspDetector, taught: Sequence[GraspLesson]) -> Detector
 def draw_sheet(
     detector: GraspDetector, taught: Sequence[GraspLesson]
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a contact sheet of lessons with the grasps that a detector rates best."""
+    """Return a contact sheet of lessons with the detector's best grasps."""
     looks = [lesson.look for lesson in taught]
     found = [detector.detect(seen) for seen in looks]
     return sheet(looks, [grasps[0] if grasps else None for grasps in found])
 
 
 def gather(folder: Path, side: Side, number: int) -> list[GraspLesson]:
-    """Return the lessons of one file, which is made if it is not there.
+    """Return the lessons of one file, which is created if missing.
 
     Raises:
         BundleError: the file is damaged.
@@ -175,20 +175,20 @@ def read(path: Path) -> list[GraspLesson]:
             f"u{(count, 2, CELLS, CELLS)}", f"f{(count,)}", f"f{(total, len(COLUMNS))}",
             f"i{(count,)}",
         ]:  # fmt: skip
-            raise ValueError(f"arrays of other kinds: {', '.join(kinds)}")
+            raise ValueError(f"unexpected types of arrays: {', '.join(kinds)}")
         if counts.min(initial=1) < 1 or counts.sum() != total:
             raise ValueError("objects without grasps, or grasps without objects")
         if not (np.isfinite(facing).all() and np.isfinite(grasps).all()):
             raise ValueError("numbers that are not finite")
     except (ValueError, KeyError, TypeError) as error:
-        raise BundleError(f"{path} holds no lessons ({error}). Remove it.") from error
+        raise BundleError(f"{path} is not a file of lessons ({error}). Remove it.") from error
     ends = np.cumsum(counts)
     parts = np.split(grasps, ends[:-1])
     return [GraspLesson(h, float(f), g) for h, f, g in zip(heights, facing, parts, strict=True)]
 
 
 def _same(lesson: GraspLesson, grasp: Grasp) -> Bool[np.ndarray, "g"]:
-    """Return which of a lesson's grasps a detected one is."""
+    """Return the lesson's grasps that equal a detected one."""
     turns = lesson.facing + lesson.grasps[:, 0] * np.pi / TURNS
     off = (lesson.grasps[:, 1:4] - grasp.point) @ rotation_z(grasp.angle)
     near = (np.abs(off) < _NEAR).all(1)
@@ -196,17 +196,19 @@ def _same(lesson: GraspLesson, grasp: Grasp) -> Bool[np.ndarray, "g"]:
 
 
 def main() -> None:
-    """Make missing lessons, train, and write the weights."""
+    """Generate missing lessons, train, and write the weights."""
     parser = argparse.ArgumentParser(description="Train the grasp detector.")
     parser.add_argument("--lessons", type=Path, required=True, help="folder of the lessons")
-    parser.add_argument("--scenes", type=int, default=1500, help="to learn from")
+    parser.add_argument("--scenes", type=int, default=1500, help="scenes for training")
     parser.add_argument("--steps", type=int, default=3000, help="batches of 16 objects")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, required=True, help="file of the weights")
-    parser.add_argument("--sheet", type=Path, help="PNG: what it makes of held-out objects")
+    parser.add_argument("--sheet", type=Path, help="PNG of its grasps of held-out objects")
     chosen = parser.parse_args()
     if chosen.scenes < CHUNK or chosen.steps < 1 or chosen.seed < 0:
-        raise InputError(f"--scenes is at least {CHUNK}, --steps 1 and --seed 0.")
+        raise InputError(
+            f"--scenes must be at least {CHUNK}, --steps at least 1 and --seed at least 0."
+        )
     files = range(chosen.scenes // CHUNK)
     taught = [lesson for number in files for lesson in gather(chosen.lessons, "train", number)]
     held_out = gather(chosen.lessons, "held_out", 0)

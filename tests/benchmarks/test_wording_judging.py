@@ -46,10 +46,10 @@ def test_a_table_that_shows_what_is_asked_is_right() -> None:
 def test_counts_are_exact_within_their_range() -> None:
     asked = case("two or three mugs", [wants("mug", [2, 3])])
     table = [thing(f"mug_{k}", 0.1 * k) for k in range(4)]
-    assert judge(asked, seen(*table[:1])).counts == ("mug: 1, not 2-3",)
+    assert judge(asked, seen(*table[:1])).counts == ("mug: 1, expected 2-3",)
     assert judge(asked, seen(*table[:2])).right
     assert judge(asked, seen(*table[:3])).right
-    assert judge(asked, seen(*table)).counts == ("mug: 4, not 2-3",)
+    assert judge(asked, seen(*table)).counts == ("mug: 4, expected 2-3",)
 
 
 def test_things_go_to_the_clause_that_needs_them() -> None:
@@ -68,7 +68,7 @@ def test_a_plain_shape_never_counts_but_is_no_phantom_of_a_word_of_the_text() ->
     asked = case("a mug and a zorb", [wants("mug"), wants("zorb")])
     shape = thing("zorb_1", 0.2, stand_in=True)
     found = judge(asked, seen(thing("mug_1"), shape))
-    assert found.counts == ("zorb: 0, not 1",)
+    assert found.counts == ("zorb: 0, expected 1",)
     assert found.phantoms == ()
     assert found.silent == ()
     other = judge(asked, seen(thing("mug_1"), thing("blib_1", 0.2, stand_in=True)))

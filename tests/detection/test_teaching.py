@@ -156,7 +156,7 @@ def test_damaged_lessons_say_so(tmp_path: Path) -> None:
         {"counts": np.array([1, 1])}, {"grasps": np.full((3, 7), np.nan)}, {"facing": ["a", "b"]},
     ):  # fmt: skip
         np.savez(path, **{**sound, **wrong})
-        with pytest.raises(BundleError, match="holds no lessons"):
+        with pytest.raises(BundleError, match="is not a file of lessons"):
             read(path)
 
 

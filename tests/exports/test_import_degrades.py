@@ -30,7 +30,7 @@ from generator.physics import decomposition
 from generator.physics.gate import GateLimits, judge
 from generator.sandbox import SandboxError
 
-BROKEN = {"broken": b"this is no GLB file at all"}
+BROKEN = {"broken": b"this is not a GLB file at all"}
 ONE, TWO = {"one": box}, {"one": box, "two": box}
 
 
@@ -56,10 +56,10 @@ def test_a_dozen_foreign_meshes_are_all_taken_beside_two_that_cannot_be(tmp_path
         **dict.fromkeys(MAKERS, "taken"), **dict.fromkeys(repaired, "repaired"),
         "millimetres": "refused", "broken": "refused",
     }  # fmt: skip
-    assert "is no GLB file" in found["broken"].detail
+    assert "is not a GLB file" in found["broken"].detail
     assert "90 m tall, try --scale 0.001" in found["millimetres"].detail
     assert "close holes" in found["torn"].detail
-    assert found["thin"].detail == "a sheet, made 0.4 mm thick"
+    assert found["thin"].detail == "thin sheet thickened to 0.4 mm"
 
 
 @pytest.mark.slow
@@ -90,7 +90,7 @@ def test_what_cannot_be_decomposed_collides_as_its_hull(
 @pytest.mark.usefixtures("inline")
 def test_nothing_left_is_an_error_with_every_reason(tmp_path: Path) -> None:
     broken = {"a": b"nothing", "b": b"nothing either"}
-    with pytest.raises(InputError, match=r"None of the 2 objects .*a: .*no GLB.*b: .*no GLB"):
+    with pytest.raises(InputError, match=r"None of the 2 objects .*a: .*not a GLB.*b: .*not a GLB"):
         import_scene(write_meshes(tmp_path, {}, broken))
 
 
@@ -100,7 +100,7 @@ def test_the_command_prints_a_table_of_outcomes(tmp_path: Path, shell: Shell) ->
     said = shell("import", str(source), "--out", str(tmp_path / "out")).out
     rows = [line.split() for line in said.splitlines()]
     assert ["one", "taken"] in rows and "refused" in said
-    assert said.count("no GLB file") == 1
+    assert said.count("not a GLB file") == 1
     told = shell("import", str(source), "--out", str(tmp_path / "out"), "--json").out
     facts = json.loads(told)
     assert [o["kind"] for o in facts["outcomes"]] == ["taken", "refused"]
@@ -164,7 +164,7 @@ def test_a_body_with_joints_is_refused_and_the_others_stay(tmp_path: Path, read)
     found = read(write(tmp_path, TABLE + CUBE + LID))
     assert [body.name for body in found.objects] == ["cube"]
     (refused,) = found.refused
-    assert refused.name == "box" and "not free" in refused.detail
+    assert refused.name == "box" and "other than free" in refused.detail
 
 
 @pytest.mark.slow
@@ -176,7 +176,7 @@ def test_a_body_that_mujoco_refuses_does_not_lose_the_others(tmp_path: Path) -> 
     found = read_mjcf(write(tmp_path, TABLE + CUBE + bad + motor, head))
     assert [body.name for body in found.objects] == ["cube"]
     (refused,) = found.refused
-    assert refused.name == "bad" and "MuJoCo refuses" in refused.detail
+    assert refused.name == "bad" and "MuJoCo rejects" in refused.detail
 
 
 @pytest.mark.slow
@@ -351,7 +351,7 @@ def test_objects_beyond_the_budget_of_cuts_collide_as_their_hulls(
     meshes = {f"box {k}": lambda k=k: box(0.05 + k / 100) for k in range(3)}
     found = outcomes(write_meshes(tmp_path, meshes))
     assert [outcome.kind for outcome in found.values()] == ["taken", "hull", "hull"]
-    assert "took all the pieces" in found["box 1"].detail
+    assert "used up the piece budget" in found["box 1"].detail
 
 
 def test_objects_beyond_the_shapes_of_a_bundle_are_refused(
@@ -475,7 +475,7 @@ def test_files_read_apart_are_bounded_together(
     monkeypatch.setattr(folders, "_MOST_TOGETHER", (folder / "one.glb").stat().st_size + 9)
     scene = folders.read_folder(folder, apart=True)
     assert [body.name for body in scene.objects] == ["one"]
-    assert "at most 9 are read" in scene.refused[0].detail
+    assert "at most 9 are allowed" in scene.refused[0].detail
 
 
 def test_a_file_of_several_spellings_is_read_once(tmp_path: Path, apart: list[str]) -> None:

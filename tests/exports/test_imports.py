@@ -48,10 +48,10 @@ def test_the_table_is_found_by_its_name_or_by_what_stands_on_it(tmp_path: Path, 
     stand = TABLE.replace('"table"', '"stand"')
     wall = '<body name="wall"><geom type="box" size="1 .1 2"/></body>'
     found = read(write(tmp_path, wall + stand + CUBE))
-    assert found.table.name == "stand" and found.warnings == ("fixed things are left out: wall",)
+    assert found.table.name == "stand" and found.warnings == ("fixed objects are ignored: wall",)
     with pytest.raises(InputError, match=r"'desk'.*stand, wall"):
         read(tmp_path / "scene.xml", None, "desk")
-    with pytest.raises(InputError, match="no table: nothing that is fixed is under"):
+    with pytest.raises(InputError, match="no table: nothing fixed is below"):
         read(write(tmp_path, wall + CUBE))
     with pytest.raises(InputError, match="no table"):
         read(write(tmp_path, '<geom type="plane" size="1 1 1"/>' + CUBE))
@@ -61,7 +61,10 @@ def test_the_table_is_found_by_its_name_or_by_what_stands_on_it(tmp_path: Path, 
     ("body", "said"),
     [
         (TABLE, "no free body"),
-        (TABLE + CUBE.replace("<freejoint/>", '<joint type="hinge"/>'), "1 joints.*not free.*cube"),
+        (
+            TABLE + CUBE.replace("<freejoint/>", '<joint type="hinge"/>'),
+            "1 joints other than free.*cube",
+        ),
         (
             TABLE
             + CUBE.replace("</body>", "<body name='lid'><joint/><geom size='.1'/></body></body>"),
@@ -128,7 +131,7 @@ def write_folder(folder: Path, **changes: object) -> Path:
     [
         ({"position": [0, 0, float("nan")]}, "NaN|JSON"),
         ({"position": [0, 0]}, "list of 3 numbers"),
-        ({"position": [0, 0, 5000]}, "farther than"),
+        ({"position": [0, 0, 5000]}, "extends beyond"),
         ({"quaternion": [1, 1, 0, 0]}, "length 1"),
         ({"file": "../box.glb"}, "leaves the folder"),
         ({"file": "box.fbx"}, "GLB and OBJ"),
@@ -158,7 +161,7 @@ def test_sources_that_are_none_are_refused(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("inline")
 def test_the_folder_of_a_urdf_export_is_refused_as_such(tmp_path: Path) -> None:
     scene = toy_scene((toy_object("box_1", (0.05, 0.03, 0.04), (0.0, 0.0)),))
-    with pytest.raises(InputError, match=r"of a URDF export.*GLB or MJCF"):
+    with pytest.raises(InputError, match=r"to a URDF export.*GLB or MJCF"):
         import_scene(export(scene, "urdf", tmp_path, "toy"))
 
 

@@ -28,10 +28,10 @@ def test_includes_and_assets_are_found_inside_the_folder(tmp_path: Path, read) -
     # A model in a folder of its own, its assets beside that.
     head = head.replace('"assets"', '"../assets"')
     deep = write(tmp_path, TABLE + '<include file="../parts/thing.xml"/>', head, "models/deep.xml")
-    with pytest.raises(InputError, match="outside of its folder"):
+    with pytest.raises(InputError, match="outside its folder"):
         read(deep)
     assert len(read(deep, tmp_path).objects) == 1
-    with pytest.raises(InputError, match="is not inside of"):
+    with pytest.raises(InputError, match="is not inside"):
         read(deep, tmp_path / "assets")
 
 
@@ -56,18 +56,18 @@ def test_an_include_is_found_where_mujoco_finds_it(there: str, tmp_path: Path) -
     ("head", "said"),
     [
         ('<asset><mesh file="/etc/passwd"/></asset>', "relative"),
-        ('<asset><mesh file="../x.obj"/></asset>', "outside of its folder"),
+        ('<asset><mesh file="../x.obj"/></asset>', "outside its folder"),
         ('<asset><mesh file="link.obj"/></asset>', "link"),
         ('<asset><mesh file="missing.obj"/></asset>', "missing"),
         ('<asset><mesh file="x.dae"/></asset>', r"\.obj, \.stl"),
         ('<asset><texture type="2d" file="../x.png"/></asset>', "outside"),
         ('<include file="../x.xml"/>', "outside"),
         ('<include file="scene.xml"/>', "twice, or within itself"),
-        ("<include/>", "names the file ''"),
+        ("<include/>", "refers to the file ''"),
         ('<extension><plugin plugin="x"/></extension>', "plugins run code"),
         ('<asset><hfield file="x.png"/></asset>', "height fields"),
         ('<asset><model file="x.xml"/></asset>', "attaches another"),
-        ('<custom><text name="a" data="b" file="/x"/></custom>', "names a file"),
+        ('<custom><text name="a" data="b" file="/x"/></custom>', "refers to a file"),
     ],
 )
 def test_files_outside_and_code_are_refused(head: str, said: str, tmp_path: Path) -> None:
@@ -80,8 +80,8 @@ def test_files_outside_and_code_are_refused(head: str, said: str, tmp_path: Path
     ("text", "said"),
     [
         ('<!DOCTYPE m [<!ENTITY a "b">]><mujoco>&a;</mujoco>', "document type or entities"),
-        ("<mujoco>", "no XML"),
-        ("<robot/>", "no MJCF"),
+        ("<mujoco>", "not valid XML"),
+        ("<robot/>", "not an MJCF"),
         ("<mujoco>" + "<body>" * 150 + "</body>" * 150 + "</mujoco>", "too deep"),
         ("<mujoco>" + "<a/>" * 2001 + "</mujoco>", "too many elements"),
         ('<mujoco><replicate count="100000"/></mujoco>', "replicates"),
@@ -109,11 +109,11 @@ def test_files_that_are_included_count_together(
     for name, include in zip(("one", "two", "three"), more, strict=True):
         text = part % include if "%s" in part else part + include
         (tmp_path / f"{name}.xml").write_text(f"<m>{text}</m>")
-    with pytest.raises(InputError, match=r"three\.xml nests too deep, or the model has too many"):
+    with pytest.raises(InputError, match=r"three\.xml is nested too deeply, or the model has too"):
         gather(write(tmp_path, '<include file="one.xml"/>'))
 
 
 def test_what_mujoco_cannot_compile_is_told(tmp_path: Path) -> None:
     path = write(tmp_path, TABLE + CUBE.replace('"box"', '"box" material="none"'))
-    with pytest.raises(InputError, match=r"MuJoCo refuses the model.*none"):
+    with pytest.raises(InputError, match=r"MuJoCo rejects the model.*none"):
         compile_foreign(gather(path), "the model")

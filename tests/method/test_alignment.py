@@ -256,7 +256,7 @@ def test_what_a_top_view_drops_is_placed_and_told(check):
     result = run(dropped, SIZES, config=AlignmentConfig(check=check))
     assert {p.name for p in result.placements} == {"box_1", "pen_1", "cup_1"}
     assert result.top_view is not None and result.top_view.repaired == ("pen_1",)
-    assert any("pen_1" in w and "lacks" in w for w in result.warnings)
+    assert any("pen_1" in w and "missing" in w for w in result.warnings)
 
 
 @pytest.mark.parametrize(

@@ -106,7 +106,7 @@ def test_contents_go_into_their_container_and_things_onto_their_support():
         rim = mug.translation[2] + mug.scale[2] / 2
         assert new[name].translation[2] - new[name].scale[2] / 2 < rim - 0.01
     assert new["apple_1"].on == "seen_book_1" and not new["apple_1"].inside
-    assert sum("not to be seen" in warning for warning in laid.draft.warnings) == 3
+    assert sum("not visible" in warning for warning in laid.draft.warnings) == 3
 
 
 def test_what_stands_on_the_table_finds_room_beside_the_rest():
@@ -201,7 +201,7 @@ def test_a_thing_of_another_size_gets_the_plans():
         np.prod(model.size), np.prod(draft.planned["seen_stapler_1"].size), rtol=1e-6
     )
     assert model.mesh is found.models["seen_stapler_1"].mesh
-    assert any("seen_stapler_1 has the plan's size" in w for w in draft.warnings)
+    assert any("seen_stapler_1 has the planned size" in w for w in draft.warnings)
 
 
 def test_a_thing_of_another_shape_is_built_from_the_plan():
@@ -325,10 +325,10 @@ def test_of_two_in_one_place_one_moves():
 
 
 def test_a_doubted_thing_is_the_plans():
-    draft = Found(TEXT).draft().doubt(("seen_mug_1",), "it would not stand")
+    draft = Found(TEXT).draft().doubt(("seen_mug_1",), "it does not stand")
     assert draft.models["seen_mug_1"] is draft.planned["seen_mug_1"]
     assert "seen_mug_1" not in draft.shown and "seen_laptop_1" in draft.shown
-    assert "seen_mug_1 is built from the plan: it would not stand." in draft.warnings
+    assert "seen_mug_1 is built from the plan: it does not stand." in draft.warnings
     after = lay_out_draft(draft, 0)
     inside = [p for p in after.placements if p.on == "seen_mug_1" and p.inside]
     assert len(inside) == 2

@@ -13,7 +13,7 @@ from generator.scene import Model, Rotation
 
 YAW = 0.6
 NAME = "seen_laptop_1"
-UNTOLD = "The drawing does not tell its yaw"
+UNTOLD = "The drawing does not determine its yaw"
 
 
 def drafted(turn: Turn | None = None, margin: float = 1.0) -> SceneDraft:
@@ -71,11 +71,11 @@ def test_a_yaw_counts_if_the_plans_shape_shows_it(
 def test_what_is_doubted_keeps_its_yaw_at_another_place() -> None:
     found = Found(TEXT)
     found.change("seen_stapler_1", yaw=YAW)
-    draft = found.draft().doubt({"seen_stapler_1"}, "it would not stand")
+    draft = found.draft().doubt({"seen_stapler_1"}, "it does not stand")
     laid = lay_out_draft(draft, 0)
     assert by_name(laid.placements)["seen_stapler_1"].yaw == YAW
-    assert "seen_stapler_1 is built from the plan: it would not stand." in laid.draft.warnings
-    assert any("not by the drawing: seen_stapler_1" in w for w in laid.warnings)
+    assert "seen_stapler_1 is built from the plan: it does not stand." in laid.draft.warnings
+    assert any("instead of the drawing: seen_stapler_1" in w for w in laid.warnings)
     everything = lay_out_draft(draft.doubt({*draft.models}, "so"), 0)
     assert by_name(everything.placements)["seen_stapler_1"].yaw == YAW
     assert any("The table is the plan's" in w for w in everything.warnings)
@@ -96,13 +96,13 @@ def test_members_of_groups_are_arranged_as_a_whole() -> None:
     assert asked == [] and not {*forks} & {*draft.yaws}
     reasons = [w for w in draft.warnings if w.split()[0] in forks]
     assert ["other proportions" in w for w in sorted(reasons)].count(True) == 1
-    assert sum("look like the others" in w for w in reasons) == 1
+    assert sum("match the other place settings" in w for w in reasons) == 1
 
 
 def test_another_table_is_told() -> None:
     found = Found(TEXT)
     found.table_scale = found.table_scale * [2, 2, 1]
-    assert any("table has the plan's size" in w for w in found.draft().warnings)
+    assert any("table has the planned size" in w for w in found.draft().warnings)
 
 
 @pytest.mark.slow

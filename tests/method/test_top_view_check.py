@@ -97,7 +97,7 @@ def test_what_was_moved_is_put_back(pictured, move, names):
     boxes = {name: box_of(PLACES[name]) for name in names}
     boxes["d"] = boxes["d"] + np.tile(move, 2)
     top, warnings = checked(boxes, few(pictured, names))
-    assert top.repaired == ("d",) and "elsewhere" in warnings[0]
+    assert top.repaired == ("d",) and "different position" in warnings[0]
     assert off(np.asarray(top.boxes["d"]), "d") < 0.03
     np.testing.assert_allclose(top.boxes["a"], boxes["a"])
 
@@ -118,7 +118,7 @@ def test_what_was_dropped_is_put_in_with_its_size(pictured, names):
     boxes = {name: box_of(PLACES[name]) for name in names if name != "c"}
     for only_missing in (False, True):
         top, warnings = checked(boxes, few(pictured, names), only_missing=only_missing)
-        assert top.repaired == ("c",) and "lacks" in warnings[0]
+        assert top.repaired == ("c",) and "missing" in warnings[0]
         found = np.asarray(top.boxes["c"])
         assert off(found, "c") < 0.03
         np.testing.assert_allclose(found[2:] - found[:2], EXTENT[:2] * PIXELS, rtol=0.06)
@@ -128,7 +128,7 @@ def test_what_the_picture_cannot_place_is_guessed_rather_than_lost(pictured):
     hollow = [replace(i, crop=0 * i.crop) if i.name == "c" else i for i in pictured]
     boxes = {name: box for name, box in true_boxes().items() if name != "c"}
     top, (warning,) = checked(boxes, tuple(hollow))
-    assert top.repaired == ("c",) and "lacks" in warning
+    assert top.repaired == ("c",) and "missing" in warning
     assert off(np.asarray(top.boxes["c"]), "c") < 0.3
 
 
@@ -182,5 +182,5 @@ def test_what_stands_on_something_is_put_over_it():
     assert checked(boxes, instances, stacking)[0].repaired == ()
     del boxes["g"]
     top, warnings = checked(boxes, instances, stacking)
-    assert top.repaired == ("g",) and "lacks" in warnings[0]
+    assert top.repaired == ("g",) and "does not show it" in warnings[0]
     assert off(np.asarray(top.boxes["g"]), "a") < 0.02

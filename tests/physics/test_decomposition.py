@@ -168,7 +168,7 @@ def test_an_import_has_a_budget_of_pieces(tmp_path: Path, monkeypatch) -> None:
                 decompose(mesh, np.ones(3), cache=tmp_path, budget=budget)
                 done.append(True)
             except SceneError as error:
-                assert "took all the pieces" in str(error)
+                assert "used up the piece budget" in str(error)
                 done.append(False)
         assert done == [True, True, True, True, False]  # the first two are equal
     assert cut == [20, 12, 12]
@@ -186,7 +186,7 @@ def test_a_mesh_that_fails_counts_as_a_rough_one(tmp_path: Path, monkeypatch) ->
     budget = CutBudget(50)
     for k in range(5):
         for _ in range(2):
-            with pytest.raises(SceneError, match="breaks" if k < 2 else "took all"):
+            with pytest.raises(SceneError, match="breaks" if k < 2 else "used up"):
                 decompose(
                     together(trimesh.creation.box(extents=(1, 1, 1 + k))), np.ones(3),
                     cache=tmp_path, budget=budget,

@@ -62,7 +62,7 @@ def test_a_wrong_size_stays_in_its_bounds() -> None:
 
 @pytest.mark.parametrize("wrong", [{"occlude": 1.0}, {"erode": -1}, {"elevation": math.nan}])
 def test_amounts_out_of_range_are_refused(wrong: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match=r"must lie in"):
+    with pytest.raises(InputError, match=r"must be in"):
         Spoiling(**wrong)
 
 

@@ -109,7 +109,7 @@ def test_a_bad_mesh_is_refused(tmp_path: Path, what: str, says: str) -> None:
 
 
 def test_a_folder_without_meshes_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="holds no mesh"):
+    with pytest.raises(InputError, match="contains no mesh"):
         mesh_files(tmp_path)
     with pytest.raises(InputError, match="No folder"):
         mesh_files(tmp_path / "none")
@@ -117,5 +117,5 @@ def test_a_folder_without_meshes_is_refused(tmp_path: Path) -> None:
     outside.write_text("v 0 0 0\n")
     (tmp_path / "in").mkdir()
     (tmp_path / "in" / "link.obj").symlink_to(outside)
-    with pytest.raises(InputError, match="holds no mesh"):
+    with pytest.raises(InputError, match="contains no mesh"):
         mesh_files(tmp_path / "in")

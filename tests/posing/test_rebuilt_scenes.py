@@ -107,7 +107,7 @@ def test_errors_of_a_scene_are_measured() -> None:
         assert float(row["yaw_error_deg"]) == pytest.approx(30, abs=1.5)
     assert [r["support_right"] for r in rows[1:]] == [1, 0]
     text = scenes.summary([r | {"scene": 0} for r in rows], "bench")
-    assert "| objects shown; found (mask IoU ≥ 0.5) | 3; 67 % |" in text
+    assert "| visible objects; detected (mask IoU ≥ 0.5) | 3; 67 % |" in text
     assert "Not found: scene 0 box_1." in text
 
 
@@ -121,10 +121,10 @@ def test_a_round_model_of_a_thing_with_a_front_is_not_right() -> None:
         for name, off in errors.items()
     ]  # fmt: skip
     text = scenes.summary(rows, "bench")
-    assert "median of those judged | 3.00° |" in text
-    assert "is not right | 25 %, 50 %, 50 % |" in text
-    assert "(generic): number; their yaw error, median | 1; 40.0° |" in text
-    assert "Round models of things with a front: scene 0 pan_1 (mug)." in text
+    assert "median of the evaluated ones | 3.00° |" in text
+    assert "is wrong | 25 %, 50 %, 50 % |" in text
+    assert "a generic object: number; their yaw error, median | 1; 40.0° |" in text
+    assert "Round models of objects with a front: scene 0 pan_1 (mug)." in text
 
 
 def test_a_scene_turned_with_its_camera_is_the_same_scene() -> None:

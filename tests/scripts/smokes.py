@@ -138,7 +138,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/drawn_names.py": Smoke(
         "--texts {out}/texts.json --first 0 --out {out}",
         ("drawn_names.md",),
-        "| texts, things that show | 1, 1 |",
+        "| texts, visible objects | 1, 1 |",
         _texts,
     ),
     "benchmarks/efficiency.py": Smoke(
@@ -220,7 +220,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/understanding.py": Smoke(
         "--theme terse --limit 1 --sheet 1 --bundles {out}/made --out {out}",
         (*_table("understanding_compose_dev_terse"), "understanding_compose.png", "made/*.json"),
-        "| fully right | ",
+        "| fully correct | ",
     ),
     "docs/make_page_pictures.py": Smoke(
         "page_gallery studio_make --out {out}",

@@ -1,6 +1,6 @@
-"""Scripts that load an export into a physics engine, written beside it.
+"""Scripts that load an export into a physics engine, written next to it.
 
-Each is copied as it is and needs the engine alone, nothing of this package.
+Each is copied unchanged and needs only the engine, not this package.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ CONFIG = MultibodyPlantConfig(
     contact_model="hydroelastic_with_fallback",
     discrete_contact_approximation="lagged",
 )
-"""Settings of the plant; with point contact flat bodies rest on one point, and tilt."""
+"""Settings of the plant; with point contact, flat bodies rest on one point and tilt."""
 
 
 def load(plant: MultibodyPlant) -> None:
@@ -40,7 +40,7 @@ def load(plant: MultibodyPlant) -> None:
 
 
 if __name__ == "__main__":
-    logging.getLogger("drake").setLevel(logging.ERROR)  # no word of textures and lights
+    logging.getLogger("drake").setLevel(logging.ERROR)  # hide messages about textures and lights
     builder = DiagramBuilder()
     plant, _ = AddMultibodyPlant(CONFIG, builder)
     load(plant)

@@ -15,7 +15,7 @@ import pybullet
 def load(client: int = 0) -> dict[str, int]:
     """Load every body into a connected client; return their ids by name."""
     folder = Path(__file__).parent
-    # Contacts between faces as they are; otherwise hulls keep a margin of 1 mm.
+    # Exact contacts between faces; otherwise hulls get a margin of 1 mm.
     pybullet.setPhysicsEngineParameter(enableSAT=1, physicsClientId=client)
     flags = pybullet.URDF_USE_INERTIA_FROM_FILE | pybullet.URDF_INITIALIZE_SAT_FEATURES
     bodies = {}

@@ -1,4 +1,4 @@
-"""A foreign scene as one of this project: its bodies, and the scene of all that can be used."""
+"""Conversion of a foreign scene: its bodies, and the scene of all usable objects."""
 
 from __future__ import annotations
 

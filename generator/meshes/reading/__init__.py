@@ -1,1 +1,1 @@
-"""Meshes from elsewhere, read within bounds."""
+"""Reading of foreign meshes, with limits."""

@@ -1,9 +1,9 @@
-"""GLB containers; compressed or quantised meshes rewritten as plain glTF 2.0.
+"""GLB containers; compressed or quantised meshes are rewritten as plain glTF 2.0.
 
 Draco (``KHR_draco_mesh_compression``) is decoded by DracoPy, meshopt (``EXT_meshopt_compression``)
-by meshoptimizer; quantised columns (``KHR_mesh_quantization``) become floats, and their texture
-coordinates are moved as ``KHR_texture_transform`` says (files with turned textures stay refused).
-Like all readers of meshes, this runs in the child process of its caller.
+by meshoptimizer. Quantised attributes (``KHR_mesh_quantization``) become floats, and their texture
+coordinates are transformed as ``KHR_texture_transform`` specifies (files with rotated textures are
+still rejected). Like all mesh readers, this runs in its caller's child process.
 """
 
 from __future__ import annotations
@@ -35,29 +35,29 @@ _SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
 
 
 def plain_glb(raw: bytes, what: str) -> bytes:
-    """Return a GLB file without the extensions decoded here; other files unchanged.
+    """Return a GLB file without the extensions decoded here; other files are unchanged.
 
     Meshes keep their triangles' positions, texture coordinates and colours.
 
     Raises:
-        BackendError: its compressed data is damaged, or its decoder is not installed.
+        BackendError: the compressed data is damaged, or the decoder is not installed.
     """
     try:
         header, data = split_glb(raw, what)
-    except BackendError:  # the inspection of what is returned raises it
+    except BackendError:  # the inspection of the returned file raises it
         return raw
     used = {*_names(header, "extensionsUsed"), *_names(header, "extensionsRequired")} & _DECODED
     if not used:
         return raw
     if DRACO in used:
-        module("DracoPy", f"{what} is compressed by {DRACO}: reading it", _INSTALL)
+        module("DracoPy", f"{what} is compressed with {DRACO}: reading it", _INSTALL)
     if used & {*MESHOPT}:
-        module("meshoptimizer", f"{what} is compressed by meshopt: reading it", _INSTALL)
+        module("meshoptimizer", f"{what} is compressed with meshopt: reading it", _INSTALL)
     try:
         return _Rewriter(header, data).run()
-    except MemoryError:  # the sandbox explains it
+    except MemoryError:  # handled by the sandbox
         raise
-    except Exception as error:  # whatever a decoder may stumble over in a foreign file
+    except Exception as error:  # decoders raise many types of errors for malformed files
         raise BackendError(
             f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it "
             "uncompressed."
@@ -70,7 +70,7 @@ def _names(header: Header, key: str) -> Sequence[str]:
 
 
 class _Rewriter:
-    """Writes a new binary chunk with plain columns, and a header that names them."""
+    """Writes a new binary chunk with plain attributes, and a header that refers to them."""
 
     def __init__(self, header: Header, data: bytes) -> None:
         self._header, self._data = header, data
@@ -80,7 +80,7 @@ class _Rewriter:
         self._kept: dict[tuple[Any, ...], int] = {}
 
     def run(self) -> bytes:
-        """Return the file."""
+        """Return the rewritten file."""
         header = self._header
         meshes = [
             {**mesh, "primitives": [self._primitive(p) for p in mesh["primitives"] if _fits(p)]}
@@ -113,7 +113,7 @@ class _Rewriter:
         return plain
 
     def _columns(self, given: Header) -> tuple[dict[str, np.ndarray], np.ndarray | None]:
-        """Return the columns of a primitive by attribute, and its indices."""
+        """Return the attributes of a primitive by name, and its indices."""
         named: Mapping[str, int] = given["attributes"]
         packed = given.get("extensions", {}).get(DRACO)
         if packed is None:
@@ -135,10 +135,10 @@ class _Rewriter:
         return _floats(self._raw(index), self._header["accessors"][index])
 
     def _raw(self, index: int) -> np.ndarray:
-        """Return the numbers of an accessor, shape (count, columns)."""
+        """Return the stored numbers of an accessor, shape (count, columns)."""
         accessor = self._header["accessors"][index]
         if "sparse" in accessor:
-            raise ValueError("sparse accessors are not read")
+            raise ValueError("sparse accessors are not supported")
         view = self._header["bufferViews"][accessor["bufferView"]]
         kind, width = np.dtype(_TYPES[accessor["componentType"]]), _COLUMNS[accessor["type"]]
         content = self._view_bytes(accessor["bufferView"])
@@ -146,11 +146,11 @@ class _Rewriter:
         start, count = accessor.get("byteOffset", 0), accessor["count"]
         end = start + step * (count - 1) + kind.itemsize * width
         if count < 1 or start < 0 or step < kind.itemsize * width or end > len(content):
-            raise ValueError(f"accessor {index} is larger than its view")
+            raise ValueError(f"accessor {index} is larger than its buffer view")
         return np.ndarray((count, width), kind, content, start, (step, kind.itemsize)).copy()
 
     def _view_bytes(self, index: int) -> bytes:
-        """Return the content of a view, decompressed."""
+        """Return the content of a buffer view, decompressed."""
         if index not in self._views:
             view = self._header["bufferViews"][index]
             packed = view.get("extensions", {})
@@ -162,11 +162,11 @@ class _Rewriter:
     def _slice(self, place: Header) -> bytes:
         start, size = place.get("byteOffset", 0), place["byteLength"]
         if place["buffer"] != 0 or not 0 <= start <= start + size <= len(self._data):
-            raise ValueError("a view is outside the binary chunk")
+            raise ValueError("a buffer view is outside the binary chunk")
         return self._data[start : start + size]
 
     def _accessor(self, column: np.ndarray) -> int:
-        """Write a column; return its accessor, the same for equal columns."""
+        """Write an attribute and return its accessor; equal attributes share one."""
         column = np.ascontiguousarray(column)
         key = (column.dtype.str, column.shape, column.tobytes())
         if key not in self._kept:
@@ -193,7 +193,7 @@ def _fits(primitive: Header) -> bool:
 
 
 def _floats(values: np.ndarray, accessor: Header) -> Float[np.ndarray, "n k"]:
-    """Return quantised numbers as floats: normalised ones in [-1, 1], as glTF defines it."""
+    """Return quantised numbers as floats; normalised ones are in [-1, 1], as glTF defines."""
     floats = values.astype(np.float32)
     if accessor.get("normalized") and values.dtype.kind in "iu":
         return np.maximum(floats / np.float32(np.iinfo(values.dtype).max), np.float32(-1.0))
@@ -201,7 +201,7 @@ def _floats(values: np.ndarray, accessor: Header) -> Float[np.ndarray, "n k"]:
 
 
 def _meshopt(coded: Header, content: bytes) -> bytes:
-    """Return a view that meshopt compressed."""
+    """Return a buffer view decompressed by meshopt."""
     import meshoptimizer
 
     count, stride = int(coded["count"]), int(coded["byteStride"])
@@ -226,14 +226,14 @@ def _meshopt(coded: Header, content: bytes) -> bytes:
 
 
 def _transform_of(header: Header, primitive: Header) -> Header | None:
-    """Return how the base colour's texture of a primitive is moved; None if it is not."""
+    """Return the texture transform of a primitive's base colour; None without one."""
     if "material" not in primitive:
         return None
     return _transform(header["materials"][primitive["material"]])
 
 
 def _transform(material: Header) -> Header | None:
-    """Return how the texture of a material's base colour is moved without being turned."""
+    """Return the texture transform of a material's base colour; rotations are not supported."""
     color = base_color(material).get("baseColorTexture", {})
     transform = color.get("extensions", {}).get(_TRANSFORM)
     return None if transform is None or transform.get("rotation") else transform
@@ -246,7 +246,7 @@ def _move_texture(uv: Float[np.ndarray, "n 2"], transform: Header) -> Float[np.n
 
 
 def _drop_transform(material: Header) -> Header:
-    """Return a material without the transform that its texture coordinates now have."""
+    """Return a material without the texture transform that was applied to its coordinates."""
     if _transform(material) is None:
         return material
     plain = dict(base_color(material))
@@ -259,24 +259,24 @@ _BINARY_CHUNK = 0x004E4942
 
 
 def split_glb(raw: bytes, what: str) -> tuple[Header, bytes]:
-    """Return the JSON header and the binary chunk (empty where there is none) of a GLB file.
+    """Return the JSON header and the binary chunk (empty if absent) of a GLB file.
 
-    ``what`` names it in messages.
+    ``what`` names the file in messages.
 
     Raises:
-        BackendError: no GLB, cut off, or too large.
+        BackendError: the file is not a GLB, is truncated, or is too large.
     """
     check_size(raw, what, bounds.MOST_BYTES)
     if raw[:4] != b"glTF" or len(raw) < 20:
         raise BackendError(
-            f"{what} is no GLB file: its {len(raw)} bytes begin with {raw[:12]!r}. "
-            "Binary glTF 2.0 is read."
+            f"{what} is not a GLB file: its {len(raw)} bytes begin with {raw[:12]!r}. Binary glTF "
+            "2.0 is supported."
         )
     version, length, size, kind = struct.unpack("<4I", raw[4:20])
     if version != 2 or kind != JSON_CHUNK:
-        raise BackendError(f"{what} is glTF version {version}; binary glTF 2.0 is read.")
+        raise BackendError(f"{what} is glTF version {version}; binary glTF 2.0 is supported.")
     if length > len(raw) or size > length - 20:
-        raise BackendError(f"{what} is cut off: {len(raw)} of {max(length, size)} bytes are there.")
+        raise BackendError(f"{what} is truncated: it has {len(raw)} of {max(length, size)} bytes.")
     text, problem = raw[20 : 20 + size], f"{what} has a damaged header: it"
     header = parse_object(text, problem, BackendError, max_bytes=bounds.MOST_HEADER)
     return header, raw[28 + size :]
@@ -293,12 +293,12 @@ def join_glb(header: Header, data: bytes) -> bytes:
 
 
 def check_size(raw: bytes, what: str, maximum: int) -> None:
-    """Check the bytes of a file.
+    """Check the size of a file.
 
     Raises:
-        BackendError: there are more than ``maximum``.
+        BackendError: there are more than ``maximum`` bytes.
     """
     if len(raw) > maximum:
         raise BackendError(
-            f"{what} takes {len(raw) / 2**20:.0f} MiB; at most {maximum // 2**20} are read."
+            f"{what} has {len(raw) / 2**20:.0f} MiB; at most {maximum // 2**20} are allowed."
         )

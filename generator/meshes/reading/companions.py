@@ -1,4 +1,4 @@
-"""The files that an OBJ file names: its materials and their pictures, from its own folder."""
+"""The files that an OBJ file refers to: its materials and their pictures, from its own folder."""
 
 from __future__ import annotations
 
@@ -20,17 +20,18 @@ _MOST_LIBRARIES = 10
 def companions(
     raw: bytes, what: str, folder: Path | None, max_bytes: int = MOST_BYTES
 ) -> Mapping[str, bytes]:
-    """Return the material files of an OBJ, and the pictures they show, by the names it uses.
+    """Return an OBJ's material libraries and their pictures, by the names that it uses.
 
-    ``folder`` is where it lies; an OBJ that lies nowhere (None) may name no files. A file of
-    several names ("a.png", "./a.png") is read once; ``max_bytes`` bounds all files together.
+    ``folder`` is the folder of the OBJ; an OBJ without a folder (None) may not refer to files. A
+    file with several names ("a.png", "./a.png") is read once; ``max_bytes`` limits all files
+    together.
 
     Raises:
-        BackendError: a file is missing, outside the folder, too large, or no picture.
+        BackendError: a file is missing, outside the folder, too large, or not a picture.
     """
     beside = _Beside(what, folder, max_bytes)
     found: dict[str, bytes] = {}
-    shown: dict[str, bytes] = {}  # the pictures of these
+    shown: dict[str, bytes] = {}  # pictures of these maps
     for library in _names(_LIBRARY, raw, what, _MOST_LIBRARIES):
         text = beside.library(library)
         found[library] = text
@@ -40,26 +41,26 @@ def companions(
             found[picture] = shown[picture] = beside.read(picture, MOST_BYTES)
     pictures = {id(content): content for content in shown.values()}
     if reason := check_pictures(pictures.values()):
-        raise BackendError(f"{what} {reason} It names {', '.join(shown):.300}.")
+        raise BackendError(f"{what} {reason} It refers to {', '.join(shown):.300}.")
     return found
 
 
 def total_bytes(beside: Mapping[str, bytes]) -> int:
-    """Return the bytes of all files of an OBJ, those of several names counted once."""
+    """Return the bytes of all files of an OBJ, counting a file with several names once."""
     return sum({id(content): len(content) for content in beside.values()}.values())
 
 
 def _names(pattern: re.Pattern[bytes], raw: bytes, what: str, maximum: int) -> Iterator[str]:
     names = dict.fromkeys(name.strip(b" \t\r") for name in pattern.findall(raw))
     if len(names) > maximum:
-        raise BackendError(f"{what} names {len(names)} files; at most {maximum} are read.")
+        raise BackendError(f"{what} refers to {len(names)} files; at most {maximum} are allowed.")
     for name in filter(None, names):
         yield name.decode("utf-8", "replace").strip("'\"")
 
 
 @dataclass
 class _Beside:
-    """Reads files of the folder of an OBJ file, each once; at most ``left`` bytes together."""
+    """Reads files from the folder of an OBJ file, each once; at most ``left`` bytes in total."""
 
     what: str
     folder: Path | None
@@ -68,7 +69,7 @@ class _Beside:
     _libraries: dict[int, bytes] = field(default_factory=dict[int, bytes])
 
     def library(self, name: str) -> bytes:
-        """Return a file of materials, as UTF-8."""
+        """Return a material library, as UTF-8."""
         raw = self.read(name, MOST_LIBRARY)
         if id(raw) not in self._libraries:
             check_lines(raw, f"{self.what}: {name[:80]!r}")
@@ -87,22 +88,23 @@ class _Beside:
     def _find(self, name: str) -> Path:
         if self.folder is None:
             raise BackendError(
-                f"{self.what} names a file outside itself, {name!r}. Use GLB with all in it."
+                f"{self.what} refers to an external file, {name!r}. Use a GLB that contains "
+                "everything."
             )
         home = self.folder.resolve()
         try:
             path = (home / name).resolve()
             inside = "://" not in name and path.is_relative_to(home)
             there = path.is_file()
-        except (OSError, ValueError, RuntimeError):  # no name of a file, or a link to itself
+        except (OSError, ValueError, RuntimeError):  # invalid file name, or a circular link
             path, inside, there = home, False, False
         if not inside:
             raise BackendError(
-                f"{self.what} names a file outside its folder, {name[:80]!r}. Put it beside the "
-                "OBJ file."
+                f"{self.what} refers to a file outside its folder, {name[:80]!r}. Move it next to "
+                "the OBJ file."
             )
         if not there:
             raise BackendError(
-                f"{self.what} names {name[:80]!r}, which is not beside it. Put it there."
+                f"{self.what} refers to {name[:80]!r}, which is not in its folder. Add it there."
             )
         return path

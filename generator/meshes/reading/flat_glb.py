@@ -1,7 +1,7 @@
-"""A foreign GLB reduced to what is looked at: meshes at their places, and their base colours.
+"""A foreign GLB reduced to its visible content: meshes at their positions, and base colours.
 
-What a parser is never given cannot harm it: trees of nodes, animations, cameras, lines and points,
-pictures for other ends, and numbers that no shown mesh names.
+Parsers receive no node trees, animations, cameras, lines or points, no pictures for other purposes,
+and no data that is not part of a visible mesh, so none of these can harm them.
 """
 
 from __future__ import annotations
@@ -26,15 +26,14 @@ _NOTHING = {"componentType": 5121, "count": 0, "type": "SCALAR"}
 
 
 class Crooked(ValueError):
-    """The tree of a GLB's nodes is none; the message says why."""
+    """The node tree of a GLB is invalid; the message gives the reason."""
 
 
 def flatten(raw: bytes, header: Header) -> bytes:
-    """Return an inspected GLB with nothing in it but what is looked at.
+    """Return an inspected GLB reduced to its visible content.
 
-    Each shown mesh hangs where its nodes put it, without any node between. Of each material only
-    the base colour stays (of specular and glossiness, the diffuse one): no other picture is
-    decoded.
+    Each visible mesh becomes a root node with its world transform. Materials keep only their base
+    colour (for specular-glossiness, the diffuse colour); no other picture is decoded.
     """
     places = list(mesh_places(header))
     meshes = [_plain_mesh(header, mesh) for mesh in header.get("meshes", ())]
@@ -68,10 +67,10 @@ def flatten(raw: bytes, header: Header) -> bytes:
 
 
 def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]]:
-    """Yield each shown mesh's number with its place, once for each node that has it.
+    """Yield the index and transform of each visible mesh, once per node that has it.
 
     Raises:
-        Crooked: the nodes are no tree.
+        Crooked: the nodes do not form a tree.
     """
     nodes = header.get("nodes", ())
     if not nodes:
@@ -85,7 +84,7 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
         if at in seen:
             raise Crooked("a node has two parents")
         seen.add(at)
-        with np.errstate(all="ignore"):  # what overflows makes vertices that are refused
+        with np.errstate(all="ignore"):  # overflows give vertices that are rejected later
             matrix = above @ local_matrix(nodes[at])
         if "mesh" in nodes[at]:
             yield int(nodes[at]["mesh"]), matrix
@@ -93,7 +92,7 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
 
 
 def roots_of(header: Header, scene: int) -> Sequence[int]:
-    """Return the topmost nodes of a scene; of a file whose scenes have none, those of all trees."""
+    """Return the root nodes of a scene; if no scene has nodes, those of all trees."""
     scenes = header.get("scenes", ())
     if not any(entry.get("nodes") for entry in scenes):
         return _topmost(header.get("nodes", ()))
@@ -101,12 +100,12 @@ def roots_of(header: Header, scene: int) -> Sequence[int]:
 
 
 def shown_nodes(header: Header) -> Iterator[Header]:
-    """Yield each node that a scene shows, once for each scene that shows it.
+    """Yield each node that a scene contains, once per scene.
 
-    A file without nodes shows all its meshes, one without roots all its trees.
+    A file without nodes shows all of its meshes, a file without root nodes all of its trees.
 
     Raises:
-        Crooked: the nodes are no tree.
+        Crooked: the nodes do not form a tree.
     """
     nodes, scenes = header.get("nodes", ()), header.get("scenes", ())
     if not nodes:
@@ -125,13 +124,13 @@ def shown_nodes(header: Header) -> Iterator[Header]:
 
 
 def _topmost(nodes: Sequence[Header]) -> Sequence[int]:
-    """Return the nodes that are no other's child."""
+    """Return the nodes without a parent."""
     below = {child for node in nodes for child in node.get("children", ())}
     return [k for k in range(len(nodes)) if k not in below]
 
 
 def base_color(material: Header) -> Header:
-    """Return a material's base colour: its factor and texture, where it has them."""
+    """Return a material's base colour: its factor and texture, if it has them."""
     plain = material.get("pbrMetallicRoughness", {})
     found = {key: plain[key] for key in ("baseColorFactor", "baseColorTexture") if key in plain}
     gloss = material.get("extensions", {}).get(_GLOSS, {})
@@ -140,7 +139,7 @@ def base_color(material: Header) -> Header:
 
 
 def picture_of(header: Header, material: Header) -> int | None:
-    """Return the number of the picture that a material's base colour shows; None for none."""
+    """Return the image index of a material's base colour texture, or None."""
     base = base_color(material)
     if "baseColorTexture" not in base:
         return None
@@ -150,7 +149,7 @@ def picture_of(header: Header, material: Header) -> int | None:
 
 
 def local_matrix(node: Header) -> Float[np.ndarray, "4 4"]:
-    """Return the place of a node in its parent: matrix, then translation, rotation and scale."""
+    """Return a node's transform in its parent: matrix, or translation, rotation and scale."""
     matrix = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4).T
     if not {"translation", "rotation", "scale"} & node.keys():
         return matrix
@@ -164,7 +163,7 @@ def local_matrix(node: Header) -> Float[np.ndarray, "4 4"]:
 
 
 def _plain_mesh(header: Header, mesh: Header) -> dict[str, Any]:
-    """Return a mesh's pieces of triangles, with the numbers that are looked at."""
+    """Return a mesh's triangle primitives, with only the attributes that are used."""
     pieces = []
     for primitive in mesh["primitives"]:
         given = primitive["attributes"]
@@ -178,7 +177,7 @@ def _plain_mesh(header: Header, mesh: Header) -> dict[str, Any]:
 
 
 def _columns(header: Header, meshes: Sequence[Header]) -> dict[str, Any]:
-    """Return accessors, views, buffers, textures and pictures; those not looked at hold nothing."""
+    """Return accessors, views, buffers, textures and images; unused ones are emptied."""
     primitives = [primitive for mesh in meshes for primitive in mesh["primitives"]]
     used = {index for primitive in primitives for index in primitive["attributes"].values()}
     used |= {primitive["indices"] for primitive in primitives if "indices" in primitive}

@@ -1,4 +1,4 @@
-"""What is wrong with a foreign mesh file, found before any of it is decoded."""
+"""Checks of a foreign mesh file before any of it is decoded."""
 
 from __future__ import annotations
 
@@ -40,15 +40,15 @@ def inspect_glb(
     most_faces: int = bounds.MOST_FACES,
     most_texels: int = bounds.MOST_TEXELS_TOGETHER,
 ) -> Header:
-    """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
+    """Return the JSON header of a GLB file (glTF 2.0) after checking that it is safe to read.
 
-    ``what`` names it in messages. Refused are meshes of more than ``most_faces`` triangles,
-    repeated ones counted each time, and colour textures of more than ``most_texels`` pixels
-    together, equal ones counted once.
+    ``what`` names the file in messages. Meshes of more than ``most_faces`` triangles in total,
+    including repetitions, are rejected, and so are distinct colour textures of more than
+    ``most_texels`` pixels in total.
 
     Raises:
-        BackendError: no GLB, cut off, too large, compressed, with files outside itself, without
-            triangles, or with a picture that cannot be read or is too large.
+        BackendError: the file is not a GLB, is truncated, too large or compressed, refers to
+            external files, has no triangles, or has a picture that is unreadable or too large.
     """
     header, data = split_glb(raw, what)
     try:
@@ -73,51 +73,51 @@ def open_glb(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> tupl
     """Return a GLB file without compression, and its header; see ``plain_glb``, ``inspect_glb``.
 
     Raises:
-        BackendError: it cannot be read.
+        BackendError: the file cannot be read.
     """
     plain = plain_glb(raw, what)
     return plain, inspect_glb(plain, what, most_faces)
 
 
 def inspect_obj(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> None:
-    """Check that an OBJ file is text with faces, and not too many: of each face its triangles.
+    """Check that an OBJ file is text with faces, and not too many triangles.
 
     Raises:
         BackendError: it is not such a file, or is too large.
     """
     check_size(raw, what, bounds.MOST_OBJ_BYTES)
     if b"\0" in raw[:4096]:
-        raise BackendError(f"{what} is no OBJ file: it is not text. Export it again.")
+        raise BackendError(f"{what} is not an OBJ file, since it is not text. Export it again.")
     text = b"\n" + raw.replace(b"\r\n", b"\n").replace(b"\\\n", b"")  # lines may be continued
     count = text.count(b"\nf")
     if not 0 < count <= most_faces:
-        raise BackendError(f"{what} has {count} faces; 1 to {most_faces} are read.")
+        raise BackendError(f"{what} has {count} faces; 1 to {most_faces} are allowed.")
     for kind in (b"v", b"vt", b"vn"):
         count = text.count(b"\n" + kind + b" ") + text.count(b"\n" + kind + b"\t")
         if count > 3 * most_faces:
             name = "vertices" if kind == b"v" else f"lines {kind.decode()!r}"
-            raise BackendError(f"{what} has {count} {name}; at most {3 * most_faces} are read.")
+            raise BackendError(f"{what} has {count} {name}; at most {3 * most_faces} are allowed.")
     count = text.count(b"usemtl") + text.count(b"\no") + text.count(b"\ng")
     if count > bounds.MOST_GROUPS:
         raise BackendError(
             f"{what} changes material, object or group {count} times; at most "
-            f"{bounds.MOST_GROUPS} are read. Sort its faces by material."
+            f"{bounds.MOST_GROUPS} are allowed. Sort its faces by material."
         )
     check_lines(text, what)
     count = sum(max(len(face[0].split()) - 3, 0) for face in _FACE.finditer(text))
     if count > most_faces:
-        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
+        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are allowed.")
 
 
 def check_lines(text: bytes, what: str) -> None:
-    """Check that no line of a file is longer than any program writes.
+    """Check that no line of a file exceeds the limit.
 
     Raises:
-        BackendError: one is.
+        BackendError: a line is too long.
     """
     if _LONG_LINE.search(text):
         raise BackendError(
-            f"{what} has a line of more than the {bounds.MOST_LINE} bytes that are read."
+            f"{what} has a line of more than {bounds.MOST_LINE} bytes, which is the limit."
         )
 
 
@@ -126,7 +126,7 @@ def check_pictures(
 ) -> str | None:
     """Return why pictures cannot be used, or None. Only their headers are read.
 
-    ``maximum`` bounds their pixels together; equal pictures count once.
+    ``maximum`` limits the total number of pixels; equal pictures count once.
     """
     sizes: dict[bytes, int] = {}
     for raw in pictures:
@@ -137,7 +137,8 @@ def check_pictures(
         sizes[hashlib.sha256(raw).digest()] = header.width * header.height
         if sum(sizes.values()) > maximum:
             return (
-                f"has textures of more than {maximum} pixels together. Make them smaller or fewer."
+                f"has textures with more than {maximum} pixels in total. Make them smaller or "
+                "fewer."
             )
     return None
 
@@ -146,9 +147,9 @@ def _counts(header: Header) -> str | None:
     for name, most in _MOST.items():
         listed = header.get(name, [])
         if not isinstance(listed, list) or not all(isinstance(entry, dict) for entry in listed):
-            return f"is damaged: its {name} are no list of objects. Export it again."
+            return f"is damaged: its {name} are not a list of objects. Export it again."
         if len(listed) > most:
-            return f"has {len(listed)} {name}; at most {most} are read. Join them."
+            return f"has {len(listed)} {name}; at most {most} are allowed. Join them."
     return None
 
 
@@ -156,21 +157,27 @@ def _extensions(header: Header) -> str | None:
     required = set(header.get("extensionsRequired", ()))
     compressed = sorted(_COMPRESSED & (required | set(header.get("extensionsUsed", ()))))
     if compressed:
-        return f"is compressed by {', '.join(compressed)}, not read. Export it uncompressed."
+        return (
+            f"is compressed with {', '.join(compressed)}, which is not supported. Export it "
+            "uncompressed."
+        )
     foreign = sorted(name for name in required if not name.startswith(_UNDERSTOOD))
     if foreign:
-        return f"needs {', '.join(foreign)}, not read. Export plain glTF 2.0."
+        return f"requires {', '.join(foreign)}, which is not supported. Export plain glTF 2.0."
     for material in header.get("materials", ()):
         color = base_color(material).get("baseColorTexture", {})
         if "KHR_texture_transform" in color.get("extensions", {}):
-            return "moves its texture by KHR_texture_transform, not read. Apply it to the UV map."
+            return "uses KHR_texture_transform, which is not supported. Apply it to the UV map."
     return None
 
 
 def _links(header: Header) -> str | None:
     for entry in (*header.get("buffers", ()), *header.get("images", ())):
         if not (uri := entry.get("uri", "data:")).startswith("data:"):
-            return f"names a file outside itself, {uri[:80]!r}. Export one GLB with all in it."
+            return (
+                f"refers to an external file, {uri[:80]!r}. Export one GLB that contains "
+                "everything."
+            )
     return None
 
 
@@ -178,46 +185,46 @@ def _amounts(header: Header, size: int) -> str | None:
     claimed = 0
     for accessor in header.get("accessors", ()):
         if "bufferView" not in accessor or "sparse" in accessor:
-            return "has sparse or empty accessors, not read. Export plain glTF 2.0."
+            return "has sparse or empty accessors, which are not supported. Export plain glTF 2.0."
         count = int(accessor["count"])
         if count < 0:
             return f"is damaged (an accessor of {count} elements). Export it again."
         claimed += count * _COLUMNS[accessor["type"]] * _WIDTHS[accessor["componentType"]]
     if claimed > bounds.CLAIMED * size:
-        return f"is damaged: its accessors claim {claimed} bytes, the file has {size}."
+        return f"is damaged: its accessors claim {claimed} bytes, but the file has {size}."
     lengths = [int(view["byteLength"]) for view in header.get("bufferViews", ())]
     if sum(lengths) > bounds.CLAIMED * size or min(lengths, default=0) < 0:
-        return f"is damaged: its views claim {sum(lengths)} bytes, the file has {size}."
+        return f"is damaged: its views claim {sum(lengths)} bytes, but the file has {size}."
     return None
 
 
 def _faces(header: Header, maximum: int) -> str | None:
-    """Count triangles as all scenes would draw them: a mesh at two nodes is there twice."""
+    """Count triangles as drawn in all scenes: a mesh at two nodes counts twice."""
     per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
     if sum(parts for *_, parts in per_mesh) > bounds.MOST_MESHES:
-        return f"has meshes of more than {bounds.MOST_MESHES} pieces. Join them."
+        return f"has meshes with more than {bounds.MOST_MESHES} pieces. Join them."
     drawn: Counter[int] = Counter()
     for count, node in enumerate(shown_nodes(header), 1):
         if count > bounds.MOST_NODES:
-            return f"has scenes of more than {bounds.MOST_NODES} nodes together. Join them."
+            return f"has scenes with more than {bounds.MOST_NODES} nodes in total. Join them."
         if "mesh" in node:
             drawn[int(node["mesh"])] += 1
     if drawn and not 0 <= min(drawn) <= max(drawn) < len(per_mesh):
-        return "is damaged: a node names a mesh that is not there. Export it again."
+        return "is damaged: a node refers to a missing mesh. Export it again."
     faces, vertices, parts = (
         sum(times * per_mesh[mesh][k] for mesh, times in drawn.items()) for k in range(3)
     )
     if not 0 < faces <= maximum:
-        return f"has {faces} triangles; 1 to {maximum} are read."
+        return f"has {faces} triangles; 1 to {maximum} are allowed."
     if vertices > 3 * maximum:
-        return f"has {vertices} vertices; at most {3 * maximum} are read. Leave out unused ones."
+        return f"has {vertices} vertices; at most {3 * maximum} are allowed. Remove unused ones."
     if parts > bounds.MOST_PARTS:
-        return f"has {parts} pieces; at most {bounds.MOST_PARTS} are read. Join them."
+        return f"has {parts} pieces; at most {bounds.MOST_PARTS} are allowed. Join them."
     return None
 
 
 def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
-    """Return how many triangles, vertices and pieces a mesh has."""
+    """Return the numbers of triangles, vertices and pieces of a mesh."""
     faces = vertices = 0
     for primitive in mesh["primitives"]:
         place = primitive["attributes"].get("POSITION")
@@ -233,13 +240,15 @@ def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
 
 
 def _pictures(header: Header, data: bytes, maximum: int) -> str | None:
-    """Check the pictures that base colours show; no others are decoded."""
+    """Check the pictures of base colours; no others are decoded."""
     seen = {picture_of(header, material) for material in header.get("materials", ())}
     images = [header["images"][at] for at in seen if at is not None]
     shown = {image.get("bufferView", image.get("uri")): image for image in images}
     views = [header["bufferViews"][at] for at in shown if isinstance(at, int)]
     if any(view.get("buffer", 0) != 0 or "uri" in header["buffers"][0] for view in views):
-        return "keeps a texture outside its binary chunk, not read. Export plain glTF 2.0."
+        return (
+            "has a texture outside its binary chunk, which is not supported. Export plain glTF 2.0."
+        )
     try:
         return check_pictures((_file_of(header, image, data) for image in shown.values()), maximum)
     except binascii.Error as error:

@@ -1,4 +1,4 @@
-"""A foreign mesh file read in a child process with limits, which hands back finished arrays."""
+"""Reads a foreign mesh file in a child process with limits, which returns arrays."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ P = ParamSpec("P")
 
 
 def check_glb(raw: bytes, what: str) -> None:
-    """Check, in a child process, that a GLB file can be read: one with compression, too.
+    """Check, in a child process, that a GLB file, compressed or not, can be read.
 
     Raises:
-        BackendError: it is not such a file; see ``inspection``.
+        BackendError: the file cannot be read; see ``inspection``.
     """
     with _as_backend_error(what):
         call(_open, raw, what, limits=LIMITS)
@@ -44,7 +44,7 @@ def _as_backend_error(what: str) -> Iterator[None]:
 def _in_child(reader: Callable[P, ColoredSurface]) -> Callable[P, ColoredSurface]:
     """Return a reader that runs in a child process; its arrays are read-only.
 
-    It raises ``BackendError`` where the reader reaches a limit, too.
+    It also raises ``BackendError`` if the child process reaches a limit.
     """
     signature = inspect.signature(reader)
 
@@ -59,4 +59,4 @@ def _in_child(reader: Callable[P, ColoredSurface]) -> Callable[P, ColoredSurface
 
 
 load_surface = _in_child(read_surface)
-"""Everything in a GLB or OBJ file as one surface; see ``read_surface`` and ``_in_child``."""
+"""Reads a whole GLB or OBJ file as one surface; see ``read_surface`` and ``_in_child``."""

@@ -1,4 +1,4 @@
-"""A foreign mesh as it was read: pieces in one frame, each face with its own colours."""
+"""A foreign mesh as read: pieces in one frame, each face with its own colours."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ _LINEAR = np.arange(256) / 255.0
 class ColoredSurface:
     """Triangles with colours. ``picture`` is each face's index into ``pictures``, or -1.
 
-    A face with a picture shows it at its vertices' ``uv`` (v upwards, repeating), others their
-    vertices' ``colors``. ``opacity`` below 1 says that all of it is see-through.
+    A face with a picture is textured at its vertices' ``uv`` (v upwards, repeating); other faces
+    have their vertices' ``colors``. ``opacity`` below 1 makes the whole surface translucent.
     """
 
     vertices: Float[np.ndarray, "n 3"]
@@ -44,11 +44,11 @@ class ColoredSurface:
     opacity: float = 1.0
 
     def keep(self, which: Bool[np.ndarray, "m"]) -> ColoredSurface:
-        """Return some of the faces."""
+        """Return the surface with only the selected faces."""
         return replace(self, faces=self.faces[which], picture=self.picture[which])
 
     def compact(self) -> ColoredSurface:
-        """Return the surface without vertices that no face uses."""
+        """Return the surface without unused vertices."""
         used = np.zeros(len(self.vertices), bool)
         used[self.faces] = True
         if used.all():
@@ -59,12 +59,12 @@ class ColoredSurface:
         )  # fmt: skip
 
     def flip(self, which: Bool[np.ndarray, "m"]) -> ColoredSurface:
-        """Return the surface with some faces turned over."""
+        """Return the surface with the selected faces turned over."""
         faces = np.where(which[:, None], self.faces[:, ::-1], self.faces)
         return replace(self, faces=faces)
 
     def upright(self, up: Axis) -> ColoredSurface:
-        """Return the surface with +z up, given which axis of the file is."""
+        """Return the surface with +z up, given the file's upward axis."""
         if up == "z":
             return self
         x, y, z = self.vertices.T
@@ -73,7 +73,7 @@ class ColoredSurface:
     def colors_at(
         self, face: Int[np.ndarray, "t"], weights: Float[np.ndarray, "t 3"]
     ) -> Float[np.ndarray, "t 3"]:
-        """Return the colours, 0 to 255, at places given by face and barycentric weights."""
+        """Return the colours, 0 to 255, at positions given by face and barycentric weights."""
         corner = self.faces[face]
         found = (self.colors[corner] * weights[:, :, None]).sum(1)
         uv = (self.uv[corner] * weights[:, :, None]).sum(1)
@@ -91,13 +91,15 @@ def read_surface(
     beside: Mapping[str, bytes] = MappingProxyType({}),
     most_faces: int = MOST_FACES,
 ) -> ColoredSurface:
-    """Return everything in a GLB or OBJ file as one surface, node transforms applied.
+    """Return the whole content of a GLB or OBJ file as one surface, node transforms applied.
 
-    Of a material the base colour counts: factor, texture, and alpha where it blends. ``what`` names
-    it in messages; ``beside`` holds the files that an OBJ names, by name (see ``companions``).
+    Only the base colour of a material is used: factor, texture, and alpha if it blends. ``what``
+    names the file in messages; ``beside`` holds the files that an OBJ refers to, by name (see
+    ``companions``).
 
     Raises:
-        BackendError: see ``inspection``; more than ``most_faces``; or numbers that are not finite.
+        BackendError: see ``inspection``; or the file has more than ``most_faces`` faces, or numbers
+            that are not finite.
     """
     header: Header = {}
     if kind == "glb":
@@ -106,7 +108,7 @@ def read_surface(
         inspect_obj(raw, what, most_faces)
     files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})
     try:
-        # An OBJ is made UTF-8: its encoding would be guessed at length.
+        # An OBJ is converted to UTF-8 first, since guessing its encoding is slow.
         plain = raw.decode("utf-8", "replace").encode() if kind == "obj" else flatten(raw, header)
         loaded = trimesh.load_scene(
             io.BytesIO(plain), file_type=kind, resolver=files, process=False
@@ -115,9 +117,9 @@ def read_surface(
         asset = header.get("asset")
         maker = str(asset.get("generator", "")) if isinstance(asset, dict) else ""
         return surface_of(parts, what, kind == "glb" and "trimesh" not in maker, most_faces)
-    except (BackendError, MemoryError):  # the sandbox explains the latter
+    except (BackendError, MemoryError):  # the latter is handled by the sandbox
         raise
-    except Exception as error:  # whatever a parser may stumble over in a foreign file
+    except Exception as error:  # parsers raise many types of errors for malformed files
         raise BackendError(
             f"{what} cannot be read ({type(error).__name__}: {error}). Export it again."
         ) from error
@@ -132,28 +134,26 @@ def surface_of(
 ) -> ColoredSurface:
     """Return meshes in one frame as one surface without unused vertices.
 
-    ``what`` names the meshes in messages.
-
-    Plain colours are ``linear`` as in glTF, or as they look (trimesh's). ``pictures`` are those of
-    all surfaces of a file, which share them.
+    ``what`` names the meshes in messages. Plain colours are ``linear`` as in glTF, or sRGB
+    (trimesh's). ``pictures`` are shared by all surfaces of a file.
 
     Raises:
-        BackendError: none has faces, they have more than ``most_faces``, or a vertex is not there,
+        BackendError: no mesh has faces, there are more than ``most_faces``, or a vertex is missing,
             NaN or infinite.
     """
     count = sum(len(part.faces) for part in parts)
     if not count:
         raise BackendError(f"{what} has no triangles. Export a mesh with faces.")
     if count > most_faces:
-        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
+        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are allowed.")
     for part in parts:
         faces = np.asarray(part.faces)
         if part.vertices.shape[1:] != (3,) or faces.shape[1:] != (3,):
-            raise BackendError(f"{what} is damaged: its vertices are no points in space.")
+            raise BackendError(f"{what} is damaged: its vertices are not 3D points.")
         if not np.isfinite(np.asarray(part.vertices, np.float32)).all():
-            raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
+            raise BackendError(f"{what} contains NaN or infinity; all vertices must be finite.")
         if len(faces) and not 0 <= faces.min() <= faces.max() < len(part.vertices):
-            raise BackendError(f"{what} is damaged: faces name vertices that are not there.")
+            raise BackendError(f"{what} is damaged: faces refer to missing vertices.")
     pictures = Pictures(what) if pictures is None else pictures
     pieces = [_piece(part, pictures, linear) for part in parts]
     shown = sorted({k for _, _, k, _ in pieces if k >= 0})
@@ -173,8 +173,8 @@ def surface_of(
 
 
 def _place_meshes(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
-    """Return the meshes of a scene where its nodes have them, their materials shared."""
-    # trimesh's own ``dump`` copies, and so decodes, the pictures of each.
+    """Return the meshes of a scene in world coordinates, with shared materials."""
+    # trimesh's own ``dump`` copies, and thus decodes, the pictures of each mesh.
     placed = []
     for node in scene.graph.nodes_geometry:
         transform, name = scene.graph[node]
@@ -190,7 +190,7 @@ def _place_meshes(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
 def _piece(
     part: trimesh.Trimesh, pictures: Pictures, linear: bool
 ) -> tuple[np.ndarray, np.ndarray, int, float]:
-    """Return a mesh's uv, vertex colours, picture (added to ``pictures``) or -1, and alpha."""
+    """Return a mesh's uv, vertex colours, index into ``pictures`` (or -1), and alpha."""
     visual: Any = part.visual
     material: Any = getattr(visual, "material", None)
     count = len(part.vertices)
@@ -205,7 +205,7 @@ def _piece(
     flat = _to_srgb(factor, linear)
     if image is not None and getattr(visual, "uv", None) is not None:
         tint = factor[:3] / 255 if linear else light(factor[:3] / 255)
-        if hasattr(material, "image"):  # an OBJ's: programs write a grey beside the picture
+        if hasattr(material, "image"):  # of an OBJ: many programs write grey next to the picture
             tint = np.ones(3)
         return uv, np.tile(flat, (count, 1)), pictures.place(image, tint), alpha
     colors = getattr(visual, "vertex_attributes", {}).get("color", None)
@@ -217,7 +217,7 @@ def _piece(
 
 
 def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
-    """Return a material's plain colour, grey where there is no material at all."""
+    """Return a material's plain colour; grey without a material."""
     if material is None:
         return np.array(_GREY, np.uint8)
     given = (getattr(material, name, None) for name in ("baseColorFactor", "diffuse"))
@@ -230,17 +230,17 @@ def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
 
 
 def _dissolve(material: Any) -> float:
-    """Return the opacity of an OBJ's material, its ``d``; 1 for others, and where it says 0."""
+    """Return the opacity ``d`` of an OBJ's material; 1 for other materials, and if it is 0."""
     words = getattr(material, "kwargs", {}).get("d", ())
     try:
         value = float(words[0])
     except (IndexError, ValueError):
         return 1.0
-    return value if 0 < value < 1 else 1.0  # NaN is neither
+    return value if 0 < value < 1 else 1.0  # also false for NaN
 
 
 def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
-    """Return colours as bytes, given as bytes, as 16-bit numbers or as shares of one."""
+    """Return colours as bytes, from bytes, 16-bit numbers or fractions of one."""
     if values.dtype == np.uint8:
         return values
     if values.dtype == np.uint16:
@@ -251,6 +251,6 @@ def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
 
 
 def _to_srgb(colors: UInt8[np.ndarray, "*k c"], linear: bool) -> UInt8[np.ndarray, "*k 3"]:
-    """Return plain colours as they look (sRGB), without alpha."""
+    """Return plain colours in sRGB, without alpha."""
     table = to_srgb(_LINEAR) if linear else _LINEAR
     return np.round(255 * table).astype(np.uint8)[colors[..., :3]]

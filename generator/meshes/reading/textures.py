@@ -1,4 +1,4 @@
-"""The textures of a foreign mesh, each decoded and kept once, however many parts show it."""
+"""The textures of a foreign mesh, each decoded and stored once, however many parts share it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ...pictures import PictureLimits, decode
 from .bounds import MOST_BYTES, MOST_TEXELS, MOST_TEXELS_TOGETHER
 
 MOST_TEXTURE = 2048
-"""Longest side of a texture kept, texels."""
+"""Maximum side of a stored texture, texels."""
 
 TEXTURE_LIMITS = PictureLimits(
     formats=("PNG", "JPEG", "WEBP", "BMP", "TGA"), max_bytes=MOST_BYTES, max_pixels=MOST_TEXELS,
@@ -29,26 +29,26 @@ _LINEAR = np.arange(256) / 255.0
 
 
 class Pictures:
-    """Textures taken in one after the other; ``kept`` has each of them once for each tint.
+    """Collects textures; ``kept`` has each of them once per tint.
 
-    They are read-only, so that all meshes that show one share it.
+    They are read-only, so that meshes can share them.
     """
 
     def __init__(self, what: str, maximum: int = MOST_TEXELS_TOGETHER) -> None:
-        """Begin with none; ``what`` names the mesh in messages, ``maximum`` texels are kept."""
+        """Start empty; ``what`` names the mesh in messages, ``maximum`` limits stored texels."""
         self.kept: list[Texels] = []
         self._what = what
         self._room = maximum
-        self._sources: list[object] = []  # held, so that no other gets their identity
+        self._sources: list[object] = []  # kept alive so that their ids stay unique
         self._keys: dict[int, Hashable] = {}
         self._plain: dict[Hashable, Texels] = {}
         self._places: dict[Hashable, int] = {}
 
     def place(self, image: Image.Image, tint: Float[np.ndarray, "3"]) -> int:
-        """Return where in ``kept`` a picture is, its light multiplied by ``tint``.
+        """Return the index in ``kept`` of a picture, its linear colours multiplied by ``tint``.
 
         Raises:
-            BackendError: the picture cannot be read, or too much is kept.
+            BackendError: the picture cannot be read, or the limit of stored texels is exceeded.
         """
         file = _file(image)
         key = self._key(image if file is None else file)
@@ -60,7 +60,7 @@ class Pictures:
             self._room -= plain.shape[0] * plain.shape[1]
             if self._room < 0:
                 raise BackendError(
-                    f"{self._what} shows its textures in too many tints. Bake them, or use fewer."
+                    f"{self._what} uses its textures with too many tints. Bake them, or use fewer."
                 )
             self._places[at] = len(self.kept)
             self.kept.append(plain if (tint == 1).all() else _tint(plain, tint))
@@ -72,7 +72,7 @@ class Pictures:
         return decode(file, what, BackendError, TEXTURE_LIMITS, "rgb", MOST_TEXTURE).pixels
 
     def _key(self, source: Image.Image | bytes) -> Hashable:
-        """Return the same for equal files, and for the same picture without one."""
+        """Return a key: equal for equal files, and for identical pictures without a file."""
         if id(source) not in self._keys:
             self._sources.append(source)
             self._keys[id(source)] = (
@@ -82,23 +82,23 @@ class Pictures:
 
 
 def to_srgb(light: np.ndarray) -> np.ndarray:
-    """Return linear light, 0 to 1, as it looks (sRGB)."""
+    """Convert linear light, 0 to 1, to sRGB."""
     return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
 
 
 def light(shown: np.ndarray) -> np.ndarray:
-    """Return colours as they look (sRGB), 0 to 1, as linear light."""
+    """Convert sRGB colours, 0 to 1, to linear light."""
     return np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
 
 
 def _file(image: Image.Image) -> bytes | None:
-    """Return the file of a picture that is not decoded yet, as long as it is in memory."""
+    """Return the file of a picture that is not decoded yet, if it is in memory."""
     file = getattr(image, "fp", None)
     return file.getvalue() if isinstance(file, io.BytesIO) else None
 
 
 def _small(image: Image.Image) -> Texels:
-    """Return the colours of a picture in memory, its longest side at most ``MOST_TEXTURE``."""
+    """Return the colours of a picture in memory, with its longest side at most ``MOST_TEXTURE``."""
     from ...pictures.pixels import shrink
 
     return shrink(image.copy(), MOST_TEXTURE)

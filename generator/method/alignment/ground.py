@@ -1,9 +1,9 @@
-"""Boxes from above that follow from the reference picture, on a plane below its camera.
+"""Top-view boxes derived from the reference picture, on a plane below its camera.
 
-The plane is the tabletop's, one unit below the camera: one picture does not tell metres. A thing's
-model, turned by its yaw and as large and far as its box in the picture has it, stands on that plane
-in one place only, which tells its box from above. Boxes are (left, far, right, near), +x right and
-+y towards the viewer as in a top view.
+The plane is that of the tabletop, one unit below the camera, since a single picture has no metric
+scale. An object's model, rotated by its yaw and scaled and placed to match its box in the picture,
+can stand on that plane in only one position, which determines its top-view box. Boxes are (left,
+far, right, near), +x right and +y towards the viewer as in a top view.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from ...geometry import Camera, hull_points, rotation_z, view_rotation
 from ...render.crop import in_reference, tight_box
 from ...scene import TABLE, Instance, Model, Rotation, Stacking, View
 
-_LEAST = 0.05  # of its distance, at least, a thing's foot is below the camera
-_INSIDE = 0.2  # of a container's height: how high above its foot things in it stand
+_LEAST = 0.05  # minimum depth of an object's foot below the camera, as a fraction of its distance
+_INSIDE = 0.2  # height of a container's contents above its foot, as a fraction of its height
 
 
 def boxes_on_ground(
@@ -29,9 +29,9 @@ def boxes_on_ground(
     view: View,
     image_size: tuple[int, int],
 ) -> dict[str, Float[np.ndarray, "4"]]:
-    """Return each thing's box from above, in units of the camera's height over the tabletop.
+    """Return each object's top-view box, in units of the camera's height above the tabletop.
 
-    Instances without a model, without visible pixels or above the camera's horizon are left out.
+    Instances without a model, without visible pixels or above the camera's horizon are omitted.
     ``image_size`` is (width, height) of the reference picture.
     """
     eye = Camera(np.zeros(3), view_rotation(view), view.fov, *image_size)
@@ -53,10 +53,11 @@ def boxes_on_ground(
 def table_on_ground(
     table: Instance, view: View, image_size: tuple[int, int]
 ) -> Float[np.ndarray, "3"] | None:
-    """Return the left, right and far end of the tabletop on the plane.
+    """Return the positions of the tabletop's left, right and far ends on the plane.
 
-    None if the picture's frame cuts one of these off, or no table shows. Legs and the edge lie
-    below the plane and so seem nearer: they reach beyond the top only at its near end, left open.
+    Returns None if the picture's border cuts off one of the ends, or no table is visible. Legs and
+    the table's edge lie below the plane and therefore appear nearer: they extend the outline only
+    at the near end, which is not used.
     """
     mask = np.asarray(table.mask)
     rows, columns = np.nonzero(mask)
@@ -74,7 +75,7 @@ def table_on_ground(
 def _stand(
     thing: Instance, model: Model, yaw: float, floor: float, eye: Camera
 ) -> tuple[Float[np.ndarray, "4"], float] | None:
-    """Return a thing's box from above and its height, both in units of the camera's height."""
+    """Return an object's top-view box and its height, both in units of the camera's height."""
     import torch
 
     from ...render.soft import fit_center, object_to_camera

@@ -1,4 +1,4 @@
-"""TSA as a stage: every object's translation and scale from a top view."""
+"""TSA as a stage: position and scale of every object from a top view."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ from .top_view_check import check_top_view
 def complete_boxes(
     top: TopView, instances: tuple[Instance, ...], segmenter: Segmenter
 ) -> tuple[TopView, tuple[str, ...]]:
-    """Return the top view with a box for every instance that can be found in its picture.
+    """Return the top view with a box for every instance that is visible in its picture.
 
-    Detections are matched to instances of the same label, nearest relative position first; a
-    wrong label costs more than any distance. What matches none is left out, with a warning.
+    Detections are matched to instances of the same label, nearest relative position first; a wrong
+    label costs more than any distance. Detections without a match are dropped with a warning.
 
     Raises:
-        SceneError: the picture shows no object.
+        SceneError: no object is visible in the picture.
     """
     missing = [i for i in instances if i.name != TABLE and i.name not in top.boxes]
     if not missing:
@@ -58,7 +58,7 @@ def complete_boxes(
         return top, ()
     tables = [top.table_box] if top.boxes else [d.box for d in found if d.label == TABLE]
     if not tables or not things:
-        raise SceneError("The top view shows no object on the table; draw it again.")
+        raise SceneError("The top view shows no object on the table. Draw it again.")
     table = np.asarray(tables[0])
     frame = next(np.asarray(i.box) for i in instances if i.name == TABLE)
     cost = np.array([[_cost(i, frame, d, table) for d in things] for i in missing])
@@ -67,7 +67,7 @@ def complete_boxes(
     for row, column in zip(map(int, rows), map(int, columns), strict=True):
         boxes[missing[row].name] = things[column].box
     extra = len(things) - len(columns)
-    message = f"The top view shows {extra} more than the picture; left out."
+    message = f"The top view shows {extra} in addition to the picture's objects; ignored."
     return replace(top, table_box=table, boxes=boxes), (message,) if extra > 0 else ()
 
 
@@ -90,15 +90,17 @@ def _relative(box: Float[np.ndarray, "4"], frame: Float[np.ndarray, "4"]) -> np.
 class AlignmentConfig:
     """Settings of TSA.
 
-    tau: tolerance of the aspect ratio in the RMA-Score (Eq. 6; the paper's 0.25).
-    size_limit: an object's scale stays within this factor of its commonsense size, both ways.
-    guess_limit: the same in a picture that came without a text: names, and with them commonsense
-        sizes, are guesses there.
-    table_limit: an anchor that would make the table this much larger or smaller than its
-        commonsense size is passed over.
-    check: hold the top view against the reference picture, and repair by geometry what an image
-        model moved, or drew far too large or small. The paper takes it as it comes. What is not
-        drawn at all is put in by geometry either way.
+    Attributes:
+        tau: tolerance of the aspect ratio in the RMA-Score (Eq. 6; the paper's 0.25).
+        size_limit: maximum factor between an object's scale and its commonsense size, in both
+            directions.
+        guess_limit: the same limit for a picture without a text, where names, and therefore
+            commonsense sizes, are guesses.
+        table_limit: an anchor that would make the table larger or smaller than its commonsense size
+            by this factor is skipped.
+        check: compare the top view with the reference picture, and correct by geometry the objects
+            that an image model moved, or drew far too large or too small. The paper has no such
+            check. Missing objects are added by geometry in either case.
     """
 
     tau: float = 0.25
@@ -114,11 +116,11 @@ class AlignmentConfig:
 
 @dataclass(frozen=True, eq=False)
 class Alignment:
-    """What TSA found (Fig. 14).
+    """Result of TSA (Fig. 14).
 
-    ``placements`` are the objects', in the instances' order, without the table; ``table_scale``
-    is the table's extent in metres; ``scores`` the RMA-Score of each object. Where TSA was left
-    out (Sec. 4.3) there is no anchor, scale or top view (None), and no score.
+    ``placements`` are those of the objects, in the instances' order, without the table;
+    ``table_scale`` is the table's extent in metres; ``scores`` holds the RMA-Score of each object.
+    If TSA is disabled (Sec. 4.3), anchor, scale and top view are None and there are no scores.
     """
 
     anchor: str | None
@@ -143,13 +145,13 @@ def align(
     reasoner: Reasoner,
     config: AlignmentConfig | None = None,
 ) -> Alignment:
-    """Find translation t_i and scale s_i of every instance, and the table's scale.
+    """Estimate the translation t_i and scale s_i of every instance, and the table's scale.
 
-    The world origin is on the floor under the table's centre; an object's z comes from lowering
-    its mesh onto the mesh of what it stands on or in.
+    The world origin is on the floor under the table's centre. An object's z results from lowering
+    its mesh onto the mesh of its support.
 
     Raises:
-        SceneError: the top view shows no object.
+        SceneError: no object is visible in the top view.
     """
     config = config or AlignmentConfig()
     shown = imager.top_view(reference, instances, models, rotations, view)
@@ -200,7 +202,7 @@ def _scale(
     config: AlignmentConfig,
     warnings: list[str],
 ) -> tuple[str, float]:
-    """Return the anchor and alpha, measured or by an anchor that makes the table no absurd size."""
+    """Return the anchor and alpha, skipping anchors that imply an implausible table size."""
     if top.metres_per_pixel is not None:
         return select_anchor(scores), top.metres_per_pixel
     box = np.asarray(top.table_box)
@@ -221,7 +223,7 @@ def _scale(
 def _table_scale(
     top: TopView, alpha: float, usual: Float[np.ndarray, "3"], modelled: bool
 ) -> Float[np.ndarray, "3"]:
-    """Rescale the table to its box; a height not ``modelled`` from it follows but a little."""
+    """Rescale the table to its box; the height changes only slightly unless it is ``modelled``."""
     box = np.asarray(top.table_box)
     across = (box[2:] - box[:2]) * alpha
     factor = float(np.sqrt(across.prod() / np.prod(usual[:2])))
@@ -235,18 +237,18 @@ def _limit(
     limit: float,
     warnings: list[str],
 ) -> Float[np.ndarray, "3"]:
-    """Return the extent scaled to stay within ``limit`` of the usual, by the two longest sides."""
+    """Return the extent scaled to within ``limit`` of the usual size, by the two longest sides."""
     factor = float(np.sqrt(np.prod(np.sort(extent)[1:]) / np.prod(np.sort(usual)[1:])))
     allowed = float(np.clip(factor, 1 / limit, limit))
     if not np.isclose(allowed, factor):
         warnings.append(
-            f"{name}: measured {factor:.2f} times its usual size, kept at {allowed:.2f} times."
+            f"{name}: measured {factor:.2f} times its usual size, limited to {allowed:.2f} times."
         )
     return extent * (allowed / factor)
 
 
 def _centers(top: TopView, alpha: float) -> dict[str, Float[np.ndarray, "2"]]:
-    """Return the middles of the boxes from the middle of the table, metres, world x and y."""
+    """Return the box centres relative to the table's centre, metres, world x and y."""
     middle = np.asarray(top.table_box).reshape(2, 2).mean(0)
     return {
         name: (np.asarray(box).reshape(2, 2).mean(0) - middle) * alpha * [1, -1]
@@ -263,7 +265,7 @@ def place_objects(
     models: Mapping[str, Model],
     stacking: Mapping[str, Stacking],
 ) -> tuple[Placement, ...]:
-    """Put each object at its centre and lower it onto its support, supports first."""
+    """Place each object at its centre and lower it onto its support, supports first."""
     found: dict[str, Placement] = {}
     for name in sorted(names, key=lambda n: stacking[n].order if n in stacking else 2):
         rank = stacking.get(name, Stacking(2))
@@ -291,10 +293,10 @@ def ask_layout(
     reasoner: Reasoner,
     guesser: PoseGuesser,
 ) -> Alignment:
-    """Return the instances placed and scaled by the reasoner; the table has its usual size.
+    """Return the instances with the reasoner's positions and scales; the table has its usual size.
 
-    What stands on what is its answer too, as in TSA, so only x, y and the sizes are others. There
-    is no anchor and no top view.
+    The reasoner also determines the supports, as in TSA, so only x, y and the sizes differ from
+    TSA. There is no anchor and no top view.
 
     Raises:
         BackendError: an answer is missing.
@@ -305,7 +307,7 @@ def ask_layout(
     for name in names:
         if name not in guesses:
             raise BackendError(
-                f"guess_layout: {type(guesser).__name__} gave no place for {name!r}."
+                f"guess_layout: {type(guesser).__name__} returned no position for {name!r}."
             )
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
     centers = {n: guesses[n].center for n in names}

@@ -1,8 +1,9 @@
-"""Checks a top view against the reference picture: what an image model moved, dropped or invented.
+"""Compares a top view with the reference picture: objects that an image model moved or dropped.
 
-The picture tells where each thing's box from above lies on the tabletop's plane (``ground``). One
-scale and one shift carry all of these into a true top view. Most of what it shows on the table
-tells them; where too few agree, the tabletop's ends do, and where these are cut off, usual sizes.
+The picture determines each object's top-view box on the plane of the tabletop (``ground``). One
+scale and one shift map all of these boxes into a correct top view. They are estimated from the
+majority of the drawn objects on the table; if too few agree, from the ends of the tabletop; and if
+these are cut off, from usual sizes.
 """
 
 from __future__ import annotations
@@ -18,32 +19,32 @@ from ...geometry import rotated_extent
 from ...scene import TABLE, Instance, Model, Rotation, Stacking, TopView, View
 from .ground import boxes_on_ground, table_on_ground
 
-_ASTRAY = 0.05  # of the table's longer side: how far a box may be from where geometry has it
-_OWN = 0.15  # of a box's own length, which may be added to that
-_CLOSE = 0.5  # of that distance: what agrees on a scale and a shift
-_LOOSE = 1.5  # times that distance, where only the tabletop's ends tell scale and shift
-_VAGUE = 3.0  # or only usual sizes
-_GROWN = 1.6  # how many times too large or too small a box may be drawn
-_TINY = 0.02  # of the table's longer side: a difference of lengths that is none
-_ROOM = 0.15  # of its support's box: how far beyond it the middle of what stands there may be
-_FEWEST = 4  # things on the table from which a scale and a shift can be trusted
-_AGREE = 0.6  # share of them that must agree, three at least
-_SCALED = 1.6  # how many times larger than by the tabletop's ends that scale may be
-_SHIFTED = 0.3  # of the table's longer side: how far from there that shift may be
+_ASTRAY = 0.05  # maximum deviation of a box from geometry, as a fraction of the table's longer side
+_OWN = 0.15  # additional deviation, as a fraction of the box's own length
+_CLOSE = 0.5  # fraction of that limit within which boxes agree on a scale and a shift
+_LOOSE = 1.5  # factor on the limit if only the tabletop's ends give scale and shift
+_VAGUE = 3.0  # factor on the limit if only usual sizes do
+_GROWN = 1.6  # maximum factor by which a box may be drawn too large or too small
+_TINY = 0.02  # negligible difference of lengths, as a fraction of the table's longer side
+_ROOM = 0.15  # how far an object's centre may lie outside its support's box, as a share of it
+_FEWEST = 4  # minimum number of objects on the table for a reliable scale and shift
+_AGREE = 0.6  # minimum share of them that must agree, at least three
+_SCALED = 1.6  # maximum factor between that scale and the one from the tabletop's ends
+_SHIFTED = 0.3  # maximum distance from the ends' shift, as a fraction of the table's longer side
 
-_ELSEWHERE = "the top view has it elsewhere; geometry put it back"
+_ELSEWHERE = "the top view shows it in a different position; corrected by geometry"
 _MOST = (
-    "The top view has {} of {} things on the table elsewhere than the picture; "
+    "The top view shows {} of {} objects on the table in different positions than the picture; "
     "geometry placed all of them."
 )
-_LACKS = "the top view lacks it; geometry put it in"
+_LACKS = "missing in the top view; added by geometry"
 
 Box = Float[np.ndarray, "4"]
 
 
 @dataclass(frozen=True, eq=False)
 class _Carried:
-    """A scale and a shift from the ground into the top view, and how many limits it may be off."""
+    """A scale and a shift from the ground into the top view; ``slack`` multiplies the limits."""
 
     scale: float
     shift: Float[np.ndarray, "2"]
@@ -63,13 +64,13 @@ def check_top_view(
     image_size: tuple[int, int],
     only_missing: bool = False,
 ) -> tuple[TopView, tuple[str, ...]]:
-    """Return the top view with a box for every instance, and a warning per repair.
+    """Return the top view with a box for every instance, and a warning per correction.
 
-    A box that lies elsewhere or is far larger or smaller than geometry has it comes from geometry.
-    Where most boxes do, all do. ``models`` and ``rotations`` give the boxes their proportions; only
-    what stands on the table tells scale and shift. ``top`` may lack boxes; ``view`` and
-    ``image_size`` (width, height) are the reference picture's. ``only_missing`` takes what the top
-    view shows as it is.
+    A box whose position or size differs too much from geometry is replaced by the geometric one. If
+    most boxes differ, all are replaced. ``models`` and ``rotations`` determine the boxes'
+    proportions; scale and shift are estimated only from objects that stand on the table. ``top``
+    may lack boxes; ``view`` and ``image_size`` (width, height) are those of the reference picture.
+    With ``only_missing`` the boxes of the top view are kept unchanged.
     """
     ground = boxes_on_ground(instances, models, rotations, stacking, view, image_size)
     boxes = {name: np.asarray(box, float) for name, box in top.boxes.items()}
@@ -95,8 +96,8 @@ def check_top_view(
         lost = name not in boxes
         if lost or not (only_missing or below is None or _over(boxes[name], below)):
             boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
-            shown = "lacks it" if lost else "has it elsewhere"
-            placed_on = f"it is on {on[name]}, and the top view {shown}; it was put there"
+            shown = "does not show it" if lost else "shows it elsewhere"
+            placed_on = f"it is on {on[name]}, but the top view {shown}; moved there"
             remarks[name] = _LACKS if below is None else placed_on
     warnings += tuple(f"{name}: {what}." for name, what in remarks.items() if what)
     repaired = tuple(dict.fromkeys((*top.repaired, *remarks)))
@@ -109,7 +110,7 @@ def _length(box: Box) -> float:
 
 
 def _size(box: Box) -> float:
-    """Return the root of a box's area."""
+    """Return the square root of a box's area."""
     return float(np.sqrt(np.prod(np.maximum(box[2:] - box[:2], 1e-9))))
 
 
@@ -122,7 +123,7 @@ def _center(box: Box, on: Box) -> Box:
 
 
 def _put(tries: Sequence[Box | None], below: Box | None) -> Box:
-    """Return the first box that lies over what it should; if none does, the first, moved there."""
+    """Return the first box that lies over its support, or else the first box, centred on it."""
     known = [b for b in tries if b is not None]
     if below is None:
         return known[0]
@@ -130,7 +131,7 @@ def _put(tries: Sequence[Box | None], below: Box | None) -> Box:
 
 
 def _over(box: Box, below: Box) -> bool:
-    """Tell whether the middle of a box lies over another, or nearly."""
+    """Return whether the centre of a box lies over another box, within a tolerance."""
     middle, slack = _middle(box), _ROOM * (below[2:] - below[:2])
     return bool((middle >= below[:2] - slack).all() and (middle <= below[2:] + slack).all())
 
@@ -138,7 +139,7 @@ def _over(box: Box, below: Box) -> bool:
 def _false(
     boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
 ) -> dict[str, str]:
-    """Return what is wrong with drawn boxes by geometry, by name; ``unit`` is in pixels."""
+    """Return a remark for each drawn box that contradicts geometry; ``unit`` is in pixels."""
     remarks: dict[str, str] = {}
     for name in (n for n in placed if n in boxes):
         box, there = boxes[name], placed[name]
@@ -146,7 +147,9 @@ def _false(
         if name in standing and _off(box, there) > _limit(there, unit):
             remarks[name] = _ELSEWHERE
         elif abs(np.log(grown)) > np.log(_GROWN) and abs(_size(box) - _size(there)) > _TINY * unit:
-            remarks[name] = f"the top view draws it {grown:.2g} times as large; geometry resized it"
+            remarks[name] = (
+                f"drawn {grown:.2g} times too large in the top view; resized by geometry"
+            )
     return remarks
 
 
@@ -161,7 +164,7 @@ def _limit(box: Box, length: float) -> float:
 def _agreement(
     ground: Mapping[str, Box], drawn: Mapping[str, Box], ends: _Carried | None, length: float
 ) -> _Carried | None:
-    """Return the scale and shift on which most drawn boxes agree; None if they do not."""
+    """Return the scale and shift on which most drawn boxes agree, or None."""
     names = list(drawn)
     if len(names) < _FEWEST:
         return None
@@ -189,7 +192,7 @@ def _likely(
     drawn: Mapping[str, Box],
     length: float,
 ) -> bool:
-    """Return whether a scale and a shift are close to those given by the tabletop's ends."""
+    """Return whether a scale and a shift are close to those from the tabletop's ends."""
     if ends is None:
         return True
     middle = np.mean([ground[n] for n in drawn], axis=0)
@@ -198,7 +201,7 @@ def _likely(
 
 
 def _fit(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
-    """Return the scale and shift that carry middles onto others best; None if they turn them."""
+    """Return the scale and shift that map the centres best; None if the scale is not positive."""
     a, b = (np.array([_middle(box) for box in boxes]) for boxes in (here, there))
     x, y = a - a.mean(0), b - b.mean(0)
     spread = float((x * x).sum())
@@ -207,7 +210,7 @@ def _fit(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
 
 
 def _by_ends(ends: Float[np.ndarray, "3"] | None, top: TopView) -> _Carried | None:
-    """Return the scale and shift that carry the tabletop's left, right and far end into its box."""
+    """Return the scale and shift that map the tabletop's left, right and far ends into its box."""
     if ends is None or ends[1] - ends[0] < 1e-6:
         return None
     left, far, right, _ = top.table_box
@@ -216,7 +219,7 @@ def _by_ends(ends: Float[np.ndarray, "3"] | None, top: TopView) -> _Carried | No
 
 
 def _by_sizes(ground: Mapping[str, Box], guesses: Mapping[str, Box]) -> _Carried | None:
-    """Return the scale and shift that carry things to where, and as large as, they are guessed."""
+    """Return the scale and shift that map the ground boxes to the guessed ones."""
     if not ground:
         return None
     scale = float(np.median([_size(guesses[n]) / _size(box) for n, box in ground.items()]))
@@ -232,7 +235,7 @@ def _guess(
     models: Mapping[str, Model],
     rotations: Mapping[str, Rotation],
 ) -> Box:
-    """Return a box as large as its model, on the table as the two lie in the picture."""
+    """Return a box of the model's size, placed on the table as in the picture."""
 
     def extent(name: str) -> Float[np.ndarray, "2"]:
         yaw = rotations[name].yaw if name in rotations else 0.0

@@ -1,9 +1,9 @@
-"""What a text's plan puts right in a reconstruction, beyond the paper.
+"""Corrections of a reconstruction by the plan of its text, beyond the paper.
 
-Image models forget, hide, double and misplace things, and image-to-3D models guess the sides that
-no picture shows. The plan knows what was asked for: which things, about how large, on what, and
-where to each other. What the reconstruction shows like that stays as it is; the rest is put right,
-and the scene's provenance names it.
+Image models omit, hide, duplicate and misplace objects, and image-to-3D models guess the sides that
+no picture shows. The plan lists the requested objects, their approximate sizes, supports and
+relations. Whatever agrees with the plan is kept; the rest is corrected, and the scene's provenance
+lists the corrections.
 """
 
 from .draft import ALIKE as ALIKE

@@ -18,44 +18,44 @@ from ...scene import TABLE, Instance, Model, Placement, Rotation, ScenePlan
 from .matches import fresh_names, match_planned, rename_plan
 
 ALIKE = 1.35, 1.2
-"""A side that is longer or shorter by this factor than the plan's model, and than other variants of
-its kind, has another size: where the drawing shows the catalogue's things."""
+"""Maximum ratio between a side and that of the plan's model, and that of other variants of its
+kind, if the drawing shows the catalogue's objects. Beyond it the object has another size."""
 
 REAL = 2.0, 1.5
-"""The same where it shows any things of their kinds."""
+"""The same if the drawing shows arbitrary objects of the planned kinds."""
 
 UNKNOWN = 2.0
-"""The same for things that the catalogue lacks, whose sizes are a guess; their shapes are too."""
+"""The same for objects that the catalogue lacks, whose sizes and shapes are guesses."""
 
 TABLES = 1.3
 """The same for the sides of a table."""
 
-_HARDLY = 0.05  # logarithm of a factor below which no warning tells of it
-_VARIANTS = 4  # of a thing of the catalogue, whose shapes a found one may have
-_APART = 104_729  # between the seeds of two
-_SLACK = 0.008, 0.1  # metres, and share of the longest side, that sides may differ anyway
+_HARDLY = 0.05  # logarithm of the factor below which there is no warning
+_VARIANTS = 4  # number of variants of a catalogue object that sizes are compared with
+_APART = 104_729  # offset between the seeds of two variants
+_SLACK = 0.008, 0.1  # tolerated difference of sides: metres, and share of the longest side
 
 LOOSE = ("group", "heap")
-"""Kinds of groups that have no form to keep."""
+"""Kinds of groups without a fixed arrangement."""
 
 _SHAPE = "its outline in the drawing has other proportions"
-_FITTED = "it has to fit another object"
-_ALIKE = "it has to look like the others that are laid"
+_FITTED = "it must fit another object"
+_ALIKE = "it must match the other place settings"
 
 
 @dataclass(frozen=True, eq=False)
 class SceneDraft:
-    """A scene to lay out: a plan by the scene's names, and what is known of its things.
+    """A scene before layout: a plan with the scene's object names, and the state of its objects.
 
     Attributes:
-        models: of every planned thing, of its size in metres.
-        planned: the plan's own models of them.
-        seen: names of those that the reconstruction has.
-        shown: where it has them, if on what the plan has them on.
-        table: its model, of its size in metres.
-        warnings: what was put right.
-        found: yaws of those that the reconstruction has.
-        yaws: which way things face in the drawing, radians, where it tells; without members of
+        models: the model of every planned object, at its size in metres.
+        planned: the plan's own models of these objects.
+        seen: names of the objects that are in the reconstruction.
+        shown: placements in the reconstruction of objects on their planned support.
+        table: the table's model, at its size in metres.
+        warnings: the corrections.
+        found: yaws of the objects in the reconstruction.
+        yaws: yaws of objects in the drawing, radians, if it determines them; without members of
             groups, which are arranged as a whole.
     """
 
@@ -70,7 +70,7 @@ class SceneDraft:
     yaws: Mapping[str, float] = field(default_factory=dict[str, float])
 
     def doubt(self, names: Collection[str], reason: str) -> SceneDraft:
-        """Return the draft with the plan's models and no known places of these things."""
+        """Return the draft with the plan's models of these objects and without their placements."""
         mine = [n for n in self.models if n in names and self.models[n] is not self.planned[n]]
         yaws, warnings = dict(self.yaws), list(self.warnings)
         for name in mine:
@@ -98,14 +98,14 @@ def draft_scene(
     rotations: Mapping[str, Rotation] = MappingProxyType({}),
     turn: Turn | None = None,
 ) -> SceneDraft:
-    """Match what was reconstructed to the plan; put right what has another size or shape.
+    """Match a reconstruction to the plan and correct sizes and shapes that differ.
 
-    ``models`` are the instances' and the table's, ``placements`` where they stand, world frame;
-    ``table_scale`` is the table's extent, metres; ``seed`` of the looks of what the plan adds.
-    ``alike`` says how much sizes may differ (``ALIKE``, ``REAL``). ``rotations`` are those of the
-    instances' models, and ``turn`` finds that of another model.
-    A thing whose sides all differ by about one factor is scaled; one with other proportions is the
-    plan's. What shows no planned thing is left out.
+    ``models`` are those of the instances and the table, ``placements`` are in the world frame;
+    ``table_scale`` is the table's extent, metres; ``seed`` determines the looks of the objects that
+    the plan adds. ``alike`` sets the tolerances of sizes (``ALIKE``, ``REAL``). ``rotations`` are
+    those of the instances' models, and ``turn`` estimates the rotation of another model. An object
+    whose sides all differ by about the same factor is scaled; one with other proportions is
+    replaced by the plan's model. Instances that match no planned object are left out.
     """
     table, placed = _fit_table(plan, models[TABLE], placements, table_scale, seed)
     pairs = match_planned(plan, instances, placed, build_models(plan, seed))
@@ -113,13 +113,13 @@ def draft_scene(
     names = pairs | fresh_names(missing, {TABLE, *(i.name for i in instances)})
     renamed = rename_plan(plan, names)
     warnings = [
-        *(f"{i.name} is left out: the text asks for no other {i.label}." for i in instances
+        *(f"{i.name} is left out: the text describes no other {i.label}." for i in instances
           if i.name in placed and i.name not in pairs.values()),
-        *(f"{names[o.name]} is not to be seen in the drawing; it stands where the plan has it."
+        *(f"{names[o.name]} is not visible in the drawing; it is placed by the plan."
           for o in missing),
     ]  # fmt: skip
     if not np.allclose(table.size, table_scale):
-        warnings.append("The table has the plan's size, not that in the drawing.")
+        warnings.append("The table has the planned size instead of the size in the drawing.")
     scales = {name: placed[name].scale for name in pairs.values()}
     factors = _size_factors(renamed, scales, seed, alike)
     own = build_models(renamed, seed)
@@ -140,7 +140,9 @@ def draft_scene(
             turned = placed[name].yaw
             chosen[name] = replace(models[name], size=scales[name] * factor, slots=own[name].slots)
             if abs(np.log(factor)) > _HARDLY:
-                warnings.append(f"{name} has the plan's size, {factor:.2f} times what was found.")
+                warnings.append(
+                    f"{name} has the planned size, {factor:.2f} times the reconstructed one."
+                )
         if turned is not None and name not in grouped:
             yaws[name] = turned
         inside = any(r.kind == "in" and r.target == below for r in planned.relations)
@@ -155,13 +157,13 @@ def draft_scene(
 
 
 def _plan_warning(name: str, reason: str, told: bool) -> str:
-    """Return the warning that a thing has the plan's shape, and its yaw if none is ``told``."""
-    tail = "" if told else " The drawing does not tell its yaw, which is the plan's too."
+    """Return the warning that an object has the plan's shape, and its yaw unless ``told``."""
+    tail = "" if told else " The drawing does not determine its yaw, so it is the plan's too."
     return f"{name} is built from the plan: {reason}.{tail}"
 
 
 def _list_grouped(plan: ScenePlan, besides: Collection[str] = ()) -> set[str]:
-    """Return the names of what is arranged in groups, ``besides`` those of these kinds."""
+    """Return the names of the objects in groups, except groups of the kinds ``besides``."""
     groups = [g for g in plan.groups if g.kind not in besides]
     return {n for g in groups for n in (*g.members, *([g.around] if g.around else []))}
 
@@ -172,11 +174,11 @@ def _size_factors(
     seed: int,
     alike: tuple[float, float],
 ) -> dict[str, float | str]:
-    """Return by what factor each thing found must grow, or why the plan's takes its place.
+    """Return each reconstructed object's scale factor, or why the plan's model replaces it.
 
-    A size that the text tells ("small") is kept exactly, one that the thing's kind usually has, in
-    any of its variants, about. What is made for each other is the plan's; so is what is laid alike
-    at several seats, unless all of it was found.
+    A size from the text ("small") is matched exactly, a usual size approximately, in any variant of
+    its kind. Objects that must fit each other are the plan's, and so are matching objects of
+    several place settings, unless all of them were reconstructed.
     """
     variants = [build_models(plan, seed)]
     fitted = find_fitted(plan)
@@ -206,7 +208,7 @@ def _size_factors(
 
 
 def _list_laid_alike(plan: ScenePlan) -> list[list[str]]:
-    """Return the things of place settings, those of one kind together."""
+    """Return the objects of place settings, grouped by kind."""
     laid = {name for group in plan.groups if group.kind == "setting" for name in group.members}
     kinds: dict[str, list[str]] = {}
     for planned in plan.objects:
@@ -219,10 +221,10 @@ def _list_laid_alike(plan: ScenePlan) -> list[list[str]]:
 def compare_sizes(
     found: Float[np.ndarray, "3"], planned: Float[np.ndarray, "3"], tolerance: float
 ) -> float | None:
-    """Return by what factor a thing must grow to have a planned size; None for another shape.
+    """Return the factor that scales an object to a planned size; None if the shapes differ.
 
-    Extents are (length, width, height) in metres; which horizontal side is the longer one does not
-    matter. 1 means that no side differs by more than ``tolerance``.
+    Extents are (length, width, height) in metres; the order of the horizontal sides is ignored. 1
+    means that no side differs by more than ``tolerance``.
     """
     have, want = (np.array([*np.sort(e[:2]), e[2]], float) for e in (found, planned))
     slack = min(_SLACK[0], _SLACK[1] * float(want.max()))
@@ -245,10 +247,10 @@ def _fit_table(
     scale: Float[np.ndarray, "3"],
     seed: int,
 ) -> tuple[Model, dict[str, Placement]]:
-    """Return the table, of the plan's size if it has another, with the places on it."""
+    """Return the table, resized to the plan if its size differs, and the placements on it."""
     try:
         wanted = np.array(table_size(plan, build_models(plan, seed)).size)
-    except SceneError:  # only what the picture shows tells whether all of it has room
+    except SceneError:  # Only the objects in the picture determine whether all fit.
         wanted = np.array(plan.table.size)
     ratio = wanted / scale
     if (np.abs(np.log(ratio[:2])) <= np.log(TABLES)).all():
@@ -261,25 +263,25 @@ def _fit_table(
 
 
 Turn = Callable[[str, Model], Rotation]
-"""Finds the rotation of another model of an instance in the drawing (Sec. 3.3), by its name."""
+"""Estimates the rotation of another model of the named instance in the drawing (Sec. 3.3)."""
 
 AGREE = float(np.deg2rad(15.0))
-"""Yaws of two shapes of one thing that differ by less say the same."""
+"""Yaws of two shapes of one object agree if they differ by less than this."""
 
 TOLD, SURE = 0.2, 0.5
-"""From these margins on (``Rotation.margin``) the drawing tells a yaw that two shapes agree on, and
-one that only the plan's shape has."""
+"""Minimum margins (``Rotation.margin``) at which the drawing determines a yaw: one on which two
+shapes agree, and one of the plan's shape alone."""
 
 
 @dataclass(frozen=True, eq=False)
 class FoundYaws:
-    """Yaws of things as the drawing shows them, radians.
+    """Yaws of objects in the drawing, radians.
 
     Attributes:
-        yaws: of the shapes that were found, by name.
-        rotations: what is known of how sure these are.
-        turn: finds the yaw of another shape. With None the yaws are of the things' fronts, which
-            all shapes share.
+        yaws: yaws of the reconstructed shapes, by name.
+        rotations: certainty of these yaws.
+        turn: estimates the yaw of another shape. If None, the yaws are those of the objects'
+            fronts, which all shapes share.
     """
 
     yaws: Mapping[str, float]
@@ -287,10 +289,10 @@ class FoundYaws:
     turn: Turn | None = None
 
     def of(self, name: str, planned: Model) -> float | None:
-        """Return the yaw at which the drawing shows the plan's model; None where it does not tell.
+        """Return the yaw of the plan's model in the drawing; None if it cannot be determined.
 
-        A modeler chooses the axes of its meshes by itself, so a yaw of the shape that was found
-        counts only if the plan's shape looks like the drawing at the same yaw.
+        A modeler chooses the axes of its meshes, so the yaw of a reconstructed shape counts only if
+        the plan's shape matches the drawing at the same yaw.
         """
         yaw = self.yaws[name]
         if self.turn is None:

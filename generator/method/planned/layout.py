@@ -1,4 +1,4 @@
-"""Places for the things of a draft: those shown where they hold, the plan's for the others."""
+"""Positions for the objects of a draft: those in the drawing where they hold, else the plan's."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from ...layout.rest import support_of
 from ...scene import TABLE, Model, Placement, RelationOutcome
 from .draft import LOOSE, SceneDraft
 
-_ROUNDS = 3  # in which more and more of what is shown gives way to relations that do not hold
-_OVERLAP = 0.015  # metres by which footprints of things that stay may overlap: seats are guesses
-_BEYOND = 0.01  # metres by which they may stick out over the table's edge
-_LOST = 3  # relations that a thing without a place counts as
+_ROUNDS = 3  # rounds, each of which keeps fewer placements of the drawing
+_OVERLAP = 0.015  # metres of tolerated overlap between footprints that stay: positions are guesses
+_BEYOND = 0.01  # metres that they may extend beyond the table's edge
+_LOST = 3  # number of unmet relations that an object without a position counts as
 
 Places = Mapping[str, Placement]
 
 
 @dataclass(frozen=True, eq=False)
 class Laid:
-    """A draft with a place for each of its things."""
+    """A draft with a position for each of its objects."""
 
     draft: SceneDraft
     placements: tuple[Placement, ...]
@@ -34,25 +34,27 @@ class Laid:
 
     @property
     def faults(self) -> int:
-        """Relations that do not hold, and ``_LOST`` for each thing without a place."""
+        """Number of unmet relations, plus ``_LOST`` for each object without a position."""
         return len(self.unmet) + _LOST * (len(self.draft.models) - len(self.placements))
 
 
 def lay_out_draft(draft: SceneDraft, seed: int) -> Laid:
-    """Return the draft with places: as shown where the plan agrees, by the plan elsewhere.
+    """Return the draft with positions: from the drawing where the plan agrees, else from the plan.
 
-    Rows, circles and place settings are the plan's as a whole. If some relation would not hold
-    then, the things it is between are placed anew too, and at last all things; the first layout of
-    those with the fewest faults is taken. What still does not fit on or in another thing is built
-    from the plan, and so is that.
+    Rows, circles and place settings are arranged by the plan as a whole. If a relation would not
+    hold, its objects are placed again too, and finally all objects; among the layouts with the
+    fewest faults the first is used. An object that still does not fit on or in another one is
+    rebuilt from the plan, and so is that other object.
 
     Raises:
-        SceneError: nothing is shown, and the objects fit on no plausible table.
+        SceneError: no placement is known, and the objects fit on no plausible table.
     """
     laid = _lay_out(draft, seed)
     unfit = {n for o in laid.unmet if o.kind in ("on", "in") for n in (o.name, o.target)}
     if any(draft.models[n] is not draft.planned[n] for n in unfit - {TABLE}):
-        return lay_out_draft(draft.doubt(unfit, "nothing would stay on or in it, or it on"), seed)
+        return lay_out_draft(
+            draft.doubt(unfit, "the objects did not stay on or in each other"), seed
+        )
     return laid
 
 
@@ -75,7 +77,7 @@ def _lay_out(draft: SceneDraft, seed: int) -> Laid:
             return best
         warnings = (
             *layout.warnings,
-            "The table is the plan's, and everything is placed on it anew.",
+            "The table is the plan's, and all objects are placed on it again.",
         )
         laid, _ = _judge(draft, layout.placements, table, warnings, ())
         if best is None or laid.faults < best.faults:
@@ -84,7 +86,7 @@ def _lay_out(draft: SceneDraft, seed: int) -> Laid:
 
 
 def _complete(draft: SceneDraft, kept: Places, seed: int) -> tuple[Laid, set[str]]:
-    """Return a layout around what is kept, and what spoils relations in it."""
+    """Return a layout around the kept placements, and the objects that violate relations in it."""
     layout = arrange_more(draft.plan, kept, draft.models, draft.table, seed, draft.yaws)
     placements = (*kept.values(), *layout.placements)
     return _judge(draft, placements, draft.table, layout.warnings, kept)
@@ -109,14 +111,14 @@ def _judge(
     culprits |= {o.target for o in unmet if o.name not in kept}
     moved = [n for n in draft.seen if n in places and n not in kept]
     if moved:
-        warnings = (*warnings, f"Placed by the plan, not by the drawing: {', '.join(moved)}.")
-    if lost:  # what is in the way is not known
+        warnings = (*warnings, f"Placed by the plan instead of the drawing: {', '.join(moved)}.")
+    if lost:  # the obstacle is unknown
         culprits |= {*kept}
     return Laid(draft, ordered, table, warnings, tuple(unmet)), culprits
 
 
 def _list_kept(draft: SceneDraft) -> dict[str, Placement]:
-    """Return the places shown that the plan does not speak against."""
+    """Return the placements of the drawing that do not contradict the plan."""
     supports = {o.name: support_of(o) or TABLE for o in draft.plan.objects}
 
     def stand(name: str) -> str:
@@ -132,7 +134,7 @@ def _list_kept(draft: SceneDraft) -> dict[str, Placement]:
 
 
 def _without(draft: SceneDraft, kept: Places, names: Collection[str]) -> dict[str, Placement]:
-    """Return the places without some, and without what stands on what has no known place."""
+    """Return the placements without ``names``, and without objects whose support is removed."""
     left = {name: place for name, place in kept.items() if name not in names}
     while gone := [n for n, p in left.items() if p.on != TABLE and p.on not in left]:
         left = {name: place for name, place in left.items() if name not in gone}
@@ -140,7 +142,7 @@ def _without(draft: SceneDraft, kept: Places, names: Collection[str]) -> dict[st
 
 
 def _find_crowding(draft: SceneDraft) -> set[str]:
-    """Return what stands in another thing's place or off the table; large things stay first."""
+    """Return objects that overlap others or stand off the table; larger objects have priority."""
     outline = outline_of(draft.table)
     standing = {n: p for n, p in draft.shown.items() if p.on == TABLE}
     shapes = {n: footprint(draft.models[n], p.yaw) for n, p in standing.items()}

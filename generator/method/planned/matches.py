@@ -1,4 +1,4 @@
-"""Which instance shows which planned thing, and the names of all."""
+"""Matches instances to planned objects, and names all of them."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from ...layout.rest import support_of
 from ...layout.scores import SIDES
 from ...scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan
 
-_NEVER = 1e3  # cost of a pair that is none
+_NEVER = 1e3  # cost of an impossible pair
 _SUPPORT, _SIZE, _COLOR = 0.5, 0.1, 0.6
-"""Costs of another support, a volume e^3 times another, and white for black."""
+"""Costs of another support, of a volume e^3 times as large, and of white instead of black."""
 
 
 def match_planned(
@@ -27,12 +27,12 @@ def match_planned(
     placed: Mapping[str, Placement],
     models: Mapping[str, Model],
 ) -> dict[str, str]:
-    """Return which instance shows which planned thing: planned name to instance name.
+    """Return which instance shows which planned object, as planned name to instance name.
 
-    ``models`` are the plan's by planned name. An instance shows a thing of its own word before one
-    of its kind, and that before one whose last word is the same ("coffee mug", "mug"). Things of
-    one word are told apart by what they stand on or in, by their colours if the text has some, by
-    their size, and those that are all alike by where they stand to others.
+    ``models`` are the plan's, by planned name. An instance with the planned word is preferred to
+    one of the same category, and that to one with the same last word ("coffee mug", "mug"). Objects
+    with the same word are distinguished by their supports, by their colours if the text has any,
+    and by their sizes; identical ones by their positions relative to others.
     """
     labels = {i.name: i.label for i in instances if i.name in placed}
     nouns = {planned.name: planned.noun for planned in plan.objects}
@@ -63,7 +63,7 @@ def match_planned(
 
 
 def _tone(crop: UInt8[np.ndarray, "h w 4"]) -> Float[np.ndarray, "3"]:
-    """Return the mean colour of what a crop shows."""
+    """Return the mean colour of a crop's visible pixels."""
     inside = crop[..., 3] > 127
     return crop[inside, :3].mean(0) if inside.any() else np.full(3, 127.5)
 
@@ -71,7 +71,7 @@ def _tone(crop: UInt8[np.ndarray, "h w 4"]) -> Float[np.ndarray, "3"]:
 def _swap_alike(
     plan: ScenePlan, pairs: dict[str, str], placed: Mapping[str, Placement]
 ) -> dict[str, str]:
-    """Return the pairs with things that are all alike swapped if more sides are right then."""
+    """Return the pairs, with identical objects swapped if more relations of sides then hold."""
     alike: dict[str, list[str]] = {}
     for planned in plan.objects:
         if planned.name in pairs:
@@ -91,7 +91,7 @@ def _swap_alike(
 def _count_wrong_sides(
     plan: ScenePlan, pairs: Mapping[str, str], placed: Mapping[str, Placement]
 ) -> int:
-    """Return how many planned things stand on another side of a thing, or of the table."""
+    """Return the number of planned objects on the wrong side of another object or the table."""
     at = {name: placed[found].translation[:2] for name, found in pairs.items()}
     at[TABLE] = np.zeros(2)
     return sum(
@@ -103,7 +103,7 @@ def _count_wrong_sides(
 
 
 def _compare_words(planned: PlannedObject, label: str) -> float | None:
-    """Return how unlike a label is to what a planned thing is called; None for another thing."""
+    """Return the cost of a label for a planned object; None if they do not match."""
     if label == planned.noun:
         return 0.0
     found = find_category(label)
@@ -113,7 +113,7 @@ def _compare_words(planned: PlannedObject, label: str) -> float | None:
 
 
 def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, str]:
-    """Return names for ``missing`` that no instance has."""
+    """Return names for the ``missing`` objects that no instance has."""
     names: dict[str, str] = {}
     used = set(taken)
     for planned in missing:
@@ -125,13 +125,13 @@ def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, 
 
 
 def retarget(planned: PlannedObject, names: Mapping[str, str]) -> PlannedObject:
-    """Return a planned thing with its relations to what is renamed by ``names``, old to new."""
+    """Return a planned object with its relations' targets renamed by ``names``, old to new."""
     relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
     return replace(planned, relations=relations)
 
 
 def rename_plan(plan: ScenePlan, names: Mapping[str, str]) -> ScenePlan:
-    """Return a plan whose things have other names, old to new."""
+    """Return a plan with renamed objects; ``names`` maps old names to new ones."""
     objects = tuple(replace(retarget(o, names), name=names[o.name]) for o in plan.objects)
     groups = tuple(
         replace(

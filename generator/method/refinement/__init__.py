@@ -1,9 +1,9 @@
 """Joint refinement, beyond the paper: fits all objects and the camera to all masks at once.
 
-DRO turns one object at a time and TSA places them from another picture. Here yaw, place and size
-of every object are moved together, by gradient, until what the reference picture's camera sees of
-the scene agrees with the instances' outlines. Objects keep standing on what they stand on, and
-apart from one another.
+DRO rotates one object at a time and TSA places the objects from another picture. This stage
+optimises yaw, position and size of all objects together by gradient descent until their outlines,
+seen from the reference picture's camera, agree with the instances' masks. Objects stay on their
+supports and clear of each other.
 """
 
 from .joint import Refinement as Refinement

@@ -1,4 +1,4 @@
-"""Keeps things apart and on the table, by their footprints at shared heights."""
+"""Keeps objects apart and on the table, by their footprints at shared heights."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ from ...scene import TABLE, Mesh, Model, Placement
 if TYPE_CHECKING:
     from torch import Tensor
 
-_CORNERS = 16  # of an outline, at most
-_LEAST = 1e-3  # metres of height that two things share
-_FOUND = 0.2  # weight of an overlap that was there before
-_DEEP = 0.02  # metres of it beyond which it hardly counts
-_TOP = 0.01  # metres below its highest point, a table's top ends
+_CORNERS = 16  # maximum number of corners of an outline
+_LEAST = 1e-3  # minimum shared height of two objects, metres
+_FOUND = 0.2  # weight of an overlap that existed at the start
+_DEEP = 0.02  # depth of overlap beyond which the cost saturates, metres
+_TOP = 0.01  # thickness of the layer below its highest point that counts as a table's top, metres
 _SLACK = 1e-4  # metres
 
 
 @dataclass(frozen=True, eq=False)
 class Crowd:
-    """``m`` pairs of things that could collide, and the tabletop's outline.
+    """``m`` pairs of objects that could collide, and the tabletop's outline.
 
-    ``first`` and ``second`` are their rows, ``one`` and ``other`` their outlines about their
-    centres at yaw 0 and the sizes they begin with, metres; both are convex, counter-clockwise, and
-    end in repeated points. ``least`` is how far apart a pair was, 0 at most.
+    ``first`` and ``second`` are the pairs' rows, ``one`` and ``other`` their outlines about the
+    objects' centres at yaw 0 and the initial sizes, metres. Both are convex, counter-clockwise, and
+    padded with repeated points. ``least`` is the initial gap of a pair, at most 0.
     """
 
     first: Int[Tensor, "m"]
@@ -44,11 +44,11 @@ class Crowd:
     def cost(
         self, place: Float[Tensor, "n 2"], yaw: Float[Tensor, "n"], grow: Float[Tensor, "n"]
     ) -> Tensor:
-        """Return by how much things come into one another or leave the table, metres.
+        """Return how far objects overlap or leave the table, metres.
 
-        An overlap that was there before counts for less, unless it grows, and the less the deeper
-        it is: outlines are fuller than things, and no small move frees a thing of what it stands on
-        but was taken to stand beside.
+        An initial overlap has a lower weight unless it grows, and saturates with its depth:
+        outlines are larger than objects, and no small motion separates an object from one that
+        supports it but was assumed to stand beside it.
         """
         a, b = (
             placed_outlines(shape, place[rows], yaw[rows], grow[rows])
@@ -67,7 +67,7 @@ def placed_outlines(
     yaw: Float[Tensor, "m"],
     grow: Float[Tensor, "m"],
 ) -> Float[Tensor, "m k 2"]:
-    """Return outlines turned by ``yaw`` (radians), ``grow`` times as large, about ``place``."""
+    """Return outlines rotated by ``yaw`` (radians), scaled by ``grow``, centred at ``place``."""
     import torch
 
     c, s = yaw.cos()[:, None], yaw.sin()[:, None]
@@ -77,10 +77,11 @@ def placed_outlines(
 
 
 def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, "m"]:
-    """Return how far apart convex outlines are along the best edge of either, metres.
+    """Return the gaps between convex outlines along the best edge of either, metres.
 
-    Below 0 it is how far one must at least be moved to be free of the other. Of edges that part
-    the two equally well, one has the whole gradient: else what coincides would not be pushed.
+    A negative value is the minimum displacement that separates the two. If two edges separate them
+    equally well, one of the edges gets the whole gradient; otherwise coincident outlines would not
+    be pushed apart.
     """
     import torch
 
@@ -88,7 +89,7 @@ def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, 
 
 
 def _beyond(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m j 2"]) -> Float[Tensor, "m"]:
-    """Return by how much all of ``b`` lies beyond the edge of ``a`` that parts the two best."""
+    """Return the distance of all of ``b`` from the best separating edge of ``a``."""
     import torch
 
     along = a.roll(-1, 1) - a
@@ -104,10 +105,10 @@ def make_crowd(
     models: Mapping[str, Model],
     table_scale: Float[np.ndarray, "3"],
 ) -> Crowd:
-    """Return what must stay apart of things as they are placed.
+    """Return the pairs of objects that must stay apart.
 
-    ``chains`` are the names of all that each one stands on or in. A thing may come into its own;
-    of two others, the parts at heights that both have are held apart.
+    ``chains`` are the names of all direct and indirect supports of each object. An object may
+    overlap its supports; two other objects are compared at the heights they share.
     """
     import torch
 
@@ -135,7 +136,7 @@ def make_crowd(
 
 
 def _shared_heights(a: Placement, b: Placement) -> tuple[float, float]:
-    """Return the lowest and highest height that both things have, metres."""
+    """Return the lowest and highest height that both objects share, metres."""
     low, high = ([p.translation[2] + s * p.scale[2] / 2 for p in (a, b)] for s in (-1, 1))
     return max(low), min(high)
 
@@ -143,7 +144,7 @@ def _shared_heights(a: Placement, b: Placement) -> tuple[float, float]:
 def _footprint(
     mesh: Mesh, placement: Placement, low: float, high: float
 ) -> Float[np.ndarray, "k 2"]:
-    """Return the outline of what a thing has between two heights (metres) in its own axes."""
+    """Return the outline of an object between two heights (metres) in its own axes."""
     corners = np.asarray(mesh.vertices, float) * placement.scale
     z = corners[:, 2] + placement.translation[2]
     ends = np.concatenate([mesh.faces[:, [k, (k + 1) % 3]] for k in range(3)])
@@ -156,7 +157,7 @@ def _footprint(
 
 
 def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline; of points in a line, a box a hair wide."""
+    """Return the convex outline; points on a line give a thin box."""
     try:
         return convex_outline(points)
     except InputError:
@@ -165,7 +166,7 @@ def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the outline with ``_CORNERS`` corners; the least go, or the last is repeated."""
+    """Return the outline with ``_CORNERS`` corners: drop the least important or repeat the last."""
     while len(outline) > _CORNERS:
         before, after = outline - np.roll(outline, 1, 0), np.roll(outline, -1, 0) - outline
         lost = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
@@ -174,7 +175,7 @@ def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _tabletop(model: Model | None, scale: Float[np.ndarray, "3"]) -> Float[np.ndarray, "k 2"]:
-    """Return the tabletop's outline about its middle, metres; its box if it has no model."""
+    """Return the tabletop's outline about its centre, metres; its box if it has no model."""
     half = np.asarray(scale)[:2] / 2
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * half
     if model is not None:

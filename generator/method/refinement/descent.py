@@ -1,6 +1,6 @@
-"""Agreement of outlines, and the descent to its optimum."""
+"""Misfit of outlines, and its minimisation by gradient descent."""
 
-# Torch leaves methods of its tensors without types.
+# Torch's tensor methods lack type annotations.
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 # pyright: reportUnknownArgumentType=false
 
@@ -16,18 +16,18 @@ from .problem import ObservedThings, PosedThings, Problem, RefinementConfig, sta
 if TYPE_CHECKING:
     from torch import Tensor
 
-_HELD = 0.05  # weight of staying where DRO and TSA put things
-_APART = 20.0  # weight of a metre by which two things come too near, or one leaves the table
-_ROUNDS = 20  # of the search for the camera's place
-_REACH = 0.02  # of the things' mean distance: the unit of the camera's move
+_HELD = 0.05  # weight of the deviation from the poses of DRO and TSA
+_APART = 20.0  # weight per metre of overlap, or of distance beyond the table's edge
+_ROUNDS = 20  # Adam's steps for the camera's position
+_REACH = 0.02  # unit of the camera's motion, as a share of the objects' mean distance
 
 
 def misfits(
     seen: ObservedThings, posed: PosedThings, config: RefinementConfig
 ) -> tuple[Float[np.ndarray, "n"], Float[Tensor, "3"]]:
-    """Return one minus the overlap of each thing's outline with its mask, and the camera's place.
+    """Return one minus each object's overlap of outline and mask, and the camera's position.
 
-    The camera is where the outlines agree best: nothing else determines its place.
+    The camera's position maximises the overlap, since nothing else determines it.
     """
     import torch
 
@@ -49,7 +49,7 @@ def misfits(
 
     optimiser.step(closure)
     with torch.no_grad():
-        if not eye.isfinite().all():  # the search diverged: things stand far from their outlines
+        if not eye.isfinite().all():  # diverged: the objects are far from their outlines
             eye.zero_()
         return look().numpy(), middle + unit * eye
 
@@ -57,9 +57,9 @@ def misfits(
 def descend(
     problem: Problem, camera: Float[Tensor, "3"], config: RefinementConfig
 ) -> Float[np.ndarray, "n 4"]:
-    """Return each thing's turn, move and growth at the best step; they begin at none.
+    """Return each object's rotation, displacement and growth at the best step, starting from none.
 
-    ``camera`` is where the camera begins; it moves too.
+    ``camera`` is the camera's initial position, which is optimised too.
     """
     import torch
 
@@ -107,7 +107,7 @@ def _misfit(
     resolution: int,
     grow: Float[Tensor, "n"] | None = None,
 ) -> Float[Tensor, "n"]:
-    """Return one minus the overlap of each outline, ``grow`` times as large, with its mask."""
+    """Return one minus the overlap of each outline, scaled by ``grow``, with its mask."""
     import torch
 
     from ...render import soft
@@ -116,7 +116,7 @@ def _misfit(
     rotation = soft.object_to_camera(posed.yaw, torch.zeros(count), seen.rotation)
     away = (posed.place - camera)[:, None]
     center = soft.rotate(away, seen.rotation.expand(count, 3, 3))[:, 0]
-    if grow is not None:  # a thing twice as large at twice the distance looks the same
+    if grow is not None:  # an object twice as large at twice the distance looks the same
         center = center / grow[:, None]
     drawn = soft.render(
         posed.surface, rotation, center, resolution, owner=torch.arange(count),

@@ -1,4 +1,4 @@
-"""The refinement as a stage, and the agreement of outlines it optimises."""
+"""The refinement as a stage, and its measure: the misfit of outlines."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from ...threads import single_thread
 from .descent import descend, misfits
 from .problem import RefinementConfig, make_posed, make_problem, make_seen, pose_placements
 
-_WORSE = 0.02  # an object whose own outline agrees that much less keeps its place
+_WORSE = 0.02  # increase of an object's misfit above which its pose is not changed
 
 
 @dataclass(frozen=True, eq=False)
 class Refinement:
-    """What the joint refinement found.
+    """Result of the joint refinement.
 
-    ``before`` and ``after`` are one minus the overlap of outlines (Eq. 2), the mean over the
-    objects, of the placements given and of those returned; 0 where nothing was to be done.
+    ``before`` and ``after`` are one minus the overlap of outlines (Eq. 2), averaged over the
+    objects, for the given and the returned placements; 0 if nothing was refined.
     """
 
     placements: tuple[Placement, ...]
@@ -41,16 +41,16 @@ def refine_scene(
     config: RefinementConfig,
     seed: int = 0,
 ) -> Refinement:
-    """Move all objects, and the camera's place, together to where the outlines agree best.
+    """Optimise the poses of all objects and the camera's position to match the outlines.
 
-    ``instances``, ``view`` and ``image_size`` (width, height) are the reference picture's. The
-    table's model, if it is there, gives the top's outline; ``table_scale`` is its extent, metres.
-    ``placements`` are in the world frame; ``seed`` is of the surface samples.
+    ``instances``, ``view`` and ``image_size`` (width, height) are those of the reference picture.
+    The table's model, if given, determines the outline of its top; ``table_scale`` is its extent,
+    metres. ``placements`` are in the world frame; ``seed`` is for the surface samples.
 
-    The camera's direction is not moved: outlines agree as well with an elevation 3 degrees off, so
-    they do not tell it; the table's edges do. A result that is worse is not used, for the whole
-    scene or for an object. A picture with fewer than two objects, which cannot tell where the
-    camera stands, is left as it is.
+    The camera's direction is fixed: outlines agree as well at an elevation 3 degrees off, so they
+    do not determine it; the table's edges do. A result with a higher misfit is discarded, for the
+    whole scene or for a single object. A picture with fewer than two objects, which does not
+    determine the camera's position, is left unchanged.
     """
     shown = _shown_instances(instances)
     moving = [p for p in placements if p.name in shown]
@@ -89,12 +89,12 @@ def outline_misfit(
     config: RefinementConfig | None = None,
     seed: int = 0,
 ) -> float:
-    """Return one minus the overlap of outlines, the mean over the instances, of a finished scene.
+    """Return one minus the overlap of outlines of a finished scene, averaged over the instances.
 
-    The measure of ``Refinement``: of objects as they rest, seen by a camera of the picture's
-    direction from where they agree best. An instance that no object is made of counts 1, as
-    does one whose object stands far off its outline; the table, and what shows nothing, are left
-    out.
+    The measure of ``Refinement``, for objects at rest, seen by a camera with the picture's
+    direction at the best-matching position. An instance without an object counts as 1, and so does
+    one whose object is far from its outline; the table and instances without visible pixels are
+    ignored.
     """
     config = config or RefinementConfig()
     shown = _shown_instances(instances)
@@ -109,7 +109,7 @@ def outline_misfit(
             np.array([o.pose.position for o in there]), config, seed,
         )  # fmt: skip
         found, _ = misfits(seen, posed, config)
-    found = np.nan_to_num(found, nan=1.0)  # what stands so far off that its outline is lost
+    found = np.nan_to_num(found, nan=1.0)  # too far from its outline
     return float((found.sum() + len(shown) - len(there)) / len(shown))
 
 
@@ -118,7 +118,7 @@ def _shown_instances(instances: Sequence[Instance]) -> dict[str, Instance]:
 
 
 def _resting_mesh(thing: Object) -> Mesh:
-    """Return an object's mesh in metres, turned as it rests."""
+    """Return an object's mesh in metres, rotated as at rest."""
     mesh = thing.model.mesh
     turn = quaternion_matrix(thing.pose.quaternion)
     return replace(mesh, vertices=(mesh.vertices * thing.scale) @ turn.T)
@@ -132,7 +132,7 @@ def _move(
     models: Mapping[str, Model],
     height: float,
 ) -> tuple[Placement, ...]:
-    """Return the placements after a step each, lowered onto what they stand on."""
+    """Return the placements after one step each, lowered onto their supports."""
     across = carries @ steps[:, 1:3]
     moved = {
         p.name: replace(

@@ -24,9 +24,10 @@ from ...errors import require
 
 @dataclass(frozen=True, eq=False)
 class ObservedThings:
-    """What the picture shows of ``n`` things, in tight crops, and the camera's direction.
+    """Visible outlines of ``n`` objects in tight crops, and the camera's direction.
 
-    ``middle`` is the crops' in x/z, y/z of the camera; ``scale`` is in pixels per unit of those.
+    ``middle`` holds the crops' centres in x/z, y/z of the camera; ``scale`` is in pixels per unit
+    of those.
     """
 
     mask: Float[Tensor, "n r r"]
@@ -38,7 +39,7 @@ class ObservedThings:
 
 @dataclass(frozen=True, eq=False)
 class PosedThings:
-    """Where ``n`` things are: surface, yaw (radians), box centre (metres)."""
+    """Poses of ``n`` objects: surface, yaw (radians), box centre (metres)."""
 
     surface: SampledSurface
     yaw: Float[Tensor, "n"]
@@ -47,10 +48,11 @@ class PosedThings:
 
 @dataclass(frozen=True, eq=False)
 class Links:
-    """How a thing's move and growth are its load's: rows are things, columns what moves them.
+    """How an object's motion and growth affect the objects on it: rows are affected by columns.
 
-    ``carries`` is 1 for a thing itself and all below it; ``lifts`` is by how much their growth
-    lifts its centre: half its own height, and the heights of what is below it and not around it.
+    ``carries`` is 1 for an object itself and all of its supports; ``lifts`` is how much their
+    growth lifts its centre: half of its own height, and the heights of its supports unless it is
+    inside them.
     """
 
     carries: Float[Tensor, "n n"]
@@ -59,7 +61,7 @@ class Links:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Everything the loss needs of ``n`` things."""
+    """All inputs of the loss for ``n`` objects."""
 
     seen: ObservedThings
     posed: PosedThings
@@ -74,7 +76,7 @@ def make_seen(
     image_size: tuple[int, int],
     config: RefinementConfig,
 ) -> ObservedThings:
-    """Return what the picture shows of things; any of ``all_things`` may hide them."""
+    """Return the visible outlines of objects; any of ``all_things`` may occlude them."""
     from ...render.crop import MARGIN, hiders, in_reference, mask_in_crop, tight_box, tight_crop
     from ...render.soft import smooth
 
@@ -107,7 +109,7 @@ def make_problem(
     config: RefinementConfig,
     seed: int,
 ) -> Problem:
-    """Return the problem of ``moving`` things, some or all of what is placed."""
+    """Return the problem of the ``moving`` objects, some or all of the placed ones."""
     below = {p.name: p for p in placements}
     chains = [[q.name for q in _chain(p, below)] for p in moving]
     crowd = make_crowd(moving, chains, models, table_scale)
@@ -116,7 +118,7 @@ def make_problem(
 
 
 def make_links(moving: Sequence[Placement], placements: Sequence[Placement]) -> Links:
-    """Return what of ``moving`` things, some or all of what is placed, moves with what."""
+    """Return which of the ``moving`` objects, some or all of the placed ones, move together."""
     below = {p.name: p for p in placements}
     rows = {p.name: k for k, p in enumerate(moving)}
     carries, lifts = np.eye(len(moving)), np.diag([p.scale[2] / 2 for p in moving])
@@ -136,7 +138,7 @@ def pose_placements(
     config: RefinementConfig,
     seed: int,
 ) -> PosedThings:
-    """Return things where they are placed, with points drawn from their models."""
+    """Return placed objects with points sampled from their models."""
     meshes, scales = [models[p.name].mesh for p in placements], [p.scale for p in placements]
     places = np.array([p.translation for p in placements])
     return make_posed(meshes, scales, [p.yaw for p in placements], places, config, seed)
@@ -150,7 +152,7 @@ def make_posed(
     config: RefinementConfig,
     seed: int,
 ) -> PosedThings:
-    """Return things where they are, with points drawn from their surfaces."""
+    """Return posed objects with points sampled from their surfaces."""
     from ...render.soft import sample_surface, stack
 
     pairs = zip(meshes, scales, strict=True)
@@ -159,9 +161,9 @@ def make_posed(
 
 
 def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
-    """Return where a camera of known direction stands that sees things in their crops' middles.
+    """Return where a camera of given direction sees the objects centred in their crops.
 
-    Least squares over the distances of the things' centres from their rays.
+    Least squares over the distances of the objects' centres from their rays.
     """
     rays = np.column_stack([seen.middle.numpy(), np.ones(len(seen.middle))]) @ seen.rotation.numpy()
     rays = rays.astype(float) / np.linalg.norm(rays, axis=1, keepdims=True)
@@ -172,14 +174,14 @@ def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
 
 
 def tensor(array: object) -> Tensor:
-    """Return numbers as torch's, in single precision."""
+    """Return numbers as a torch tensor, in single precision."""
     import torch
 
     return torch.as_tensor(np.asarray(array), dtype=torch.float32)
 
 
 def _chain(placement: Placement, below: Mapping[str, Placement]) -> list[Placement]:
-    """Return what a thing stands on, what that stands on, and so on down to the table."""
+    """Return an object's support, the support of that, and so on down to the table."""
     chain: list[Placement] = []
     while placement.on in below and below[placement.on] not in chain:
         placement = below[placement.on]
@@ -192,13 +194,13 @@ class RefinementConfig:
     """Settings of the joint refinement.
 
     Attributes:
-        steps: Adam's steps; 0 leaves everything as it is.
-        learning_rate: Adam's first step, in units of the scales below; it falls to zero.
-        turn, move, grow: how far yaw (radians), place (metres) and size (logarithm) usually are
-            wrong; 0 leaves it as it is.
+        steps: Adam's steps; 0 disables the refinement.
+        learning_rate: Adam's initial step, in units of the scales below; it decays to zero.
+        turn, move, grow: typical errors of yaw (radians), position (metres) and size (logarithm); 0
+            fixes the quantity.
         resolution: side of the compared crops, pixels.
-        points: surface points drawn per object.
-        unsure: weight of pixels where another instance may hide this one.
+        points: surface points sampled per object.
+        unsure: weight of pixels where another instance may occlude this one.
     """
 
     steps: int = 40

@@ -1,8 +1,8 @@
 """Sec. 3.3, Differentiable Rotation Optimizer (DRO): each object's yaw r_i, Eqs. 1 to 4.
 
-Every candidate yaw is rendered softly, cropped tightly and compared with the tight crop of the
-completed instance: a coarse search over the whole turn, then Adam on the best candidates, all of
-them in one tensor.
+Every candidate yaw is rendered with a soft rasteriser, cropped tightly and compared with the tight
+crop of the completed instance. A coarse search over the full circle is followed by Adam on the best
+candidates, all in one tensor.
 """
 
 from .certainty import margin as margin

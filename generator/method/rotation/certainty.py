@@ -1,4 +1,4 @@
-"""Certainty of a yaw: against other sides, and against small turns."""
+"""Certainty of a yaw, against other candidates and against small rotations."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from .objective import Candidates, Objective
 from .results import RotationCandidate, Rows
 
 OTHER = float(np.deg2rad(20.0))
-"""Angle from which a yaw is another answer, not the same one found less exactly."""
+"""Minimum angle between two different answers; closer yaws count as the same answer."""
 
 RISE = 0.02
-"""Share of the loss whose addition marks a minimum's width."""
+"""Relative increase of the loss that defines a minimum's width."""
 
-_SAME = float(np.deg2rad(8.0))  # a candidate that a refinement moved by less is the same one
-_LEAST = 1e-9  # loss of a render that is the picture itself
-_STEP = float(np.deg2rad(2.0))  # of the second difference
+_SAME = float(np.deg2rad(8.0))  # a candidate is unchanged if refinement moved it by less than this
+_LEAST = 1e-9  # loss of a perfect match, avoids division by zero
+_STEP = float(np.deg2rad(2.0))  # step of the second difference
 
 
 def margin(rounds: Rows, order: int = 1) -> float:
-    """Return by how much the best other yaw's loss exceeds the found one's, as a share of it.
+    """Return the relative increase of the loss from the answer to the best other yaw.
 
-    Yaws a whole turn over ``order`` apart are the same answer. ``rounds`` are one object's
-    candidates, the closest look first. Every rival counts by the closest look it was given,
-    against the best of that look. 0 without any.
+    Yaws that differ by a multiple of 2 pi / ``order`` are the same answer. ``rounds`` are one
+    object's candidates, highest resolution first. Each rival is compared at its highest resolution
+    with the best candidate at that resolution. Returns 0 without a rival.
     """
     answer, least, judged = rounds[0][0].yaw, float("inf"), list[float]()
 
@@ -45,8 +45,8 @@ def margin(rounds: Rows, order: int = 1) -> float:
 def widths(objective: Objective, found: list[RotationCandidate]) -> list[float]:
     """Return the change of yaw, radians in (0, pi], that adds ``RISE`` to each object's loss.
 
-    By the second difference at the found pose of each of the objective's objects; pi where the
-    loss has no minimum there.
+    Computed from the second difference at the best pose of each of the objective's objects; pi if
+    the loss has no minimum there.
     """
     import torch
 

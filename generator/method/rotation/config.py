@@ -1,4 +1,4 @@
-"""Settings of the rotation optimiser: fast defaults, and those of the paper."""
+"""Settings of the rotation optimiser: fast defaults, and the settings of the paper."""
 
 from __future__ import annotations
 
@@ -14,51 +14,52 @@ from ...errors import InputError, require
 class RotationConfig:
     """Settings of the rotation optimiser.
 
-    The defaults are made for a plain CPU; ``paper()`` gives the values of Sec. 4.1, ``quick()``
-    a third of the work.
+    The defaults are for a CPU; ``paper()`` gives the values of Sec. 4.1, ``quick()`` a third of the
+    work.
 
     Attributes:
         lambda_s, lambda_e, lambda_a: weights of Eq. 1.
-        coarse_step: step of the coarse search over the whole turn, radians.
-        candidates: how many coarse angles are refined.
-        separation: smallest angle between two candidates, radians; 0 takes the best angles even
-            if they are neighbours. A separation keeps the opposite direction in the race.
-        coarse_resolution, thinning: the coarse search and its refinement compare crops of that
-            side, pixels, of every ``thinning``-th point.
-        coarse_steps: Adam's steps there; 0 refines at full resolution only.
-        rivals, rival, rival_steps: at most so many candidates, of a loss at most that share above
-            the best, are then refined at full resolution by a few steps.
-        crowded: where even the last candidate's loss is less than this share above the best, the
-            candidates are chosen again at full resolution, and not refined coarsely; 0 never.
-        doubt, close_steps, close_resolution, close_points: rivals whose losses stay within
-            ``doubt`` of the best are compared once more, so closely; 0 steps never.
-        finalists, tie: how many, if their losses are within that share of the best, are then
-            refined by ``steps``.
+        coarse_step: step of the coarse search over the full circle, radians.
+        candidates: number of coarse angles that are refined.
+        separation: minimum angle between two candidates, radians; 0 takes the best angles even if
+            they are adjacent. A positive value keeps the opposite direction among the candidates.
+        coarse_resolution, thinning: side of the crops in the coarse search and its refinement,
+            pixels; only every ``thinning``-th point is drawn.
+        coarse_steps: Adam's steps at the coarse resolution; 0 refines at full resolution only.
+        rivals, rival, rival_steps: maximum number of candidates, within the relative loss ``rival``
+            of the best, that are then refined at full resolution, and the number of steps.
+        crowded: if the last candidate's loss is within this relative margin of the best, the
+            candidates are selected again at full resolution and not refined coarsely; 0 disables
+            this.
+        doubt, close_steps, close_resolution, close_points: rivals whose losses stay within the
+            relative margin ``doubt`` of the best are refined once more, at a higher resolution; 0
+            steps disable this.
+        finalists, tie: maximum number of candidates, within the relative loss ``tie`` of the best,
+            that are then refined by ``steps``.
         resolution: side of the compared crops, pixels.
-        points: surface points drawn per object.
+        points: surface points sampled per object.
         learning_rate: Adam's step, radians.
         steps: Adam's steps at full resolution.
-        decay: let the step fall to zero along a cosine, which ends on the minimum itself.
-        patience: stop after that many steps without progress; 0 never stops early.
-        suspect, flat: an object whose coarse losses vary by less than ``suspect`` of the lowest
-            may look the same from all sides. Then its own renders are compared with each other;
-            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. The same
-            comparison tells which turns leave the looks of a doubtful object unchanged. 0 turns
-            both off.
+        decay: decrease the step to zero along a cosine, which ends exactly at the minimum.
+        patience: stop after this many steps without progress; 0 never stops early.
+        suspect, flat: an object whose coarse losses vary by less than the share ``suspect`` of the
+            lowest may be rotationally symmetric. Its own renders are then compared with each other;
+            if rotation adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. The same
+            comparison finds rotations that leave an ambiguous object unchanged. 0 disables both.
         edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
         keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
-        perspective: see each object along its own ray; False looks at all of them as if they
-            stood at the image centre.
+        perspective: view each object along its own ray; False views all objects as if they stood at
+            the image centre.
         refine_camera: also adjust the camera's elevation per candidate, within ``max_tilt``.
-        max_tilt: largest change of elevation, radians; 0 changes none.
-        refine_fit: also shift and scale the candidates of an object that something hides in part,
-            by at most ``max_fit`` of the crop's side: its completed outline is a guess. 0 does not.
-            The search also begins with the object reaching past each side of its box where it may
-            be hidden. ``fit_cost`` is the loss that a change of ``max_fit`` adds.
-        relight: put the picture's light, a linear function of the surface's normal, on each render
+        max_tilt: maximum change of elevation, radians; 0 changes none.
+        refine_fit: also shift and scale the candidates of partially occluded objects, by at most
+            ``max_fit`` of the crop's side, since their completed outlines are guesses. The search
+            then also starts with the object extending beyond each side of its box where it may be
+            occluded. ``fit_cost`` is the loss added by a change of ``max_fit``.
+        relight: apply the picture's light, a linear function of the surface normal, to each render
             before Eq. 4 compares the two.
-        unsure: weight of pixels where another instance may hide this one.
-        device: where torch works, "cpu" or "cuda". Only the CPU is reproducible bit for bit.
+        unsure: weight of pixels where another instance may occlude this one.
+        device: torch device, "cpu" or "cuda". Only the CPU is reproducible bit for bit.
     """
 
     lambda_s: float = 0.5
@@ -125,10 +126,10 @@ class RotationConfig:
 
     @classmethod
     def quick(cls) -> RotationConfig:
-        """Return settings with fewer candidates and no close look at those that are much alike.
+        """Return settings with fewer candidates and no high-resolution comparison of similar ones.
 
-        Front and back are mistaken more often where they hardly differ, and what looks the same
-        from all sides is not told.
+        Front and back are confused more often if they hardly differ, and rotational symmetry is not
+        detected.
         """
         return cls(
             coarse_step=float(np.deg2rad(10.0)),
@@ -148,7 +149,7 @@ class RotationConfig:
 
     @classmethod
     def paper(cls) -> RotationConfig:
-        """Return the settings of Sec. 4.1 and 6.1; minutes per object on a CPU."""
+        """Return the settings of Secs. 4.1 and 6.1, which take minutes per object on a CPU."""
         return cls(
             separation=0.0,
             coarse_resolution=256,

@@ -1,6 +1,6 @@
-"""Eqs. 1 to 4: what makes a rendered yaw agree with the picture.
+"""Eqs. 1 to 4: the agreement of a rendered yaw with the picture.
 
-``weight`` says how much each pixel counts; 1 everywhere gives the paper's equations.
+``weight`` is the weight of each pixel; 1 everywhere gives the paper's equations.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def appearance_loss(
 ) -> Float[Tensor, "b"]:
     """Eq. 4: squared distance of the features Phi, averaged over positions and maps.
 
-    The average, where the paper prints a sum, keeps lambda_a independent of the resolution.
-    ``weight`` has one map for each of the features'.
+    The paper prints a sum; the average makes lambda_a independent of the resolution. ``weight`` has
+    one map for each feature map.
     """
     squares = [(a - b).square().sum(1) for a, b in zip(rendered, target, strict=True)]
     if weight is not None:

@@ -1,4 +1,4 @@
-"""From a picture's instances to their rotations."""
+"""Rotations of a picture's instances."""
 
 from __future__ import annotations
 
@@ -29,20 +29,21 @@ def estimate_rotations(
     config: RotationConfig | None = None,
     seed: int = 0,
 ) -> dict[str, Rotation]:
-    """Estimate r_i of every instance but the table, whose yaw is 0 by the view's definition.
+    """Estimate r_i of every instance except the table, whose yaw is 0 by definition of the view.
 
-    The orientation that a model comes with, if any, decides where the picture cannot (``prior``).
-    On CUDA all instances are one batch; on a CPU each is searched by a thread of its own.
+    A model's own orientation, if it has one, decides between yaws that the picture cannot
+    distinguish (``prior``). On CUDA all instances form one batch; on a CPU each is searched in its
+    own thread.
 
     Raises:
-        InputError: an instance has no model, or shows nothing.
+        InputError: an instance has no model or no visible pixels.
     """
     config = config or RotationConfig()
     height, width = reference.image.shape[:2]
     things = [i for i in instances if i.name != TABLE]
     for instance in things:
         if instance.name not in models:
-            raise InputError(f"Instance {instance.name!r} has no model; make the models first.")
+            raise InputError(f"Instance {instance.name!r} has no model. Make the models first.")
     hidden = [hiders(instance, things) for instance in things]
 
     def search_group(group: Sequence[int]) -> list[RotationAnswer]:
@@ -75,17 +76,17 @@ def estimate_rotation(
     config: RotationConfig,
     seed: int = 0,
 ) -> Rotation:
-    """Estimate r_i of one instance by a model; see ``estimate_rotations``.
+    """Estimate r_i of one instance with a model; see ``estimate_rotations``.
 
     Raises:
-        InputError: there is no such instance, or it shows nothing.
+        InputError: there is no such instance, or it has no visible pixels.
     """
     height, width = reference.image.shape[:2]
     things = [i for i in instances if i.name != TABLE]
     instance = next((i for i in things if i.name == name), None)
     if instance is None:
         raise InputError(
-            f"No instance is called {name!r}." + choices(name, (i.name for i in things))
+            f"No instance is named {name!r}." + choices(name, (i.name for i in things))
         )
     return optimise_rotation(
         model, instance, view, encoder, config, (width, height), seed, hiders(instance, things)
@@ -102,13 +103,13 @@ def optimise_rotation(
     seed: int = 0,
     hidden: Bool[np.ndarray, "h w"] | None = None,
 ) -> Rotation:
-    """Find the yaw of one object: coarse search, then gradient descent on the candidates.
+    """Estimate the yaw of one object: coarse search, then gradient descent on the candidates.
 
-    Returns the best yaw in [-pi, pi) with its loss, and every refined (yaw, loss), that one first.
-    ``model.size`` gives the proportions, ``model.orientation``, if any, one more start, and the
-    side where the picture cannot tell. The crop's alpha is S; ``encoder`` gives Phi;
-    ``image_size`` is (width, height) of the reference image, pixels; ``seed`` is of the surface
-    samples; ``hidden`` marks where something else may hide the object.
+    Returns the best yaw in [-pi, pi) with its loss, and all refined (yaw, loss) pairs, best first.
+    ``model.size`` gives the proportions; ``model.orientation``, if set, is one more start, and
+    decides where the picture is ambiguous. The crop's alpha is S; ``encoder`` gives Phi;
+    ``image_size`` is (width, height) of the reference image, pixels; ``seed`` is for the surface
+    samples; ``hidden`` marks the pixels where the object may be occluded.
 
     Raises:
         InputError: the crop is empty or the model has no surface.

@@ -28,19 +28,18 @@ if TYPE_CHECKING:
     from ...render.soft import CropFit
 
 
-_NEAR_SIDE = 0.04  # of a crop's side: so near to a side of the box, what hides may cut it off
-_TOUCH = 0.08  # share of a side that must be hidden
+_NEAR_SIDE = 0.04  # distance from a side of the box at which occlusion counts, share of the crop
+_TOUCH = 0.08  # minimum share of a side that is occluded
 
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """What the renders of ``s`` objects are compared with, in crops of one resolution.
+    """Targets for the renders of ``s`` objects, in crops of one resolution.
 
-    ``image`` is the crop over grey and ``mask`` is S, both softened like the renders;
-    ``distance`` is D_S over ``edge_unit``; ``features`` are Phi(I_instance); ``weight`` is how
-    much each pixel counts, ``weights`` that at the features' sizes. ``cut`` tells at which sides
-    of its box (left, top, right, bottom) something may hide the object, which then reaches
-    farther than the box.
+    ``image`` is the crop over grey and ``mask`` is S, both smoothed like the renders; ``distance``
+    is D_S over ``edge_unit``; ``features`` are Phi(I_instance); ``weight`` is the weight of each
+    pixel, ``weights`` the same at the features' sizes. ``cut`` marks the sides of the box (left,
+    top, right, bottom) at which the object may be occluded, and therefore extend beyond the box.
     """
 
     image: Float[Tensor, "s 3 h w"]
@@ -54,7 +53,7 @@ class Target:
 
 @dataclass(frozen=True, eq=False)
 class Candidates:
-    """Poses to compare: each one's object, yaw and tilt (radians), and place in its crop."""
+    """Poses to compare: object index, yaw and tilt (radians), and position in the crop of each."""
 
     owner: Int[Tensor, "b"]
     yaw: Float[Tensor, "b"]
@@ -64,10 +63,10 @@ class Candidates:
 
 @dataclass(frozen=True, eq=False)
 class Objective:
-    """L_rot of Eq. 1 for ``s`` objects, each seen in its own place of the image.
+    """L_rot of Eq. 1 for ``s`` objects, each seen at its own position in the image.
 
-    ``middle`` and ``span`` are the objects' boxes in x/z, y/z of the camera. ``loose`` marks those
-    whose outline was completed by a guess: they may be shifted and scaled in their crops.
+    ``middle`` and ``span`` are the objects' boxes in x/z, y/z of the camera. ``loose`` marks
+    objects whose outline was completed by a guess: they may be shifted and scaled in their crops.
     """
 
     surface: SampledSurface
@@ -87,7 +86,7 @@ class Objective:
         return self.compare(self.render(poses), self.target, poses.owner)
 
     def place(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
-        """Return rotations from object to camera axes, and where the centres lie, metres."""
+        """Return rotations from object to camera axes, and positions of the centres, metres."""
         from ...render import soft
 
         owner = poses.owner
@@ -109,7 +108,7 @@ class Objective:
     def compare(
         self, images: SoftImages, target: Target, owner: Int[Tensor, "b"]
     ) -> Float[Tensor, "b"]:
-        """Return Eq. 1 of renders, each held against the ``owner``-th row of a target."""
+        """Return Eq. 1 of renders, each compared with row ``owner`` of the target."""
         from ...render import soft
         from ...render.relight import relit
 
@@ -130,7 +129,7 @@ class Objective:
 
 @dataclass(frozen=True, eq=False)
 class Levels:
-    """The same objects at growing resolution; ``close`` makes the last, once, if it is asked."""
+    """The same objects at increasing resolution; ``close`` computes the highest on first use."""
 
     coarse: Objective
     fine: Objective
@@ -146,10 +145,10 @@ def make_target(
 ) -> Target:
     """Crop the completed instance tightly and prepare it for Eqs. 2 to 4.
 
-    ``hidden`` marks the image's pixels where something else may hide the object.
+    ``hidden`` marks the image's pixels where the object may be occluded.
 
     Raises:
-        InputError: the instance's crop is wholly transparent.
+        InputError: the instance's crop is fully transparent.
     """
     import torch
     from torch.nn import functional
@@ -181,7 +180,7 @@ def make_target(
 def cut_sides(
     hidden: Bool[np.ndarray, "r r"], box: Float[np.ndarray, "4"]
 ) -> Bool[np.ndarray, "4"]:
-    """Tell at which sides (left, top, right, bottom) of a tight crop of ``box`` something hides."""
+    """Return the occluded sides (left, top, right, bottom) of a tight crop of ``box``."""
     from ...render.crop import MARGIN
 
     side = len(hidden)
@@ -213,7 +212,7 @@ def make_objectives(
     ``image_size`` is (width, height) of the reference image; ``hidden`` as in ``make_target``.
 
     Raises:
-        InputError: torch has no such device as the settings name; a crop or a mesh is empty.
+        InputError: torch does not have the configured device; a crop or a mesh is empty.
     """
     import torch
 
@@ -223,8 +222,8 @@ def make_objectives(
     device, count = torch.device(config.device), torch.cuda.device_count()
     if device.type == "cuda" and (device.index or 0) >= count:
         raise InputError(
-            f"RotationConfig.device is {config.device!r}, but torch finds {count} such GPUs here. "
-            "Use 'cpu', or a torch made for CUDA."
+            f"RotationConfig.device is {config.device!r}, but torch reports {count} such GPUs. Use "
+            "'cpu', or install torch with CUDA."
         )
 
     focal = image_size[1] / 2 / np.tan(view.fov / 2)
@@ -271,14 +270,14 @@ def _stack(targets: list[Target], device: str) -> Target:
 
 LEFT, TOP, RIGHT, BOTTOM = range(4)
 
-_MOST = 0.3  # change of size, and of place over the crop's side, that is not tried
+_MOST = 0.3  # limit of the change of size, and of position as a share of the crop's side
 
 
 def reaching_past(objective: Objective, poses: Candidates, side: int) -> CropFit:
-    """Return how candidates are drawn that agree with their boxes at all sides but one.
+    """Return the fit of candidates that match their boxes at all sides except one.
 
-    The two opposite sides that are left tell the size, the third the place. A candidate that
-    would end before its box does, or reach much farther, is drawn tightly instead.
+    The two opposite sides determine the size, the third the position. A candidate that would end
+    inside its box, or extend far beyond it, is fitted tightly instead.
     """
     import torch
 

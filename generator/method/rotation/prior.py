@@ -1,6 +1,6 @@
-"""The orientation in which a modeler saw its model (``Model.orientation``): a hint.
+"""The orientation in which a modeler saw its model (``Model.orientation``), used as a hint.
 
-The yaw that it implies is one more start of the search, and decides between sides whose losses
+The yaw that it implies is one more start of the search, and decides between candidates whose losses
 hardly differ. It never overrides a loss that is clearly lowest.
 """
 
@@ -14,19 +14,20 @@ from .certainty import OTHER
 from .results import RotationCandidate
 
 UPRIGHT = float(np.deg2rad(30.0))
-"""Angle between a model's upward axis and the table's above which its yaw tells nothing."""
+"""Maximum angle between a model's up axis and the vertical at which its yaw is meaningful."""
 
 NEAR = float(np.deg2rad(40.0))
-"""Angle within which a yaw agrees with the prior; less than half of a quarter turn."""
+"""Angle within which a yaw agrees with the prior; less than an eighth of a turn."""
 
 SHARE = 0.05
-"""Sides whose loss is at most that share above the least cannot be told apart by it."""
+"""Candidates within this relative margin of the lowest loss cannot be distinguished by it."""
 
 
 def prior_yaw(model: Model) -> float | None:
     """Return the yaw (radians, [-pi, pi)) nearest to a model's orientation.
 
-    None without one, or if the model leans by more than ``UPRIGHT`` from the table's vertical.
+    Returns None without an orientation, or if the model leans by more than ``UPRIGHT`` from the
+    vertical.
     """
     seen = model.orientation
     if seen is None or seen[2, 2] < np.cos(UPRIGHT):
@@ -35,15 +36,15 @@ def prior_yaw(model: Model) -> float | None:
 
 
 def agrees(yaw: float, prior: float | None) -> bool:
-    """Tell whether a yaw is within ``NEAR`` of a prior."""
+    """Return whether a yaw is within ``NEAR`` of a prior."""
     return prior is not None and abs(wrap(yaw - prior)) <= NEAR
 
 
 def prefer(found: list[RotationCandidate], prior: float | None) -> list[RotationCandidate]:
-    """Return candidates, best first, with the one that the prior supports in front.
+    """Return candidates, best first, but with the one that the prior supports in front.
 
-    That is the best of another side that agrees with the prior, if the best does not, and if the
-    losses of the two cannot be told apart.
+    That candidate is the best one that differs from the best overall and agrees with the prior, if
+    the best overall does not and their losses cannot be distinguished.
     """
     if prior is None or not found or agrees(found[0].yaw, prior):
         return found
@@ -56,9 +57,10 @@ def prefer(found: list[RotationCandidate], prior: float | None) -> list[Rotation
 
 
 def same_side(found: RotationCandidate, order: int, prior: float | None) -> RotationCandidate:
-    """Return a candidate turned, by a multiple of 2 pi / ``order``, to where the prior has it.
+    """Return a candidate rotated by the multiple of 2 pi / ``order`` that agrees with the prior.
 
-    So turned it looks the same; where no such turn agrees with the prior, it stays.
+    The object looks the same after that rotation. Without such a multiple the candidate is
+    unchanged.
     """
     turns = (found.yaw + 2 * np.pi * k / order for k in range(order))
     nearest = min(turns, key=lambda yaw: abs(wrap(yaw - (prior or 0.0))))

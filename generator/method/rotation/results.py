@@ -1,4 +1,4 @@
-"""Results of the search."""
+"""Results of the rotation search."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Place = tuple[float, float, float]
 
 
 class RotationCandidate(NamedTuple):
-    """A candidate's yaw (radians), loss, tilt (radians) and place in its crop."""
+    """A candidate's yaw (radians), loss, tilt (radians) and position in its crop."""
 
     yaw: float
     loss: float = float("inf")
@@ -21,14 +21,14 @@ class RotationCandidate(NamedTuple):
 
 
 Rows = list[list[RotationCandidate]]
-"""Candidates, best first: those of several objects, or of one object at several looks."""
+"""Candidates, best first: of several objects, or of one object at several resolutions."""
 
 
 @dataclass(frozen=True)
 class RotationAnswer:
     """The result for one object.
 
-    ``looks`` are its candidates at each look, the closest look first; ``margin``, ``width``,
+    ``looks`` are its candidates at each resolution, highest first; ``margin``, ``width``,
     ``symmetric`` and ``order`` are those of ``generator.scene.Rotation``.
     """
 

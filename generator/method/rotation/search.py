@@ -1,9 +1,10 @@
-"""Coarse search over the whole turn, then gradient descent on the best candidates.
+"""Coarse search over the full circle, then gradient descent on the best candidates.
 
-Each level looks closer at fewer candidates; most objects are decided before the last one.
+Each level compares fewer candidates at a higher resolution; most objects are decided before the
+last.
 """
 
-# Torch leaves methods of its tensors without types.
+# Torch's tensor methods lack type annotations.
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
 # pyright: reportUnknownArgumentType=false
 
@@ -27,15 +28,15 @@ if TYPE_CHECKING:
     from torch import Tensor
 
 
-_CHUNK = 24  # coarse candidates of an object rendered at once
-_SHIFT = 0.3  # Adam's step of shift and zoom, per step of yaw
+_CHUNK = 24  # coarse candidates of an object per rendering batch
+_SHIFT = 0.3  # Adam's step of shift and zoom, relative to that of yaw
 
 
 def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list[RotationAnswer]:
-    """Return what is found for every object.
+    """Return the result for every object.
 
-    An object that looks the same from all sides has one candidate, yaw 0. ``priors`` are yaws
-    (radians) that the models' own orientations imply, see ``prior``; None where there is none.
+    A rotationally symmetric object has one candidate, yaw 0. ``priors`` are yaws (radians) that the
+    models' own orientations imply (see ``prior``), or None.
     """
     config, coarse, fine = levels.coarse.config, levels.coarse, levels.fine
     hints = [None] * len(coarse) if priors is None else list(priors)
@@ -82,8 +83,8 @@ def _answer(
     candidates: list[RotationCandidate],
     prior: float | None,
 ) -> RotationAnswer:
-    """Return an object's answer; where another side fits about as well, look if it is the same."""
-    # The coarse search tells as well: all finalists may be of sides that are the same.
+    """Return an object's answer; if another side fits about as well, check for symmetry."""
+    # The coarse search is needed too: all finalists may be symmetric to each other.
     config, sure, order = levels.coarse.config, margin(looks), 1
     least = min(looks[0], key=lambda f: f.loss).yaw
     if config.flat and sure < config.doubt:
@@ -98,7 +99,7 @@ def _answer(
 def _starts(
     levels: Levels, priors: Sequence[float | None]
 ) -> tuple[Rows, list[bool], list[RotationCandidate | None], Rows]:
-    """Search the whole turn: (best candidates, crowded, candidate if round, all) of each object."""
+    """Search all yaws: (best candidates, crowded, candidate if round, all) of each object."""
     config = levels.coarse.config
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
     losses, places = coarse_search(levels.coarse, yaws)
@@ -109,7 +110,7 @@ def _starts(
     for k, row in enumerate(losses):
         best = select(yaws, row, config)
         close = len(best) > 1 and row[best[-1]] < (1 + config.crowded) * row.min()
-        crowded.append(not flat[k] and bool(close))  # so alike: chosen again at full resolution
+        crowded.append(not flat[k] and bool(close))  # too similar: select at full resolution
         if crowded[-1]:
             row = losses_at(levels.fine, k, yaws, places[k])
             best = select(yaws, row, config)
@@ -132,7 +133,7 @@ def _starts(
 def _with_start(
     objective: Objective, number: int, found: list[RotationCandidate], yaw: float
 ) -> list[RotationCandidate]:
-    """Return starts, best first, with one at ``yaw`` (radians), unless one is there already."""
+    """Return the starts, best first, with one at ``yaw`` (radians) added unless one is near."""
     if any(abs(wrap(f.yaw - yaw)) < objective.config.separation / 3 for f in found):
         return found
     nearest = min(found, key=lambda f: abs(wrap(f.yaw - yaw)))
@@ -144,9 +145,9 @@ def _with_start(
 def coarse_search(
     objective: Objective, yaws: Float[np.ndarray, "n"]
 ) -> tuple[Float[np.ndarray, "s n"], list[list[Place]]]:
-    """Return each object's lowest loss at each yaw (radians), and where in the crop it has it.
+    """Return each object's lowest loss at each yaw (radians), and its position in the crop.
 
-    An object that something may hide is also drawn reaching past its box, at one side at a time.
+    An object that may be occluded is also drawn extending beyond its box, at one side at a time.
     """
     import torch
 
@@ -188,7 +189,7 @@ def losses_at(
     yaws: Float[np.ndarray, "n"],
     places: Sequence[Sequence[float]],
 ) -> Float[np.ndarray, "n"]:
-    """Return Eq. 1 of one object at yaws (radians), each in a place of its crop; no gradients."""
+    """Return Eq. 1 of one object at yaws (radians) and positions in its crop; no gradients."""
     import torch
 
     from ...render.soft import CropFit
@@ -207,7 +208,7 @@ def losses_at(
 def select(
     yaws: Float[np.ndarray, "n"], losses: Float[np.ndarray, "n"], config: RotationConfig
 ) -> list[int]:
-    """Return which yaws have the lowest loss: at most ``candidates``, ``separation`` apart."""
+    """Return the yaws with the lowest loss: at most ``candidates``, ``separation`` apart."""
     chosen: list[int] = []
     for k in np.argsort(losses, kind="stable"):
         if all(abs(wrap(yaws[k] - yaws[n])) >= config.separation - 1e-6 for n in chosen):
@@ -220,7 +221,7 @@ def select(
 def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
     """Descend with Adam from each start; return the best of each path, best first.
 
-    ``starts`` has a list for each object. The whole batch stops once no path gets better.
+    ``starts`` has a list for each object. The whole batch stops once no path improves.
     """
     import torch
 
@@ -282,7 +283,7 @@ def _rivals(
     config: RotationConfig,
     prior: float | None,
 ) -> list[RotationCandidate]:
-    """Return the best candidates that differ, and one that agrees with the prior if not behind."""
+    """Return the best distinct candidates, with one that agrees with the prior if close enough."""
     kept: list[RotationCandidate] = []
     for candidate in sorted(found, key=lambda f: f.loss):
         near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)

@@ -1,4 +1,4 @@
-"""Which sides of an object look the same, judged by its own renders, not by the picture."""
+"""Rotational symmetry of objects, determined from their own renders, not from the picture."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from jaxtyping import Bool, Float
 from .equations import contour_distance
 from .objective import Candidates, Objective, Target
 
-_TURNS = 24  # yaws compared with the first
+_TURNS = 24  # number of yaws compared with the first
 
 
 def looks_round(
     close: Callable[[], Objective], suspects: Bool[np.ndarray, "s"], flat: float
 ) -> Bool[np.ndarray, "s"]:
-    """Tell which suspects look the same from all sides: those that turning changes too little.
+    """Return which suspects are rotationally symmetric: those that rotation hardly changes.
 
     ``close`` makes the objective that draws them; it is called only if there are suspects.
     """
@@ -29,9 +29,9 @@ def looks_round(
 
 
 def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> int:
-    """Return by what share of a whole turn, 1 over 1 to 4, an object turns and looks the same.
+    """Return the order of an object's symmetry, 1 to 4: it looks the same after 1/order of a turn.
 
-    Turned from ``yaw`` (radians) by any number of these, its own render changes by less than
+    Rotated from ``yaw`` (radians) by any multiple of that, its own render changes by less than
     ``flat``.
     """
     shares = np.array([0, 1 / 4, 1 / 3, 1 / 2, 2 / 3, 3 / 4])
@@ -41,7 +41,7 @@ def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> i
 
 
 def turning_changes(objective: Objective, number: int) -> float:
-    """Return how much more than chance turning one object changes its own render, by Eq. 1."""
+    """Return how much rotation changes an object's own render, by Eq. 1, above sampling noise."""
     yaws = np.arange(_TURNS) * (2 * np.pi / _TURNS)
     return float(_changes(objective, number, yaws).max())
 
@@ -49,11 +49,11 @@ def turning_changes(objective: Objective, number: int) -> float:
 def _changes(
     objective: Objective, number: int, yaws: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return how much more than chance an object's render differs from that at the first yaw."""
+    """Return how much a render differs from that at the first yaw, above sampling noise."""
     import torch
 
-    # Half of its points draw it at the first yaw, the other half at all of them. The loss of the
-    # two halves at one yaw is what their scatter alone makes.
+    # Half of its points draw it at the first yaw, the other half at all yaws. The loss between the
+    # two halves at the same yaw is the sampling noise.
 
     device = objective.middle.device
     yaw = torch.as_tensor(yaws, dtype=torch.float32, device=device)

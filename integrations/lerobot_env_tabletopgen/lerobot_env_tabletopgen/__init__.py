@@ -1,4 +1,4 @@
-"""TabletopGen's environments as LeRobot's ``--env.type=tabletopgen``."""
+"""TabletopGen's environments for LeRobot's ``--env.type=tabletopgen``."""
 
 from .config import TabletopGenEnvConfig
 from .view import LeRobotView, make_lerobot_env

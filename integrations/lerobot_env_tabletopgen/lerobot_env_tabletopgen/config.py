@@ -1,4 +1,4 @@
-"""The configuration that LeRobot makes the environments from."""
+"""The configuration from which LeRobot makes the environments."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ _ACTION = 5
 @EnvConfig.register_subclass("tabletopgen")
 @dataclass
 class TabletopGenEnvConfig(EnvConfig):
-    """Where and how a policy is evaluated.
+    """Settings of a policy's evaluation.
 
     Attributes:
         task: "Reach", "Lift", "Push", "PickPlace", "Stack", "Swap", "Sequence" or "Tidy".
-        fps: how often a second the policy acts; a divisor of 500.
-        scenes: where tables come from, several separated by commas; "" for the task's own.
-        cameras: of the pictures, separated by commas.
+        fps: actions per second; a divisor of 500.
+        scenes: scene sources, separated by commas; "" uses the task's own.
+        cameras: cameras of the pictures, separated by commas.
         image_size: height and width of the pictures, pixels.
         randomization: "starts", "light", "strong" or "none".
-        episode_length: most steps of an episode; 0 for the task's own.
+        episode_length: maximum steps per episode; 0 uses the task's own.
     """
 
     task: str | None = "Lift"
@@ -65,7 +65,7 @@ class TabletopGenEnvConfig(EnvConfig):
 
     @property
     def gym_kwargs(self) -> dict[str, Any]:
-        """The arguments of ``make_lerobot_env``."""
+        """The keyword arguments of ``make_lerobot_env``."""
         scenes = [name.strip() for name in self.scenes.split(",") if name.strip()]
         return {
             "task": self.task or "Lift", "scenes": scenes or None, "cameras": self.names,
@@ -77,7 +77,7 @@ class TabletopGenEnvConfig(EnvConfig):
     def create_envs(
         self, n_envs: int, use_async_envs: bool = False
     ) -> dict[str, dict[int, gym.vector.VectorEnv]]:
-        """Return ``n_envs`` environments stepped together, as the suite's one task."""
+        """Return ``n_envs`` environments that are stepped together, as the suite's only task."""
         make = [partial(make_lerobot_env, **self.gym_kwargs)] * n_envs
         mode = AutoresetMode.SAME_STEP
         if use_async_envs and n_envs > 1:

@@ -1,4 +1,4 @@
-"""An environment as LeRobot's evaluation sees it; needs nothing of LeRobot."""
+"""An environment in the form that LeRobot's evaluation expects; does not import LeRobot."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from tabletopgen_env.env import OPTIONS
 from tabletopgen_env.episodes import EndOnSuccess
 
 PROPRIO = 33
-"""Entries of what the robot feels of itself."""
+"""Number of proprioception entries."""
 
 assert tabletopgen_env
 
 
 class LeRobotView(gym.ObservationWrapper):
-    """Shows "pixels+proprio" by LeRobot's names: ``pixels`` by camera, and ``agent_pos``.
+    """Renames "pixels+proprio" for LeRobot: ``pixels`` by camera, and ``agent_pos``.
 
-    ``task_description`` is what is to be done in the episode. ``info["is_success"]``, of which
-    LeRobot takes whether it was ever true, is so in the step that ends the episode because success
-    has held, and in no other.
+    ``task_description`` is the episode's instruction. ``info["is_success"]``, of which LeRobot
+    checks whether it was ever true, is only true in the step that ends the episode because success
+    has held.
     """
 
     def __init__(self, env: EndOnSuccess) -> None:
@@ -41,18 +41,18 @@ class LeRobotView(gym.ObservationWrapper):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, Any], dict[str, Any]]:
-        """Begin an episode; options that are LeRobot's own are dropped."""
+        """Begin an episode; LeRobot's own options are ignored."""
         known = {name: value for name, value in (options or {}).items() if name in OPTIONS}
         seen, info = super().reset(seed=seed, options=known)
         return seen, {**info, "is_success": False}
 
     def step(self, action: np.ndarray) -> tuple[dict[str, Any], float, bool, bool, dict[str, Any]]:
-        """Act."""
+        """Perform one step."""
         seen, reward, ended, cut, info = super().step(action)
         return seen, float(reward), ended, cut, {**info, "is_success": ended}
 
     def observation(self, observation: dict[str, Any]) -> dict[str, Any]:
-        """Return an observation by LeRobot's names."""
+        """Return an observation with LeRobot's names."""
         self.task_description = self.task = str(observation["instruction"])
         pixels = {name: observation[name] for name in self._cameras}
         return {"pixels": pixels, "agent_pos": np.asarray(observation["proprio"])}
@@ -67,7 +67,7 @@ def make_lerobot_env(
     randomization: str | None,
     max_episode_steps: int | None,
 ) -> LeRobotView:
-    """Return an environment for LeRobot; arguments are those of the configuration."""
+    """Return an environment for LeRobot; the arguments are those of the configuration."""
     limit: dict[str, Any] = (
         {} if max_episode_steps is None else {"max_episode_steps": max_episode_steps}
     )

@@ -23,19 +23,19 @@ class TabletopGenBenchmark(StepBenchmark):
 
     Args:
         tasks: some of "Reach", "Lift", "Push", "PickPlace", "Stack", "Swap", "Sequence", "Tidy".
-        scenes: where tables come from; None for each task's own.
-        cameras: of the pictures.
+        scenes: scene source; None uses each task's own.
+        cameras: cameras of the pictures.
         image_size: height and width of the pictures, pixels.
-        seed: of the first episode.
-        randomization: what differs between episodes; None for nothing.
-        max_episode_steps: most steps of an episode; None for the task's own.
+        seed: seed of the first episode.
+        randomization: randomisation between episodes; None for none.
+        max_episode_steps: maximum steps per episode; None uses the task's own.
     """
 
     render_backends = frozenset({"gpu", "cpu"})
 
     @classmethod
     def configure_render(cls, mode: str) -> dict[str, str]:
-        """Choose how MuJoCo draws."""
+        """Choose MuJoCo's rendering backend."""
         return configure_mujoco_render(mode)
 
     def __init__(
@@ -64,7 +64,7 @@ class TabletopGenBenchmark(StepBenchmark):
         return [{"name": name, "suite": "tabletopgen"} for name in self._tasks]
 
     def reset(self, task: Task) -> Any:
-        """Begin the task's episode of the number ``episode_idx``."""
+        """Begin the task's episode with the index ``episode_idx``."""
         name = str(task["name"])
         if self._env is None or name != self._name:
             self.cleanup()
@@ -74,7 +74,7 @@ class TabletopGenBenchmark(StepBenchmark):
         return seen
 
     def step(self, action: Action) -> StepResult:
-        """Act."""
+        """Perform one step."""
         assert self._env is not None
         given = np.asarray(action.get("actions", action.get("action")), np.float64).ravel()
         seen, reward, ended, cut, info = self._env.step(five_of(given))
@@ -95,7 +95,7 @@ class TabletopGenBenchmark(StepBenchmark):
         return {"success": bool(step_result.info.get("held", False))}
 
     def get_action_spec(self) -> dict[str, DimSpec]:
-        """Return what an action is."""
+        """Return the specification of actions."""
         turn = DimSpec("rotation", 1, "delta_yaw", (-1, 1), frozenset({"delta_yaw", "euler_xyz"}))
         grip = DimSpec(
             "gripper", 1, "binary_close_negative", (-1, 1),
@@ -104,12 +104,12 @@ class TabletopGenBenchmark(StepBenchmark):
         return {"position": POSITION_DELTA, "rotation": turn, "gripper": grip}
 
     def get_observation_spec(self) -> dict[str, DimSpec]:
-        """Return what an observation has."""
+        """Return the specification of observations."""
         state = DimSpec("state", 33, "tabletopgen_proprio33")
         return {"image": IMAGE_RGB, "language": LANGUAGE, "state": state}
 
     def get_hold_action(self, last_action: Action | None) -> Action:
-        """Return the action that stays, the gripper as it was last told."""
+        """Return an action that holds still, with the gripper at its last command."""
         held = np.zeros(5, np.float32)
         held[4] = 1.0
         if last_action is not None:
@@ -117,7 +117,7 @@ class TabletopGenBenchmark(StepBenchmark):
         return {"actions": held}
 
     def get_metadata(self) -> dict[str, Any]:
-        """Return how the benchmark is set."""
+        """Return the benchmark's settings."""
         return {"seed": self._seed, **self._settings}
 
     def render(self) -> np.ndarray | None:
@@ -135,13 +135,13 @@ class TabletopGenBenchmark(StepBenchmark):
 def five_of(action: np.ndarray) -> np.ndarray:
     """Return an action of dx, dy, dz, dyaw and gripper (1 open), within [-1, 1].
 
-    Of seven entries roll and pitch are left out, and the gripper's closes when it is positive.
+    Of seven entries, roll and pitch are ignored, and the gripper closes at positive values.
 
     Raises:
-        ValueError: it has neither five nor seven entries, or one is not finite.
+        ValueError: there are neither five nor seven entries, or one is not finite.
     """
     if action.shape not in ((5,), (7,)) or not np.isfinite(action).all():
-        raise ValueError(f"An action has 5 or 7 finite entries, got {action.tolist()}.")
+        raise ValueError(f"An action must have 5 or 7 finite entries, got {action.tolist()}.")
     if len(action) == 7:
         action = np.array([*action[:3], action[5], -action[6]])
     return np.clip(action, -1.0, 1.0).astype(np.float32)

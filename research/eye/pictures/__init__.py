@@ -1,1 +1,1 @@
-"""The pictures that the eye learns from, rendered."""
+"""Rendering of the eye's training pictures."""

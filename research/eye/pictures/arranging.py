@@ -1,4 +1,4 @@
-"""Putting things on a table: apart, on top of, and inside each other, at rest."""
+"""Placement of objects on a table: apart, on top of, and inside each other, at rest."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from tabletop_objects import CATEGORIES
 
 from .supply import KEYS, Supply
 
-_CELL = 0.004  # metres a cell of the occupancy map
+_CELL = 0.004  # metres per cell of the occupancy map
 _TRIES = 40
-_TALL = 0.12  # metres: what is taller often stands at the back
+_TALL = 0.12  # metres: taller objects are often placed at the back
 
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """A model of the supply at rest. ``support`` 0 is the table, ``k`` the k-th placed thing."""
+    """A model of the supply at rest. ``support`` 0 is the table, ``k`` the k-th placed object."""
 
     model: int
     size: Float[np.ndarray, "3"]
@@ -40,7 +40,7 @@ class Placed:
 
 @dataclass(eq=False)
 class _Ground:
-    """The occupied part of a tabletop, as a picture."""
+    """The occupied part of a tabletop, as a raster."""
 
     outline: Float[np.ndarray, "k 2"]
     height: float
@@ -53,7 +53,7 @@ class _Ground:
         self.cells = np.zeros((int(span[1]) + 2, int(span[0]) + 2), np.uint8)
 
     def take(self, hull: Float[np.ndarray, "m 2"], gap: float) -> bool:
-        """Occupy a convex footprint if it is free and on the table; tell whether it was."""
+        """Occupy a convex footprint if it is free and on the table; return whether it was."""
         if (inside_margin(hull, self.outline) < 0.006).any():
             return False
         pixels = np.round((hull - self.low) / _CELL).astype(np.int32)
@@ -78,10 +78,10 @@ def arrange(
     count: int,
     tidy: bool = False,
 ) -> list[Placed]:
-    """Place up to ``count`` things on a top with a convex outline (metres) at ``height``.
+    """Place up to ``count`` objects on a top with a convex outline (metres) at ``height``.
 
-    ``tidy`` ones are about as large as they are in life, apart, and mostly face the viewer. What
-    stands tall often stands at the back, before what is behind the table.
+    ``tidy`` ones have about their real size, are apart, and mostly face the viewer. Tall objects
+    are often placed at the back.
     """
     ground = _Ground(outline, height)
     choice = _candidates(rng, supply)
@@ -109,7 +109,7 @@ def arrange(
 
 
 def _bases(rng: np.random.Generator, supply: Supply, placed: list[Placed]) -> list[int]:
-    """Return some things to put another on or in, what holds or carries things well first."""
+    """Return some objects to put another on or in, those that hold or carry objects well first."""
     weights = []
     for thing in placed:
         flat = thing.size[2] < 0.35 * min(thing.size[0], thing.size[1])
@@ -119,7 +119,7 @@ def _bases(rng: np.random.Generator, supply: Supply, placed: list[Placed]) -> li
 
 
 def _carriers(rng: np.random.Generator, supply: Supply) -> list[int]:
-    """Return one or two boards, trays, books or vessels, to be laid first and loaded then."""
+    """Return one or two boards, trays, books or vessels, to be placed first and then loaded."""
     wide = [
         k
         for k, model in enumerate(supply.models)
@@ -129,7 +129,7 @@ def _carriers(rng: np.random.Generator, supply: Supply) -> list[int]:
 
 
 def _candidates(rng: np.random.Generator, supply: Supply) -> list[int]:
-    """Return the models a scene draws from: of one theme with a few others, or any."""
+    """Return the models for a scene: of one theme with a few others, or any."""
     every = range(len(supply.models))
     if rng.random() < 0.5:
         return list(every)
@@ -145,7 +145,7 @@ def _candidates(rng: np.random.Generator, supply: Supply) -> list[int]:
 def _pose(
     rng: np.random.Generator, supply: Supply, index: int, front: bool, grown: float
 ) -> Placed:
-    """Return a thing of some size and turn, not yet anywhere; a few have fallen over."""
+    """Return an unplaced object with a random size and rotation; a few are tipped over."""
     model = supply.models[index]
     factor = rng.uniform(0.8, 1.25, 3) if rng.random() < 0.35 else rng.uniform(0.85, 1.2)
     size = model.size * factor * grown
@@ -160,7 +160,7 @@ def _pose(
 
 
 def _tip(side: int) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation of a thing fallen to one of four sides."""
+    """Return the rotation of an object tipped over to one of four sides."""
     over = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
     return rotation_z(side * np.pi / 2) @ over
 
@@ -173,7 +173,7 @@ def _lay(
     center: Float[np.ndarray, "2"],
     spread: float,
 ) -> Placed | None:
-    """Return the thing resting on a free part of the table, or None."""
+    """Return the object at rest on a free part of the table, or None."""
     vertices = thing.vertices(supply.models[thing.model])
     across = cv2.convexHull(vertices[:, :2].astype(np.float32))[:, 0].astype(float)
     low, high = ground.outline.min(0), ground.outline.max(0)
@@ -194,7 +194,7 @@ def _lay(
 def _stack(
     rng: np.random.Generator, supply: Supply, thing: Placed, placed: list[Placed], base: int
 ) -> Placed | None:
-    """Return the thing resting on or in another one, or None where it would not stay."""
+    """Return the object at rest on or in another one, or None if it would not be stable."""
     below = placed[base]
     lower = supply.models[below.model]
     if any(p.support == base + 1 for p in placed) and not lower.container:
@@ -229,7 +229,7 @@ def _stack(
 def _rest(
     bottom: Float[np.ndarray, "p"], top: Float[np.ndarray, "p"], grid: Float[np.ndarray, "p 2"]
 ) -> float | None:
-    """Return how far to lift a thing onto what is below, if it touches all round its middle."""
+    """Return how far to lift an object onto others, if it touches on all sides of its centre."""
     own = np.isfinite(bottom)
     both = own & np.isfinite(top)
     if both.sum() < 0.8 * own.sum() or both.sum() < 6:

@@ -13,7 +13,7 @@ def cartoon(
     ids: Int[np.ndarray, "h w"],
     depth: Float[np.ndarray, "h w"],
 ) -> Float[np.ndarray, "h w 3"]:
-    """Return the picture with flat, lively colours and dark lines where things and depth end."""
+    """Return the picture with flat, saturated colours and dark lines at object and depth edges."""
     flat = np.clip(image, 0, 255).astype(np.uint8)
     for _ in range(2):
         flat = cv2.bilateralFilter(flat, 7, 40, 5)
@@ -39,7 +39,7 @@ def cartoon(
 def develop(
     rng: np.random.Generator, image: Float[np.ndarray, "h w 3"], clean: bool
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Return the picture as a camera would give it; a ``clean`` one keeps its white white."""
+    """Return the picture as taken by a camera; ``clean`` keeps white pure."""
     image = np.clip(image, 0, 255) / 255
     if rng.random() < 0.6:
         image = image ** float(np.exp(rng.normal(0, 0.16 if clean else 0.3)))
@@ -60,7 +60,7 @@ def develop(
     if rng.random() < (0.25 if clean else 0.7):
         sigma = float(rng.exponential(0.006 if clean else 0.018))
         noise = rng.normal(0, sigma, image.shape).astype(np.float32)
-        if rng.random() < 0.5:  # what a sensor's filter smears
+        if rng.random() < 0.5:  # blur of a sensor's filter
             noise = cv2.GaussianBlur(noise, (0, 0), 0.8) * 1.6
         image = image + noise
     out = np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
@@ -78,7 +78,7 @@ def _vignette(rng: np.random.Generator, shape: tuple[int, ...]) -> Float[np.ndar
 def _lens(
     rng: np.random.Generator, image: Float[np.ndarray, "h w 3"], clean: bool
 ) -> Float[np.ndarray, "h w 3"]:
-    """Blur, as focus, motion or scaling does, or sharpen."""
+    """Blur, as by focus, motion or scaling, or sharpen."""
     chance = rng.random()
     if chance < 0.25:
         return cv2.GaussianBlur(image, (0, 0), float(rng.uniform(0.3, 1.0 if clean else 1.8)))

@@ -1,4 +1,4 @@
-"""Drawing with MuJoCo's OpenGL renderer: pictures, ids, depth and whole silhouettes."""
+"""Rendering with MuJoCo's OpenGL renderer: pictures, ids, depth and whole silhouettes."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from generator.geometry import Camera
 from .pool import BACKDROP, Stock
 
 NEAR, FAR = 0.04, 40.0
-"""Nearest and farthest depth drawn, metres."""
+"""Near and far clipping distances, metres."""
 
-_CAPACITY = 400  # things at once
+_CAPACITY = 400  # maximum number of objects
 _NO_GL = (
-    "Training renders need OpenGL and none could be had ({reason}). On Debian or Ubuntu install "
+    "Training renders need OpenGL, which is not available ({reason}). On Debian or Ubuntu install "
     "'libegl1 libgl1 libgl1-mesa-dri' (EGL) or 'libosmesa6' (MUJOCO_GL=osmesa)."
 )
 
 
 @dataclass(frozen=True, eq=False)
 class PlacedMesh:
-    """A mesh of the stock at a place: ``linear @ mesh + position``.
+    """A mesh of the stock with a transform: ``linear @ mesh + position``.
 
-    ``linear`` holds turn and size, metres. ``texture`` is a number of the stock's textures.
-    ``glow`` is the share of its colour that needs no light.
+    ``linear`` combines rotation and size, metres. ``texture`` is an index of the stock's textures.
+    ``glow`` is the emissive share of its colour.
     """
 
     mesh: int
@@ -45,7 +45,7 @@ class PlacedMesh:
 
 @dataclass(frozen=True, eq=False)
 class Lamp:
-    """A light: directional along ``direction``, ``spread`` radians wide (soft shadows)."""
+    """A directional light along ``direction``, ``spread`` radians wide (soft shadows)."""
 
     direction: Float[np.ndarray, "3"]
     diffuse: tuple[float, float, float]
@@ -56,10 +56,10 @@ class Lamp:
 
 
 class GlPainter:
-    """One GL context holding one stock. Free it with ``close``.
+    """A GL context with one stock. Free it with ``close``.
 
     Raises:
-        BackendError: no OpenGL; says what to install.
+        BackendError: there is no OpenGL; the message says what to install.
     """
 
     def __init__(self, stock: Stock, side: int) -> None:
@@ -88,7 +88,7 @@ class GlPainter:
             self._gl = None
 
     def hang(self, picture: UInt8[np.ndarray, "s s 3"]) -> None:
-        """Replace the backdrop's texture; ``picture`` has ``BACKDROP`` pixels a side."""
+        """Replace the backdrop's texture; ``picture`` has ``BACKDROP`` pixels per side."""
         import mujoco
 
         model, number = self.stock.model, self.stock.backdrop
@@ -104,7 +104,7 @@ class GlPainter:
         rng: np.random.Generator,
         passes: int = 3,
     ) -> Float[np.ndarray, "h w 3"]:
-        """Return a picture in [0, 255]: the mean of ``passes`` with pixels and lamps shifted."""
+        """Return a picture in [0, 255]: the mean of ``passes`` with shifted pixels and lamps."""
         import mujoco
 
         self._load(things)
@@ -123,7 +123,7 @@ class GlPainter:
     def ids(
         self, things: Sequence[PlacedMesh], camera: Camera
     ) -> tuple[Int[np.ndarray, "h w"], Float[np.ndarray, "h w"]]:
-        """Return the index of the thing each pixel shows (-1 none) and its depth, metres."""
+        """Return the index of the object in each pixel (-1 none) and its depth, metres."""
         self._load(things)
         return self._segment(camera)
 
@@ -133,9 +133,10 @@ class GlPainter:
         boxes: Float[np.ndarray, "n 4"],
         camera: Camera,
     ) -> Bool[np.ndarray, "n h w"]:
-        """Return each thing's whole mask, whatever hides it.
+        """Return each object's whole mask, including hidden parts.
 
-        ``boxes`` are pixel boxes that hold the things; those that do not meet are drawn together.
+        ``boxes`` are pixel boxes that contain the objects; objects with disjoint boxes are drawn
+        together.
         """
         full = np.zeros((len(things), self.side, self.side), bool)
         left = list(range(len(things)))
@@ -211,7 +212,7 @@ class GlPainter:
             eye.frustum_top = half + shift[1] * pixel
 
     def _light(self, lamps: Sequence[Lamp], turn: int, rng: np.random.Generator | None) -> None:
-        """Set the lamps; those with shadows take turns to cast them, one a pass."""
+        """Set the lamps; those with shadows cast them in turn, one per pass."""
         import mujoco
 
         able = [k for k, lamp in enumerate(lamps) if lamp.shadow]
@@ -236,7 +237,7 @@ def _apart(a: Float[np.ndarray, "4"], b: Float[np.ndarray, "4"]) -> bool:
 
 
 def _context(side: int) -> Any:
-    """Return a current GL context: the kind ``MUJOCO_GL`` names, else EGL, else OSMesa."""
+    """Return a current GL context: of the kind in ``MUJOCO_GL``, else EGL, else OSMesa."""
     import os
 
     named = os.environ.get("MUJOCO_GL")
@@ -247,6 +248,6 @@ def _context(side: int) -> Any:
             context = importlib.import_module(kind).GLContext(side, side)
             context.make_current()
             return context
-        except Exception as error:  # each GL binding fails in its own way
+        except Exception as error:  # each GL binding raises different errors
             failures.append(f"{kind}: {type(error).__name__}: {error}")
     raise BackendError(_NO_GL.format(reason="; ".join(failures)))

@@ -1,4 +1,4 @@
-"""Pictures that show no table: plain grounds, noise, patterns, pages, scattered shapes."""
+"""Pictures without a table: plain grounds, noise, patterns, pages, scattered shapes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from jaxtyping import Float, UInt8
 
 
 def nothing(size: int, rng: np.random.Generator) -> UInt8[np.ndarray, "s s 3"]:
-    """Draw a square picture without a table; the same generator state draws the same one."""
+    """Draw a square picture without a table, reproducibly from the generator's state."""
     ground = _gradient(size, rng)
     kind = rng.integers(5)
     if kind == 1:
@@ -65,7 +65,7 @@ def _page(ground: Float[np.ndarray, "s s 3"], rng: np.random.Generator) -> None:
 
 
 def _shapes(ground: Float[np.ndarray, "s s 3"], rng: np.random.Generator) -> None:
-    """Scatter blobs and faces of ellipses that stand on nothing."""
+    """Scatter blobs and elliptical surfaces that stand on nothing."""
     size = len(ground)
     for _ in range(int(rng.integers(1, 14))):
         middle = tuple(int(v) for v in rng.integers(0, size, 2))

@@ -13,7 +13,7 @@ Picture = UInt8[np.ndarray, "h w 3"]
 
 
 def any_color(rng: np.random.Generator) -> tuple[float, float, float]:
-    """Return a colour word's colour, or any colour at all."""
+    """Return a named colour, or any colour."""
     if rng.random() < 0.5:
         return COLORS[str(rng.choice(sorted(COLORS)))]
     r, g, b = rng.uniform(10, 245, 3)
@@ -21,7 +21,7 @@ def any_color(rng: np.random.Generator) -> tuple[float, float, float]:
 
 
 def muted_color(rng: np.random.Generator) -> tuple[float, float, float]:
-    """Return a colour as rooms have: mostly greyish, from dark to light."""
+    """Return a colour typical of rooms: mostly greyish, from dark to light."""
     grey, color = rng.uniform(30, 240), np.array(any_color(rng))
     r, g, b = grey + (color - color.mean()) * rng.beta(1.0, 3.0)
     return float(np.clip(r, 4, 252)), float(np.clip(g, 4, 252)), float(np.clip(b, 4, 252))
@@ -45,7 +45,7 @@ def surface(rng: np.random.Generator) -> Picture:
 
 
 def stone(rng: np.random.Generator) -> Picture:
-    """Return veined stone, from faint grey veins in white to bold ones of any colour."""
+    """Return veined stone, from faint grey veins in white to strong ones of any colour."""
     if rng.random() < 0.4:
         return surfaces.marble(rng, (225, 222, 216), (150, 145, 140), 128)
     ground = muted_color(rng) if rng.random() < 0.5 else tint_color(muted_color(rng), 1.6)
@@ -74,7 +74,7 @@ def cloth(rng: np.random.Generator) -> Picture:
 
 
 def clutter(rng: np.random.Generator, side: int = 256, shapes: int = 60) -> Picture:
-    """Return noise and random shapes at every scale, as a busy photograph out of focus has."""
+    """Return noise and random shapes at every scale, like a busy photograph out of focus."""
     vivid = rng.random() ** 2
     small = rng.uniform(0, 255, (int(rng.integers(2, 9)), int(rng.integers(2, 9)), 1))
     small = small + rng.normal(0, 40, (*small.shape[:2], 3))
@@ -97,7 +97,7 @@ def clutter(rng: np.random.Generator, side: int = 256, shapes: int = 60) -> Pict
 
 
 def gradient(rng: np.random.Generator, side: int = 512) -> Picture:
-    """Return a studio background: two shades, upwards or outwards."""
+    """Return a studio background: a gradient of two shades, upwards or outwards."""
     first = np.array(tint_color(any_color(rng), 1.6) if rng.random() < 0.4 else muted_color(rng))
     second = np.clip(first * rng.uniform(0.4, 1.25), 0, 255)
     y, x = np.mgrid[0 : 1 : side * 1j, 0 : 1 : side * 1j]
@@ -111,7 +111,7 @@ def gradient(rng: np.random.Generator, side: int = 512) -> Picture:
 
 
 def blurred_clutter(rng: np.random.Generator, side: int = 512) -> Picture:
-    """Return clutter as a background, from sharp to far out of focus."""
+    """Return clutter as a background, from sharp to strongly out of focus."""
     image = cv2.resize(clutter(rng, 256, 90), (side, side), interpolation=cv2.INTER_LINEAR)
     sigma = float(rng.uniform(0.3, 14))
     return cv2.GaussianBlur(image, (0, 0), sigma)

@@ -1,4 +1,4 @@
-"""Many catalogue objects, tables and textures in one MuJoCo model, for OpenGL to draw from."""
+"""Many catalogue objects, tables and textures in one MuJoCo model, for rendering with OpenGL."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     import mujoco
 
 BACKDROP = 512
-"""Side in pixels of the one texture that every scene replaces: what is behind the table."""
+"""Side in pixels of the backdrop's texture, which every scene replaces."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stock:
     """Meshes and loose textures compiled into one model.
 
-    Mesh ``k`` has the texture ``k``; loose texture ``j`` is number ``len(frames) + j``; the
-    replaceable backdrop is the last. ``frames[k]`` is (rotation, shift): MuJoCo keeps mesh ``k``
-    about its own centre and axes, and ``rotation @ kept + shift`` is the mesh as it was given.
+    Mesh ``k`` has the texture ``k``; loose texture ``j`` has index ``len(frames) + j``; the
+    replaceable backdrop is the last. ``frames[k]`` is (rotation, shift): MuJoCo stores mesh ``k``
+    about its own centre and axes, and ``rotation @ stored + shift`` is the original mesh.
     """
 
     model: mujoco.MjModel
@@ -35,11 +35,11 @@ class Stock:
 
     @property
     def backdrop(self) -> int:
-        """Number of the replaceable texture."""
+        """Index of the replaceable texture."""
         return len(self.frames) + self.loose
 
     def texture(self, index: int) -> int:
-        """Return the number of the loose texture ``index``."""
+        """Return the texture index of the loose texture ``index``."""
         return len(self.frames) + index
 
 
@@ -47,7 +47,7 @@ def stock(meshes: Sequence[Mesh], textures: Sequence[UInt8[np.ndarray, "h w 3"]]
     """Compile meshes and textures.
 
     Raises:
-        BackendError: MuJoCo refuses a mesh.
+        BackendError: MuJoCo rejects a mesh.
     """
     import mujoco
 
@@ -61,7 +61,7 @@ def stock(meshes: Sequence[Mesh], textures: Sequence[UInt8[np.ndarray, "h w 3"]]
     try:
         model = spec.compile()
     except ValueError as error:
-        raise BackendError(f"MuJoCo cannot take the training meshes: {error}") from error
+        raise BackendError(f"MuJoCo rejects the training meshes: {error}") from error
     frames = []
     for k in range(len(meshes)):
         rotation = np.empty(9)
@@ -71,7 +71,7 @@ def stock(meshes: Sequence[Mesh], textures: Sequence[UInt8[np.ndarray, "h w 3"]]
 
 
 def _add_mesh(spec: mujoco.MjSpec, k: int, mesh: Mesh) -> None:
-    """Add a mesh with a vertex for every corner of a face, so that each has its own normal."""
+    """Add a mesh with a vertex per face corner, so that each has its own normal."""
     import mujoco
 
     corner = mesh.faces.ravel()

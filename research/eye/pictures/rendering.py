@@ -16,7 +16,7 @@ from .gl import GlPainter, PlacedMesh
 from .staging import Staging, backdrop_board, stage
 from .supply import Supply
 
-_LEAST = 12  # pixels that an instance must show to count as one
+_LEAST = 12  # minimum visible pixels of an instance
 
 
 def render_sample(rng: np.random.Generator, supply: Supply, painter: GlPainter) -> Sample:
@@ -61,7 +61,7 @@ def draw(rng: np.random.Generator, staging: Staging, supply: Supply, painter: Gl
 def _ink(
     staging: Staging, ids: Int[np.ndarray, "h w"], depth: Float[np.ndarray, "h w"]
 ) -> tuple[Int[np.ndarray, "h w"], Float[np.ndarray, "h w"]]:
-    """Return ids and depth whose edges get ink: the table is one thing, a white floor none."""
+    """Return ids and depth for ink edges: the table is one object, a white floor none."""
     n = len(staging.objects)
     end = n + len(staging.tabletop)
     ids = np.where((ids >= n) & (ids < end), n, ids)
@@ -106,9 +106,9 @@ def _sample(
 def _keep_shown(
     visible: Int[np.ndarray, "h w"], full: Bool[np.ndarray, "n h w"]
 ) -> tuple[list[int], Int[np.ndarray, "h w"]]:
-    """Return the instances that show enough, and the index map renumbered to them.
+    """Return the sufficiently visible instances, and the index map renumbered to them.
 
-    Two drawings of one edge may differ by a pixel; what is visible is made part of the whole.
+    Two drawings of an edge may differ by a pixel; visible pixels are added to the whole mask.
     """
     counts = np.bincount(visible.ravel(), minlength=len(full) + 1)[1:]
     kept = [k for k in range(len(full)) if counts[k] >= _LEAST]
@@ -120,7 +120,7 @@ def _keep_shown(
 
 
 def _boxes(staging: Staging, supply: Supply) -> Float[np.ndarray, "n 4"]:
-    """Return pixel boxes that hold each object's projection."""
+    """Return pixel boxes that contain each object's projection."""
     boxes = np.zeros((len(staging.placed), 4))
     for k, placed in enumerate(staging.placed):
         corners = np.stack(np.meshgrid(*[[-0.5, 0.5]] * 3), -1).reshape(-1, 3) * placed.size
@@ -134,7 +134,7 @@ def _boxes(staging: Staging, supply: Supply) -> Float[np.ndarray, "n 4"]:
 
 
 def _project(corners: Float[np.ndarray, "k 3"], camera: Camera) -> Float[np.ndarray, "m 2"]:
-    """Return a convex polygon's pixels, cut where it comes too near to the camera."""
+    """Return a convex polygon's pixels, clipped near the camera."""
     near = 0.02
     depth = camera.to_camera(corners)[:, 2] - near
     cut = []
@@ -156,7 +156,7 @@ def _reflect(
     board: PlacedMesh,
     painter: GlPainter,
 ) -> Float[np.ndarray, "h w 3"]:
-    """Return the picture with the things mirrored faintly in the tabletop."""
+    """Return the picture with a faint reflection of the objects in the tabletop."""
     height = staging.outline[0, 2]
     flip = np.diag([1.0, 1.0, -1.0])
     under = [

@@ -23,15 +23,15 @@ from ..sheet import contact_sheet
 from .supply import KEYS, SEEDS, Split, supply
 
 SIDE = 768
-"""Pixels a side of every picture."""
+"""Pixels per side of all pictures."""
 
 PER_SHARD = 100
-"""Samples a shard; each shard has a supply of its own."""
+"""Samples per shard; each shard has its own supply."""
 
 
 @dataclass(frozen=True)
 class ShardJob:
-    """A shard to make."""
+    """A shard to render."""
 
     out: Path
     seed: int
@@ -46,7 +46,7 @@ def shard_path(out: Path, split: Split, seed: int, number: int) -> Path:
 
 
 def plan(out: Path, count: int, seed: int, split: Split) -> tuple[ShardJob, ...]:
-    """Return what is left to render of ``count`` samples; finished shards are skipped."""
+    """Return the missing jobs for ``count`` samples; finished shards are skipped."""
     jobs = (
         ShardJob(out, seed, split, k, min(PER_SHARD, count - k * PER_SHARD))
         for k in range(-(-count // PER_SHARD))
@@ -57,7 +57,7 @@ def plan(out: Path, count: int, seed: int, split: Split) -> tuple[ShardJob, ...]
 
 
 def _count_samples(path: Path) -> int:
-    """Return how many samples a shard holds, 0 where there is none."""
+    """Return the number of samples in a shard; 0 if it does not exist."""
     if not path.exists():
         return 0
     reader = ShardReader(path)
@@ -66,9 +66,9 @@ def _count_samples(path: Path) -> int:
 
 
 def render(job: ShardJob) -> int:
-    """Render a shard and return how many samples it got.
+    """Render a shard and return its number of samples.
 
-    Every sample depends on seed, split, its shard and its place alone.
+    Every sample depends only on seed, split, shard and index.
     """
     from .gl import GlPainter
     from .rendering import render_sample
@@ -88,7 +88,7 @@ def render(job: ShardJob) -> int:
 
 
 def render_all(jobs: tuple[ShardJob, ...], workers: int) -> Iterator[int]:
-    """Run jobs in ``workers`` processes (1: in this one); yields as they finish."""
+    """Run jobs in ``workers`` processes (1: in this process); yields results as they finish."""
     os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software GL: one thread each
     if workers <= 1:
         yield from map(render, jobs)
@@ -99,7 +99,7 @@ def render_all(jobs: tuple[ShardJob, ...], workers: int) -> Iterator[int]:
 
 
 def main() -> None:
-    """Render shards, or a contact sheet of those there."""
+    """Render shards, or a contact sheet of existing ones."""
     parser = argparse.ArgumentParser(description="Render tabletops for training, as shards.")
     parser.add_argument("--out", type=Path, required=True, help="folder of the shards")
     parser.add_argument("--count", type=int, default=400, help="samples")

@@ -1,4 +1,4 @@
-"""A whole training scene: a table with things, a camera, lamps, and what is behind."""
+"""A training scene: a table with objects, a camera, lamps, and a background."""
 
 from __future__ import annotations
 
@@ -25,27 +25,27 @@ SETTINGS: tuple[tuple[Setting, float], ...] = (
     ("room", 0.3),
     ("clutter", 0.15),
 )
-"""Backgrounds and how often each is drawn."""
+"""Backgrounds and their probabilities."""
 
 Tone = Literal["any", "white", "dark"]
 TONES: tuple[tuple[Tone, float], ...] = (("any", 0.78), ("white", 0.14), ("dark", 0.08))
-"""White things on white tables, dark ones on dark tables, and how often."""
+"""White objects on white tables, dark ones on dark tables, and their probabilities."""
 
 _EYE_LEVEL = 0.08
-"""Share of pictures taken from hardly above the tabletop."""
+"""Share of pictures taken from just above the tabletop."""
 
 _PRODUCT = 0.4
-"""Share of scenes as shops and image models draw them: a whole table, things of their own size."""
+"""Share of scenes in the style of shops and image models: a whole table, objects at real size."""
 
 
 @dataclass(frozen=True, eq=False)
 class Staging:
     """A scene ready to be drawn.
 
-    ``objects[k]`` draws ``placed[k]``; ``tabletop`` draws the table and what covers it; the
-    ``surroundings`` are background. ``backdrop`` is the picture far behind everything.
-    ``outline`` holds the top's corners in the world, metres. ``cartoon`` asks for drawn outlines.
-    ``mirror`` is how much of the things the polished top shows.
+    ``objects[k]`` draws ``placed[k]``; ``tabletop`` draws the table and its covers; the
+    ``surroundings`` are background. ``backdrop`` is the picture far behind everything. ``outline``
+    has the top's corners in the world, metres. ``cartoon`` adds drawn outlines. ``mirror`` is the
+    strength of the objects' reflection in the top.
     """
 
     placed: tuple[Placed, ...]
@@ -63,7 +63,7 @@ class Staging:
 
 
 def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
-    """Draw one random scene seen in a square picture of ``side`` pixels."""
+    """Draw one random scene for a square picture of ``side`` pixels."""
     index = int(rng.integers(len(supply.tables)))
     table = supply.tables[index]
     height = float(table.size[2])
@@ -99,7 +99,7 @@ def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
 
 
 def _count(rng: np.random.Generator) -> int:
-    """Return how many things: mostly 4 to 12, up to 20, a few tables empty."""
+    """Return a number of objects: mostly 4 to 12, up to 20, a few tables empty."""
     if rng.random() < 0.02:
         return 0
     return int(rng.integers(1, 21)) if rng.random() < 0.4 else int(rng.integers(4, 13))
@@ -117,7 +117,7 @@ def _camera(
     side: int,
     whole: bool,
 ) -> tuple[View, Camera]:
-    """Return a camera: of the ``whole`` table, of its top, or close to some things."""
+    """Return a camera: of the ``whole`` table, of its top, or close to some objects."""
     tops = [corners] + [p.vertices(supply.models[p.model])[::7] for p in placed]
     framing = rng.random() * (0.5 if whole else 1.0)
     if framing < 0.5:
@@ -152,7 +152,7 @@ def _close(
     things: list[Float[np.ndarray, "m 3"]],
     corners: Float[np.ndarray, "k 3"],
 ) -> Float[np.ndarray, "n 3"]:
-    """Return points of some neighbouring things, or of a patch of an empty top."""
+    """Return points of some neighbouring objects, or of a part of an empty top."""
     if not things:
         middle = corners.mean(0)
         return middle + (corners - middle) * float(rng.uniform(0.3, 0.8))
@@ -171,11 +171,11 @@ def _close(
 
 
 def _lamps(rng: np.random.Generator, view: View, cartoon: bool) -> list[Lamp]:
-    """Return a fill without shadows and one to three lamps, hard or soft."""
+    """Return a fill light without shadows and one to three lamps, hard or soft."""
     count = int(rng.choice([1, 1, 2, 3]))
     strength = float(rng.uniform(0.75, 1.08))
     fill = float(rng.uniform(0.4, 0.72)) + (0.15 if cartoon else 0.0)
-    if rng.random() < 0.12:  # the sun through a window: shadows are nearly black
+    if rng.random() < 0.12:  # like sun through a window: shadows are nearly black
         fill = float(rng.uniform(0.2, 0.35))
     lamps = [Lamp(_down(rng, view, 0.2), (0.08, 0.08, 0.08), fill - 0.08, 0.0, shadow=False)]
     for k in range(count):
@@ -190,7 +190,7 @@ def _lamps(rng: np.random.Generator, view: View, cartoon: bool) -> list[Lamp]:
 
 
 def _down(rng: np.random.Generator, view: View, spread: float) -> Float[np.ndarray, "3"]:
-    """Return a direction downwards, more often away from the viewer than towards."""
+    """Return a downward direction, more often away from the viewer than towards."""
     way = rotation_z(view.azimuth) @ np.array([*rng.normal([0.0, spread / 2], spread), -1.0])
     return way / np.linalg.norm(way)
 
@@ -199,7 +199,7 @@ def _down(rng: np.random.Generator, view: View, spread: float) -> Float[np.ndarr
 
 
 def _draw(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone) -> PlacedMesh:
-    """Return the thing as drawn: its own look, or a borrowed colour or texture."""
+    """Return the drawn object: with its own look, or another colour or texture."""
     mesh = supply.model_mesh(placed.model)
     texture = mesh
     color = np.ones(4)
@@ -234,7 +234,7 @@ def _draw(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone) 
 
 
 def _level(rng: np.random.Generator, tone: Tone) -> Float[np.ndarray, "3"]:
-    """Return nearly white or nearly black."""
+    """Return a nearly white or nearly black level."""
     grey = rng.uniform(0.8, 1) if tone == "white" else rng.uniform(0.06, 0.26)
     return grey * rng.uniform(0.92, 1, 3)
 
@@ -276,7 +276,7 @@ def _paint(rng: np.random.Generator) -> tuple[float, float, float, float]:
 def _covers(
     rng: np.random.Generator, supply: Supply, outline: Float[np.ndarray, "k 2"], height: float
 ) -> list[PlacedMesh]:
-    """Return now and then a cloth over most of the top; smaller ones are things of their own."""
+    """Return sometimes a cloth over most of the top; smaller ones count as objects."""
     if rng.random() > 0.06:
         return []
     size = np.array([*(np.ptp(outline, axis=0) * rng.uniform(0.6, 0.95, 2)), 0.001])
@@ -294,7 +294,7 @@ def _board(
     yaw: float = 0.0,
     glow: float = 0.0,
 ) -> PlacedMesh:
-    """Return a box of the stock, its upper side textured."""
+    """Return a box of the stock with a textured upper side."""
     return PlacedMesh(repeat, rotation_z(yaw) @ np.diag(size), at, texture, glow=glow, specular=0.0)
 
 
@@ -310,7 +310,7 @@ def _surroundings(
     outline: Float[np.ndarray, "k 2"],
     lamps: list[Lamp],
 ) -> tuple[UInt8[np.ndarray, "s s 3"], list[PlacedMesh]]:
-    """Return the backdrop's picture and the things around the table."""
+    """Return the backdrop's picture and the objects around the table."""
     side = 512
     if setting == "white":
         shade = 255 if rng.random() < 0.8 else int(rng.integers(240, 255))
@@ -325,9 +325,9 @@ def _surroundings(
 
 
 def _white_floor(rng: np.random.Generator, lamps: list[Lamp], shade: float) -> list[PlacedMesh]:
-    """Return a floor that is as bright as the backdrop but for a faint shadow.
+    """Return a floor as bright as the backdrop except for a faint shadow.
 
-    Its own glow makes up for what the lights without shadows do not give.
+    Its emission compensates for the missing light.
     """
     depth = float(rng.uniform(0.02, 0.18))
     steady = [lamp for lamp in lamps if not lamp.shadow]
@@ -345,7 +345,7 @@ def _white_floor(rng: np.random.Generator, lamps: list[Lamp], shade: float) -> l
 def _room(
     rng: np.random.Generator, supply: Supply, view: View, outline: Float[np.ndarray, "k 2"]
 ) -> list[PlacedMesh]:
-    """Return a floor, perhaps walls, and furniture standing about, none in front of the table."""
+    """Return a floor, sometimes walls, and furniture around the table but not in front of it."""
     away = np.array([-np.sin(view.azimuth), np.cos(view.azimuth)])
     reach = float(np.abs(outline).max())
     turn = float(rng.normal(0, 0.3)) + view.azimuth
@@ -357,7 +357,7 @@ def _room(
         at = np.array([*(away * distance), 1.5])
         wall = int(rng.choice(supply.surfaces))
         slab = np.array([12.0, 0.04, 3.0])
-        glow = float(rng.uniform(0.1, 0.4))  # lamps above hardly reach a wall
+        glow = float(rng.uniform(0.1, 0.4))  # lamps above hardly illuminate walls
         things.append(_board(wall, slab, at, int(rng.integers(3)), turn, glow))
     for _ in range(int(rng.integers(0, 8))):
         way = away @ np.array([[np.cos(a := rng.uniform(-1.4, 1.4)), np.sin(a)],
@@ -370,7 +370,7 @@ def _room(
 def _bystander(
     rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"]
 ) -> list[PlacedMesh]:
-    """Return a box, an enlarged thing, or another tabletop with a few things on it."""
+    """Return a box, an enlarged object, or another tabletop with a few objects on it."""
     yaw, kind = float(rng.uniform(-np.pi, np.pi)), rng.random()
     every = (*supply.surfaces, *supply.cloths, *supply.prints)
     if kind < 0.5:
@@ -403,7 +403,7 @@ def _another_table(
 
 
 def backdrop_board(camera: Camera, texture: int) -> PlacedMesh:
-    """Return a glowing board far behind everything that fills the camera's picture."""
+    """Return an emissive board far behind everything that fills the camera's picture."""
     distance = 25.0
     extent = 2.2 * distance * np.tan(camera.fov / 2) * max(1.0, camera.width / camera.height)
     right, down, forward = camera.rotation

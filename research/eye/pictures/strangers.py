@@ -1,4 +1,4 @@
-"""Things of no category: random lathe profiles, extrusions, and boxes joined."""
+"""Objects without a category: random lathe profiles, extrusions, and joined boxes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from . import patterns
 
 
 def stranger(seed: int) -> Model:
-    """Return a random solid thing of 3 to 35 cm, with any texture; it has no collision parts."""
+    """Return a random solid object of 3 to 35 cm with any texture; it has no collision parts."""
     rng = np.random.default_rng([seed, 41])
     kinds = (_lathe, _lathe, _extrusion, _composite, _composite, _pebble)
     solids = kinds[int(rng.integers(len(kinds)))](rng)

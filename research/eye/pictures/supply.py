@@ -29,32 +29,31 @@ SEEDS: dict[str, tuple[int, int]] = {
     "eval": (10_000, 20_000),
     "hard": (20_000, 30_000),
 }
-"""Catalogue seeds of each split: what is evaluated on was never trained on.
+"""Catalogue seeds of each split, which are disjoint between training and evaluation.
 
-In "eval" all things are of categories that the eye names and look as the catalogue makes them; in
-the others a quarter are of other categories, a sixth of none, many wear borrowed colours and
-textures, and some scenes are white or dark all over.
-"""
+In "eval" all objects are of named categories and have the catalogue's looks; in the others a
+quarter are of other categories, a sixth of none, many have unusual colours and textures, and some
+scenes are entirely white or dark."""
 
 KEYS = VOCABULARY
-"""Category keys that a sample's ``category`` indexes."""
+"""Category keys; a sample's ``category`` is an index into them."""
 
 _OTHERS = tuple(sorted(set(CATEGORIES) - set(KEYS)))
 
 _TABLE_MESHES = 3
 
 REPEATS = (1, 3, 9)
-"""How often the unit boxes repeat their texture."""
+"""Texture repetitions of the unit boxes."""
 
 
 @dataclass(frozen=True, eq=False)
 class Supply:
-    """Models and tables with the numbers of their meshes in the stock.
+    """Models and tables with the indices of their meshes in the stock.
 
-    The first meshes are unit boxes, one for each of ``REPEATS``; then come the tables, three meshes
-    each (what is under the top, the top, the top with one picture laid flat over it), then the
-    models. ``surfaces``, ``cloths`` and ``prints`` number textures. With ``borrows``, things may
-    wear other colours and textures than their own.
+    The first meshes are unit boxes, one for each of ``REPEATS``, followed by the tables with three
+    meshes each (the part below the top, the top, and the top with a flat texture), and the models.
+    ``surfaces``, ``cloths`` and ``prints`` are texture indices. With ``borrows``, objects may have
+    other colours and textures than their own.
     """
 
     stock: Stock
@@ -68,16 +67,16 @@ class Supply:
     borrows: bool = True
 
     def table_mesh(self, index: int) -> int:
-        """Return the number of a table's first mesh."""
+        """Return the index of a table's first mesh."""
         return len(REPEATS) + _TABLE_MESHES * index
 
     def model_mesh(self, index: int) -> int:
-        """Return the mesh number of a model."""
+        """Return the mesh index of a model."""
         return len(REPEATS) + _TABLE_MESHES * len(self.tables) + index
 
 
 def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supply:
-    """Build a supply: ``models`` of named, other and (not in "eval") no categories, and tables."""
+    """Build a supply: tables, and ``models`` of named, other and (not in "eval") no categories."""
     rng = np.random.default_rng([seed, 11, SEEDS[split][0]])
     low, high = SEEDS[split]
     strangers, others = (0, 0) if split == "eval" else (models // 6, models // 4)
@@ -111,7 +110,7 @@ def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supp
 
 
 def _build(rng: np.random.Generator, key: str, low: int, high: int) -> Model:
-    """Return a variant of a category, now and then in one of the catalogue's styles."""
+    """Return a variant of a category, sometimes in one of the catalogue's styles."""
     style = _pick(rng, sorted(STYLES)) if rng.random() < 0.15 else ""
     return build(key, int(rng.integers(low, high)), attributes={"style": style})
 
@@ -129,7 +128,7 @@ def _outline(table: Model) -> Float[np.ndarray, "k 2"]:
 
 
 def _halves(table: Model) -> tuple[Mesh, Mesh, Mesh]:
-    """Return what is under the top, the top, and the top with its texture laid flat from above."""
+    """Return the part below the top, the top, and the top with a flat texture on its upper side."""
     mesh = table.mesh
     slab = 0.5 - 0.036 / float(table.size[2])
     upper = (mesh.vertices[mesh.faces, 2] > slab).all(1)
@@ -148,7 +147,7 @@ def _pick(rng: np.random.Generator, options: Sequence[str]) -> str:
 
 
 def _table(rng: np.random.Generator, low: int, high: int) -> Model:
-    """Return a random table; white, wooden, stone, metal or coloured."""
+    """Return a random table: white, wooden, stone, metal or coloured."""
     outline = _pick(rng, (*OUTLINES, "rectangle", "rectangle", "rectangle"))
     length = float(rng.uniform(0.6, 1.6))
     depth = length * float(rng.uniform(0.45, 0.8))

@@ -81,7 +81,7 @@ def test_an_obj_comes_with_its_material_and_picture(tmp_path):
     with pytest.raises(BackendError, match=r"mug\.obj has a texture that cannot be read"):
         ask(tmp_path)
     (tmp_path / "maps/blue paint.png").unlink()
-    with pytest.raises(BackendError, match=r"names 'maps/blue paint\.png', which is not beside it"):
+    with pytest.raises(BackendError, match=r"refers to 'maps/blue paint\.png', which is not in"):
         ask(tmp_path)
 
 
@@ -91,7 +91,7 @@ def test_the_pictures_of_an_obj_are_bounded_together(tmp_path):
     library = "".join(f"newmtl m{k}\nmap_Kd {k}.png\n" for k in range(9))
     (tmp_path / "mug.mtl").write_text(library)
     (tmp_path / "mug.obj").write_text("mtllib mug.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
-    with pytest.raises(BackendError, match=r"textures of more than 134217728 pixels together"):
+    with pytest.raises(BackendError, match=r"textures with more than 134217728 pixels in total"):
         ask(tmp_path)
 
 
@@ -140,7 +140,7 @@ def test_an_obj_names_no_file_outside_its_folder(tmp_path, name):
     (tmp_path / "secret.mtl").write_text("newmtl a\n")
     (tmp_path / "in").mkdir()
     (tmp_path / "in/mug.obj").write_text(f"mtllib {name}\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
-    with pytest.raises(BackendError, match="names a file outside its folder"):
+    with pytest.raises(BackendError, match="refers to a file outside its folder"):
         ask(tmp_path / "in")
 
 
@@ -258,5 +258,5 @@ def test_the_environment_names_the_folder(tmp_path, monkeypatch):
 
 def test_a_broken_file_names_backend_thing_and_file(tmp_path):
     (tmp_path / "mug.glb").write_bytes(b"")
-    with pytest.raises(BackendError, match=r"^folder, model of 'mug_1': mug.glb is no GLB file"):
+    with pytest.raises(BackendError, match=r"^folder, model of 'mug_1': mug.glb is not a GLB file"):
         ask(tmp_path)

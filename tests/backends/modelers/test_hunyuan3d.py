@@ -144,10 +144,10 @@ def nan() -> bytes:
     ("body", "told"),
     [
         (edited(GOOD, lambda h: h["meshes"][0]["primitives"][0].update(mode=0)), "0 triangles"),
-        (claiming(GOOD, 10_000_000), "has 10000000 triangles; 1 to 2000000 are read"),
+        (claiming(GOOD, 10_000_000), "has 10000000 triangles; 1 to 2000000 are allowed"),
         (
             edited(GOOD, lambda h: h["buffers"][0].update(uri="http://x.example/a")),
-            "outside itself",
+            "external file",
         ),
         (nan(), "finite"),
         (painted_with(GOOD, png(60_000, 60_000)), "pixels"),

@@ -62,7 +62,7 @@ def _paired(faces: np.ndarray) -> float:
 
 @pytest.mark.parametrize("share", [0.3, 0.4])
 def test_a_mesh_in_tatters_is_refused_with_the_figure(share):
-    said = r"^the file is no surface: \d+\.\d% of its edges are torn, 0\.0% join .* 1% may after"
+    said = r"^the file is not a surface: \d+\.\d% of its edges are torn, 0\.0% join .* 1% after"
     with pytest.raises(BackendError, match=said):
         read(torn(share))
 
@@ -72,7 +72,7 @@ def test_loose_triangles_are_refused(size):
     """Small ones are no holes to be closed."""
     rng = np.random.default_rng(3)
     corners = rng.random((100, 1, 3)) + size * rng.random((100, 3, 3))
-    with pytest.raises(BackendError, match=r"is no surface: 100\.0% of its edges are torn"):
+    with pytest.raises(BackendError, match=r"is not a surface: 100\.0% of its edges are torn"):
         read(mesh_of(corners.reshape(-1, 3), np.arange(300).reshape(-1, 3)))
 
 
@@ -93,7 +93,7 @@ def test_fins_that_are_much_together_are_refused():
     few = mesh_of(np.vstack([ball.vertices, tips]), np.vstack([ball.faces, fins[:12]]))
     assert is_watertight(read(few))
     many = mesh_of(np.vstack([ball.vertices, tips]), np.vstack([ball.faces, fins]))
-    with pytest.raises(BackendError, match="is no surface"):
+    with pytest.raises(BackendError, match="is not a surface"):
         read(many)
 
 

@@ -194,7 +194,7 @@ def test_a_damaged_download_is_fetched_once_more(tmp_path):
         for _ in range(2):
             assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
     assert (cloud.jobs, cloud.log.count(LOAD)) == (1, 2)
-    assert "the answer is cut off" in refused(Cloud(loads=[DAMAGED]))
+    assert "the answer is truncated" in refused(Cloud(loads=[DAMAGED]))
 
 
 def test_a_compressed_download_is_fetched_once():
