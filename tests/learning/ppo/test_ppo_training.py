@@ -91,5 +91,5 @@ def test_a_damaged_checkpoint_is_refused(small, folder: Path) -> None:
     assert kept is not None and {p.name for p in kept.iterdir()} == {"learner.pt", "counts.json"}
     content = (kept / "learner.pt").read_bytes()
     (kept / "learner.pt").write_bytes(content[:900])
-    with pytest.raises(InputError, match="no checkpoint of small-ppo-batch"):
+    with pytest.raises(InputError, match="not a valid checkpoint of small-ppo-batch"):
         train(small("ppo-batch", steps=64), folder, plan, True, quiet)
