@@ -188,7 +188,7 @@ def test_damaged_files_are_refused(policy: TrainedPolicy, tmp_path: Path) -> Non
         path.write_bytes(content)
         with pytest.raises(InputError, match="not a valid policy file"):
             load_policy(path)
-    with pytest.raises(InputError, match="Unknown policy '"):
+    with pytest.raises(InputError, match="holds no policy yet"):
         load_policy(tmp_path)
 
 
