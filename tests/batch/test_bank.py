@@ -176,6 +176,8 @@ def test_objects_of_many_parts_are_merged_and_gated_anew(monkeypatch: pytest.Mon
     floating = tuple(Failure("floats", (name,)) for name in ("mug_1", "bowl_1", "more"))
     failed = replace(judge(world.scene), failures=floating)
     monkeypatch.setattr(simplification, "judge", lambda scene: failed)
-    said = "with at most 5 parts per object it fails its physical gate (mug_1 floats; bowl_1 floats)"
+    said = (
+        "with at most 5 parts per object it fails its physical gate (mug_1 floats; bowl_1 floats)"
+    )
     with pytest.raises(InputError, match=re.escape(said)):
         SceneBank([world], max_parts=5)

@@ -171,7 +171,9 @@ def test_wrong_calls_are_explained() -> None:
         envs.step(np.zeros((2, 5)))
     with pytest.raises(InputError, match="2 slots need a single seed or a list of 2 seeds, got 3"):
         envs.reset(seed=[1, 2, 3])
-    with pytest.raises(InputError, match=r"2 slots need a single seed or a list of 2 seeds, got 1\.5"):
+    with pytest.raises(
+        InputError, match=r"2 slots need a single seed or a list of 2 seeds, got 1\.5"
+    ):
         envs.reset(seed=1.5)  # type: ignore[arg-type]
     with pytest.raises(InputError, match="options must be a dict"):
         envs.reset(options=["reset_mask"])  # type: ignore[arg-type]
