@@ -372,7 +372,7 @@ def test_none_is_dropped_where_fewer_are_asked_for(
         patch.setattr("tabletopgen_env.recording.lerobot.assembly.join", _interrupt)
         with pytest.raises(KeyboardInterrupt):
             record(CONFIG, out, "lerobot")
-    with pytest.raises(InputError, match="has 4 episodes already, more than the 3 asked for"):
+    with pytest.raises(InputError, match="already has 4 episodes, more than the requested 3"):
         record(replace(CONFIG, episodes=3), out, "lerobot", resume=True)
     assert contents(record(CONFIG, out, "lerobot", resume=True)) == contents(dataset)
 
@@ -438,7 +438,7 @@ def test_one_recording_at_a_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 def test_a_part_folder_that_leads_elsewhere_is_refused(tmp_path: Path) -> None:
     (tmp_path / "other").mkdir()
     (tmp_path / ".set.part").symlink_to(tmp_path / "other")
-    with pytest.raises(InputError, match="leads elsewhere"):
+    with pytest.raises(InputError, match="is a symbolic link"):
         record(CONFIG, tmp_path / "set", "lerobot", resume=True)
     assert not any((tmp_path / "other").iterdir())
 
@@ -447,11 +447,11 @@ def test_wrong_requests_are_explained(
     tmp_path: Path, dataset: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     cases: list[tuple[RecordConfig, dict[str, Any], str]] = [
-        (CONFIG, {"out": dataset}, "is there already"),
+        (CONFIG, {"out": dataset}, "already exists"),
         (CONFIG, {"lerobot": LeRobotConfig(video="h265")}, "Unknown video codec 'h265'"),  # type: ignore[arg-type]
         (CONFIG, {"lerobot": LeRobotConfig(quality=99)}, "quality to be a whole number"),
-        (CONFIG, {"format": "npz", "resume": True}, "'npz' cannot be resumed; lerobot can"),
-        (replace(CONFIG, image_size=15), {}, "even numbers of pixels, and 'front' has 15 x 15"),
+        (CONFIG, {"format": "npz", "resume": True}, "'npz' cannot be resumed, only lerobot"),
+        (replace(CONFIG, image_size=15), {}, "an even width and height, but 'front' has 15 x 15"),
     ]
     for config, settings, reason in cases:
         with pytest.raises(InputError, match=reason):

@@ -144,4 +144,4 @@ def test_the_command_records_and_resumes(
     features = json.loads((out / "meta" / "info.json").read_text())["features"]
     assert features["observation.environment_state"]["shape"] == [247], "there are no pictures"
     assert run([*given, "--resume"]) == 2
-    assert "is there already" in capsys.readouterr().err
+    assert "already exists" in capsys.readouterr().err
