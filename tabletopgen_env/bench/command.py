@@ -37,7 +37,9 @@ def list_suites() -> int:
         things = sum(len(table.solvable) for table in suite.tables)
         rows.append((suite.name, f"{len(suite.tables)}", f"{things}", f"{len(suite.episodes())}"))
     _show(rows)
-    print(f"Version {VERSION}. To train at: {', '.join(f'{t.lower()}-train' for t in tasks())}.")
+    print(
+        f"Version {VERSION}. Training tables: {', '.join(f'{t.lower()}-train' for t in tasks())}."
+    )
     return 0
 
 
@@ -114,8 +116,9 @@ def run_policy(
         low, high = (100 * bound for bound in result.interval)
         print(
             escape(
-                f"{path}: {result.player.name} solved {result.solved} of {len(result.episodes)} at "
-                f"{result.suite}, {100 * result.share:.1f} % ({low:.1f} to {high:.1f} %)"
+                f"{path}: {result.player.name} solved {result.solved} of "
+                f"{len(result.episodes)} on {result.suite},  {100 * result.share:.1f} % "
+                f"({low:.1f} to {high:.1f} %)"
             ),
             flush=True,
         )

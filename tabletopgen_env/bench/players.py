@@ -175,9 +175,9 @@ class PolicyPlayer:
             own, there = getattr(self.policy, name, None), getattr(env, name)
             if own is not None and own != there:
                 raise InputError(
-                    f"The policy's {name} is {own}, the environment's {there}. Give the policy an "
-                    "attribute env with the settings that it was trained with, as in "
-                    "env = {'observation': 'pixels', 'image_size': 64}."
+                    f"The policy's {name} is {own}, the environment's {there}. Give the policy "
+                    "an attribute env with its training settings, for example env =  "
+                    "{'observation': 'pixels', 'image_size': 64}."
                 )
 
 

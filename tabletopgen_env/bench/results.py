@@ -172,7 +172,7 @@ def read_result(path: str | Path) -> BenchResult:
 def read_row(entry: dict[str, Any]) -> EpisodeRow:
     """Parse an episode row from a JSON object (ValueError, TypeError, KeyError: it is invalid)."""
     if {*entry} != {field.name for field in dataclasses.fields(EpisodeRow)}:
-        raise ValueError(f"an episode has the keys {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(f"an episode has unexpected keys: {', '.join(sorted(entry))!s:.200}")
     for name in ("target", "goal"):
         if entry[name] is not None:
             printable(entry[name], "A name", InputError)
@@ -189,7 +189,7 @@ def read_row(entry: dict[str, Any]) -> EpisodeRow:
 
 
 def _result(payload: dict[str, Any]) -> BenchResult:
-    """Return what a file's object says (ValueError, TypeError, KeyError: it is not sound)."""
+    """Parse the result of a file's object (ValueError, TypeError, KeyError: it is invalid)."""
     if check_type(payload["schema"], int) != SCHEMA:
         raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
     listed = check_type(payload["episodes"], list)
@@ -216,20 +216,22 @@ def _result(payload: dict[str, Any]) -> BenchResult:
 
 def _player(entry: dict[str, Any]) -> PlayerFacts:
     if {*entry} != {field.name for field in dataclasses.fields(PlayerFacts)}:
-        raise ValueError(f"its player has the keys {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(f"its player has unexpected keys: {', '.join(sorted(entry))!s:.200}")
     name, kind = (printable(entry[key], f"A {key}", InputError) for key in ("name", "kind"))
     digest = check_type(entry["digest"], str)
     if digest and not _SHA256.fullmatch(digest):
-        raise ValueError(f"a policy's digest is {digest!r:.80}")
+        raise ValueError(f"a policy has an invalid digest: {digest!r:.80}")
     settings = check_type(entry["settings"], dict)
     _check_setting(settings)
     if kind not in KINDS:
-        raise ValueError(f"a player is {kind!r:.40}, none of {', '.join(KINDS)}")
+        raise ValueError(f"a player has the kind {kind!r:.40}, expected one of {', '.join(KINDS)}")
     if kind in SIMPLE and (digest or settings):
         raise ValueError(f"its player is {kind!r}, which cannot have a digest or settings")
     player = PlayerFacts(name, kind, digest, settings)
     if player.is_disguised:
-        raise ValueError(f"its player is a {kind} called {name!r}, as a player without a policy")
+        raise ValueError(
+            f"its player is a {kind} called {name!r}, a name reserved for players without a policy"
+        )
     return player
 
 

@@ -214,7 +214,7 @@ def _table(entry: dict[str, Any], task: str) -> SuiteTable:
         raise ValueError(f"a table has the split {entry['split']!r}")
     digest = check_type(entry["digest"], str)
     if not _DIGEST.fullmatch(digest):
-        raise ValueError(f"a table's digest is {digest!r}")
+        raise ValueError(f"a table has an invalid digest: {digest!r}")
     return SuiteTable(
         entry["split"], _seed(entry["seed"]), digest, _share(entry["difficulty"]),
         tuple(_instance(check_type(instance, dict), task) for instance in listed),
@@ -258,7 +258,7 @@ def _levels(entries: list[Any]) -> tuple[SuiteLevel, ...]:
 
 def _check_keys(entry: Mapping[str, Any], known: Any, what: str) -> None:
     if {*entry} != {*known}:
-        raise ValueError(f"{what} has the keys {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(f"{what} has unexpected keys: {', '.join(sorted(entry))!s:.200}")
 
 
 def _count(value: Any, maximum: int) -> int:
@@ -269,7 +269,7 @@ def _count(value: Any, maximum: int) -> int:
 
 def _seed(value: Any) -> int:
     if not 0 <= check_type(value, int) < 2**30:
-        raise ValueError(f"a table's seed is {value}")
+        raise ValueError(f"a table has an invalid seed: {value}")
     return value
 
 

@@ -123,4 +123,4 @@ def _difference(suites: TaskSuites) -> str:
     other = [f"{k} {v}, here {here[k]}" for k, v in suites.versions.items() if here[k] != v]
     if not other:
         return "The package has changed, or this processor computes differently."
-    return f"The suite was made with {'; '.join(other)}. Install these versions."
+    return f"The suite was generated with {'; '.join(other)}. Install these versions."

@@ -171,7 +171,9 @@ def write_certificate(folder: Path, certificate: Certificate) -> None:
     """
     payload = {"schema": SCHEMA, **asdict(certificate)}
     text = json.dumps(payload, indent=1, sort_keys=True, allow_nan=False) + "\n"
-    write_whole(folder / FILE, text, "The certificate", "Certify a copy of the bundle.")
+    write_whole(
+        folder / FILE, text, "The certificate", "Certify a copy of the bundle in a writable folder."
+    )
 
 
 def _decode(payload: dict[str, Any]) -> Certificate:

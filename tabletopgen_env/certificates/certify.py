@@ -4,8 +4,8 @@ For each *instance* (a task, its preset, target and goal) of a bundle's scene, u
 expert plays one episode from the scene's own state, as environments do by default, and the others
 from perturbed initial states (``randomization="starts"``). Instances of which it solves all of at
 least ``STARTS`` episodes are certified; an instance ends at its first failure.
-``certificate.json``, beside the bundle's own files and not listed by them, stores the numbers of
-successes, with the digest of the scene, the terms and the package versions.
+``certificate.json``stores the numbers of successes, with the digest of the scene, the terms and the
+package versions.
 
 A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the registered time limit
 of the task.

@@ -75,7 +75,7 @@ def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int)
     """Return the error of a scene with valid tasks that the expert does not solve."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
     if not listed:
-        why = f"its certificate lists nothing of {asked}"
+        why = f"its certificate has no instance of {asked}"
     elif episodes < STARTS:
         why = (
             f"its certificate was made with {episodes} episodes per instance, but fewer than "

@@ -297,7 +297,7 @@ class Picker(Expert):
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _plan_drop(self, drop: Drop | None = None) -> None:
-        """Set the place to carry to: ``drop``, or the best one for the hand's current pose."""
+        """Set the release pose: ``drop``, or the best one for the hand's current pose."""
         opening = let_go_at(self._plan.grasp)
         self._drop = drop or Drop(self._env.world, self._goal, self._yaw, opening)
         self._narrow, self._left, self._still = 1.0, np.inf, 0

@@ -35,7 +35,8 @@ _ASIDE = 0.03  # a stroke is restarted this far off the way, metres
 _FURTHER = 0.07  # maximum excess of a stroke's length over the way, metres
 _PAST = 0.06  # the object is lost once the hand has come this much closer to it, metres
 _FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres per step: flat objects, tall ones, near the end
-_TALL = 0.04  # height of the tool above the table from which on an object counts as tall, metres
+# an object counts as tall if the tool is this high above the table in a stroke, metres
+_TALL = 0.04
 _ASLANT = 0.75  # cosine of the largest change of direction before a stroke is restarted
 # a stroke does not turn any more within this distance of the goal's centre, metres
 _STRAIGHT = 0.03
@@ -46,7 +47,7 @@ _BLOCKED = 0.012  # height above a stroke's start at which the hand stands on so
 _ASIDES = 0.025 * np.column_stack(
     [np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)]
 )
-_LEAST = 0.025  # metres, the shortest stroke
+_LEAST = 0.025  # length of the shortest stroke, metres
 _LESS_ROOM: tuple[Care, ...] = ("tight", "bold")
 _PATIENCE: dict[Phase, int] = {
     "approach": 60, "descend": 22, "stroke": 50, "back": 4, "retreat": 1000, "stuck": 30

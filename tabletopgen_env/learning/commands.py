@@ -128,7 +128,7 @@ def train(
         files.showings,
     )
     done = trained(chosen, folder, plan, resume, _say)
-    _say(f"{done.steps:,} steps of {chosen.name} in {folder}")
+    _say(f"completed {done.steps:,} steps of {chosen.name} in {folder}")
     return 130 if done.interrupted else 0
 
 

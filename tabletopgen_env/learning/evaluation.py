@@ -21,7 +21,7 @@ FRAME_EVERY = 4
 
 
 class Predicts(Protocol):
-    """A policy of this package, or a Stable-Baselines3 model."""
+    """A policy of this package, or a Stable-Baselines3 model, with the method ``predict``."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
         """Return the action and the policy's memory, which is the next call's ``state``."""

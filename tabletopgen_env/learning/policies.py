@@ -301,7 +301,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     if type(version) is not int or version != FORMAT:
         raise ValueError(f"its version is {version!r}, this package reads version {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
-        raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
+        raise ValueError(f"its card has unexpected keys: {', '.join(sorted(payload))}")
     inputs = {check_type(k, str): _shape(v) for k, v in check_type(payload["inputs"], dict).items()}
     parts = [math.prod(shape_of(shape)) for shape in inputs.values()]
     sizes = (*(n for shape in inputs.values() for n in shape_of(shape)), payload["actions"])
@@ -323,7 +323,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     env = check_type(payload["env"], dict)
     Recipe(
         "checks that they are consistent", task, "sac", env=env, network=network
-    )  # checks that they go together
+    )  # checks that the values are consistent
     versions = _table(payload["versions"], str)
     answers = [check_type(v, float) for v in check_type(payload["answers"], list)]
     return Card(

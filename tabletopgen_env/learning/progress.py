@@ -90,7 +90,7 @@ class Tracker:
         self.logger.record("held_out/mean_reward", seen.reward)
         self.logger.record("held_out/mean_steps", seen.steps)
         self.logger.dump(steps)
-        self.say(f"{steps:,} steps, {self.counts.seconds / 60:.1f} min: held-out: {seen}")
+        self.say(f"{steps:,} steps, {self.counts.seconds / 60:.1f} min, held-out: {seen}")
 
     def checkpoint(self, learner: Learner, steps: int) -> None:
         """Save a checkpoint after ``steps`` steps, and the policy unless it was just evaluated."""

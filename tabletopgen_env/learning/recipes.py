@@ -318,7 +318,7 @@ def _change(text: str) -> dict[str, Any]:
             raise ValueError("it lacks '='")
         try:
             return _toml(f"{key} = {value}")
-        except ValueError:  # a bare word is a string
+        except ValueError:  # an unquoted word is a string
             return _toml(f"{key} = {json.dumps(value.strip())}")
     except ValueError as error:
         raise InputError(

@@ -188,7 +188,7 @@ def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
 
 
 class _Blank(gym.Env):
-    """An environment with given spaces whose steps do nothing."""
+    """An environment with given spaces that does nothing."""
 
     def __init__(self, like: gym.Env[Any, Any]) -> None:
         self.observation_space, self.action_space = like.observation_space, like.action_space

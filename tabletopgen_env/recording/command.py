@@ -57,6 +57,6 @@ def record(
             progress.update(shown, completed=kept, note=note)
 
         path = run(config, out, format, pool.workers, report, pool.ray, resume, lerobot)
-    print(f"{path}: {config.episodes} episodes of {played} played")
+    print(f"{path}: {config.episodes} of {played} episodes recorded")
     if format == "minari":
         print(f'  MINARI_DATASETS_PATH={path.parent}  minari.load_dataset("{path.name}")')

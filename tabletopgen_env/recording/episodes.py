@@ -101,11 +101,11 @@ def play_episodes(
     ray: str | None = None,
     first: int = 0,
 ) -> Generator[RecordedEpisode | SceneError, None, None]:
-    """Yield episodes indefinitely, or for an episode that is not kept the reason.
+    """Yield episodes indefinitely; an episode that is not kept is replaced by the reason.
 
     The first episode has the number ``first``. The episodes do not depend on the number of
     ``workers``, or on whether these belong to the Ray cluster at the address ``ray``; a single
-    local worker plays in ``env``. Close the generator in the end.
+    local worker plays in ``env``. Close the generator at the end.
 
     Raises:
         BackendError: Ray is not available.
@@ -119,7 +119,8 @@ def play_episodes(
         numbers, begun = count(first, few), count(first, few)
         ahead: deque[Future[list[RecordedEpisode | SceneError]]] = deque()
         for done in numbers:
-            wanted = max(-(-(config.episodes + first - done) // few), 1)  # if all of them are kept
+            # assuming that all of them are kept
+            wanted = max(-(-(config.episodes + first - done) // few), 1)
             while len(ahead) < min(2 * workers, wanted):
                 ahead.append(pool.submit(_chunk, config, make, next(begun), few))
             yield from ahead.popleft().result()

@@ -23,10 +23,10 @@ _MOST_BYTES = 1 << 20  # of the key
 
 @contextmanager
 def publish(target: Path) -> Iterator[Path]:
-    """Yield a place beside ``target``, and move its content to ``target`` on success.
+    """Yield a temporary path beside ``target``, and move its content to ``target`` on success.
 
     Raises:
-        InputError: ``target`` has come into existence meanwhile.
+        InputError: ``target`` was created by another program meanwhile.
         StorageError: a file cannot be written.
     """
     part = None
@@ -43,15 +43,15 @@ def publish(target: Path) -> Iterator[Path]:
 
 @contextmanager
 def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iterator[Path]:
-    """Yield a place beside ``target`` as ``publish`` does, in a folder that survives a failure.
+    """Yield a temporary path as ``publish`` does, in a folder that survives a failure.
 
     The next call with the same ``key`` and ``resume`` continues with the folder, ``.<name>.part``,
-    and the files stored in it beside the place. The folder is removed once the dataset is
-    published, or if a failed call left nothing in it.
+    and all files in it. The folder is removed once the dataset is published, or if a failed call
+    left nothing in it.
 
     Raises:
         InputError: the folder exists and ``resume`` is false, it has another key, or it is in use;
-            or ``target`` has come into existence meanwhile.
+            or ``target`` was created by another program meanwhile.
         StorageError: a file cannot be written.
     """
     from filelock import FileLock, Timeout
@@ -93,7 +93,7 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
     raw = read_regular(path, "The interrupted recording", StorageError, max_bytes=_MOST_BYTES)
     found = parse_object(raw, f"The interrupted recording {str(path)!r}", StorageError)
     other = [
-        f"{name} was {found.get(name)!r} and is {wanted.get(name)!r}"
+        f"{name} was {found.get(name)!r} and is now {wanted.get(name)!r}"
         for name in sorted({*found, *wanted})
         if found.get(name) != wanted.get(name)
     ]
@@ -105,7 +105,7 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
 
 
 def _drop_if_empty(part: Path) -> None:
-    """Remove the place, and the folder if nothing else is stored in it."""
+    """Remove the incomplete dataset, and the folder if nothing else is stored in it."""
     if (part / _PLACE).is_dir():
         shutil.rmtree(part / _PLACE, ignore_errors=True)
     kept = [p for p in part.iterdir() if p.name not in (_KEY, _LOCK)]

@@ -89,15 +89,15 @@ def write_dataset(
     resume: bool = False,
     lerobot: LeRobotConfig = _LEROBOT,
 ) -> Path:
-    """Write episodes played elsewhere in the way of ``record``.
+    """Write episodes played elsewhere, in the same way as ``record``.
 
     ``episodes`` returns the episodes, all of which are kept, regardless of ``config.episodes``. It
     is called with the number of the first one, 0 unless an interrupted recording is resumed.
     ``env`` is the environment in which they are played; it is not closed.
 
     Ctrl-C ends the recording, and the dataset consists of the episodes so far. The same holds for
-    an error, which is raised afterwards; in the format "lerobot" the episodes instead wait to be
-    resumed.
+    an error, which is raised afterwards; in the format "lerobot" the episodes are stored until the
+    recording is resumed instead.
 
     Raises:
         InputError: as ``record``, or there was no episode.
@@ -147,7 +147,7 @@ def _check(
 def _publish(
     target: Path, config: RecordConfig, format: Format, resume: bool, lerobot: LeRobotConfig
 ) -> AbstractContextManager[Path]:
-    """Return the context manager that yields the place to write to."""
+    """Return the context manager that yields the temporary path of the dataset."""
     if format not in RESUMABLE:
         return publish(target)
     settings = {n: v for n, v in asdict(config).items() if n != "episodes"}

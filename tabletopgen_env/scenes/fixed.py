@@ -91,11 +91,11 @@ class FixedScenes:
         missing = f"The bundle {folder(ref)} no longer exists"
         if not left:
             others = f", nor do the other {len(self) - 1}" if len(self) > 1 else ""
-            raise BundleError(f"{missing}{others}. Put it back, or pass other scenes.")
+            raise BundleError(f"{missing}{others}. Restore it, or pass other scenes.")
         if not self._warned:
             self._warned = True
             warnings.warn(
-                f"{missing}; continuing with the {len(left)} of {len(self)} scenes that are left.",
+                f"{missing}; continuing with the {len(left)} of {len(self)} remaining scenes.",
                 RuntimeWarning, stacklevel=2,
             )  # fmt: skip
         return left[int(rng.integers(len(left)))]

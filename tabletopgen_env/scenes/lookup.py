@@ -89,7 +89,9 @@ def _find(item: str | Path | Scene) -> list[SceneRef]:
     if isinstance(item, Scene):
         return [HeldRef(item)]
     if not isinstance(item, str | Path):
-        raise InputError(f"A list of scenes holds a {type(item).__name__}: {item!r}.")
+        raise InputError(
+            f"A list of scenes cannot hold an item of type {type(item).__name__}: {item!r}."
+        )
     if on_demand(item) or (isinstance(item, str) and graded_of(item)):
         raise InputError(
             f"{item!r} is not a fixed scene and cannot be part of a list; for several prompts "

@@ -68,7 +68,7 @@ class DifficultySampler:
         return np.asarray(found)
 
     def probabilities(self, amounts: Real[np.ndarray, "b"] | None = None) -> Float[np.ndarray, "b"]:
-        """Return the probabilities of bins with ``amounts`` items each, None for equal numbers."""
+        """Return the probability of each bin, given its number of items (None: equal numbers)."""
         held = np.ones(len(self.counts)) if amounts is None else np.asarray(amounts, float)
         potential = held * self.rates * (1 - self.rates)
         return self.explore * held / held.sum() + (1 - self.explore) * potential / potential.sum()

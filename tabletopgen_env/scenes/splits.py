@@ -70,7 +70,7 @@ class SplitRule:
             )
         if bool(self.categories) != (self.by == "category"):
             raise InputError(
-                f"Pass the held-out categories exactly if by='category': by is {self.by!r}, "
+                f"categories and by='category' require each other: by is {self.by!r}, "
                 f"categories are {tuple(self.categories)}."
             )
         object.__setattr__(self, "categories", tuple(sorted({_key(c) for c in self.categories})))
@@ -97,7 +97,7 @@ class SplitRule:
         """
         known = {*categories_known(), *present}
         for category in self.categories:
-            require_known(category, known, "There is no category")
+            require_known(category, known, "Unknown category")
 
     def __str__(self) -> str:
         how = f"share={self.share:g}" if self.by == "digest" else f"categories={self.categories}"

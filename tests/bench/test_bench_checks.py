@@ -135,7 +135,7 @@ def test_a_player_without_a_policy_is_shown_as_what_it_is(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(("player", "wrong"), [
-    ({"kind": "oracle"}, "a player is 'oracle'"),
+    ({"kind": "oracle"}, "a player has the kind 'oracle'"),
     ({"kind": "expert", "digest": "ab" * 32}, "cannot have a digest"),
     ({"kind": "zero", "settings": {"observation": "pixels"}}, "or settings"),
     ({"kind": "policy", "name": "Expert", "digest": "ab" * 32}, "called 'Expert'"),

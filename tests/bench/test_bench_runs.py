@@ -293,8 +293,8 @@ def test_the_command_runs_suites(
 ) -> None:
     run = shell.of("bench", "run", "zero", "--tables", str(store), "--out", str(tmp_path))
     shown = run("--suite", f"{suite_file}:test", f"{suite_file}:test-random")
-    assert "zero solved 0 of 4 at reach-test," in shown.out
-    assert "of 6 at reach-test-random," in shown.out
+    assert "zero solved 0 of 4 on reach-test," in shown.out
+    assert "of 6 on reach-test-random," in shown.out
     made = shell("bench", "make", f"{suite_file}:test", "--out", str(store)).out.split()
     assert sorted(made) == sorted(map(str, store.iterdir()))
     listed = shell("bench", "list").out

@@ -75,7 +75,7 @@ def test_another_table_than_the_suite_says_is_refused(composed: TaskSuites, tmp_
         list(tables.make_tables(composed, (wrong,), tmp_path))
     assert not list(tmp_path.iterdir())
     older = dataclasses.replace(composed, versions={"mujoco": "1.0", "numpy": "2.0"})
-    with pytest.raises(SceneError, match=r"made with mujoco 1\.0, here .*Install these"):
+    with pytest.raises(SceneError, match=r"generated with mujoco 1\.0, here .*Install these"):
         list(tables.make_tables(older, (wrong,), tmp_path))
 
 

@@ -322,7 +322,7 @@ def test_what_was_interrupted_goes_on_to_the_same_bytes(
     assert [path.name for path in out.parent.iterdir()] == [".set.part"], "no half dataset"
     with pytest.raises(InputError, match="--resume"):
         record(CONFIG, out, "lerobot")
-    with pytest.raises(InputError, match="seed was 0 and is 1"):
+    with pytest.raises(InputError, match="seed was 0 and is now 1"):
         record(replace(CONFIG, seed=1), out, "lerobot", resume=True)
     reports: list[tuple[int, int]] = []
     record(CONFIG, out, "lerobot", resume=True, report=lambda *n: reports.append(n))
@@ -457,7 +457,7 @@ def test_wrong_requests_are_explained(
         with pytest.raises(InputError, match=reason):
             record(config, **{"out": tmp_path / "new", "format": "lerobot", **settings})
     monkeypatch.setattr(videos, "_encoders", lambda: {"libx265"})
-    with pytest.raises(InputError, match=r"no libx264, .* it has hevc\. .* --video none"):
+    with pytest.raises(InputError, match=r"no libx264, .* available: hevc\. .* --video none"):
         record(CONFIG, tmp_path / "new", "lerobot")
     monkeypatch.setitem(sys.modules, "av", None)
     with pytest.raises(InputError, match=r"package av, .* pip install 'tabletopgen\[lerobot\]'"):

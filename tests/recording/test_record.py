@@ -303,7 +303,7 @@ def test_the_command_records_and_says_where(
     settings = json.loads(Path(f"{out}-plain/dataset.json").read_text())["settings"]
     assert settings["randomization"] is None
     capsys.readouterr()
-    assert f"{out}: 1 episodes of 1 played" in told.out and "1/1" in told.err
+    assert f"{out}: 1 of 1 episodes recorded" in told.out and "1/1" in told.err
     wrong = {
         "already exists": [*given, "--out", str(out)],
         "Did you mean 'Lift'": ["record", "--task", "Lifft"],

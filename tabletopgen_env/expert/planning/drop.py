@@ -47,7 +47,7 @@ class Drop:
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Update the place for the object's shift in the hand and the goal's motion."""
+        """Update the place after a shift of the object in the hand or a motion of the goal."""
         left, right, _ = world.touches(self._target)
         if not (left and right):  # a released object no longer counts
             return

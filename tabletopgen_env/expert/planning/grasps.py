@@ -53,7 +53,7 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` as it stands, best first, those like ``avoid`` last."""
+    """Return top grasps of ``target`` where it stands, best first, those like ``avoid`` last."""
     angles = rotation_yaw(world.rotation(target)) + np.arange(_TURNS) * np.pi / _TURNS
     found = [_demote(grasp, avoid) for grasp in grasps_along(world, target, angles.tolist())]
     return sorted(found, key=lambda grasp: -grasp.score)
@@ -186,7 +186,7 @@ def _room(
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return the largest openings (m) at which the descending fingers are free, NaN without one."""
+    """Return the largest free openings (m) for the descending fingers, NaN if none is free."""
     distance = np.abs(u - center[:, None])
 
     def free(

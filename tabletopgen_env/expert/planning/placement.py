@@ -118,8 +118,9 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     """Return the centre of a goal's region as a place for its target, as ``plan_place`` does.
 
-    The hand is not turned, or by half a turn if the arm reaches the place only so. The plan uses
-    the height map of all other objects, and the box of the held object with its lowest point.
+    The hand keeps its yaw, or makes half a turn if the arm can reach the place only in this way.
+    The plan uses the height map of all other objects, and the box of the held object with its
+    lowest point.
     """
     places = [*_middles(world, goal, yaw, opening, (0.0, np.pi))]
     reached = (p for p in places if p.yaw is not None and _stretched(world, p.tool, p.yaw))

@@ -122,7 +122,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
             began = buffer._current_ep_start
             began[:] = _like(file["began"], began)
             if ((began < 0) | (began >= size)).any():
-                raise ValueError("an episode begins outside the buffer")
+                raise ValueError("an episode starts outside the buffer")
         _end_episodes(buffer)
     except (ValueError, KeyError, TypeError, IndexError, OverflowError) as error:
         raise InputError(

@@ -51,7 +51,7 @@ _FLAT = _ROBOT + SLOTS * _SLOT + len(GOAL_BOUNDS)
 _REGION = slice(_FLAT - len(GOAL_BOUNDS) + 1, _FLAT)  # centre, semi-axes x and y, yaw, z, way
 # metres: extra opening to release; largest opening; maximum of entry 6
 _WIDER, _WIDEST, _HIGHEST = 0.024, 0.08, 0.3
-_IN_AIR = 0.03  # metres above the surface below from which on a region counts as in the air
+_IN_AIR = 0.03  # a region higher than this above the surface below it counts as in the air, metres
 
 
 class LookExtractor(BaseFeaturesExtractor):
@@ -155,7 +155,7 @@ def release_height(
 
     The second array is the height of the surface there under the target. Both are in the base
     frame, in metres. The target is as wide as its box, the open hand as in
-    ``expert.planning.placing``; both are enlarged by one cell on all sides.
+    ``expert.planning.placement``; both are enlarged by one cell on all sides.
     """
     heights = maps[:, 2].float() * STEP + state[:, 37, None, None]
     heading, low = heading_of(state), lowest_of(state)

@@ -209,12 +209,12 @@ class BatchWorld:
             self._arrays[name].copy_(array)
 
     def _feel(self) -> None:
-        """Update the flags of what the robot touches."""
+        """Update which objects the robot touches."""
         contacts = [self._arrays[name] for name in ("contact.geom", "contact.worldid", "nacon")]
         self.state.touches.copy_(self._touching.read(contacts[0], contacts[1], contacts[2]))
 
     def _judge(self) -> None:
-        """Update which worlds overflowed or diverged in the last step."""
+        """Mark the worlds that overflowed or diverged in the last step."""
         overflowed = (self._arrays["overflow"] & self._spoiling) != 0
         sound = torch.ones_like(self.bad)
         for name in ("qpos", "qvel"):

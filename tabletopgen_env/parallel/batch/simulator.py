@@ -55,11 +55,11 @@ class Simulator:
     def exchange(self, model: mujoco.MjModel) -> None:
         """Replace the model by one of the same shape, without compilation; then set all fields."""
         warp, physics = self._engine.warp, self._engine.physics
-        # A mesh may be absent only where the field has room for more than one world.
+        # A field can mark a mesh as absent only if it has entries for more than one world.
         sizes = dict.fromkeys(MODEL_FIELDS, max(2, self._worlds))
         with warp.ScopedDevice(self._device):
             self._model = made = physics.put_model(model, batch_sizes=sizes)
-            made.opt.warn_overflow = 0  # they are read, not printed
+            made.opt.warn_overflow = 0  # overflows are read from the data instead of printed
             made.opt.graph_conditional &= (
                 self._device.is_cpu or warp.is_conditional_graph_supported()
             )

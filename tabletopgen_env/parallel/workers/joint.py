@@ -38,7 +38,7 @@ def check_joint(config: EnvConfig) -> None:
     """
     check_core(config, "An environment that is stepped together with others")
     if config.render.mode == "human":
-        raise InputError("Slots that are stepped together cannot have render_mode='human'.")
+        raise InputError("Slots that are stepped together do not support render_mode='human'.")
 
 
 class JointSlots(SlotSet):

@@ -117,7 +117,7 @@ class ShardSlots:
     def visit(self, jobs: Mapping[int, Job]) -> list[Any]:
         """Run a job on each of some environments; jobs and results are pickled."""
         answers = self._request({
-            shard: pack(("visit", (of,)), "What the slots are to do")
+            shard: pack(("visit", (of,)), "The functions for the slots")
             for shard, of in self._share(jobs).items()
         })  # fmt: skip
         values = [value for shard in sorted(answers) for value in answers[shard].value]

@@ -98,7 +98,8 @@ def check_installed(format: Format, lerobot: LeRobotConfig) -> None:
         except ImportError as error:
             raise InputError(
                 f"The format {format!r} needs the package {needed}, which is not installed: "
-                f"pip install 'tabletopgen[{extra}]'. The format 'npz' needs none."
+                f"pip install 'tabletopgen[{extra}]'. The format 'npz' needs no further "
+                "package."
             ) from error
     if format == "lerobot" and lerobot.video != "none":
         from ..lerobot.videos import check_codec

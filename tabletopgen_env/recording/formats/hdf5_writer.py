@@ -74,6 +74,7 @@ def fill_group(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
         if isinstance(value, list):
             if isinstance(value[0], str):
                 how = {"dtype": h5py.string_dtype()}
-        elif value.ndim > 2 and value[0].nbytes >= _PICTURE_BYTES:  # to be read one by one
+        # so that they can be read one by one
+        elif value.ndim > 2 and value[0].nbytes >= _PICTURE_BYTES:
             how = {"chunks": (1, *value.shape[1:]), "compression": "gzip"}
         group.create_dataset(name, data=value, **how)

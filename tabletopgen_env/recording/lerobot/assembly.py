@@ -28,7 +28,7 @@ _VIDEO_PATH = f"videos/{{video_key}}/{_FILE}.mp4"
 _EPISODES_PATH = f"meta/episodes/{_FILE}.parquet"
 # columns of an episode's own row
 _PLACE = ("meta/episodes/chunk_index", "meta/episodes/file_index")
-_EPISODES_A_GROUP = 64  # per row group
+_EPISODES_A_GROUP = 64  # episodes per row group
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ LIMITS = Limits()
 """Maximum file sizes."""
 
 _ROBOT = "panda"
-_FEATURES = "features.json"  # beside the first episode
+_FEATURES = "features.json"  # files beside the first episode
 _MOST_BYTES = 1 << 20  # for the features
 
 

@@ -27,7 +27,7 @@ REST = 60.0
 
 @dataclass(frozen=True)
 class RenewalPace:
-    """Rate of renewal: per minute, or one scene per number of draws."""
+    """Rate of renewal: scenes per minute, or draws per renewed scene."""
 
     per_minute: float | None
     every_resets: int | None

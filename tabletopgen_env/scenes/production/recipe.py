@@ -158,6 +158,6 @@ def _generate(what: str | ScenePlan, seed: int) -> Scene:
 
     scene = generate(what, seed=seed).scene
     if scene.report is None or not scene.report.passed:
-        failures = scene.report.failure_text if scene.report else "it was not judged"
+        failures = scene.report.failure_text if scene.report else "the gate did not run"
         raise SceneError(f"A generated scene failed its gate: {failures}.")
     return scene

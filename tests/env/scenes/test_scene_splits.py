@@ -308,10 +308,14 @@ def test_scenes_are_looked_at_once_and_a_copy_looks_for_itself() -> None:
         ("train", {"by": "colour"}, "no by 'colour'. Available: category, digest"),
         ("train", {"share": 0.0}, r"in \(0, 1\), got 0"),
         ("train", {"share": 20}, r"in \(0, 1\), got 20"),
-        ("train", {"by": "category"}, "Pass the held-out categories"),
-        ("train", {"categories": ("mug",)}, "exactly if by='category'"),
-        ("train", {"by": "category", "categories": ("mugg",)}, "no category 'mugg'.*'mug'"),
-        ("held_out", {"by": "category", "categories": ("clavichord",)}, "no category 'clavichord'"),
+        ("train", {"by": "category"}, "require each other"),
+        ("train", {"categories": ("mug",)}, "by='category' require each other"),
+        ("train", {"by": "category", "categories": ("mugg",)}, "Unknown category 'mugg'.*'mug'"),
+        (
+            "held_out",
+            {"by": "category", "categories": ("clavichord",)},
+            "Unknown category 'clavichord'",
+        ),
         ("held_out", {"by": "category", "categories": ("mug",)}, "None of the 2 scenes belongs to"),
     ],
 )

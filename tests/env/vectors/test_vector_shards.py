@@ -139,7 +139,7 @@ def test_errors_arrive_with_their_class_and_slot(shards: Any) -> None:
     with pytest.raises(InputError, match="cannot be sent between processes"):
         shards.visit(lambda env: threading.Lock())
     held = threading.Lock()
-    with pytest.raises(InputError, match="What the slots are to do cannot be sent"):
+    with pytest.raises(InputError, match="The functions for the slots cannot be sent"):
         shards.visit(lambda env: held)
     with pytest.raises(AttributeError, match="nothing"):
         shards.get_attr("nothing")
