@@ -23,8 +23,8 @@ def clear_height(
 ) -> float:
     """Return the height (world, m) that clears all objects between ``start`` and ``end``.
 
-    Every object but ``held`` whose upright cylinder comes within ``broad`` of the straight path
-    counts with its highest point.
+    All objects but ``held`` whose upright cylinder comes within ``broad`` of the straight path are
+    cleared at their highest point.
     """
     height = world.scene.table.height
     way = end[:2] - start[:2]

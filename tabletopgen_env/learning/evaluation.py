@@ -126,5 +126,5 @@ def summarize(played: list[EpisodeResult]) -> PolicyEvaluation:
 
 
 def seeds(seed: int, count: int) -> Iterator[int]:
-    """Return the seeds of ``count`` episodes; fewer episodes use a prefix of them."""
+    """Return the seeds of ``count`` episodes; shorter evaluations use the first of these seeds."""
     return islice(episode_seeds(seed, 3), count)

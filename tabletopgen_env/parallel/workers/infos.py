@@ -16,7 +16,7 @@ from gymnasium.vector import VectorEnv
 from jaxtyping import Float
 
 NUMBERS = 64
-"""Numbers of a slot's info in the array; further numbers are sent with each step."""
+"""Maximum count of numbers per slot in the array; further numbers are sent with each step."""
 
 _KINDS: Mapping[type, type] = {float: float, np.float64: float, int: int, bool: bool}
 _FIXED = (str, bytes, type(None), np.generic, *_KINDS)  # types with immutable values
