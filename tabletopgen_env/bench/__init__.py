@@ -1,14 +1,14 @@
-"""TabletopBench: fixed suites of held-out tables, and what policies come to there.
+"""TabletopBench: fixed suites of held-out tables for the evaluation of policies.
 
 ==================  ===============================================================================
 ``suites``          the suites by name, and their files
-``instances``       what a suite holds: tables, what is to be done there, episodes
-``training_tables`` tables to train at, apart from all that are listed
-``tables``          a suite's tables on disk, made again bit for bit
-``players``         who plays: random, zero, the expert, policy files, functions
-``run``             a run, which resumes; ``episode`` its episodes
-``results``         files of results, with a digest
-``comparison``      results side by side; ``leaderboard`` the page of all
-``suite_drafts``    how suites were made
+``instances``       the contents of a suite: tables, their tasks and episodes
+``training_tables`` training tables, separate from all listed tables
+``tables``          a suite's tables on disk, regenerated bit for bit
+``players``         the players: random, zero, the expert, policy files, functions
+``run``             resumable runs; ``episode`` runs their episodes
+``results``         result files with a digest
+``comparison``      comparison of results; ``leaderboard`` the page of all results
+``suite_drafts``    creation of suites
 ==================  ===============================================================================
 """

@@ -1,4 +1,4 @@
-"""Play fixed suites of held-out tables, compare results, make the leaderboard."""
+"""The ``bench`` commands: run fixed suites, compare and check results, write the leaderboard."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _SUITES = "[SUITE ...]"
 
 @app.command(name="list")
 def list_suites() -> int:
-    """List the suites, with their tables, what is to be done there, and episodes."""
+    """List the suites with their tables, instances and episodes."""
     from .suites import VERSION, find_suite, names, tasks
 
     rows = [("suite", "tables", "instances", "episodes")]
@@ -37,7 +37,9 @@ def list_suites() -> int:
         things = sum(len(table.solvable) for table in suite.tables)
         rows.append((suite.name, f"{len(suite.tables)}", f"{things}", f"{len(suite.episodes())}"))
     _show(rows)
-    print(f"Version {VERSION}. To train at: {', '.join(f'{t.lower()}-train' for t in tasks())}.")
+    print(
+        f"Version {VERSION}. Training tables: {', '.join(f'{t.lower()}-train' for t in tasks())}."
+    )
     return 0
 
 
@@ -49,16 +51,16 @@ def make_tables(
     out: Path | None = None,
     pool: OmitArgPrefixes[PoolOptions] = _POOL,
 ) -> int:
-    """Make the tables of suites again, bit for bit, with their certificates.
+    """Generate the tables of suites, bit for bit, with their certificates.
 
-    Tables that are there are kept, so an interrupted command resumes. A table that is made as
-    another one than the suite says is an error: other versions of some packages make other tables.
+    Existing tables are kept, so an interrupted command can be resumed. It is an error if a
+    generated table differs from the suite's: other versions of some packages generate other tables.
 
     Args:
-        suites: Names of suites; "all" for those of all tasks.
-        out: Folder the bundles go into; if left out, bench in the user cache, where "run" looks for
-            them and no search by name does.
-        pool: Who makes them.
+        suites: Names of suites; "all" for the suites of all tasks.
+        out: Folder for the bundles; by default bench in the user cache, where "run" looks for them
+            and which searches for bundles by name do not include.
+        pool: Worker processes that generate the tables.
     """
     from .tables import make_tables as make
 
@@ -84,24 +86,24 @@ def run_policy(
     pool: OmitArgPrefixes[PoolOptions] = _POOL,
     pictures: OmitArgPrefixes[FailurePictures] = _PICTURES,
 ) -> int:
-    """Play suites and write a result file for each.
+    """Evaluate a policy on suites and write a result file for each.
 
-    The policy's own settings decide what it sees and how it moves the robot; tables, targets,
-    goals, randomisation, control rate, time limit and seeds are the suite's. A killed run resumes
-    when it is run again. Two runs write the same bytes.
+    The policy's own settings determine its observations and actions. The suite determines tables,
+    targets, goals, randomisation, control rate, time limit and seeds. Run the command again to
+    resume an interrupted run. Repeated runs write identical files.
 
     Args:
         policy: "random", "zero", "expert", the name of a shipped policy, a policy file, a training
             run's folder, or module:function, a function that returns an object with
             predict(observation, deterministic=True).
-        suite: Names of suites: lift-test, lift-test-random, lift-validation ...; of a file of your
-            own FILE:test.
-        out: Folder the results go into.
-        name: What the policy is called in the results; its own name if left out.
-        tables: Folder of the tables, made there if they are missing; if left out, bench in the user
+        suite: Names of suites: lift-test, lift-test-random, lift-validation ...; for your own file,
+            FILE:test.
+        out: Folder for the results.
+        name: Name of the policy in the results; its own name by default.
+        tables: Folder of the tables, where missing ones are generated; by default bench in the user
             cache.
-        pool: Who plays.
-        pictures: What is kept of episodes that fail.
+        pool: Worker processes that run the episodes.
+        pictures: Pictures of failed episodes.
     """
     from .results import read_result
     from .run import BenchRun, run_suite
@@ -114,8 +116,9 @@ def run_policy(
         low, high = (100 * bound for bound in result.interval)
         print(
             escape(
-                f"{path}: {result.player.name} solved {result.solved} of {len(result.episodes)} at "
-                f"{result.suite}, {100 * result.share:.1f} % ({low:.1f} to {high:.1f} %)"
+                f"{path}: {result.player.name} solved {result.solved} of "
+                f"{len(result.episodes)} on {result.suite},  {100 * result.share:.1f} % "
+                f"({low:.1f} to {high:.1f} %)"
             ),
             flush=True,
         )
@@ -134,28 +137,28 @@ def check_results(
     tables: Path | None = None,
     pool: OmitArgPrefixes[PoolOptions] = _POOL,
 ) -> int:
-    """Check results: their figures, and some of their episodes, which are played again.
+    """Check results: their figures, and a replay of some of their episodes.
 
-    A result with impossible figures is not played. If its episodes end as it says, to the step and
-    within 0.0001 of the reward, it gets a mark, RESULT.replayed beside it, which the leaderboard
-    shows; a mark of more episodes is kept. If one differs, it loses the mark. Other versions of
-    packages, and other kinds of processors, may play an episode differently. The exit code is 1 if
-    a result fails.
+    A result with impossible figures is not replayed. If all replayed episodes end as listed, with
+    the same number of steps and a reward within 0.0001, the result gets a mark, RESULT.replayed
+    beside it, which the leaderboard shows; an existing mark for more episodes is kept. If an
+    episode differs, the mark is removed. Other package versions and other processors can cause
+    differences. The exit code is 1 if a result fails.
 
     Args:
-        results: Files that "run" wrote.
-        episodes: How many of each result's episodes are played, drawn at random.
-        seed: What draws them; another one each time if left out.
-        policy: Who plays, if the result's policy is a file or a function; see "run".
-        suite: The suite of results of a file of your own, FILE:test.
-        tables: Folder of the tables, made there if they are missing; if left out, bench in the user
+        results: Files written by "run".
+        episodes: Number of episodes to replay per result, chosen at random.
+        seed: Seed of this choice; a different choice each time by default.
+        policy: Player of the replay, if the result's policy is a file or a function; see "run".
+        suite: Suite of results from your own file, FILE:test.
+        tables: Folder of the tables, where missing ones are generated; by default bench in the user
             cache.
-        pool: Who makes missing tables.
+        pool: Worker processes that generate missing tables.
     """
     from .audit.command import Check, check_result
 
     if not results:
-        raise InputError("Name at least one result to check.")
+        raise InputError("Give at least one result to check.")
     check = Check(episodes, seed, policy, suite, tables, pool)
     passed = [check_result(path, check) for path in results]
     return 0 if all(passed) else 1
@@ -165,13 +168,13 @@ def check_results(
 def compare_results(
     results: Annotated[Positional[tuple[Path, ...]], arg(metavar="RESULT [RESULT ...]")], /
 ) -> int:
-    """Compare results of one suite with the first, on the same episodes.
+    """Compare results of one suite with the first result, on the same episodes.
 
-    The difference is in points of per cent, with the 95 % interval of paired shares; gained are
-    episodes that the first did not solve, lost those that only it did.
+    The difference is in percentage points, with the 95 % interval for paired shares. Gained
+    episodes are solved by the result but not by the first one, lost episodes only by the first one.
 
     Args:
-        results: Files that "run" wrote.
+        results: Files written by "run".
     """
     from .comparison import compare
     from .results import read_result
@@ -185,11 +188,11 @@ def compare_results(
 def make_leaderboard(
     folder: Annotated[Positional[Path], arg(metavar="DIR")], /, *, out: Path | None = None
 ) -> int:
-    """Make the leaderboard of the results in a folder, as Markdown.
+    """Write the leaderboard of the results in a folder, as Markdown.
 
     Args:
-        folder: Folder of files that "run" wrote, of test suites.
-        out: The page to write; it is printed if left out.
+        folder: Folder of result files written by "run", on test suites.
+        out: Page to write; printed by default.
     """
     from .leaderboard import page, read_results
 
@@ -204,19 +207,19 @@ def make_leaderboard(
 
 
 def _find(names: Iterable[str]) -> list[Suite]:
-    """Return the suites of names, each once."""
+    """Return the suites with these names, without duplicates."""
     from .suites import find_suite
     from .suites import names as known
 
     wanted = list(names)
     if not wanted:
-        raise InputError("Name at least one suite; `tabletopgen bench list` shows what there is.")
+        raise InputError("Give at least one suite; `tabletopgen bench list` lists them.")
     every = [name for given in wanted for name in (known() if given == "all" else [given])]
     return [find_suite(name) for name in dict.fromkeys(every)]
 
 
 def _show(rows: Sequence[tuple[str, ...]]) -> None:
-    """Print rows as a table, their head first."""
+    """Print rows as a table; the first row is the header."""
     from rich.console import Console
     from rich.table import Table
 
@@ -230,7 +233,7 @@ def _show(rows: Sequence[tuple[str, ...]]) -> None:
 
 @contextmanager
 def _progress() -> Iterator[Report]:
-    """Show what is done on standard error."""
+    """Report progress on standard error."""
     from rich.console import Console
     from rich.progress import MofNCompleteColumn, Progress, TimeElapsedColumn, TimeRemainingColumn
 

@@ -1,4 +1,4 @@
-"""Results of the same suite side by side, each against the first, episode by episode."""
+"""Comparison of results of the same suite with the first one, episode by episode."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from .results import BenchResult
 
 @dataclass(frozen=True)
 class PairedDifference:
-    """How a result differs from a baseline's on the same episodes.
+    """Difference between a result and a baseline on the same episodes.
 
     Attributes:
-        gained: episodes that only this one solved.
+        gained: episodes that only this result solved.
         lost: episodes that only the baseline solved.
-        share: the difference of the shares that were solved.
+        share: difference of the success rates.
         interval: its 95 % interval; see ``statistics.newcombe_paired``.
     """
 
@@ -29,16 +29,16 @@ class PairedDifference:
 
 
 def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
-    """Return how a result differs from a baseline.
+    """Compute the difference between a result and a baseline.
 
     Raises:
-        InputError: they are of different suites.
+        InputError: the results belong to different suites.
     """
     for name in ("suite", "version", "suites"):
         if (own := getattr(result, name)) != (other := getattr(baseline, name)):
             raise InputError(
-                f"Results are compared at one suite: {result.player.name} has {name} "
-                f"{own[:40]!r}, {baseline.player.name} {other[:40]!r}."
+                f"Results can only be compared on the same suite: {result.player.name} has "
+                f"{name} {own[:40]!r}, {baseline.player.name} {other[:40]!r}."
             )
     before = {row.key: row.solved for row in baseline.episodes}
     if before.keys() != {row.key for row in result.episodes}:
@@ -55,25 +55,25 @@ def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
 
 
 def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
-    """Return the rows of a table, its head first; the first result is what others are compared to.
+    """Return the rows of a table, header first; the first result is the baseline of the others.
 
     Raises:
-        InputError: there is none, or they are of different suites.
+        InputError: there are no results, or they belong to different suites.
     """
     if not results:
-        raise InputError("Name at least one result to compare.")
+        raise InputError("Give at least one result to compare.")
     levels = list(dict.fromkeys(row.level for row in results[0].episodes))
     head = ("policy", "solved", "share", "95 %", *levels, "difference", "95 %", "gained", "lost")
     return [head, *(_row(r, results[0], levels, k == 0) for k, r in enumerate(results))]
 
 
 def percent(share: float) -> str:
-    """Return a share as a number of per cent: "97.5"."""
+    """Format a share as a percentage: "97.5"."""
     return f"{100 * share:.1f}"
 
 
 def span(interval: tuple[float, float]) -> str:
-    """Return an interval as text: "94.1 to 99.0"."""
+    """Format an interval: "94.1 to 99.0"."""
     return " to ".join(map(percent, interval))
 
 

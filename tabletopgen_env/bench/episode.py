@@ -1,4 +1,4 @@
-"""One episode after the other: what a process of a run does."""
+"""Episodes of a run, executed one by one in each process."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
     from .instances import Suite, SuiteEpisode
 
 FRAME_EVERY = 4
-"""Steps between the pictures of an episode."""
+"""Steps between two pictures of an episode."""
 
 STRIP = 6
 """Pictures in a film strip."""
 
 _SHOWN = (240, 320)  # height and width of pictures
-_KEPT = 4  # compiled worlds: episodes come table by table
+_KEPT = 4  # compiled worlds: consecutive episodes share a table
 
 
 @dataclass(frozen=True)
 class SuiteOutcome:
-    """How an episode ended: ``reward`` is the mean of a step, rounded."""
+    """The outcome of an episode: ``reward`` is the mean per step, rounded."""
 
     solved: bool
     steps: int
@@ -39,11 +39,11 @@ class SuiteOutcome:
 
 @dataclass(frozen=True)
 class FailurePictures:
-    """What is kept of episodes that fail.
+    """Pictures of failed episodes.
 
     Attributes:
-        strips: Folder for a film strip (PNG) of each episode that fails.
-        videos: Folder for a film (animated WebP) of each episode that fails.
+        strips: Folder for a film strip (PNG) of each failed episode.
+        videos: Folder for a video (animated WebP) of each failed episode.
     """
 
     strips: Path | None = None
@@ -55,13 +55,13 @@ class FailurePictures:
 
 @dataclass(frozen=True)
 class Playing:
-    """What a process needs to play: the suite, who plays, and where the tables are.
+    """Settings of the processes that run episodes.
 
     Attributes:
-        suite: what is played.
-        player: who plays, by name; see ``players.find_player``.
+        suite: the suite.
+        player: name of the player; see ``players.find_player``.
         bundles: the tables' bundles by digest.
-        pictures: what is kept of failures.
+        pictures: pictures of failed episodes.
     """
 
     suite: Suite
@@ -71,7 +71,7 @@ class Playing:
 
 
 class Stage:
-    """An environment at the tables of a suite, and who plays there."""
+    """An environment with the tables of a suite, and its player."""
 
     def __init__(self, playing: Playing) -> None:
         from ..env import make_env
@@ -87,7 +87,7 @@ class Stage:
         atexit.register(self.env.close)
 
     def play(self, episode: SuiteEpisode) -> SuiteOutcome:
-        """Play an episode, and once more for its pictures if it fails and they are wanted."""
+        """Run an episode; if it fails and pictures are requested, run it again for these."""
         with single_thread():
             outcome = self._play(episode, None)
             if self._playing.pictures and not outcome.solved:
@@ -114,14 +114,14 @@ class Stage:
                 solved = held.after(info)
                 if len(rewards) % FRAME_EVERY == 0:
                     _look(env, frames)
-        except SceneError:  # who plays knows that it cannot go on
+        except SceneError:  # the player has no way to continue
             pass
         _look(env, frames)
         return SuiteOutcome(solved, len(rewards), round(sum(rewards) / max(len(rewards), 1), 6))
 
 
 def stem_of(episode: SuiteEpisode) -> str:
-    """Return what the pictures of an episode are called."""
+    """Return the file stem for an episode's pictures."""
     asked = [part for part in (episode.instance.target, episode.instance.goal) if part]
     return "-".join([episode.table.digest, *asked, str(episode.number)])
 
@@ -132,10 +132,10 @@ def _look(env: TabletopEnv, frames: list[Any] | None) -> None:
 
 
 def _write(frames: list[Any], pictures: FailurePictures, stem: str) -> None:
-    """Write a film strip and a film.
+    """Write a film strip and a video.
 
     Raises:
-        StorageError: they cannot be written.
+        StorageError: a file cannot be written.
     """
     import io
 
@@ -158,5 +158,5 @@ def _write(frames: list[Any], pictures: FailurePictures, stem: str) -> None:
 
 
 def stage_of(playing: Playing) -> Stage:
-    """Return what plays; made once in each process."""
+    """Return the environment and player, created once per process."""
     return Stage(playing)

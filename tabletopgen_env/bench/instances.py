@@ -1,4 +1,4 @@
-"""What a suite holds: tables by their seeds and digests, and what is to be done at each."""
+"""The contents of a suite: tables with their seeds and digests, and the instances of each."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ from ..randomization import Randomization
 from ..scenes import SceneRecipe, SplitRule
 
 Split = Literal["train", "validation", "test"]
-"""What tables are for: to train at, to choose a policy by, and to report."""
+"""Uses of tables: training, model selection, and final results."""
 
 LISTED: tuple[Split, ...] = ("validation", "test")
-"""The splits whose tables are listed; tables to train at are a range of seeds."""
+"""The splits with listed tables; training tables are a range of seeds."""
 
 Condition = Literal["plain", "random"]
-"""Whether episodes of an instance start alike, or with ``TaskSuites.randomization``."""
+"""Whether the episodes of an instance start alike, or with ``TaskSuites.randomization``."""
 
 RANDOM = "-random"
-"""Ends the name of a suite with randomisation."""
+"""Suffix of the names of suites with randomisation."""
 
 
 class SuiteLevel(NamedTuple):
-    """A range of difficulty, ``low`` included, ``high`` not; see ``scenes.difficulty``."""
+    """A range of difficulty, [``low``, ``high``); see ``scenes.difficulty``."""
 
     name: str
     low: float
     high: float
 
     def holds(self, difficulty: float) -> bool:
-        """Tell whether a difficulty is in the range."""
+        """Return whether a difficulty is in the range."""
         return self.low <= difficulty < self.high
 
 
@@ -45,11 +45,11 @@ class SuiteTable:
     """A table of a suite.
 
     Attributes:
-        split: what it is for.
-        seed: what its scene is drawn by, from ``TaskSuites.distribution``.
-        digest: of its scene, as ``generator.bundle.digest`` says.
-        difficulty: how hard it is to work at, in [0, 1].
-        instances: what there is to do, with how often the expert did it; see ``certificates``.
+        split: its use.
+        seed: seed of its scene in ``TaskSuites.distribution``.
+        digest: digest of its scene, see ``generator.bundle.digest``.
+        difficulty: its difficulty, in [0, 1].
+        instances: its task instances, with the expert's success rates; see ``certificates``.
     """
 
     split: Split
@@ -60,13 +60,13 @@ class SuiteTable:
 
     @property
     def solvable(self) -> tuple[TaskInstance, ...]:
-        """The instances that are played: those that the expert solved from all starts."""
+        """The instances in use: those that the expert solved from all initial states."""
         return tuple(i for i in self.instances if i.certified and i.preset is None)
 
 
 @dataclass(frozen=True)
 class SuiteEpisode:
-    """One episode of a suite: an instance at a table, and the seed of all that is drawn there."""
+    """An episode of a suite: an instance on a table, and the seed of all random draws in it."""
 
     table: SuiteTable
     level: str
@@ -77,24 +77,24 @@ class SuiteEpisode:
 
 @dataclass(frozen=True)
 class TaskSuites:
-    """The suites of one task: what its tables and episodes are, the same for every policy.
+    """The suites of one task: tables and episodes, the same for every policy.
 
     Attributes:
-        version: of the suites.
+        version: version of the suites.
         task: the task.
         control_hz: actions per second.
-        time_limit: steps of an episode.
-        hold: steps in a row for which success has to hold.
-        randomization: of the suites with randomisation.
-        episodes: of each instance, by condition.
-        distribution: what tables are drawn from.
+        time_limit: maximum number of steps per episode.
+        hold: number of consecutive steps for which success has to hold.
+        randomization: randomisation of the suites that have one.
+        episodes: number of episodes per instance, by condition.
+        distribution: distribution of the tables.
         levels: the ranges of difficulty, from easy to hard.
-        training: seeds of tables to train at are below this number.
-        share: of all tables, those that are held out by digest; see ``scenes.splits``. Listed
-            tables are held out, tables to train at are not.
-        terms: what the certificates of the tables were made for.
-        versions: of the packages that the tables were made with.
-        tables: the listed ones.
+        training: exclusive upper bound of the seeds of training tables.
+        share: share of all tables that are held out by digest; see ``scenes.splits``. Listed tables
+            are held out, training tables are not.
+        terms: the conditions of the tables' certificates.
+        versions: versions of the packages that the tables were generated with.
+        tables: the listed tables.
     """
 
     version: str
@@ -113,26 +113,26 @@ class TaskSuites:
     tables: tuple[SuiteTable, ...]
 
     def recipe(self, seed: int) -> SceneRecipe:
-        """Return what decides the table of a seed."""
+        """Return the recipe of the table with a seed."""
         return SceneRecipe(self.distribution, seed)
 
     def rule(self, split: Split) -> SplitRule:
-        """Return the rule that all tables of a split keep to."""
+        """The rule that all tables of a split obey."""
         return SplitRule("train" if split == "train" else "held_out", share=self.share)
 
     def level(self, difficulty: float) -> str:
-        """Return the name of the range of a difficulty; the last of what is beyond all."""
+        """Return the name of a difficulty's range; beyond all ranges, that of the last one."""
         held = (level.name for level in self.levels if level.holds(difficulty))
         return next(held, self.levels[-1].name)
 
     def suites(self) -> tuple[Suite, ...]:
-        """Return the suites that can be played."""
+        """Return the runnable suites."""
         return tuple(Suite(self, s, c) for s in LISTED for c in ("plain", "random"))
 
 
 @dataclass(frozen=True)
 class Suite:
-    """One suite: the tables of a split, with or without randomisation."""
+    """A suite: the tables of a split, with or without randomisation."""
 
     of: TaskSuites
     split: Split
@@ -140,18 +140,18 @@ class Suite:
 
     @property
     def name(self) -> str:
-        """What it is called: "lift-test" or "lift-test-random"."""
+        """The suite's name: "lift-test" or "lift-test-random"."""
         random = RANDOM if self.condition == "random" else ""
         return f"{self.of.task.lower()}-{self.split}{random}"
 
     @property
     def tables(self) -> tuple[SuiteTable, ...]:
-        """Its tables."""
+        """The suite's tables."""
         return tuple(table for table in self.of.tables if table.split == self.split)
 
     @property
     def settings(self) -> Mapping[str, Any]:
-        """The keywords of an environment that are the suite's, not a policy's."""
+        """The environment keywords that the suite sets, not the policy."""
         return MappingProxyType(
             {
                 "control_hz": self.of.control_hz,
@@ -161,7 +161,7 @@ class Suite:
         )
 
     def episodes(self) -> tuple[SuiteEpisode, ...]:
-        """Return its episodes, table by table."""
+        """Return the suite's episodes, table by table."""
         return tuple(self._episodes())
 
     def _episodes(self) -> Iterator[SuiteEpisode]:
@@ -174,7 +174,7 @@ class Suite:
                     )
 
     def _seed(self, table: SuiteTable, instance: TaskInstance, number: int) -> int:
-        """Return an episode's seed, which no other table, instance or order changes."""
+        """Return the seed of an episode, independent of other tables and instances."""
         parts = (
             self.of.version, self.of.task, self.condition, table.digest, instance.target,
             instance.goal, number,
@@ -187,15 +187,15 @@ def suite_of(suites: TaskSuites, split: str, random: bool) -> Suite:
     """Return the suite of a split, with or without randomisation.
 
     Raises:
-        InputError: there is no such split, or its tables are not listed.
+        InputError: the split does not exist, or its tables are not listed.
     """
     if split == "train":
         raise InputError(
-            f"{suites.task.lower()}-train is to train at, and lists no episodes. Train with "
-            f"bench.training.training_tables({suites.task!r}), and run a suite of "
+            f"{suites.task.lower()}-train is for training and lists no episodes. Train with "
+            f"bench.training.training_tables({suites.task!r}), and evaluate on "
             f"{' or '.join(LISTED)}."
         )
     for suite in suites.suites():
         if (suite.split, suite.condition == "random") == (split, random):
             return suite
-    raise InputError(f"There is no split {split!r}; there are train, {', '.join(LISTED)}.")
+    raise InputError(f"Unknown split {split!r}; the splits are train, {', '.join(LISTED)}.")

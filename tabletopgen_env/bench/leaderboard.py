@@ -1,4 +1,4 @@
-"""The leaderboard: a page made of committed results, the same bytes of the same files."""
+"""The leaderboard page of committed results; equal results give identical pages."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ HEAD = f"""\
 # TabletopBench {VERSION}
 `tabletopgen bench leaderboard benchmarks/results/bench --out benchmarks/results/leaderboard.md`
 
-Share of the episodes of each test suite that were solved, in per cent, with Wilson's 95 % interval
-(as if episodes were independent), and how many they are. *Plain* episodes start as the table has
-its things, *random* ones are those of the suite with randomisation; *easy*, *medium* and *hard* are
-its tables by their difficulty. Sorted by random, then plain. The expert knows the whole world, and
-a table is in a suite because it solved something there from 30 starts. *Replayed* is how many of
-the episodes `tabletopgen bench check` has played again, drawn at random, with the same outcome."""
+Success rates on each test suite in per cent, with Wilson's 95 % interval (which treats episodes as
+independent) and the number of episodes. *Plain* episodes start from the table as generated,
+*random* ones with randomisation; *easy*, *medium* and *hard* are the suite's tables by difficulty.
+Sorted by random, then plain. The expert has access to the full state, and the suites only contain
+instances that it solved from 30 initial states. *Replayed* is the number of randomly drawn episodes
+that `tabletopgen bench check` has replayed with the same outcome."""
 
 _MARKUP = {ord(letter): f"&#{ord(letter)};" for letter in "&<>|\\`*_~[]{}$"}
 
 
 def read_results(folder: Path) -> list[BenchResult]:
-    """Return the results in a folder, by the names of their files, each checked, with its mark.
+    """Read the results in a folder, sorted by file name, each validated, with its mark.
 
     Raises:
-        InputError: there is none, or one of them is not sound.
+        InputError: there are no results, or one of them is invalid.
     """
     paths = sorted(folder.glob("*.json"))
     if not paths:
@@ -44,7 +44,7 @@ def read_results(folder: Path) -> list[BenchResult]:
 
 
 def _read_with_mark(path: Path) -> BenchResult:
-    """Return a result with how many of its episodes were played again."""
+    """Return a result with the number of its replayed episodes."""
     result = read_result(path)
     mark = read_mark(path, result.digest)
     return dataclasses.replace(result, replayed=len(mark.episodes) if mark else 0)
@@ -54,8 +54,8 @@ def page(results: Iterable[BenchResult]) -> str:
     """Return the leaderboard of results as Markdown.
 
     Raises:
-        InputError: a result is not of a test suite of the package as it is, has figures that no run
-            gives, or is there twice.
+        InputError: a result does not belong to a current test suite of the package, has impossible
+            figures, or is a duplicate.
     """
     found: dict[tuple[str, str], dict[str, BenchResult]] = defaultdict(dict)
     players: dict[str, PlayerFacts] = {}
@@ -66,7 +66,7 @@ def page(results: Iterable[BenchResult]) -> str:
         place = found[suite.of.task, key]
         if suite.condition in place:
             raise InputError(
-                f"There are two results of {result.player.name} at {result.suite}. Keep one."
+                f"There are two results of {result.player.name} on {result.suite}. Remove one."
             )
         place[suite.condition] = result
     parts = [HEAD]
@@ -78,24 +78,24 @@ def page(results: Iterable[BenchResult]) -> str:
 
 
 def _suite(result: BenchResult) -> Suite:
-    """Return the suite of a result, whose episodes are just those of the result."""
+    """Return the suite of a result after checking that their episodes match."""
     if not result.suite.removesuffix(RANDOM).endswith("-test"):
         raise InputError(
-            f"The leaderboard is of test suites; a result of {result.player.name} is of "
-            f"{result.suite!r}."
+            "The leaderboard only accepts test suites; there is a result of "
+            f"{result.player.name} is of {result.suite!r}."
         )
     suite = find_suite(result.suite)
     check_suite(result, suite)
     if found := doubts(result, suite):
         raise InputError(
-            f"The result of {result.player.name} at {result.suite} has figures that no run gives: "
-            f"{'; '.join(map(str, found))}. Remove it; `tabletopgen bench check` says more."
+            f"The result of {result.player.name} on {result.suite} has impossible figures: "
+            f"{'; '.join(map(str, found))}. Remove it; `tabletopgen bench check` gives details."
         )
     return suite
 
 
 def _order(entry: tuple[PlayerFacts, Mapping[str, BenchResult]]) -> tuple[float, float, str]:
-    """Return what entries are sorted by: the best first."""
+    """Return the sort key of entries, best first."""
     player, results = entry
     random, plain = (results[c].share if c in results else -1.0 for c in ("random", "plain"))
     return -random, -plain, player.name
@@ -127,7 +127,7 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
 
 
 def _plain(text: str) -> str:
-    """Return foreign text as a cell that shows it: what Markdown or HTML would read is escaped."""
+    """Escape foreign text for a table cell, so that Markdown and HTML show it literally."""
     return text.translate(_MARKUP)
 
 
@@ -144,20 +144,20 @@ def _level(result: BenchResult, level: str) -> str:
 
 
 def _steps(result: BenchResult) -> str:
-    """Return the median number of steps of the episodes that were solved."""
+    """Return the median number of steps of the solved episodes."""
     steps = sorted(row.steps for row in result.episodes if row.solved)
     return str(steps[len(steps) // 2]) if steps else "–"
 
 
 def _replay_count(results: Iterable[BenchResult]) -> str:
-    """Return how many of the episodes were played again: "6 of 147"."""
+    """Return the number of replayed episodes: "6 of 147"."""
     own = list(results)
     count = sum(result.replayed for result in own)
     return f"{count} of {sum(len(result.episodes) for result in own)}" if count else "–"
 
 
 def _sight(player: PlayerFacts) -> str:
-    """Return what a player sees, in a few words."""
+    """Describe a player's observations in a few words."""
     if player.kind in ("random", "zero"):
         return "nothing"
     if player.kind == "expert":

@@ -1,6 +1,6 @@
-"""Who plays: a random or a zero action, the scripted expert, a policy file, a policy of your own.
+"""Players: random or zero actions, the scripted expert, policy files, and policies from functions.
 
-A policy's own settings decide what it sees and how it moves the robot; all else is the suite's.
+A policy's own settings determine its observations and actions; the suite determines the rest.
 """
 
 from __future__ import annotations
@@ -23,43 +23,44 @@ from ..settings.keywords import KEYWORDS, keywords_of
 from .instances import Suite
 
 SIMPLE = ("random", "zero", "expert")
-"""Players that need no policy."""
+"""Players without a policy."""
 
 KINDS = (*SIMPLE, "policy", "function")
-"""What players are: one of `SIMPLE`, a policy file, a function that returns a policy."""
+"""Kinds of players: `SIMPLE`, policy files, and functions that return a policy."""
 
 OWN = frozenset({*keywords_of("observation"), *keywords_of("action"), "renderer"})
-"""Keywords of an environment that are a policy's: what it sees, and how it moves the robot."""
+"""Environment keywords set by a policy: its observations and actions."""
 
 OF_TRAINING = frozenset({"randomization", "reward", "certified", "cache", "masters", "infos"})
-"""Keywords that a policy was trained with, in place of which a suite has its own."""
+"""Training settings of a policy that a suite overrides."""
 
 Act = Callable[[Any], Any]
-"""Returns the action for an observation."""
+"""A function that returns the action for an observation."""
 
 
 class Player(Protocol):
-    """Someone who plays episodes, alike whenever an episode begins with the same seed."""
+    """A player of episodes; it plays identically whenever an episode starts with the same seed."""
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return what acts in the episode that has just begun.
+        """Return the actor for the episode that has just started.
 
         Raises:
-            SceneError: it knows that it cannot do it.
+            SceneError: the player cannot solve the episode.
         """
         ...
 
 
 @dataclass(frozen=True)
 class PlayerFacts:
-    """What a result says of who played.
+    """The part of a result that describes the player.
 
     Attributes:
-        name: what it is called.
-        kind: one of `KINDS`. No policy or function is called as one of `SIMPLE`.
-        digest: a sha256 of what decides how it plays: of a policy file; of the file of a function's
-            module, and of the policy's own ``digest``. Empty for others.
-        settings: its own keywords of the environment.
+        name: its name.
+        kind: one of `KINDS`. Policies and functions cannot be named like one of `SIMPLE`.
+        digest: sha256 of everything that determines its behaviour: of a policy file; for a
+            function, of the file of its module and of the policy's own ``digest``. Empty for other
+            players.
+        settings: its environment keywords.
     """
 
     name: str
@@ -69,27 +70,27 @@ class PlayerFacts:
 
     @property
     def title(self) -> str:
-        """The name, with the kind of a simple player that is called otherwise."""
+        """The name, with the kind of a simple player appended if its name differs."""
         renamed = self.kind in SIMPLE and self.name != self.kind
         return f"{self.name} ({self.kind})" if renamed else self.name
 
     @property
     def is_disguised(self) -> bool:
-        """Whether a policy or a function is called as one of `SIMPLE`."""
+        """Whether a policy or a function has the name of one of `SIMPLE`."""
         return self.kind not in SIMPLE and self.name.strip().lower() in SIMPLE
 
 
 def find_player(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
-    """Return who a name means, and what is said of it.
+    """Return the player with a name, and its description.
 
     Args:
-        name: "random", "zero", "expert", the name of a shipped policy, a policy file, a folder of
-            a training run (its best policy), or "module:function": a function without arguments
-            that returns a policy. See ``PolicyPlayer``.
-        suite: where it is to play.
+        name: "random", "zero", "expert", the name of a shipped policy, a policy file, a folder of a
+            training run (its best policy), or "module:function": a function without arguments that
+            returns a policy. See ``PolicyPlayer``.
+        suite: the suite to be played.
 
     Raises:
-        InputError: there is none, or it does not fit the suite.
+        InputError: the player does not exist, or does not fit the suite.
     """
     if name in SIMPLE:
         simple: Mapping[str, Player] = {
@@ -109,26 +110,26 @@ class RandomPlayer:
     """Acts uniformly at random."""
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return what draws actions by the episode's seed."""
+        """Return an actor that draws actions with the episode's seed."""
         space: gym.spaces.Box = env.action_space
         rng = np.random.default_rng((seed, 5))
         return lambda _: rng.uniform(space.low, space.high).astype(np.float32)
 
 
 class ZeroPlayer:
-    """Does nothing: actions of zeros, which leave the arm where it is and the hand half open."""
+    """Acts with zeros, which leave the arm at rest and the hand half open."""
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return what gives zeros."""
+        """Return an actor that returns zeros."""
         nothing = np.zeros(env.action_space.shape, np.float32)
         return lambda _: nothing
 
 
 class ExpertPlayer:
-    """The scripted expert, which knows the whole world."""
+    """The scripted expert, which has access to the full state."""
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return the expert's actions; see ``expert.run``."""
+        """Return the expert as an actor; see ``expert.run``."""
         from ..expert.run import TaskExpert
 
         expert = TaskExpert(env)
@@ -138,20 +139,20 @@ class ExpertPlayer:
 
 @dataclass(frozen=True, eq=False)
 class PolicyPlayer:
-    """A policy: anything with ``predict(observation, deterministic=True)``.
+    """A policy: any object with ``predict(observation, deterministic=True)``.
 
-    Of what that returns the first is the action, the second what the policy remembers: if that is
-    not None, the next call gets it as ``state``. A policy may have an ``env``, a dict of keywords
-    of the environment (what it sees and how it moves the robot: "observation", "image_size",
-    "action" ...), an ``observation_space`` and an ``action_space``, which are compared with the
-    environment's, a ``reset()``, called when an episode begins, and a ``digest``, a short text that
-    stands for what is not in its module's file, such as its weights.
+    ``predict`` returns the action and the policy's memory; a memory that is not None is passed to
+    the next call as ``state``. Optional attributes of a policy are ``env``, a dict of environment
+    keywords for its observations and actions ("observation", "image_size", "action" ...);
+    ``observation_space`` and ``action_space``, which are compared with the environment's;
+    ``reset()``, called at the start of each episode; and ``digest``, a short text that identifies
+    anything not in its module's file, such as its weights.
     """
 
     policy: Any
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return the policy's actions (InputError: it has other spaces than the environment)."""
+        """Return the policy as an actor (InputError: its spaces differ from the environment's)."""
         self._check(env)
         if (reset := getattr(self.policy, "reset", None)) is not None:
             reset()
@@ -166,31 +167,31 @@ class PolicyPlayer:
             seen = {name: _shape(size) for name, size in card.inputs.items()}
             if (seen, card.actions) != (shown, taken):
                 raise InputError(
-                    f"The policy sees {seen} and has {card.actions} entries of an action; the "
-                    f"environment of its card shows {shown} and takes {taken}. Train it again "
-                    "with this version of the package."
+                    f"The policy needs observations {seen} and actions of size {card.actions}; "
+                    f"the environment of its card has observations {shown} and actions of size "
+                    f"{taken}. Train it again with this version of the package."
                 )
         for name in ("observation_space", "action_space"):
             own, there = getattr(self.policy, name, None), getattr(env, name)
             if own is not None and own != there:
                 raise InputError(
-                    f"The policy's {name} is {own}, the environment's {there}. Give the policy an "
-                    "attribute env with the settings that it was trained with, as in "
-                    "env = {'observation': 'pixels', 'image_size': 64}."
+                    f"The policy's {name} is {own}, the environment's {there}. Give the policy "
+                    "an attribute env with its training settings, for example env =  "
+                    "{'observation': 'pixels', 'image_size': 64}."
                 )
 
 
 def _call(module: str, function: str) -> Any:
-    """Return what a function of a module returns; the working directory is looked in last."""
+    """Call a function of a module; the working directory is searched last."""
     here = str(Path.cwd())
     if here not in sys.path and "" not in sys.path:
         sys.path.append(here)
     try:
         policy = getattr(importlib.import_module(module), function)()
-    except Exception as error:  # whatever foreign code raises
+    except Exception as error:  # foreign code can raise any exception
         raise InputError(
-            f"{module}:{function} makes no policy ({type(error).__name__}: {error}). Name a "
-            "module that can be imported, and a function in it that takes no arguments."
+            f"{module}:{function} does not create a policy ({type(error).__name__}: {error}). "
+            "Give an importable module and a function in it without arguments."
         ) from error
     if not callable(getattr(policy, "predict", None)):
         raise InputError(
@@ -201,7 +202,7 @@ def _call(module: str, function: str) -> Any:
 
 
 def _digest_of(module: str, own: object, name: str) -> str:
-    """Return the sha256 of the file of an imported module, its policy's own digest after a NUL.
+    """Return the sha256 of an imported module's file, with its policy's own digest after a NUL.
 
     Empty if there is neither.
     """
@@ -213,7 +214,7 @@ def _digest_of(module: str, own: object, name: str) -> str:
 
 
 def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
-    """Return the policy of a file."""
+    """Load a policy file."""
     from ..learning.extra import need_sb3
 
     need_sb3()
@@ -221,13 +222,13 @@ def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
 
     if not Path(name).exists() and name not in shipped_policies():
         known = (*SIMPLE, *shipped_policies(), "FILE", "module:function")
-        raise InputError(f"There is no policy {name!r}." + choices(name, known))
+        raise InputError(f"Unknown policy {name!r}." + choices(name, known))
     path = find_policy(name)
     policy = load_policy(path)
     if policy.card.task != suite.of.task:
         raise InputError(
-            f"{name} does {policy.card.task}, and {suite.name} is of {suite.of.task}. Run a suite "
-            f"of {policy.card.task}."
+            f"{name} was trained for {policy.card.task}, but {suite.name} is a suite of "
+            f"{suite.of.task}. Use a suite of {policy.card.task}."
         )
     settings = _own_settings(policy.card.env, name, suite)
     digest = hashlib.sha256(path.read_bytes()).hexdigest()
@@ -236,38 +237,38 @@ def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
 
 
 def _own_settings(given: Any, name: str, suite: Suite) -> dict[str, Any]:
-    """Return those of a policy's settings that are its own; all are checked."""
+    """Return a policy's environment keywords, validated."""
     if not isinstance(given, Mapping):
-        raise InputError(f"{name}: env is a dict of an environment's settings, got {given!r:.80}.")
+        raise InputError(f"{name}: env must be a dict of environment settings, got {given!r:.80}.")
     rate = given.get("control_hz", suite.of.control_hz)
     if rate != suite.of.control_hz:
         raise InputError(
-            f"{name} acts at {rate} Hz, and {suite.name} is played at {suite.of.control_hz} Hz."
+            f"{name} acts at {rate} Hz, but {suite.name} runs at {suite.of.control_hz} Hz."
         )
     for key in given:
         if key not in OWN | OF_TRAINING:
-            why = "the suite's" if key in KEYWORDS else "no setting of an environment"
-            raise InputError(f"{name}: its env has {key!r}, which is {why}. Leave it out.")
+            why = "the suite's" if key in KEYWORDS else "not an environment setting"
+            raise InputError(f"{name}: its env has {key!r}, which is {why}. Remove it.")
     kept = {k: v for k, v in given.items() if k in OWN and k != "control_hz"}
     return {key: _plain(key, value) for key, value in sorted(kept.items())}
 
 
 def _plain(key: str, value: Any) -> Any:
-    """Return a setting as a JSON value: a text, a number, a list or a table of these."""
-    if isinstance(value, Mapping):  # sizes by camera
+    """Return a setting as a JSON value: a text, a number, or a list or table of these."""
+    if isinstance(value, Mapping):  # sizes per camera
         return {str(name): _plain(key, part) for name, part in sorted(value.items())}
     if isinstance(value, list | tuple):
         return [_plain(key, part) for part in value]
     if not isinstance(value, str | bool | int | float):
         raise InputError(
-            "A policy's env has names, numbers, and lists or tables of them, so that results can "
-            f"name them: {key} is {value!r:.80}."
+            "A policy's env may only hold names, numbers, and lists or tables of them, for "
+            f"results to record: {key} is {value!r:.80}."
         )
     return value
 
 
 def _inputs(space: Any) -> dict[str, tuple[int, ...]]:
-    """Return the parts of an observation as a card lists them: one without a name is all."""
+    """Return the parts of an observation as in a card; a part without a name is the whole."""
     if isinstance(space, gym.spaces.Dict):
         return {name: tuple(part.shape or ()) for name, part in space.spaces.items()}
     return {"": tuple(space.shape)}

@@ -1,8 +1,8 @@
-"""Files of results: what a policy did in each episode of a suite, with a digest over all of it.
+"""Result files: the outcome of each episode of a suite, with a digest over the content.
 
-A file is JSON. Its ``digest`` is the sha256 of everything else in it, so that one that was edited,
-cut off or merged by hand is refused wherever results are compared. It is no signature: who wants to
-deceive can compute it, too; anyone can play the suite again and get the same bytes.
+A file is JSON. Its ``digest`` is the sha256 of everything else in it, so that edited, truncated or
+merged files are refused by all commands. It is not a signature: a forger can recompute it, but
+anyone can run the suite again and obtain identical bytes.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from .players import KINDS, SIMPLE, PlayerFacts
 from .suites import canonical_digest, digest_of, read_payload
 
 SCHEMA = 1
-"""Version of the files; others are refused."""
+"""Version of the file format; other versions are refused."""
 
 MOST_EPISODES = 50_000
-"""A result lists no more episodes."""
+"""Maximum number of episodes of a result."""
 
 _SHA256 = re.compile(r"[0-9a-f]{64}")
 _TABLE = re.compile(r"[0-9a-f]{12}")
@@ -38,7 +38,7 @@ _TABLE = re.compile(r"[0-9a-f]{12}")
 
 @dataclass(frozen=True)
 class EpisodeRow:
-    """One episode of a result: where, what, and how it ended."""
+    """One episode of a result: table, instance and outcome."""
 
     table: str
     level: str
@@ -52,24 +52,24 @@ class EpisodeRow:
 
     @property
     def key(self) -> tuple[Any, ...]:
-        """What tells the episode from the others of its suite."""
+        """The key that identifies the episode within its suite."""
         return (self.table, self.target, self.goal, self.number, self.seed)
 
 
 @dataclass(frozen=True)
 class BenchResult:
-    """What a policy came to at a suite.
+    """The result of a player on a suite.
 
     Attributes:
-        suite: its name.
-        version: of the suites.
-        suites: the sha256 of the suites' file, however that is laid out.
-        task: what was done.
-        player: who played.
-        versions: of the packages that decide it.
-        episodes: all of the suite's, in its order.
-        digest: of the file; empty if it was not read from one.
-        replayed: how many episodes were played again as its mark says, see ``checking.marks``.
+        suite: name of the suite.
+        version: version of the suites.
+        suites: sha256 of the content of the suites' file.
+        task: the task.
+        player: the player.
+        versions: versions of the packages that influence the result.
+        episodes: all episodes of the suite, in its order.
+        digest: digest of the file; empty if it was not read from one.
+        replayed: number of replayed episodes according to its mark, see ``audit.marks``.
     """
 
     suite: str
@@ -84,27 +84,27 @@ class BenchResult:
 
     @property
     def solved(self) -> int:
-        """How many were solved."""
+        """The number of solved episodes."""
         return sum(row.solved for row in self.episodes)
 
     @property
     def share(self) -> float:
-        """The share that was solved."""
+        """The share of solved episodes."""
         return self.solved / len(self.episodes)
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Wilson's 95 % interval of the share, as if episodes were independent."""
+        """The 95 % Wilson interval of the share, treating episodes as independent."""
         return wilson(self.solved, len(self.episodes))
 
     def of_level(self, level: str) -> tuple[int, int]:
-        """Return how many episodes were solved at tables of a level, and how many there are."""
+        """Return the number of solved episodes on tables of a level, and the number of episodes."""
         own = [row.solved for row in self.episodes if row.level == level]
         return sum(own), len(own)
 
 
 def row_of(episode: SuiteEpisode, outcome: SuiteOutcome) -> EpisodeRow:
-    """Return the row of an episode that was played."""
+    """Return the row of a completed episode."""
     return EpisodeRow(
         episode.table.digest, episode.level, episode.instance.target, episode.instance.goal,
         episode.number, episode.seed, outcome.solved, outcome.steps, outcome.reward,
@@ -112,7 +112,7 @@ def row_of(episode: SuiteEpisode, outcome: SuiteOutcome) -> EpisodeRow:
 
 
 def head_of(suite: Suite, player: PlayerFacts, versions: Mapping[str, str]) -> dict[str, Any]:
-    """Return what a result says before its episodes, as JSON values."""
+    """Return the entries of a result that precede its episodes, as JSON values."""
     head = {
         "schema": SCHEMA,
         "suite": suite.name,
@@ -126,7 +126,7 @@ def head_of(suite: Suite, player: PlayerFacts, versions: Mapping[str, str]) -> d
 
 
 def text_of(head: Mapping[str, Any], rows: Iterable[EpisodeRow]) -> str:
-    """Return a result as the text of its file."""
+    """Return the file content of a result."""
     listed = [dataclasses.asdict(row) for row in rows]
     solved, played = sum(row["solved"] for row in listed), len(listed)
     low, high = wilson(solved, played)
@@ -142,37 +142,37 @@ def text_of(head: Mapping[str, Any], rows: Iterable[EpisodeRow]) -> str:
 
 
 def write_result(path: Path, head: Mapping[str, Any], rows: Iterable[EpisodeRow]) -> None:
-    """Write a result, whole or not at all.
+    """Write a result atomically.
 
     Raises:
-        StorageError: it cannot be written.
+        StorageError: the result cannot be written.
     """
     write_whole(path, text_of(head, rows), "The result", "Choose another --out.")
 
 
 def read_result(path: str | Path) -> BenchResult:
-    """Read a result, every value checked.
+    """Read and validate a result.
 
     Raises:
-        InputError: it is missing, too large, damaged, edited, or of another schema.
+        InputError: the file is missing, too large, damaged, edited, or of another schema.
     """
     payload = read_payload(path, "The result", SCHEMA)
     digest = payload.pop("digest", None)
     if digest != canonical_digest(payload):
         raise InputError(
-            f"{path} is no result as `tabletopgen bench run` writes it: its digest is not that of "
-            "what it holds, so it was edited or cut off. Run the suite again."
+            f"{path} is not a valid result file: its digest does not match its content, so it "
+            "was edited or truncated. Run the suite again."
         )
     try:
         return dataclasses.replace(_result(payload), digest=digest)
     except (ValueError, TypeError, KeyError) as error:
-        raise InputError(f"{path} is no sound result ({error!s:.300}).") from error
+        raise InputError(f"{path} is not a valid result file ({error!s:.300}).") from error
 
 
 def read_row(entry: dict[str, Any]) -> EpisodeRow:
-    """Return the row of a JSON object (ValueError, TypeError, KeyError: it is none)."""
+    """Parse an episode row from a JSON object (ValueError, TypeError, KeyError: it is invalid)."""
     if {*entry} != {field.name for field in dataclasses.fields(EpisodeRow)}:
-        raise ValueError(f"an episode has the keys {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(f"an episode has unexpected keys: {', '.join(sorted(entry))!s:.200}")
     for name in ("target", "goal"):
         if entry[name] is not None:
             printable(entry[name], "A name", InputError)
@@ -189,15 +189,15 @@ def read_row(entry: dict[str, Any]) -> EpisodeRow:
 
 
 def _result(payload: dict[str, Any]) -> BenchResult:
-    """Return what a file's object says (ValueError, TypeError, KeyError: it is not sound)."""
+    """Parse the result of a file's object (ValueError, TypeError, KeyError: it is invalid)."""
     if check_type(payload["schema"], int) != SCHEMA:
-        raise ValueError(f"it is of schema {payload['schema']!r}, not {SCHEMA}")
+        raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
     listed = check_type(payload["episodes"], list)
     if not 0 < len(listed) <= MOST_EPISODES:
         raise ValueError(f"it lists {len(listed)} episodes")
     rows = tuple(read_row(check_type(entry, dict)) for entry in listed)
     if (payload["solved"], payload["played"]) != (sum(r.solved for r in rows), len(rows)):
-        raise ValueError("its sums are not those of its episodes")
+        raise ValueError("its totals do not match its episodes")
     if len({row.key for row in rows}) < len(rows):
         raise ValueError("it lists an episode twice")
     told = {
@@ -216,25 +216,27 @@ def _result(payload: dict[str, Any]) -> BenchResult:
 
 def _player(entry: dict[str, Any]) -> PlayerFacts:
     if {*entry} != {field.name for field in dataclasses.fields(PlayerFacts)}:
-        raise ValueError(f"its player has the keys {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(f"its player has unexpected keys: {', '.join(sorted(entry))!s:.200}")
     name, kind = (printable(entry[key], f"A {key}", InputError) for key in ("name", "kind"))
     digest = check_type(entry["digest"], str)
     if digest and not _SHA256.fullmatch(digest):
-        raise ValueError(f"a policy's digest is {digest!r:.80}")
+        raise ValueError(f"a policy has an invalid digest: {digest!r:.80}")
     settings = check_type(entry["settings"], dict)
     _check_setting(settings)
     if kind not in KINDS:
-        raise ValueError(f"a player is {kind!r:.40}, none of {', '.join(KINDS)}")
+        raise ValueError(f"a player has the kind {kind!r:.40}, expected one of {', '.join(KINDS)}")
     if kind in SIMPLE and (digest or settings):
-        raise ValueError(f"its player is {kind!r}, which has no digest and no settings")
+        raise ValueError(f"its player is {kind!r}, which cannot have a digest or settings")
     player = PlayerFacts(name, kind, digest, settings)
     if player.is_disguised:
-        raise ValueError(f"its player is a {kind} called {name!r}, as a player without a policy")
+        raise ValueError(
+            f"its player is a {kind} called {name!r}, a name reserved for players without a policy"
+        )
     return player
 
 
 def _check_setting(value: Any) -> None:
-    """Check that a setting is a text that can be shown, a number, or a list or a table of these."""
+    """Check that a setting is a printable text, a number, or a list or table of these."""
     if isinstance(value, dict):
         value = [*value, *value.values()]
     if isinstance(value, list):

@@ -1,9 +1,9 @@
-"""A run of a suite: episodes in parallel, kept as they end, so that a run that was killed resumes.
+"""Runs of a suite: episodes in parallel, saved as they end, so that a killed run can be resumed.
 
-Beside the result grows its journal, ``RESULT.part``: a line that says what is run, then one for
-each episode, in the suite's order. The same run reads it and plays what is missing; the result is
-written in one go when all episodes are there, and the journal is removed. However often a run was
-interrupted, and however many processes played, the result has the same bytes.
+A journal, ``RESULT.part`` beside the result, holds one line that identifies the run and then one
+line per episode, in the suite's order. A repeated run reads it and plays the missing episodes; when
+all episodes are complete, the result is written atomically and the journal is removed. The result
+has identical bytes for any number of interruptions and processes.
 """
 
 from __future__ import annotations
@@ -36,26 +36,26 @@ from .results import EpisodeRow, head_of, read_result, read_row, row_of, write_r
 from .tables import make_tables
 
 PACKAGES = ("tabletopgen", "gymnasium", "mujoco", "numpy", "scipy", "shapely", "torch")
-"""Those whose versions a result names."""
+"""The packages whose versions a result records."""
 
 _MAX_BYTES = 2**24
 _UNSAFE = re.compile(r"[^A-Za-z0-9._-]+")
 
 Report = Callable[[str, int, int], None]
-"""Is told what is done, how many are done, and of how many."""
+"""A progress callback: current work, number completed, and total number."""
 
 
 @dataclass(frozen=True)
 class BenchRun:
-    """How a suite is run.
+    """Settings of a run.
 
     Attributes:
-        out: the folder of the result.
-        name: what the policy is called in the result; None for its own name.
-        tables: the folder of the tables, made there if they are missing; None for "bench" in the
+        out: folder of the result.
+        name: name of the policy in the result; None for its own name.
+        tables: folder of the tables, where missing ones are generated; None for "bench" in the
             user's cache.
-        pool: who plays.
-        pictures: what is kept of episodes that fail.
+        pool: worker processes.
+        pictures: pictures of failed episodes.
     """
 
     out: Path
@@ -66,16 +66,16 @@ class BenchRun:
 
 
 def run_suite(suite: Suite, player: str, run: BenchRun, report: Report | None = None) -> Path:
-    """Play a suite and return the path of the result.
+    """Run a suite and return the path of the result.
 
-    A run that was interrupted resumes, and of one that is complete nothing is played again.
+    An interrupted run is resumed; a complete one is not repeated.
 
     Raises:
-        InputError: no such player, or one that does not fit; no worker; the folder holds the result
-            of something else under this name.
-        SceneError: a table is made here as another one, or a process has ended abruptly.
+        InputError: the player does not exist or does not fit, there are no workers, or the folder
+            holds a different result of this name.
+        SceneError: a table is generated differently here, or a process ended unexpectedly.
         BundleError: a table is damaged.
-        StorageError: something cannot be written, or another process writes the same result.
+        StorageError: a file cannot be written, or another process writes the same result.
     """
     require_number(
         "TabletopBench needs --workers", run.pool.workers, minimum=1, maximum=1024, integer=True
@@ -86,8 +86,8 @@ def run_suite(suite: Suite, player: str, run: BenchRun, report: Report | None = 
         facts = dataclasses.replace(facts, name=_check_name(run.name))
     if facts.is_disguised:
         raise InputError(
-            f"{player} is a {facts.kind} and cannot be called {facts.name!r}, the name of a player "
-            "without a policy. Choose another --name."
+            f"{player} is a {facts.kind} and cannot be named {facts.name!r}, which is reserved "
+            "for a player without a policy. Choose another --name."
         )
     episodes = suite.episodes()
     if not episodes:
@@ -116,20 +116,20 @@ def run_suite(suite: Suite, player: str, run: BenchRun, report: Report | None = 
 
 
 def result_path(folder: Path, suite: Suite, facts: PlayerFacts) -> Path:
-    """Return where the result of a player at a suite is: "lift-test_lift-clone.json"."""
+    """Return the path of the result of a player on a suite: "lift-test_lift-clone.json"."""
     name = _UNSAFE.sub("-", facts.name.removesuffix(".safetensors")).strip("-.") or "policy"
     return folder / f"{suite.name}_{name[:80]}.json"
 
 
 def _check_name(name: str) -> str:
-    """Return a name that can be shown (InputError: it cannot)."""
+    """Return a name if it is printable, else raise InputError."""
     if not (name.strip() and name.isprintable() and len(name) <= 80):
-        raise InputError(f"--name is a line of up to 80 letters, got {name!r:.100}.")
+        raise InputError(f"--name must be a line of up to 80 characters, got {name!r:.100}.")
     return name
 
 
 def _find_tables(suite: Suite, run: BenchRun, say: Report) -> dict[str, Path]:
-    """Return the bundles of a suite's tables by digest; those that are missing are made."""
+    """Return the bundles of a suite's tables by digest, generating missing ones."""
     tables, found = suite.tables, dict[str, Path]()
     with closing(make_tables(suite.of, tables, run.tables, run.pool)) as made:
         for table, path in zip(tables, made, strict=True):
@@ -141,7 +141,7 @@ def _find_tables(suite: Suite, run: BenchRun, say: Report) -> dict[str, Path]:
 def _play(
     playing: Playing, episodes: Iterable[SuiteEpisode], pool: PoolOptions
 ) -> Generator[SuiteOutcome, None, None]:
-    """Yield how episodes end, in their order."""
+    """Yield the outcomes of episodes, in order."""
     if pool.workers == 1 and pool.ray is None:
         stage = stage_of(playing)
         with closing(stage.env):
@@ -161,11 +161,13 @@ def _play_one(packed: bytes, episode: SuiteEpisode) -> SuiteOutcome:
 
 @contextmanager
 def _writing(path: Path) -> Iterator[Path]:
-    """Yield the path of a result's journal, for this process alone."""
+    """Yield the path of a result's journal, locked for this process."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise StorageError(f"{path.parent} cannot be made: {error.strerror or error}.") from error
+        raise StorageError(
+            f"{path.parent} cannot be created: {error.strerror or error}."
+        ) from error
     lock = FileLock(path.with_name(f"{path.name}.lock"), timeout=0)
     try:
         lock.acquire()
@@ -183,28 +185,28 @@ def _writing(path: Path) -> Iterator[Path]:
 def _resume(
     journal: Path, head: dict[str, Any], episodes: tuple[SuiteEpisode, ...]
 ) -> list[EpisodeRow]:
-    """Return the episodes that a journal holds, and leave just these in it; begin one if need be.
+    """Return the episodes of a journal, and truncate it after them; create it if necessary.
 
     Raises:
-        InputError: it is another run's, or damaged.
+        InputError: the journal belongs to another run, or is damaged.
     """
     rows: list[EpisodeRow] = []
     if journal.exists():
         raw = read_regular(journal, "The journal", InputError, max_bytes=_MAX_BYTES)
         first, *lines = raw.decode(errors="replace").splitlines(keepends=True) or [""]
-        if lines and first != _line(head):  # without episodes it is worth nothing
+        if lines and first != _line(head):  # worthless without episodes
             raise InputError(
-                f"{journal} was begun by another policy, suite or version of a package. Remove it, "
-                "or choose another --out."
+                f"{journal} was started with another policy, suite or package version. Remove "
+                "it, or choose another --out."
             )
-        whole = [line for line in lines if line.endswith("\n")]  # the last may be cut off
+        whole = [line for line in lines if line.endswith("\n")]  # the last line may be truncated
         try:
             rows = [read_row(parse_object(line, "A line", InputError)) for line in whole]
         except (ValueError, TypeError, KeyError) as error:
             raise InputError(f"{journal} is damaged ({error!s:.200}). Remove it.") from error
         asked = [row_of(episode, _NOTHING).key for episode in episodes]
         if [row.key for row in rows] != asked[: len(rows)]:
-            raise InputError(f"{journal} holds other episodes than the suite. Remove it.")
+            raise InputError(f"{journal} does not hold the suite's episodes. Remove it.")
     text = _line(head) + "".join(_line(dataclasses.asdict(row)) for row in rows)
     write_whole(journal, text, "The journal", "Choose another --out.")
     return rows
@@ -218,16 +220,16 @@ _NOTHING = SuiteOutcome(False, 0, 0.0)
 
 
 def _check_same(path: Path, head: dict[str, Any]) -> None:
-    """Check that a result that is there is the one that a run would write.
+    """Check that an existing result is the one that a run would write.
 
     Raises:
-        InputError: it is not.
+        InputError: it differs.
     """
     read_result(path)
     payload = parse_object(path.read_bytes(), f"{path}", InputError)
     other = [key for key, value in head.items() if check_type(payload, dict)[key] != value]
     if other:
         raise InputError(
-            f"{path} is the result of something else (other {', '.join(other)}). Remove it, or "
-            "choose another --out or --name."
+            f"{path} is a different result (other {', '.join(other)}). Remove it, or choose "
+            "another --out or --name."
         )

@@ -1,8 +1,8 @@
-"""How suites are made: tables are drawn, certified, and taken into a suite by their difficulty.
+"""Creation of suites: tables are drawn, certified, and selected by their difficulty.
 
-Tables are looked at in the order of their seeds until each split has its number of each level; what
-is taken depends on the seeds alone, not on how many processes look. What is done is kept in a
-folder, where the same draft resumes.
+Tables are examined in the order of their seeds until each split has the required number per level.
+The selection depends only on the seeds, not on the number of processes. Intermediate results are
+stored in a folder, from which the same draft can be resumed.
 """
 
 from __future__ import annotations
@@ -24,20 +24,20 @@ from ..scenes import difficulty
 from .instances import LISTED, Split, SuiteTable, TaskSuites
 
 FIRST = 2**29
-"""Seeds of listed tables are from here on, far beyond those that "fresh" draws by itself."""
+"""First seed of listed tables, far beyond the seeds that "fresh" draws."""
 
 Say = Callable[[str], None]
 
 
 @dataclass(frozen=True)
 class Quota:
-    """How many tables of each level a draft takes, and from where on it looks for them.
+    """Number of tables of each level in a draft, and the range of seeds to search.
 
     Attributes:
-        test: tables of each level to test at.
-        validation: tables of each level to choose a policy by.
-        first: the seed from which on tables are drawn.
-        most: how many tables are drawn at most.
+        test: test tables per level.
+        validation: validation tables per level.
+        first: first seed.
+        most: maximum number of drawn tables.
     """
 
     test: int = 4
@@ -50,27 +50,27 @@ class Quota:
         require(self, "most", minimum=1, integer=True)
 
     def of(self, split: Split) -> int:
-        """Return the tables of each level in a split."""
+        """Return the number of tables per level in a split."""
         return {"train": 0, "validation": self.validation, "test": self.test}[split]
 
 
 def draft(
     suites: TaskSuites, folder: Path, quota: Quota, workers: int = 1, say: Say = print
 ) -> TaskSuites:
-    """Return suites with tables drawn for them; ``suites.tables`` are not looked at.
+    """Draw the tables of suites; ``suites.tables`` is ignored.
 
-    Of each level the tables to test at come first, then those for validation.
+    For each level, the test tables come first, then the validation tables.
 
     Args:
-        suites: all but the tables.
-        folder: where tables are kept until they are certified.
-        quota: how many.
+        suites: all settings but the tables.
+        folder: folder for tables until they are certified.
+        quota: number of tables.
         workers: processes that draw and certify.
-        say: is told of each table.
+        say: receives a message for each table.
 
     Raises:
-        InputError: a number out of range.
-        SceneError: not enough tables among ``quota.most``.
+        InputError: a number is out of range.
+        SceneError: there are not enough tables among ``quota.most``.
     """
     drawn = _Drawn(suites, folder / suites.task.lower(), quota)
     taken: dict[int, SuiteTable] = {}
@@ -81,7 +81,7 @@ def draft(
             chosen = _choose(suites, missing, waiting, rated)
             if not chosen:
                 raise SceneError(
-                    f"Among {quota.most} tables drawn for {suites.task} too few are solved: "
+                    f"Too few of the {quota.most} tables drawn for {suites.task} were solved: "
                     f"{dict(missing)} are missing. Draw more tables, or change the levels."
                 )
             found = pool.map(drawn.certify, [seed for seed, _ in chosen])
@@ -96,14 +96,14 @@ def draft(
 
 @dataclass(frozen=True)
 class _Drawn:
-    """The tables of a draft, each in a folder of its seed."""
+    """The tables of a draft, each in a folder named after its seed."""
 
     suites: TaskSuites
     folder: Path
     quota: Quota
 
     def seeds(self) -> Iterator[int]:
-        """Yield the seeds of the tables that are looked at; all are held out."""
+        """Yield the seeds of the examined tables, all held out."""
         rule, found = self.suites.rule("test"), 0
         for seed in count(self.quota.first):
             if found == self.quota.most:
@@ -114,20 +114,20 @@ class _Drawn:
                 yield seed
 
     def rate(self, seed: int) -> tuple[int, float | None]:
-        """Make a table, if it is not there; return how hard it is, None if it cannot be made."""
+        """Return a table's difficulty, generating the table if needed; None if that fails."""
         try:
             return seed, difficulty(load(self.bundle(seed)))
         except SceneError:
             return seed, None
 
     def bundle(self, seed: int) -> Path:
-        """Return the bundle of a table, made if it is not there."""
+        """Return the bundle of a table, generating it if it is missing."""
         place = self.folder / str(seed)
         there = [path for path in place.glob("*") if (path / "scene.json").is_file()]
         return there[0] if there else save(self.suites.recipe(seed).make(), place)
 
     def certify(self, seed: int) -> SuiteTable | None:
-        """Have the expert play a table; return it, None if that fails."""
+        """Certify a table with the expert; return it, or None on failure."""
         terms: Terms = self.suites.terms
         try:
             bundle = self.bundle(seed)
@@ -142,7 +142,7 @@ class _Drawn:
 
 
 def _missing(suites: TaskSuites, quota: Quota, taken: Iterable[SuiteTable]) -> Mapping[str, int]:
-    """Return how many tables of each level are missing, of those of which any are."""
+    """Return the number of missing tables per level, without complete levels."""
     have = Counter(suites.level(table.difficulty) for table in taken)
     each = sum(quota.of(split) for split in LISTED)
     wanted = {level.name: each - have[level.name] for level in suites.levels}
@@ -155,7 +155,7 @@ def _choose(
     waiting: list[tuple[int, float]],
     rated: Iterator[tuple[int, float | None]],
 ) -> Sequence[tuple[int, float]]:
-    """Take the first tables of the levels that are missing; those of others keep waiting."""
+    """Take the first tables of the levels with missing ones; the others stay in the queue."""
     left = Counter(missing)
     chosen: list[tuple[int, float]] = []
 
@@ -180,7 +180,7 @@ def _choose(
 def _assign(
     suites: TaskSuites, quota: Quota, taken: Mapping[int, SuiteTable]
 ) -> Iterator[SuiteTable]:
-    """Yield the tables, those of a level to test at first, sorted by split, level and seed."""
+    """Yield the tables by split, level and seed; the first ones of each level are test tables."""
     splits: tuple[Split, ...] = ("validation", "test")
     for split in splits:
         for level in suites.levels:

@@ -1,4 +1,4 @@
-"""The files of suites: JSON, read by a bounded reader, every value checked."""
+"""Suite files: JSON, read with size limits and fully validated."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ from ..tasks.names import NAMES
 from .instances import LISTED, RANDOM, Suite, SuiteLevel, SuiteTable, TaskSuites, suite_of
 
 VERSION = "v1"
-"""The version of the suites that names mean."""
+"""The version of the suites that names refer to."""
 
 SCHEMA = 1
-"""Version of the files; others are refused."""
+"""Version of the file format; other versions are refused."""
 
 PLACE = Path(__file__).with_name("data")
-"""Where the suites are that the package ships: a folder a version."""
+"""Folder of the shipped suites, with a subfolder per version."""
 
 SPLITS = ("train", *LISTED)
 
 MOST_TABLES, MOST_INSTANCES = 1024, 64
-"""A file lists no more tables, and a table no more instances."""
+"""Maximum number of tables per file, and of instances per table."""
 
 _MAX_BYTES, _MAX_DEPTH = 2**24, 6
 _DIGEST = re.compile(r"[0-9a-f]{12}")
@@ -43,33 +43,33 @@ _KEYS = frozenset({"schema", *(field.name for field in dataclasses.fields(TaskSu
 
 
 def names() -> tuple[str, ...]:
-    """Return the names of all suites of the package that can be played."""
+    """Return the names of all runnable suites of the package."""
     return tuple(suite.name for task in tasks() for suite in shipped_suites(task).suites())
 
 
 def tasks() -> tuple[str, ...]:
-    """Return the tasks of which the package ships suites."""
+    """Return the tasks with shipped suites."""
     return tuple(name for name in NAMES if path_of(name).is_file())
 
 
 def path_of(task: str) -> Path:
-    """Return where the package keeps the suites of a task."""
+    """Return the path of the package's suites of a task."""
     return PLACE / VERSION / f"{task.lower()}.json"
 
 
 @cache
 def shipped_suites(task: str) -> TaskSuites:
-    """Return the suites of a task that the package ships."""
+    """Return the shipped suites of a task."""
     return read_suites(path_of(task))
 
 
 def find_suite(name: str) -> Suite:
     """Return a suite by its name, "lift-test" or "lift-test-random".
 
-    Of a file of your own it is what follows the file's path: "my.json:test-random".
+    For your own file, give its path and the rest of the name: "my.json:test-random".
 
     Raises:
-        InputError: there is none of this name, or the file is none of suites.
+        InputError: the name is unknown, or the file is not a valid suite file.
     """
     path, colon, split = name.rpartition(":")
     if colon:
@@ -77,45 +77,45 @@ def find_suite(name: str) -> Suite:
     task, _, split = name.partition("-")
     own = next((known for known in tasks() if known.lower() == task), None)
     if own is None or _part(split)[0] not in SPLITS:
-        raise InputError(f"There is no suite {name!r}." + choices(name, names()))
+        raise InputError(f"Unknown suite {name!r}." + choices(name, names()))
     return suite_of(shipped_suites(own), *_part(split))
 
 
 def read_suites(path: str | Path) -> TaskSuites:
-    """Read a file of suites, every value checked.
+    """Read and validate a suite file.
 
     Raises:
-        InputError: it is missing, too large, damaged, or of another schema.
+        InputError: the file is missing, too large, damaged, or of another schema.
     """
     payload = read_payload(path, "The suites", SCHEMA)
     try:
         return _suites(payload)
     except (ValueError, TypeError, KeyError) as error:
-        raise InputError(f"{path} is no sound file of suites ({error!s:.300}).") from error
+        raise InputError(f"{path} is not a valid suite file ({error!s:.300}).") from error
 
 
 def read_payload(path: str | Path, what: str, newest: int) -> dict[str, Any]:
-    """Return the JSON object in a file, ``what``, of a schema up to ``newest``.
+    """Return the JSON object in a file, ``what``, with a schema up to ``newest``.
 
     Raises:
-        InputError: it is missing, too large, damaged, or of a newer schema.
+        InputError: the file is missing, too large, damaged, or of a newer schema.
     """
     raw = read_regular(path, what, InputError, max_bytes=_MAX_BYTES)
     payload = parse_object(raw, f"{path}", InputError, max_bytes=_MAX_BYTES, max_depth=_MAX_DEPTH)
     schema = payload.get("schema")
     if type(schema) is int and schema > newest:
         raise InputError(
-            f"{path} is of schema {schema}, and this version of the package reads {newest}. "
-            "Install a newer one."
+            f"{path} has schema {schema}, but this version of the package reads up to "
+            f"{newest}. Install a newer version."
         )
     return payload
 
 
 def write_suites(suites: TaskSuites, path: Path) -> None:
-    """Write a file of suites, whole or not at all.
+    """Write a suite file atomically.
 
     Raises:
-        StorageError: it cannot be written.
+        StorageError: the file cannot be written.
     """
     text = json.dumps(facts_of(suites), indent=1, sort_keys=True, allow_nan=False) + "\n"
     write_whole(path, text, "The suites", "Choose another file.")
@@ -143,23 +143,23 @@ def facts_of(suites: TaskSuites) -> dict[str, Any]:
 
 
 def digest_of(suites: TaskSuites) -> str:
-    """Return the sha256 of what suites say, however their file is laid out."""
+    """Return the sha256 of the suites' content, independent of the file's formatting."""
     return canonical_digest(facts_of(suites))
 
 
 def canonical_digest(facts: Mapping[str, Any]) -> str:
-    """Return the sha256 of JSON values, written in one way."""
+    """Return the sha256 of JSON values in canonical form."""
     text = json.dumps(facts, sort_keys=True, separators=(",", ":"), allow_nan=False)
     return hashlib.sha256(text.encode()).hexdigest()
 
 
 def _part(text: str) -> tuple[str, bool]:
-    """Return the split that the end of a suite's name means, and whether it is randomised."""
+    """Return the split that a suite name's suffix refers to, and whether it is randomised."""
     return text.removesuffix(RANDOM), text.endswith(RANDOM)
 
 
 def _table_facts(table: SuiteTable) -> dict[str, Any]:
-    """Return a table as JSON values; instances without what is None."""
+    """Return a table as JSON values; instances omit None entries."""
     instances = [
         {k: v for k, v in dataclasses.asdict(i).items() if k != "task" and v is not None}
         for i in table.instances
@@ -168,13 +168,13 @@ def _table_facts(table: SuiteTable) -> dict[str, Any]:
 
 
 def _suites(payload: dict[str, Any]) -> TaskSuites:
-    """Return what a file's object says (ValueError, TypeError, KeyError: it is not sound)."""
+    """Parse the suites of a file's object (ValueError, TypeError, KeyError: it is invalid)."""
     _check_keys(payload, _KEYS, "it")
     if check_type(payload["schema"], int) != SCHEMA:
-        raise ValueError(f"it is of schema {payload['schema']!r}, not {SCHEMA}")
+        raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
     task = check_type(payload["task"], str)
     if task not in NAMES:
-        raise ValueError(f"there is no task {task!r}")
+        raise ValueError(f"unknown task {task!r}")
     terms = check_type(payload["terms"], dict)
     listed = check_type(payload["tables"], list)
     if len(listed) > MOST_TABLES:
@@ -211,10 +211,10 @@ def _table(entry: dict[str, Any], task: str) -> SuiteTable:
     if len(listed) > MOST_INSTANCES:
         raise ValueError(f"a table lists more than {MOST_INSTANCES} instances")
     if entry["split"] not in LISTED:
-        raise ValueError(f"a table is of the split {entry['split']!r}")
+        raise ValueError(f"a table has the split {entry['split']!r}")
     digest = check_type(entry["digest"], str)
     if not _DIGEST.fullmatch(digest):
-        raise ValueError(f"a table's digest is {digest!r}")
+        raise ValueError(f"a table has an invalid digest: {digest!r}")
     return SuiteTable(
         entry["split"], _seed(entry["seed"]), digest, _share(entry["difficulty"]),
         tuple(_instance(check_type(instance, dict), task) for instance in listed),
@@ -228,7 +228,7 @@ def _instance(entry: dict[str, Any], task: str) -> TaskInstance:
     told = {name: printable(entry[name], "A name", InputError) for name in names if name in entry}
     solved, played = check_type(entry["successes"], int), check_type(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:
-        raise ValueError(f"{solved} of {played} episodes cannot be")
+        raise ValueError(f"invalid counts: {solved} of {played} episodes")
     given = {"target": None, "goal": None, **told}
     return TaskInstance(task, successes=solved, episodes=played, **given)
 
@@ -252,28 +252,28 @@ def _levels(entries: list[Any]) -> tuple[SuiteLevel, ...]:
         name, low, high = check_type(entry, list)
         levels.append(SuiteLevel(printable(name, "A level", InputError), _share(low), _share(high)))
     if not levels or not all(level.low < level.high for level in levels):
-        raise ValueError("its levels are no ranges")
+        raise ValueError("its levels are not valid ranges")
     return tuple(levels)
 
 
 def _check_keys(entry: Mapping[str, Any], known: Any, what: str) -> None:
     if {*entry} != {*known}:
-        raise ValueError(f"{what} has the keys {', '.join(sorted(entry))!s:.200}")
+        raise ValueError(f"{what} has unexpected keys: {', '.join(sorted(entry))!s:.200}")
 
 
 def _count(value: Any, maximum: int) -> int:
     if not 0 < check_type(value, int) <= maximum:
-        raise ValueError(f"{value} is no number from 1 to {maximum}")
+        raise ValueError(f"{value} is not an integer from 1 to {maximum}")
     return value
 
 
 def _seed(value: Any) -> int:
     if not 0 <= check_type(value, int) < 2**30:
-        raise ValueError(f"a table's seed is {value}")
+        raise ValueError(f"a table has an invalid seed: {value}")
     return value
 
 
 def _share(value: Any) -> float:
     if not is_number(value, maximum=1.0):
-        raise ValueError(f"{value!r} is no number in [0, 1]")
+        raise ValueError(f"{value!r} is not a number in [0, 1]")
     return float(value)

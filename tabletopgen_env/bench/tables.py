@@ -1,4 +1,4 @@
-"""The tables of suites on disk: found by their names and digests, or made again bit for bit."""
+"""The tables of suites on disk: found by name and digest, or regenerated bit for bit."""
 
 from __future__ import annotations
 
@@ -24,28 +24,29 @@ from .instances import SuiteTable, TaskSuites
 _CERTIFIED_BY = ("tabletopgen", "mujoco", "numpy")
 
 _KERNELS = {"OPENBLAS_CORETYPE": "Haswell"} if machine() in ("x86_64", "AMD64") else {}
-"""What has the OpenBLAS of NumPy and SciPy round as it does on processors with AVX2 alone: the
-shipped suites were made on such. With AVX-512 it chooses other kernels."""
+"""Environment variable that makes the OpenBLAS of NumPy and SciPy round as on processors with AVX2
+only, on which the shipped suites were generated. With AVX-512 it selects other kernels.
+"""
 
 
 def store_of(folder: Path | None) -> Path:
-    """Return where tables are kept: ``folder``, else "bench" in the user's cache.
+    """Return the folder of the tables: ``folder``, or "bench" in the user's cache.
 
-    That is no place of ``assets_cache``, so that no name or glob of a training finds test tables.
+    It is separate from ``assets_cache``, so that no name or glob in a training finds test tables.
     """
     return Path(platformdirs.user_cache_dir("tabletopgen")) / "bench" if folder is None else folder
 
 
 def name_of(suites: TaskSuites, table: SuiteTable) -> str:
-    """Return the scene's name of a table: "bench-v1-lift-test-536870912"."""
+    """Return the scene name of a table: "bench-v1-lift-test-536870912"."""
     return f"bench-{suites.version}-{suites.task.lower()}-{table.split}-{table.seed}"
 
 
 def find_table(suites: TaskSuites, table: SuiteTable, folder: Path | None = None) -> Path | None:
-    """Return the bundle of a table; None if it is not there.
+    """Return the bundle of a table; None if it does not exist.
 
     Raises:
-        BundleError: it is there with another digest, or damaged.
+        BundleError: it has another digest, or is damaged.
     """
     place, name = store_of(folder), name_of(suites, table)
     found = sorted(p for p in place.glob(f"{name}-*") if (p / "scene.json").is_file())
@@ -55,7 +56,7 @@ def find_table(suites: TaskSuites, table: SuiteTable, folder: Path | None = None
     if found:
         raise BundleError(
             f"{found[0]} is not the table {table.digest} of the suite, but "
-            f"{load_digest(found[0])}. Remove it; `tabletopgen bench make` makes it again."
+            f"{load_digest(found[0])}. Remove it; `tabletopgen bench make` generates it again."
         )
     return None
 
@@ -66,14 +67,14 @@ def make_tables(
     folder: Path | None = None,
     pool: PoolOptions = PoolOptions(),  # noqa: B008
 ) -> Generator[Path, None, None]:
-    """Yield the bundles of tables, in their order; those that are missing are made.
+    """Yield the bundles of tables, in order; missing ones are generated.
 
-    Each gets its certificate, which says what the expert was seen to solve there.
+    Each gets its certificate, which records what the expert solved on it.
 
     Raises:
-        InputError: no worker.
-        SceneError: a table that was made again is another one.
-        BundleError: one that is there is another one.
+        InputError: there are no workers.
+        SceneError: a regenerated table differs from the suite's.
+        BundleError: an existing table differs from the suite's.
         StorageError: the folder cannot be written.
     """
     require_number(
@@ -90,7 +91,7 @@ def make_tables(
 
 
 def _make(suites: TaskSuites, place: Path, table: SuiteTable) -> Path:
-    """Return the bundle of a table, made if it is missing."""
+    """Return the bundle of a table, generating it if it is missing."""
     path = find_table(suites, table, place)
     if path is None:
         path = save(_compose(suites, table), place)
@@ -101,7 +102,7 @@ def _make(suites: TaskSuites, place: Path, table: SuiteTable) -> Path:
 
 
 def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
-    """Return a table's scene: as this processor computes it, or as the makers' did."""
+    """Compose a table's scene, with this processor's kernels or those of the suite's makers."""
     recipe, name = suites.recipe(table.seed), name_of(suites, table)
     scene = recipe.make().replace(name=name)
     if (found := digest(scene)) == table.digest:
@@ -111,15 +112,15 @@ def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
     if digest(scene) == table.digest:
         return scene
     raise SceneError(
-        f"The table {table.digest} of {suites.task.lower()}-{table.split} is made here as "
-        f"{found}: another one. {_difference(suites)}"
+        f"The table {table.digest} of {suites.task.lower()}-{table.split} is generated here as "
+        f"{found}, which differs. {_difference(suites)}"
     )
 
 
 def _difference(suites: TaskSuites) -> str:
-    """Return what may make a table another one here."""
+    """Return the probable cause of a table's difference."""
     here = versions(suites.versions)
     other = [f"{k} {v}, here {here[k]}" for k, v in suites.versions.items() if here[k] != v]
     if not other:
-        return "The package has changed, or this processor computes otherwise."
-    return f"The suite was made with {'; '.join(other)}. Install these versions."
+        return "The package has changed, or this processor computes differently."
+    return f"The suite was generated with {'; '.join(other)}. Install these versions."

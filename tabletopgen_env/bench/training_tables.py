@@ -1,7 +1,7 @@
-"""Tables to train at: those of a suite's distribution that are never in a validation or test suite.
+"""Training tables: from a suite's distribution, but never in a validation or test suite.
 
-They are a range of seeds on the training side of the split that listed tables are held out of, the
-same that ``scenes="fresh"`` draws from in training.
+They are a range of seeds on the training side of the split that listed tables are held out from,
+the same that ``scenes="fresh"`` draws from in training.
 """
 
 from __future__ import annotations
@@ -18,39 +18,39 @@ from .instances import SuiteLevel
 from .suites import shipped_suites, tasks
 
 DRAWS = 200
-"""How many tables are made for one of the right difficulty."""
+"""Maximum number of tables generated for one of the required difficulty."""
 
 
 def training_tables(task: str, level: str | None = None) -> SceneSource:
-    """Return the source of the tables to train at for a task, or of those of one level.
+    """Return the source of training tables for a task, optionally limited to one level.
 
     Raises:
-        InputError: no suites of such a task, or no such level.
+        InputError: there are no suites of the task, or the level does not exist.
     """
     if task not in tasks():
-        raise InputError(f"There are no suites of {task!r}; there are {', '.join(tasks())}.")
+        raise InputError(f"No suites of {task!r}; available tasks: {', '.join(tasks())}.")
     suites = shipped_suites(task)
     fresh = FreshScenes(suites.distribution, suites.training, rules=(suites.rule("train"),))
     if level is None:
         return fresh
     found = {own.name: own for own in suites.levels}
     if level not in found:
-        raise InputError(f"There is no level {level!r}; there are {', '.join(found)}.")
+        raise InputError(f"Unknown level {level!r}; the levels are {', '.join(found)}.")
     return LevelScenes(fresh, found[level])
 
 
 @dataclass(frozen=True)
 class LevelScenes:
-    """Those of fresh scenes that are of one level of difficulty, found by making others, too."""
+    """Fresh scenes of one level of difficulty, found by rejection sampling."""
 
     fresh: FreshScenes
     level: SuiteLevel
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw until a table is of the level.
+        """Draw tables until one has the level.
 
         Raises:
-            SceneError: none of ``DRAWS`` tables is.
+            SceneError: none of ``DRAWS`` tables has it.
         """
         for _ in range(DRAWS):
             ref = self.fresh.draw(rng)
@@ -60,4 +60,4 @@ class LevelScenes:
                 continue
             if self.level.holds(hard := difficulty(scene)):
                 return HeldRef(scene, hard)
-        raise SceneError(f"None of {DRAWS} tables is {self.level.name}.")
+        raise SceneError(f"None of {DRAWS} generated tables is {self.level.name}.")

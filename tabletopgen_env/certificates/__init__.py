@@ -1,1 +1,1 @@
-"""What the expert has been seen to solve at a bundle's table."""
+"""Certificates of the tasks that the expert solves on a bundle's table."""

@@ -1,4 +1,4 @@
-"""The certificate of a bundle: the file, checked when it is read. ``certify`` makes it."""
+"""The certificate of a bundle, validated when read. ``certify`` creates it."""
 
 from __future__ import annotations
 
@@ -19,31 +19,33 @@ from ..files import check_type
 from ..tasks.names import NAMES, TaskName
 
 FILE = "certificate.json"
-"""The certificate's name in a bundle's folder."""
+"""Name of the certificate in a bundle's folder."""
 
 SCHEMA = 4
-"""Version of the file. Older ones certify nothing: before 3 starts hardly differed, and before 4
-an instance was certified that had failed from one of its starts."""
+"""Version of the file format. Older versions certify nothing: before 3 initial states hardly
+differed, and before 4 an instance was certified although one of its episodes had failed.
+"""
 
 STARTS = 30
-"""An instance played from fewer starts is not certified, nor is one that failed from any.
+"""Minimum number of episodes of a certified instance, all of which must succeed.
 
-What would fail from more than one start in ten is solved from 30 with a chance below 5 %.
+An instance that fails from more than one initial state in ten passes 30 episodes with a probability
+below 5 %.
 """
 
 MOST_INSTANCES, MOST_EPISODES = 4096, 10_000
-"""A certificate lists no more instances, and no more episodes of one."""
+"""Maximum number of instances of a certificate, and of episodes per instance."""
 
 _MOST_FILE, _DEPTH = 2**20, 4
 
 
 @dataclass(frozen=True)
 class TaskInstance:
-    """One thing to do at a table, as ``reset`` takes it, and how often the expert did it.
+    """A task instance on a table, as the options of ``reset`` select it, with the expert's results.
 
-    ``goal`` is an object's name, "spot" (drawn anew for each episode) or None, ``target`` an
-    object's name or None, as the task's page says. Reach is one instance without either, drawn,
-    and so is Sequence, with one more for each ``preset``.
+    ``goal`` is an object's name, "spot" (a random position per episode) or None; ``target`` is an
+    object's name or None, depending on the task. Reach is a single instance without either, with
+    random goals; so is Sequence, with one more instance for each ``preset``.
     """
 
     task: str
@@ -55,35 +57,35 @@ class TaskInstance:
 
     @property
     def name(self) -> TaskName:
-        """The task, with its preset."""
+        """The task's name, with its preset."""
         return TaskName(self.task, self.preset)
 
     @property
     def options(self) -> dict[str, Any]:
-        """The options of ``reset`` that ask for it."""
+        """The options of ``reset`` that select the instance."""
         both = {"target": self.target, "goal": self.goal}
         return {name: value for name, value in both.items() if value is not None}
 
     @property
     def certified(self) -> bool:
-        """Whether the expert solved it from each of at least ``STARTS`` starts."""
+        """Whether the expert solved all of at least ``STARTS`` episodes."""
         return self.successes == self.episodes >= STARTS
 
 
 @dataclass(frozen=True)
 class Terms:
-    """What a certificate is made for; the same terms give the same certificate of a scene.
+    """The conditions of a certificate; equal terms give equal certificates of a scene.
 
     Args:
-        tasks: names of tasks, kept in the order of ``NAMES``; Sequence goes with its presets.
-        episodes: how many of each instance, at most ``MOST_EPISODES``: the first from where the
-            scene has things, each other from a perturbed start of its own; none after a failure.
-            Less than ``STARTS`` certify nothing.
-        most: how many instances of each task, and of each preset, at most.
-        seed: draws instances and starts.
+        tasks: names of tasks, stored in the order of ``NAMES``; Sequence includes its presets.
+        episodes: number of episodes per instance, at most ``MOST_EPISODES``: the first from the
+            scene's own state, the others from perturbed initial states; an instance ends at its
+            first failure. Less than ``STARTS`` episodes certify nothing.
+        most: maximum number of instances of each task, and of each preset.
+        seed: seed of instances and initial states.
 
     Raises:
-        InputError: an unknown task or none at all, or a number out of range.
+        InputError: there is no task or an unknown one, or a number is out of range.
     """
 
     tasks: tuple[str, ...] = NAMES
@@ -101,16 +103,16 @@ class Terms:
         if not self.tasks:
             raise InputError("A certificate needs at least one task." + choices("", NAMES))
         object.__setattr__(self, "tasks", tuple(name for name in NAMES if name in self.tasks))
-        for name in ("episodes", "most", "seed"):  # NumPy's integers are no JSON
+        for name in ("episodes", "most", "seed"):  # NumPy integers are not JSON
             object.__setattr__(self, name, int(getattr(self, name)))
 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What was seen at one table.
+    """The expert's results on one table.
 
-    ``scene`` is the sha256 of the bundle's ``scene.json``; ``terms`` and ``versions`` say how it
-    can be seen again. A task of the terms of which nothing is listed has nothing to do there.
+    ``scene`` is the sha256 of the bundle's ``scene.json``; ``terms`` and ``versions`` allow the
+    results to be reproduced. A task of the terms without instances has no valid goal on the table.
     """
 
     scene: str
@@ -120,15 +122,15 @@ class Certificate:
 
     @property
     def certified(self) -> tuple[TaskInstance, ...]:
-        """Those of the instances that count as certified."""
+        """The certified instances."""
         return tuple(i for i in self.instances if i.certified)
 
 
 def read_certificate(path: str | Path) -> Certificate | None:
-    """Return a bundle's certificate, checked; None if it has none, or one of an older schema.
+    """Return a bundle's certificate, validated; None if it has none, or one of an older schema.
 
     Raises:
-        BundleError: it is damaged, too large, of an unknown schema, or another scene's.
+        BundleError: it is damaged, too large, of an unknown schema, or belongs to another scene.
     """
     folder = Path(path)
     if not os.path.lexists(folder / FILE):
@@ -140,16 +142,16 @@ def read_certificate(path: str | Path) -> Certificate | None:
         if 1 <= schema < SCHEMA:
             return None
         if schema != SCHEMA:
-            raise ValueError(f"it is of schema {schema}, not {SCHEMA}")
+            raise ValueError(f"its schema is {schema}, not {SCHEMA}")
         found = _decode(payload)
     except (ValueError, TypeError, KeyError, BundleError) as error:
         raise BundleError(
-            f"{folder}: {FILE} is no sound certificate ({type(error).__name__}: {error}). "
+            f"{folder}: {FILE} is not a valid certificate ({type(error).__name__}: {error}). "
             "Remove it, or certify the bundle again."
         ) from error
     if found.scene != scene_digest(folder):
         raise BundleError(
-            f"{folder}: {FILE} was made for another scene. Remove it, or certify the bundle again."
+            f"{folder}: {FILE} belongs to another scene. Remove it, or certify the bundle again."
         )
     return found
 
@@ -162,14 +164,16 @@ def scene_digest(folder: Path) -> str:
 
 
 def write_certificate(folder: Path, certificate: Certificate) -> None:
-    """Write the certificate, whole or not at all.
+    """Write the certificate atomically.
 
     Raises:
         StorageError: the folder cannot be written.
     """
     payload = {"schema": SCHEMA, **asdict(certificate)}
     text = json.dumps(payload, indent=1, sort_keys=True, allow_nan=False) + "\n"
-    write_whole(folder / FILE, text, "The certificate", "Certify a copy of the bundle.")
+    write_whole(
+        folder / FILE, text, "The certificate", "Certify a copy of the bundle in a writable folder."
+    )
 
 
 def _decode(payload: dict[str, Any]) -> Certificate:
@@ -196,12 +200,12 @@ def _decoded_instance(entry: dict[str, Any], terms: Terms) -> TaskInstance:
         if name is not None:
             printable(name, "A name", BundleError)
     task = check_type(entry["task"], str)
-    from ..tasks.registry import task_named  # loads all of the expert
+    from ..tasks.registry import task_named  # imports the whole expert
 
-    task_named(task, preset)  # refuses what there is not
+    task_named(task, preset)  # raises for unknown names
     if task not in terms.tasks:
-        raise ValueError(f"it lists {task}, which it was not made for")
+        raise ValueError(f"it lists {task}, which is not in its terms")
     solved, played = check_type(entry["successes"], int), check_type(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:
-        raise ValueError(f"{solved} of {played} episodes cannot be")
+        raise ValueError(f"invalid counts: {solved} of {played} episodes")
     return TaskInstance(task, target, goal, solved, played, preset)

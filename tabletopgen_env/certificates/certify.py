@@ -1,14 +1,14 @@
-"""Certificates: what the scripted expert has been seen to do at a table.
+"""Certification of bundles: the tasks that the scripted expert solves on a table.
 
-For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
-bound, the expert plays one episode from where the scene has things, as environments do by default,
-and each other from a perturbed start of its own (``randomization="starts"``). What it solves from
-all of at least ``STARTS`` starts is certified; after a failure an instance is played no further.
-``certificate.json``, beside the bundle's own files, which do not list it, keeps how many it solved,
-with the digest of the scene, the terms and the versions it was made with.
+For each *instance* (a task, its preset, target and goal) of a bundle's scene, up to a maximum, the
+expert plays one episode from the scene's own state, as environments do by default, and the others
+from perturbed initial states (``randomization="starts"``). Instances of which it solves all of at
+least ``STARTS`` episodes are certified; an instance ends at its first failure.
+``certificate.json``stores the numbers of successes, with the digest of the scene, the terms and the
+package versions.
 
-A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
-task's id.
+A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the registered time limit
+of the task.
 """
 
 from __future__ import annotations
@@ -48,32 +48,33 @@ if TYPE_CHECKING:
     from ..world.world import World
 
 DEFAULT = Terms()
-"""The terms of the certificates that are shipped."""
+"""The terms of the shipped certificates."""
 
 STARTING = "starts"
-"""How starts are perturbed: see ``randomization``."""
+"""The perturbation of initial states: see ``randomization``."""
 
 VERSIONS = ("tabletopgen", "mujoco", "numpy")
-"""The packages whose versions a certificate names."""
+"""The packages whose versions a certificate records."""
 
 _DRAWS = 40
-_FAILURES = 8  # draws in a row that find nothing, after which nothing is looked for
+_FAILURES = 8  # consecutive draws without a new instance after which the search ends
 
 
 def certify(
     path: str | Path, terms: Terms = DEFAULT, workers: int = 1, ray: str | None = None
 ) -> Certificate:
-    """Let the expert play what a bundle's scene offers, write the certificate and return it.
+    """Let the expert play the instances of a bundle's scene; write and return the certificate.
 
-    The number of processes, ``workers``, does not change what is written. With the address of a
-    ``ray`` cluster they are its own: all its machines have to share the bundle, this one writes.
+    The number of processes, ``workers``, does not change the certificate. With the address of a
+    ``ray`` cluster the processes run there; all its machines must share the bundle, and this one
+    writes.
 
     Raises:
         InputError: ``workers`` is out of range.
-        BackendError: no Ray.
+        BackendError: Ray is not available.
         BundleError: the bundle cannot be read.
         StorageError: the certificate cannot be written.
-        SceneError: a process has ended abruptly.
+        SceneError: a process ended unexpectedly.
     """
     [(_, made)] = certify_all([Path(path)], terms, workers, ray)
     if isinstance(made, TabletopError):
@@ -84,15 +85,15 @@ def certify(
 def certify_all(
     paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1, ray: str | None = None
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
-    """Certify bundles, see ``certify``, and yield each with its certificate once that is written.
+    """Certify bundles as ``certify`` does, and yield each with its certificate once it is written.
 
-    One that cannot be certified comes with the error that says why. What is written stays when it
-    is interrupted.
+    A bundle that cannot be certified is yielded with its error. Written certificates are kept on an
+    interruption.
 
     Raises:
         InputError: ``workers`` is out of range.
-        BackendError: no Ray.
-        SceneError: a process has ended abruptly.
+        BackendError: Ray is not available.
+        SceneError: a process ended unexpectedly.
     """
     require_number("certify needs workers", workers, minimum=1, maximum=1024, integer=True)
     jobs = [(path, task, terms) for path in paths for task in terms.tasks]
@@ -102,7 +103,7 @@ def certify_all(
 
 
 def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate | TabletopError:
-    """Write what the jobs of a bundle gave as its certificate; return it, or why there is none."""
+    """Write the results of a bundle's jobs as its certificate; return it, or the error."""
     instances: list[TaskInstance] = []
     for found in listed:
         if isinstance(found, TabletopError):
@@ -117,7 +118,7 @@ def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate |
 
 
 def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
-    """Return whether a bundle has a sound certificate on these terms, made with any versions."""
+    """Return whether a bundle has a valid certificate for these terms, for any versions."""
     try:
         found = read_certificate(path)
     except BundleError:
@@ -130,7 +131,7 @@ _Listed = tuple[TaskInstance, ...] | TabletopError
 
 
 def _in_turn(jobs: Sequence[_Job], workers: int, ray: str | None) -> Iterator[_Listed]:
-    """Yield what each job gives, in their order."""
+    """Yield the result of each job, in order."""
     if len(jobs) < 2 or (workers == 1 and ray is None):
         yield from map(_play, jobs)
         return
@@ -142,7 +143,7 @@ def _in_turn(jobs: Sequence[_Job], workers: int, ray: str | None) -> Iterator[_L
 
 
 def names(task: str) -> tuple[TaskName, ...]:
-    """Return a task by its name, followed by its presets."""
+    """Return a task's name, followed by the names of its presets."""
     from ..tasks.sequence import PRESETS
 
     presets = PRESETS if task == "Sequence" else ()
@@ -150,7 +151,7 @@ def names(task: str) -> tuple[TaskName, ...]:
 
 
 def find_instances(world: World, task: Task, seed: int, maximum: int) -> tuple[TaskInstance, ...]:
-    """Return up to ``maximum`` different instances of a task that its sampling draws at a table."""
+    """Return up to ``maximum`` different instances that a task's sampling draws on a table."""
     found: dict[tuple[Any, ...], TaskInstance] = {}
     failures = 0
     for number in range(_DRAWS):
@@ -165,13 +166,13 @@ def find_instances(world: World, task: Task, seed: int, maximum: int) -> tuple[T
         failures = 0
         instance = instance_of(task, drawn)
         found.setdefault((instance.target, instance.goal), instance)
-        if len(found) == maximum or not instance.options:  # as drawn: there are no others
+        if len(found) == maximum or not instance.options:  # as drawn, if there are no others
             break
     return tuple(found.values())
 
 
 def instance_of(task: Task, episode: Episode) -> TaskInstance:
-    """Return the instance of a task of this package that an episode plays."""
+    """Return the instance that an episode plays, for a task of this package."""
     assert task.listed_as is not None
     name, preset = task.listed_as
     first = episode.goals[0]
@@ -179,7 +180,8 @@ def instance_of(task: Task, episode: Episode) -> TaskInstance:
         return TaskInstance(name, None, None, preset=preset)
     if name == "Tidy":
         return TaskInstance(name, None, first.reference)
-    if name == "Swap":  # its goals: the second aside, the first there, the second here
+    # the goals: move the second object aside, the first there, the second to the first's place
+    if name == "Swap":
         return TaskInstance(name, episode.goals[1].target, first.target)
     if first.reference is not None:
         return TaskInstance(name, first.target, first.reference)
@@ -191,7 +193,7 @@ def instance_of(task: Task, episode: Episode) -> TaskInstance:
 
 
 def _play(job: _Job) -> _Listed:
-    """Return what ``_instances`` does, or the bundle's error."""
+    """Return the result of ``_instances``, or the bundle's error."""
     try:
         return _instances(*job)
     except TabletopError as error:
@@ -199,7 +201,7 @@ def _play(job: _Job) -> _Listed:
 
 
 def _instances(folder: Path, task: str, terms: Terms) -> tuple[TaskInstance, ...]:
-    """Return the instances of a task at a table, with how often the expert solved them."""
+    """Return the instances of a task on a table, with the expert's results."""
     masters = Masters(Panda(), 1)
     world = masters.twin(bundle_ref(folder))
     found: list[TaskInstance] = []
@@ -221,10 +223,10 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[TaskInstance, ...
 def played_again(
     folder: Path, instances: Sequence[TaskInstance], episodes: int, seed: int
 ) -> Iterator[TaskInstance]:
-    """Yield instances of a bundle with how many of ``episodes`` the expert solves from new starts.
+    """Yield instances of a bundle with the expert's successes in ``episodes`` new episodes.
 
-    All episodes are played, from perturbed starts alone. ``seed`` draws these: one other than the
-    certificate's draws others.
+    All episodes start from perturbed states and are played despite failures. ``seed`` draws them;
+    use another seed than the certificate's for other initial states.
 
     Raises:
         BundleError: the bundle cannot be read.
@@ -240,7 +242,7 @@ def played_again(
 def _try(
     starts: Iterable[TabletopEnv], instance: TaskInstance, rng: np.random.Generator
 ) -> TaskInstance:
-    """Play an instance once in each of ``starts``, until it fails."""
+    """Play an instance once from each of ``starts``, until it fails."""
     solved = played = 0
     for env in starts:
         played += 1
@@ -251,7 +253,7 @@ def _try(
 
 
 def has_solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
-    """Play one episode; return whether it was a success."""
+    """Play one episode; return whether it succeeded."""
     import gymnasium
 
     from ..expert.run import TaskExpert
@@ -271,7 +273,7 @@ def has_solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generato
 def environment_of(
     folder: Path, name: TaskName, masters: Masters, randomization: str | None
 ) -> TabletopEnv:
-    """Return the environment of a task at a bundle's table, where any instance may be asked for."""
+    """Return the environment of a task on a bundle's table, open to all instances."""
     from ..env import make_env
 
     task, preset = name

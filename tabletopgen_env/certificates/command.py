@@ -27,35 +27,37 @@ def certify(
     pool: conf.OmitArgPrefixes[PoolOptions] = _POOL,
     again: bool = False,
 ) -> int:
-    """Run the scripted expert on the tasks that bundles offer; write a certificate into each.
+    """Run the scripted expert on the tasks that bundles support; write a certificate into each.
 
-    Bundles with a certificate for the same terms are skipped, so an interrupted command resumes
-    when it is run again; a certificate for other terms is replaced, not extended. Bundles that
-    cannot be certified are listed at the end.
+    Bundles with a certificate for the same terms are skipped, so an interrupted command can be
+    resumed by running it again; a certificate for other terms is replaced. Bundles that cannot be
+    certified are listed at the end.
 
     Args:
         bundles: Names, digests, globs or paths of bundles, or folders of them.
-        tasks: The tasks; Sequence includes its presets.
-        episodes: Episodes of each instance at most: the first from the scene's own start, the
-            others from perturbed starts, none after a failure. Fewer than 30 certify nothing.
-        most: Instances of each task at most.
-        seed: The same seed gives the same certificate.
-        pool: Who plays; the machines of a Ray cluster share the bundles.
-        again: Skip none.
+        tasks: Tasks; Sequence includes its presets.
+        episodes: Maximum number of episodes per instance: the first from the scene's own state, the
+            others from perturbed initial states, none after a failure. Fewer than 30 certify
+            nothing.
+        most: Maximum number of instances per task.
+        seed: Random seed; equal seeds give equal certificates.
+        pool: Worker processes that run the expert; the machines of a Ray cluster must share the
+            bundles.
+        again: Certify all bundles, including those with a certificate.
     """
     import assets_cache
 
     from .certify import certify_all, is_certified
 
     if not bundles:
-        raise InputError("Name at least one bundle to certify.")
+        raise InputError("Give at least one bundle to certify.")
     terms = Terms(tasks, episodes, most, seed)
     if episodes < STARTS:
-        print(f"Fewer than {STARTS} episodes of an instance certify nothing.", file=sys.stderr)
+        print(f"Fewer than {STARTS} episodes per instance certify nothing.", file=sys.stderr)
     found = dict.fromkeys(path for wanted in bundles for path in assets_cache.find(wanted))
     waiting = [path for path in found if again or not is_certified(path, terms)]
     if len(waiting) < len(found):
-        print(f"{len(found) - len(waiting)} of {len(found)} bundles are certified already.")
+        print(f"{len(found) - len(waiting)} of {len(found)} bundles are already certified.")
     failed: list[tuple[Path, TabletopError]] = []
     try:
         for path, certificate in certify_all(waiting, terms, pool.workers, pool.ray):
@@ -67,7 +69,7 @@ def certify(
                 told = ", ".join(f"{name} {value}" for name, value in asked.items())
                 print(escape(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
                       f"{seen.successes} of {seen.episodes}"), flush=True)  # fmt: skip
-    finally:  # also when it is interrupted
+    finally:  # also after an interruption
         for path, error in failed:
             told = escape(f"error: {path.name} is not certified: {error}")
             print(told, file=sys.stderr)

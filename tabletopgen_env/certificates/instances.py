@@ -1,4 +1,4 @@
-"""Which instance of its task an episode plays: one that is certified, where that is known."""
+"""Sampling of an episode's instance, preferably a certified one."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ def sample_episode(
 ) -> tuple[Episode, bool]:
     """Draw an episode; return it and whether it plays a certified instance.
 
-    Without a target or goal in ``options``, and if ``certified``, it is one that the bundle's
-    certificate says the expert solves, all equally likely. A bundle without a certificate, or whose
-    certificate was made for other tasks, is sampled freely.
+    Without a target or goal in ``options``, and with ``certified``, a certified instance of the
+    bundle's certificate is drawn uniformly. A bundle without a certificate, or with one for other
+    tasks, is sampled freely.
 
     Raises:
-        SceneError: the scene offers nothing to do, or nothing that is certified.
-        InputError: what the options ask for does not exist.
+        SceneError: the scene has no valid task, or no certified one.
+        InputError: the requested target or goal does not exist.
         BundleError: the certificate is damaged.
     """
     target, goal = options.get("target"), options.get("goal")
@@ -43,7 +43,8 @@ def sample_episode(
         return task.sample(world, rng, target, goal), False
     listed = [instance for instance in certificate.instances if instance.name == name]
     if not listed:
-        task.sample(world, np.random.default_rng(0))  # says why, without a draw of the episode's
+        # raises an error with the reason, without using the episode's generator
+        task.sample(world, np.random.default_rng(0))
     solved = [instance for instance in listed if instance.certified]
     if not solved:
         raise _nothing_certified(world, name, len(listed), certificate.terms.episodes)
@@ -52,16 +53,16 @@ def sample_episode(
         return task.sample(world, rng, instance.target, instance.goal), True
     except InputError as error:
         raise BundleError(
-            f"{world.bundle}: {FILE} lists what cannot be done there: {error} Remove it, or "
+            f"{world.bundle}: {FILE} lists an impossible instance: {error} Remove it, or "
             "certify the bundle again."
         ) from error
 
 
 def certificate_of(world: World) -> Certificate | None:
-    """Return what the expert has been seen to do here, if the bundle has a certificate; read once.
+    """Return the certificate of a world's bundle, if it has one; read once.
 
     Raises:
-        BundleError: it is damaged.
+        BundleError: the certificate is damaged.
     """
     if world.bundle is None:
         return None
@@ -71,21 +72,21 @@ def certificate_of(world: World) -> Certificate | None:
 
 
 def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int) -> SceneError:
-    """Return the error of a scene with something to do, but not for the expert."""
+    """Return the error of a scene with valid tasks that the expert does not solve."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
     if not listed:
-        why = f"its certificate lists nothing of {asked}"
+        why = f"its certificate has no instance of {asked}"
     elif episodes < STARTS:
         why = (
-            f"its certificate was made with {episodes} episodes an instance, and fewer than "
+            f"its certificate was made with {episodes} episodes per instance, but fewer than "
             f"{STARTS} certify nothing"
         )
     else:
         why = (
-            f"of {listed} instances of {asked} the expert solved none from each of at least "
-            f"{STARTS} starts"
+            f"of {listed} instances of {asked}, the expert solved none in all of at least "
+            f"{STARTS} episodes"
         )
     return SceneError(
-        f"Scene {world.scene.name!r} offers nothing certified: {why}. Use other scenes, or make "
+        f"Scene {world.scene.name!r} has no certified task: {why}. Use other scenes, or create "
         "the environment with certified=False."
     )

@@ -1,6 +1,6 @@
-"""Certificates checked: by their own figures, and by playing some of their episodes again.
+"""Checks of certificates: plausibility of their figures, and replay of some of their episodes.
 
-``tabletopgen verify --replay`` runs it by the entry point in ``tabletopgen.verifiers``.
+``tabletopgen verify --replay`` runs them through the entry point in ``tabletopgen.verifiers``.
 """
 
 from __future__ import annotations
@@ -28,30 +28,31 @@ FigureKind = Literal["played after a failure", "given up early", "too many"]
 
 @dataclass(frozen=True)
 class CertificateDoubt:
-    """Figures of an instance that no certification gives; ``limit`` is the terms' episodes."""
+    """Impossible figures of an instance; ``limit`` is the number of episodes in the terms."""
 
     kind: FigureKind
     instance: TaskInstance
     limit: int
 
     def __str__(self) -> str:
-        """Return a sentence."""
+        """Describe the problem in a sentence."""
         seen = self.instance
         return (
-            f"{_name_of(seen)}: {seen.successes} of {seen.episodes} episodes cannot be "
-            f"({self.kind}: one is played until it fails, at most {self.limit} times)"
+            f"{_name_of(seen)}: {seen.successes} of {seen.episodes} episodes is impossible "
+            f"({self.kind}: an instance ends at its first failure, after at most {self.limit} "
+            "episodes)"
         )
 
 
 @dataclass(frozen=True)
 class StartReplay:
-    """An episode of an instance played again: the expert solved it, or not, and was said to have.
+    """The replay of an episode of an instance, to compare with the certificate.
 
     Attributes:
-        instance: what was done.
-        number: which of its episodes, from 0.
-        solved: whether the expert solved it now.
-        versions: of the packages that the certificate was made with and that are others here.
+        instance: the instance.
+        number: index of the episode, from 0.
+        solved: whether the expert solved the replay.
+        versions: package versions of the certificate that differ from the installed ones.
     """
 
     instance: TaskInstance
@@ -61,30 +62,31 @@ class StartReplay:
 
     @property
     def listed(self) -> bool:
-        """Whether the certificate says that it was solved."""
+        """Whether the certificate lists the episode as solved."""
         return self.number < self.instance.successes
 
     def __str__(self) -> str:
-        """Return a sentence."""
+        """Describe the outcome in a sentence."""
         said, now = (("" if solved else "not ") + "solved" for solved in (self.listed, self.solved))
-        other = f"; it was made with {', '.join(self.versions)}" if self.versions else ""
+        other = (
+            f"; the certificate was made with {', '.join(self.versions)}" if self.versions else ""
+        )
         return f"{_name_of(self.instance)}: episode {self.number} is {now}, listed as {said}{other}"
 
 
 def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[object]]:
-    """Check a bundle's certificate; return how many episodes were played, and what is wrong.
+    """Check a bundle's certificate; return the number of replayed episodes, and the problems.
 
-    Episodes that are listed as solved have to be solved again. A listed failure that is solved now
-    is no fault: the certificate claims less than holds. Impossible figures are reported without
-    playing.
+    Episodes listed as solved must be solved again. A listed failure that is solved now is accepted,
+    since the certificate then claims too little. Impossible figures are reported without a replay.
 
     Args:
         path: the bundle.
-        count: how many episodes are played again, drawn among all that the certificate counts.
-        seed: draws them.
+        count: number of episodes to replay, drawn from all that the certificate counts.
+        seed: seed of the choice.
 
     Raises:
-        InputError: less than one episode.
+        InputError: ``count`` is less than one.
         BundleError: the bundle or its certificate is damaged.
     """
     require_number("verify needs --replay", count, minimum=1, integer=True)
@@ -98,14 +100,14 @@ def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[
 
 
 def doubts(certificate: Certificate) -> tuple[CertificateDoubt, ...]:
-    """Return the figures that no certification gives; see ``certify``."""
+    """Return the figures that no certification can produce; see ``certify``."""
     limit = certificate.terms.episodes
     found = (_doubt(seen, limit) for seen in certificate.instances)
     return tuple(doubt for doubt in found if doubt is not None)
 
 
 def replay(path: Path, certificate: Certificate, count: int, seed: int) -> Iterator[StartReplay]:
-    """Play episodes of a bundle's certificate again, drawn by a seed, and yield each."""
+    """Replay episodes of a bundle's certificate, chosen with a seed, and yield each."""
     listed = certificate.instances
     episodes = [(k, number) for k, seen in enumerate(listed) for number in range(seen.episodes)]
     drawn = np.random.default_rng(seed).choice(
@@ -127,16 +129,16 @@ def replay(path: Path, certificate: Certificate, count: int, seed: int) -> Itera
 def _play(
     path: Path, instance: TaskInstance, number: int, key: tuple[int, ...], masters: Masters
 ) -> bool:
-    """Return whether the expert solves an instance's episode, with the seed that it had."""
+    """Return whether the expert solves an instance's episode, replayed with its seed."""
     rng = np.random.default_rng(key)
-    for _ in range(number):  # one by one, as they were drawn
+    for _ in range(number):  # one by one, in the original order
         rng.integers(2**31)
     with closing(environment_of(path, instance.name, masters, STARTING if number else None)) as env:
         return has_solved(env, instance, rng)
 
 
 def _places(listed: Sequence[TaskInstance]) -> list[tuple[int, int]]:
-    """Return what seeds each instance besides its terms: its task, and its place among that's."""
+    """Return the seed components of each instance besides its terms: task, and index within it."""
     seen: Counter[str] = Counter()
     places = []
     for instance in listed:

@@ -1,1 +1,1 @@
-"""The scripted expert: where to put the fingers, and how to move an object."""
+"""The scripted expert: grasp planning, placement, and motion of objects."""

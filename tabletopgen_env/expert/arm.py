@@ -1,8 +1,8 @@
-"""Reach of the arm with the hand pointing down, and how the hand turns on the way.
+"""Reach of the arm with the hand pointing down, and the rotation of the hand during a motion.
 
-With the hand pointing straight down, its turn about the vertical *relative to the bearing of the
-tool* is the last joint's angle alone. That joint's range decides which way the hand can turn, which
-is not always the shorter one.
+With the hand pointing straight down, its yaw *relative to the bearing of the tool* depends only on
+the last joint's angle. The range of that joint determines in which direction the hand can turn,
+which is not always the shorter one.
 """
 
 from __future__ import annotations
@@ -28,17 +28,19 @@ from ..world.world import World
 from .planning.heights import HeightMap
 
 INSIDE = 0.05
-"""Radians that planned joints keep from their limits."""
+"""Margin of planned joints to their limits, radians."""
 
 NARROW = 0.38
-"""Metres from the base's axis that the hand keeps; nearer, the arm would have to fold."""
+"""Minimum distance of the hand from the base's axis, metres; closer, the arm would have to fold."""
 
-_NEAREST = 0.28  # metres from the base's axis: nearer the arm would have to fold otherwise
-_WRIST = ((0.088, 0.01), (0.088, -0.03), (0.088, -0.07))  # link 6: back to the base, aside, metres
+# minimum distance from the base's axis, metres: closer, the arm would have to fold differently
+_NEAREST = 0.28
+# link 6: towards the base, sideways, metres
+_WRIST = ((0.088, 0.01), (0.088, -0.03), (0.088, -0.07))
 _WRIST_RADIUS, _WRIST_Z = 0.055, 0.16
 _KNUCKLE, _KNUCKLE_RADIUS, _KNUCKLE_Z = 0.0425, 0.036, 0.102  # of link 7, along both hand axes
 _ITERATIONS = 40
-_AT_LIMIT, _SWUNG = 0.02, 1.0  # radians left to a limit, and of the elbow's swing, in a dead end
+_AT_LIMIT, _SWUNG = 0.02, 1.0  # distance to a joint limit, and elbow swing, of a dead end, radians
 _DISC = np.array([
     (r * np.cos(a), r * np.sin(a))
     for r, n in ((0.0, 1), (1 / 3, 6), (2 / 3, 12), (1.0, 18))
@@ -50,16 +52,17 @@ ROLL = np.pi / 2
 """The hand's yaw at home, where the tool is straight ahead."""
 
 MIDDLE = ROLL + float(HOME[6])
-"""The hand's yaw relative to the bearing of the tool with the last joint at zero."""
+"""The hand's yaw relative to the tool's bearing with the last joint at zero."""
 
 ROLL_RANGE = float(UPPER[6]) - 0.1
-"""How far from ``MIDDLE`` that is planned to be, radians."""
+"""Maximum planned deviation from ``MIDDLE``, radians."""
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
-    """Return how far the joints get from home at ``points``, None if one is out of reach.
+    """Return the largest joint motion from home at ``points``, None if one is out of reach.
 
-    Points are of the tool centre point, world frame; ``yaw`` is the hand's, base frame, radians.
+    Points are positions of the tool centre point, world frame; ``yaw`` is the hand's, base frame,
+    radians.
     """
     tools = [world.to_base(point) for point in points]
     if any(np.linalg.norm(at[:2]) < _NEAREST or is_beyond_reach(at) for at in tools):
@@ -75,16 +78,16 @@ def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) 
 
 
 def easiest(world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: float) -> float | None:
-    """Return which of two opposite yaws reaches all points most comfortably, None if neither."""
+    """Return the better of two opposite yaws for reaching all points, None if neither does."""
     yaws = (wrap(angle), wrap(angle + np.pi))
     found = [(far, yaw) for yaw in yaws if (far := stretch(world, points, yaw)) is not None]
     return min(found)[1] if found else None
 
 
 def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
-    """Return how far the last joint has yet to turn, in its range, for the hand to be at ``yaw``.
+    """Return the remaining turn of the last joint, in its range, for the hand to be at ``yaw``.
 
-    Radians, base frame; ``at`` is where the tool is then, world frame.
+    Radians, base frame; ``at`` is the tool's position then, world frame.
     """
     now = _roll(world)
     asked = MIDDLE + wrap(yaw - _bearing(world, at) - MIDDLE)
@@ -94,9 +97,9 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
 
 
 def least_turn(world: World, at: Float[np.ndarray, "3"]) -> float:
-    """Return how far the hand has to turn at least for the last joint to be in range at ``at``.
+    """Return the minimum turn of the hand that keeps the last joint in range at ``at``.
 
-    Radians, base frame, 0 where the hand can keep its yaw; ``at`` is where the tool is then.
+    Radians, base frame, 0 if the hand can keep its yaw; ``at`` is the tool's position then.
     """
     turned = _bearing(world, world.data.site_xpos[world.tcp]) - _bearing(world, at)
     asked = _roll(world) + wrap(turned)
@@ -104,31 +107,31 @@ def least_turn(world: World, at: Float[np.ndarray, "3"]) -> float:
 
 
 def elbow_swing(world: World) -> float:
-    """Return how far the first joint is turned from the bearing of the tool, radians, at least 0.
+    """Return the angle between the first joint and the tool's bearing, radians, at least 0.
 
-    The hand's pose leaves the elbow free to swing about the line from shoulder to wrist, by up to
-    about a radian where nothing is at its limit. If the last joint reaches its limit, the elbow
-    makes up for it until the first is at its limit, too, and the arm is in a dead end: the hand
-    cannot move as asked, although another posture of the arm could.
+    For a given hand pose the elbow can swing about the line from shoulder to wrist, by up to about
+    a radian away from joint limits. If the last joint reaches its limit, the elbow compensates
+    until the first joint is at its limit, too. The arm is then in a dead end: the hand cannot
+    follow its command, although another posture of the arm could.
     """
     bearing = _bearing(world, world.data.site_xpos[world.tcp])
     return abs(wrap(float(world.data.qpos[world.arm_qpos[0]]) - bearing))
 
 
 def is_wound(world: World) -> bool:
-    """Return whether the elbow has swung as far as the first joint's limit lets it."""
+    """Return whether the elbow swing has reached the first joint's limit."""
     first = float(world.data.qpos[world.arm_qpos[0]])
     room = min(first - float(LOWEST[0]), float(HIGHEST[0]) - first)
     return room < _AT_LIMIT and elbow_swing(world) > _SWUNG
 
 
 def turn_to_middle(world: World) -> float:
-    """Return how far the hand has to turn for the last joint to be in its middle, radians."""
+    """Return the turn of the hand that brings the last joint to its middle, radians."""
     return MIDDLE - _roll(world)
 
 
 def _roll(world: World) -> float:
-    """Return the hand's yaw relative to the bearing of the tool, in the last joint's range."""
+    """Return the hand's yaw relative to the tool's bearing, in the last joint's range."""
     relative = rotation_yaw(world.hand) - _bearing(world, world.data.site_xpos[world.tcp])
     by_joint = MIDDLE - float(world.data.qpos[world.arm_qpos[6]])
     return by_joint + wrap(relative - by_joint)
@@ -137,7 +140,7 @@ def _roll(world: World) -> float:
 def around(
     world: World, start: Float[np.ndarray, "3"], end: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "2"]:
-    """Return where (x, y, world) to head for from ``start``: to ``end``, but around the base."""
+    """Return the next point (x, y, world) on the way from ``start`` to ``end`` around the base."""
     a, b = (world.to_base(point)[:2] for point in (start, end))
     way = b - a
     along = float(np.clip(-(a @ way) / max(float(way @ way), 1e-9), 0.0, 1.0))
@@ -154,7 +157,7 @@ def around(
 def wrist_is_free(
     world: World, others: HeightMap, points: Float[np.ndarray, "k 2"], tip: float
 ) -> bool:
-    """Return whether `wrists_are_free` at all ``points``, the fingertips at height ``tip``."""
+    """Return whether `wrists_are_free` at all ``points``, with the fingertips at height ``tip``."""
     return bool(wrists_are_free(world, others, points, np.full(len(points), tip)).all())
 
 
@@ -164,9 +167,9 @@ def wrists_are_free(
     points: Float[np.ndarray, "k 2"],
     tips: Float[np.ndarray, "k"],
 ) -> Bool[np.ndarray, "k"]:
-    """Return for each tool if the wrist, over the hand and a little to the base, hits nothing.
+    """Return for each tool whether the wrist, above the hand and towards the base, is free.
 
-    ``points`` (world) are where the tool is, ``tips`` the heights of the fingertips.
+    ``points`` (world) are the tools' positions, ``tips`` the heights of the fingertips.
     """
     back = world.base_position[:2] - points
     back /= np.maximum(np.linalg.norm(back, axis=1, keepdims=True), 1e-9)
@@ -179,7 +182,7 @@ def wrists_are_free(
 def knuckle_is_free(
     world: World, others: HeightMap, point: Float[np.ndarray, "2"], tip: float, yaw: float
 ) -> bool:
-    """Return whether what sticks out of the last link on one side of the hand hits nothing.
+    """Return whether the part of the last link that protrudes beside the hand is free.
 
     As `wrist_is_free`; ``yaw`` is the hand's, in the base frame, radians.
     """
@@ -194,5 +197,5 @@ def _bearing(world: World, point: Float[np.ndarray, "3"]) -> float:
 
 
 def up(height: float) -> Float[np.ndarray, "3"]:
-    """Return the vector that points up by ``height``, metres."""
+    """Return a vector of length ``height`` (metres) that points up."""
     return np.array([0.0, 0.0, height])

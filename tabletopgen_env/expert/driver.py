@@ -1,7 +1,7 @@
-"""Shared by the scripted experts: sensing the hand, and moving it as a policy does.
+"""Base of the scripted experts: sensing the hand, and moving it through policy actions.
 
-They drive the environment through its own normalised actions, by a proportional law on the tool's
-present pose, so that demonstrations depend only on what a learner can observe.
+The experts use the environment's normalised actions, computed by proportional control from the
+tool's current pose, so that demonstrations depend only on what a learner can observe.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ _GAIN, _TURN_GAIN = 0.3, 0.4
 class Expert(ABC):
     """Solves one kind of goal in the action mode "ee_delta".
 
-    Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` says what
-    it is doing. ``patience`` is how much longer than usual each phase may take: more than 1 where
-    another acts, who is to be advised and not given up on.
+    Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` is the
+    current phase. ``patience`` scales the time limits of the phases; use more than 1 if a policy
+    acts and the expert only advises.
 
     Raises:
-        InputError: the environment has another action mode, rate or gripper.
+        InputError: the environment has another action mode, control rate or gripper.
     """
 
     phase: str = ""
@@ -46,16 +46,16 @@ class Expert(ABC):
         self._patience = patience
         if self._env.action_mode != "ee_delta" or self._env.controller.servos != Servos():
             raise InputError(
-                "The expert acts in 'ee_delta' at 20 Hz with a continuous gripper; make the "
-                "environment with these."
+                "The expert acts in 'ee_delta' at 20 Hz with a continuous gripper; create the "
+                "environment with these settings."
             )
 
     @abstractmethod
     def reset(self) -> None:
-        """Plan for the goal that is active now.
+        """Plan for the active goal.
 
         Raises:
-            SceneError: it cannot be done.
+            SceneError: the goal cannot be reached.
         """
 
     @abstractmethod
@@ -92,11 +92,11 @@ class Expert(ABC):
         load: tuple[Float[np.ndarray, "3"], float] | None = None,
         narrow: float = 1.0,
     ) -> Float[np.ndarray, "3"]:
-        """Return where to go now on the way to ``point``, over whatever but ``but`` is between.
+        """Return the next waypoint towards ``point``, above all objects on the way except ``but``.
 
-        ``depth`` is how far below the tool something reaches, ``load`` where from the tool the
-        middle of what it holds is (m, world frame) and how far that reaches along the table. With
-        ``narrow`` below 1 hand and load are taken for so much less broad.
+        ``depth`` is the extent below the tool, metres; ``load`` is the centre of the held object
+        relative to the tool (m, world frame) and its horizontal extent. ``narrow`` below 1 scales
+        down the assumed width of hand and load.
         """
         tool, world = self._tool, self._env.world
         if np.linalg.norm((point - tool)[:2]) < NEAR:

@@ -1,4 +1,4 @@
-"""The height to travel at so that nothing on the table is hit."""
+"""The travel height that clears all objects on the table."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from jaxtyping import Float
 from ..world.world import World
 
 ROOM = 0.1
-"""Breadth of the corridor on either side of the way, metres: half a hand."""
+"""Width of the corridor on either side of the path, metres: half a hand."""
 
 CLEAR = 0.035
-"""Height kept above what is passed, metres."""
+"""Clearance above obstacles, metres."""
 
 
 def clear_height(
@@ -21,10 +21,10 @@ def clear_height(
     end: Float[np.ndarray, "3"],
     broad: float = ROOM,
 ) -> float:
-    """Return the height (world, m) at which nothing is met on the way from ``start`` to ``end``.
+    """Return the height (world, m) that clears all objects between ``start`` and ``end``.
 
-    Every object but ``held`` whose upright cylinder comes within ``broad`` of the straight way
-    counts with its highest point.
+    All objects but ``held`` whose upright cylinder comes within ``broad`` of the straight path are
+    cleared at their highest point.
     """
     height = world.scene.table.height
     way = end[:2] - start[:2]

@@ -1,18 +1,18 @@
-"""Picking up and putting down, planned from the present state; a phase ends when its aim is met.
+"""Picking up and putting down, planned from the current state; a phase ends when its aim is met.
 
 =========  =====================================================================================
-wait       let go and rise, until the object lies still
-approach   rise over what is in the way, go above the grasp, turn the hand
-descend    straight down with the fingers opened as far as there is room
-close      until the fingers stand still
+wait       open the hand and rise until the object is at rest
+approach   rise above obstacles, move above the grasp, turn the hand
+descend    straight down, with the fingers opened as far as the space allows
+close      until the fingers stop
 lift       straight up; if the object stays behind, plan another grasp
-hold       stay up there, if nothing else is asked for
-carry      over what is in the way, to above the goal, and turned
+hold       stay up, if the goal requires nothing else
+carry      above obstacles to the goal, and turn
 lower      until the object stands, or hangs as deep in the container as the fingers allow
 release    open
 retreat    straight up, then stay
-unwind     rise and turn the hand back until the elbow hangs free of a dead end, then try again
-stuck      stand still: no grasp can reach the object where it lies now
+unwind     rise and turn the hand back until the elbow leaves a dead end, then try again
+stuck      stand still: no grasp can reach the object at its current pose
 =========  =====================================================================================
 """
 
@@ -40,24 +40,26 @@ Phase = Literal[
 ]  # fmt: skip
 
 _FINE, _TURNED = (0.0015, 0.005), 0.05
-_CARRY = 0.7  # of the hand's speed while it holds something: round things slip
-_SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
-_DOWN = 0.004  # metres above the grasp at which the fingers close, and below it that is aimed at
-_EMPTY = 0.004  # metres closer than what was to be between them at which fingers hold nothing
-_FUNNEL = 0.004  # metres beside a good aim at which the hand stays all of HOVER above
-_CLOSING = 0.002  # metres by which the commanded opening is smaller than the real one
+_CARRY = 0.7  # of the hand's speed while it holds an object, since round ones slip
+_SHORT = 0.012  # fingers that stop this far above the grasp have failed, metres
+# metres above the grasp at which the fingers close, and below it at which the hand aims
+_DOWN = 0.004
+_EMPTY = 0.004  # fingers this much closer than the expected width hold nothing, metres
+_FUNNEL = 0.004  # horizontal error beyond the tolerance at which the hand stays at HOVER, metres
+_CLOSING = 0.002  # excess of the real opening over the commanded one while closing, metres
 _SLIP = 0.03
 _MOVED = 0.015
-_MOVING = 0.05  # metres a second
-_TOLD = 0.004  # metres by which the commanded opening is larger than the real one while opening
-_FREE = 0.6  # share of the way to where they let go at which the fingers are free
-_NARROWER = 0.1  # of how broad the hand is taken for, where a way over things is not reached
-_ON, _STALLED = 0.005, 8  # metres by which a hand that carries gets on, and steps without
-_FOLLOWED = 3  # times that a hinted grasp may fail until another is tried
-_RISE = 0.15  # metres by which the hand retreats
-_WOUND, _UNWOUND = 24, 0.4  # steps in a dead end, and radians of the elbow's swing that are good
+_MOVING = 0.05  # metres per second
+_TOLD = 0.004  # excess of the commanded opening over the real one while opening, metres
+_FREE = 0.6  # share of the opening motion after which the fingers are free
+_NARROWER = 0.1  # scale of the assumed hand width when a waypoint above obstacles is out of reach
+_ON, _STALLED = 0.005, 8  # minimum progress while carrying, metres, and maximum steps without it
+_FOLLOWED = 3  # failures of a hinted grasp before another one is tried
+_RISE = 0.15  # height of the retreat, metres
+# steps in a dead end before unwinding, and the elbow swing that ends it, radians
+_WOUND, _UNWOUND = 24, 0.4
 _MOVING_FREELY: tuple[Phase, ...] = ("approach", "descend", "carry")
-_UNWINDS = 2  # times that the arm unwinds for a goal
+_UNWINDS = 2  # maximum number of times that the arm unwinds per goal
 _PATIENCE: dict[Phase, int] = {
     "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80,
     "lower": 45, "release": 8, "retreat": 60, "unwind": 45, "stuck": 60,
@@ -65,9 +67,9 @@ _PATIENCE: dict[Phase, int] = {
 
 
 class Picker(Expert):
-    """Takes the target of a goal and puts it where that asks for, or holds it up.
+    """Picks up the target of a goal and puts it where the goal requires, or holds it up.
 
-    ``phase`` says what it is doing, ``attempts`` how many grasps it has begun.
+    ``phase`` is the current phase, ``attempts`` the number of started grasps.
     """
 
     def __init__(self, env: Any, goal: Goal, patience: float = 1.0) -> None:
@@ -79,10 +81,10 @@ class Picker(Expert):
         self.attempts = 0
 
     def reset(self) -> None:
-        """Plan for the goal as things are now.
+        """Plan for the goal in the current state.
 
         Raises:
-            SceneError: no grasp of the target can be reached.
+            SceneError: no grasp of the target is reachable.
         """
         self.attempts = self._unwinds = self._wound = 0
         self._failed: tuple[Grasp, ...] = ()
@@ -146,7 +148,7 @@ class Picker(Expert):
         return self._come_down(self._hover())
 
     def _hover(self) -> float:
-        """Return how far above the grasp the hand still has to be: it comes down as it is aimed."""
+        """Return the height above the grasp that the hand still has to keep until it is aligned."""
         grasp = self._plan.grasp
         spare = (grasp.opening - grasp.width) / 2
         fine = float(np.clip(spare - 0.002, *_FINE))
@@ -162,14 +164,14 @@ class Picker(Expert):
 
     def _close(self, late: bool) -> Float[np.ndarray, "5"]:
         gap, grasp = self._gap, self._plan.grasp
-        commanded = self._commanded_gap < gap - _CLOSING  # else a policy drives the hand
+        commanded = self._commanded_gap < gap - _CLOSING  # otherwise a policy controls the hand
         left, right, _ = self._env.world.touches(self._target)
         still = abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
         if (commanded and ((left and right) or still)) or late:
             self._held = self._in_object()
             waiting = self._enter("lift")
-            # The hint shows at once that the object is held; waiting would contradict it.
+            # The hint already shows the object as held, so waiting would contradict it.
             return waiting if self._env.hint is None else self._lift(False)
         if np.linalg.norm(self._tool - grasp.point) > NEAR:
             return self._enter("approach")
@@ -212,7 +214,7 @@ class Picker(Expert):
         over = self._over(
             drop.tool + up(hover), hanging(world, self._target), self._target, held, self._narrow
         )
-        if late or self._stalls(over):  # at this height the arm may not reach so far
+        if late or self._stalls(over):  # the arm may not reach that far at this height
             self._narrow *= _NARROWER
             self._steps = self._still = 0
         return self._go(over, 0.0, slow=_CARRY)
@@ -231,7 +233,7 @@ class Picker(Expert):
 
     def _release(self, late: bool) -> Float[np.ndarray, "5"]:
         gap, opening = self._gap, self._drop.opening
-        commanded = self._commanded_gap > gap + _TOLD  # else a policy drives the hand
+        commanded = self._commanded_gap > gap + _TOLD  # otherwise a policy controls the hand
         width = self._plan.grasp.width
         if gap > width + _FREE * (opening - width) or (late and commanded):
             return self._enter("retreat")
@@ -288,14 +290,14 @@ class Picker(Expert):
         return False
 
     def _retry(self, failed: bool = True) -> Float[np.ndarray, "5"]:
-        """Plan again, counting this grasp as failed or not, and let go for this step."""
-        if self._goal.released and met(self._env.world, self._goal):  # a policy drives the hand
+        """Plan again, marking this grasp as failed or not, and open the hand in this step."""
+        if self._goal.released and met(self._env.world, self._goal):  # a policy controls the hand
             return self._enter("retreat")
         self._begin(failed)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _plan_drop(self, drop: Drop | None = None) -> None:
-        """Carry to ``drop``, or to where it is best to let go as the hand is now."""
+        """Set the release pose: ``drop``, or the best one for the hand's current pose."""
         opening = let_go_at(self._plan.grasp)
         self._drop = drop or Drop(self._env.world, self._goal, self._yaw, opening)
         self._narrow, self._left, self._still = 1.0, np.inf, 0
@@ -307,7 +309,7 @@ class Picker(Expert):
         return self._env.world.position(self._target)
 
     def _turn_left(self) -> float:
-        """Return the yaw still to turn, radians."""
+        """Return the remaining yaw, radians."""
         if self.phase in ("carry", "lower"):
             return self._drop.turn(self._env.world)
         return turn_left(self._env.world, self._plan.yaw, self._plan.grasp.point)
@@ -319,11 +321,11 @@ class Picker(Expert):
         return bool(np.linalg.norm(self._env.world.velocity(self._target)[:3]) > _MOVING)
 
     def _in_object(self) -> Float[np.ndarray, "3"]:
-        """Return where the tool is in the object's frame, metres."""
+        """Return the tool's position in the object's frame, metres."""
         return (self._tool - self._object) @ self._env.world.rotation(self._target)
 
     def _stalls(self, over: Float[np.ndarray, "3"]) -> bool:
-        """Return whether the hand, on its way to ``over``, has long come no nearer to the place."""
+        """Return whether the hand makes no progress towards the place on its way to ``over``."""
         left = float(np.linalg.norm((self._drop.tool - self._tool)[:2]))
         if left < self._left - _ON:
             self._left, self._still = left, 0
@@ -332,22 +334,22 @@ class Picker(Expert):
         return self._still > _STALLED
 
     def _is_in_dead_end(self) -> bool:
-        """Return whether the arm has to unwind; call it once a step.
+        """Return whether the arm has to unwind; call it once per step.
 
-        Hints, which do not know of it, are followed.
+        With hints it is always False, since hints do not support unwinding.
         """
         free = self.phase in _MOVING_FREELY and self._env.hint is None
         self._wound = self._wound + 1 if free and is_wound(self._env.world) else 0
         return self._wound > _WOUND and self._unwinds < _UNWINDS
 
     def _has_slipped(self) -> bool:
-        """Return whether the fingers are elsewhere on the object than where they closed."""
+        """Return whether the object has moved in the fingers since they closed."""
         return bool(np.linalg.norm(self._in_object() - self._held) > _SLIP)
 
     # ------------------------------------------------------------------------------------ moving
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
-        """Change to ``phase`` and stand still for this step."""
+        """Change to ``phase`` and stand still in this step."""
         self._carries = phase == "unwind" and self.phase == "carry"
         self.phase, self._steps = phase, 0
         self._last_gap, self._placed = self._gap, self._tool

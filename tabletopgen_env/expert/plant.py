@@ -1,4 +1,4 @@
-"""What the experts drive: the part of an environment that they need."""
+"""The interface of an environment that the experts need."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ class Advice(Protocol):
     """The grasp hint of an environment, which the expert follows if there is one.
 
     Attributes:
-        planned: the grasp that is hinted at.
-        drop: where to let go, once the target is raised.
-        choose: what the hints are chosen by.
+        planned: the hinted grasp.
+        drop: the hinted release, once the target is raised.
+        choose: the function that chooses the hints.
     """
 
     planned: GraspPlan | None
@@ -25,12 +25,12 @@ class Advice(Protocol):
     choose: Chooser
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
-        """Return the grasp of an object where it is now; None if it is not the active target."""
+        """Return a grasp of an object at its current pose; None if it is not the active target."""
         ...
 
 
 class Plant(Protocol):
-    """An environment in the action mode "ee_delta"; ``goal`` is the active one."""
+    """An environment in the action mode "ee_delta"; ``goal`` is the active goal."""
 
     action_mode: str
     controller: Controller

@@ -1,12 +1,12 @@
-"""Pushing along the table: behind the object, down, forward in a straight stroke, and again.
+"""Pushing along the table: move behind the object, down, and forward in a straight stroke.
 
 =========  =====================================================================================
-approach   rise over what is in the way, go behind the object, turn the hand as planned
+approach   rise above obstacles, move behind the object, turn the hand as planned
 descend    straight down beside it
-stroke     forward to the goal, keeping behind the object's centre of mass
-back       up and away from the object; begin again if it is not there yet
-retreat    up, and stay
-stuck      stand still: no stroke can be made from where the object is
+stroke     forward to the goal, staying behind the object's centre of mass
+back       up and away from the object; start again if it is not at the goal yet
+retreat    up, then stay
+stuck      stand still: no stroke is possible from the object's position
 =========  =====================================================================================
 """
 
@@ -29,23 +29,25 @@ from .planning.strokes import HOVER, PAD, Care, beside, mass_center, plan_stroke
 
 Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 
-_THERE = 0.008  # metres before the goal's middle, along the way, at which a stroke ends
-_ENOUGH = 0.03  # metres from the goal's middle at which no other stroke is begun
-_ASIDE = 0.03  # metres off the way at which a stroke is restarted
-_FURTHER = 0.07  # metres by which a stroke may be longer than the way
-_PAST = 0.06  # metres by which the hand has come nearer to the object it has lost
-_FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres a step: flat things, tall ones, at the end
-_TALL = 0.04  # metres from the tool in a stroke down to the table
-_ASLANT = 0.75  # cosine of the largest turn of the way before a stroke is restarted
-_STRAIGHT = 0.03  # metres from the goal's middle at which a stroke turns no more
-_LAG = 2.0  # steps by which the tool lags behind its command
-_STEER = 2.0  # turn of the hand's way for the angle at which it sees the centre of mass
-_SMALL = 0.008  # metres at least from the fingers to a centre of mass
-_BLOCKED = 0.012  # metres above a stroke's start at which the hand stands on something
+_THERE = 0.008  # a stroke ends this far before the goal's centre, along the way, metres
+_ENOUGH = 0.03  # no other stroke is started within this distance of the goal's centre, metres
+_ASIDE = 0.03  # a stroke is restarted this far off the way, metres
+_FURTHER = 0.07  # maximum excess of a stroke's length over the way, metres
+_PAST = 0.06  # the object is lost once the hand has come this much closer to it, metres
+_FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres per step: flat objects, tall ones, near the end
+# an object counts as tall if the tool is this high above the table in a stroke, metres
+_TALL = 0.04
+_ASLANT = 0.75  # cosine of the largest change of direction before a stroke is restarted
+# a stroke does not turn any more within this distance of the goal's centre, metres
+_STRAIGHT = 0.03
+_LAG = 2.0  # lag of the tool behind its command, steps
+_STEER = 2.0  # turn of the hand's direction per angle at which it sees the centre of mass
+_SMALL = 0.008  # minimum distance from the fingers to a centre of mass, metres
+_BLOCKED = 0.012  # height above a stroke's start at which the hand stands on something, metres
 _ASIDES = 0.025 * np.column_stack(
     [np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)]
 )
-_LEAST = 0.025  # metres, the shortest stroke
+_LEAST = 0.025  # length of the shortest stroke, metres
 _LESS_ROOM: tuple[Care, ...] = ("tight", "bold")
 _PATIENCE: dict[Phase, int] = {
     "approach": 60, "descend": 22, "stroke": 50, "back": 4, "retreat": 1000, "stuck": 30
@@ -55,7 +57,7 @@ _PATIENCE: dict[Phase, int] = {
 class Pusher(Expert):
     """Slides the target of a goal to its spot with closed fingers.
 
-    ``phase`` says what it is doing, ``attempts`` how many strokes it has begun.
+    ``phase`` is the current phase, ``attempts`` the number of started strokes.
     """
 
     def __init__(self, env: Any, goal: Pushed, patience: float = 1.0) -> None:
@@ -73,7 +75,7 @@ class Pusher(Expert):
         """Plan the first stroke.
 
         Raises:
-            SceneError: the arm cannot reach behind the object, or its way is not free.
+            SceneError: the arm cannot reach behind the object, or its path is not free.
         """
         self.attempts = 0
         self._barred: set[int] = set()
@@ -105,7 +107,7 @@ class Pusher(Expert):
             return self._enter("descend")
         if late:
             return self._bar()
-        if not turned:  # the palm sweeps over what stands around
+        if not turned:  # the palm sweeps over surrounding objects
             clear = clear_height(self._env.world, None, above, above)
             above[2] = max(above[2], clear + TIP)
         return self._to(self._over(above, TIP, None))
@@ -138,9 +140,10 @@ class Pusher(Expert):
         astray = passed or off > _ASIDE or ahead @ stroke.ahead < _ASLANT
         if late or there or astray or gone > self._length:
             return self._enter("back")
-        # What is touched in one point turns away from the hand's way, the more the nearer its
-        # centre of mass is: the hand turns its way beyond that centre. What is touched flat keeps
-        # its place before the hand, so the line of the stroke is what counts, not the way left.
+        # An object touched at one point turns away from the hand's direction, the more the closer
+        # its centre of mass is: the hand turns beyond that centre. An object touched at a flat side
+        # keeps its position relative to the hand, so the line of the stroke counts, not the
+        # remaining way.
         high = stroke.start[2] - world.scene.table.height > _TALL  # it might topple
         speed = float(np.clip(0.25 * left, _SLOW, _STEADY if high else _FAST))
         speed *= float(np.clip(1.3 - off / 0.02, 0.3, 1.0))
@@ -170,7 +173,7 @@ class Pusher(Expert):
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self) -> Float[np.ndarray, "5"]:
-        """Choose the next stroke: to the spot; else also beside it, with less and less room."""
+        """Choose the next stroke: to the spot, or also beside it, with decreasing clearance."""
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
         spots = (spot, *(spot + _ASIDES))
         aims: list[tuple[Float[np.ndarray, "2"], Care]] = [(spot, "free")]
@@ -189,7 +192,7 @@ class Pusher(Expert):
         return self._enter("stuck")
 
     def _bar(self) -> Float[np.ndarray, "5"]:
-        """Give up this way of pushing: something is where the hand has to be."""
+        """Give up this stroke: something is where the hand has to be."""
         self._barred.add(self._choice)
         return self._begin()
 
@@ -206,6 +209,6 @@ class Pusher(Expert):
         return self._act(point - self._tool, turn, 0.0, slow)
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
-        """Change to ``phase`` and stand still for this step."""
+        """Change to ``phase`` and stand still in this step."""
         self.phase, self._steps = phase, 0
         return self._act(np.zeros(3), 0.0, 0.0)

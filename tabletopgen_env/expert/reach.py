@@ -1,4 +1,4 @@
-"""Going to a point: over what is in the way, then straight to it."""
+"""Reaching a point: above obstacles, then straight to it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Reacher(Expert):
         self._goal = goal
 
     def reset(self) -> None:
-        """Nothing to plan: every goal point is in reach."""
+        """Do nothing: every goal point is within reach."""
 
     def act(self) -> Float[np.ndarray, "5"]:
         """Return the next action, ``float32`` in [-1, 1]."""

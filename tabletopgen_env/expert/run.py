@@ -1,4 +1,4 @@
-"""The expert of any task: one goal after the other, each by the expert of its kind."""
+"""The expert for any task: one goal at a time, each by the expert for its kind."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ from .reach import Reacher
 class TaskExpert(Expert):
     """Solves every ``TabletopGen`` environment in the action mode "ee_delta".
 
-    Whenever its hand is free, it works on the goal that the environment shows as active. For
+    When its hand is free, it works on the goal that the environment marks as active. For
     ``patience`` see ``Expert``.
     """
 
     def reset(self) -> None:
-        """Plan for the episode that has just begun; see ``Expert.reset``."""
+        """Plan for the episode that has just started; see ``Expert.reset``."""
         self._turn_to_goal()
         self._now.reset()
 
     @property
     def phase(self) -> str:
-        """What it is doing."""
+        """The current phase."""
         return self._now.phase
 
     @property
     def attempts(self) -> int:
-        """How many grasps, or strokes, of the present goal it has begun."""
+        """The number of started grasps or strokes for the current goal."""
         return self._now.attempts
 
     def act(self) -> Float[np.ndarray, "5"]:
@@ -53,7 +53,7 @@ class TaskExpert(Expert):
 
 
 def specialist(env: Any, goal: Goal, patience: float = 1.0) -> Picker | Pusher | Reacher:
-    """Return the expert of a goal's kind."""
+    """Return the expert for a goal's kind."""
     if isinstance(goal, Reached):
         return Reacher(env, goal, patience)
     if isinstance(goal, Pushed):

@@ -1,1 +1,1 @@
-"""Baselines that learn: recipes, demonstrations, cloning, Stable-Baselines3, small policy files."""
+"""Learned baselines: recipes, demonstrations, cloning, Stable-Baselines3 and policy files."""

@@ -1,4 +1,4 @@
-"""The commands of policies: ``train``, ``enjoy`` and ``plot``."""
+"""The commands ``train``, ``enjoy`` and ``plot``."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class _Loaded:
-    """A policy, its task, its environment's keywords, and where it was trained."""
+    """A policy with its task, environment keywords and training scenes."""
 
     actor: Predicts
     task: str
@@ -35,11 +35,11 @@ class _Loaded:
 
 @dataclass(frozen=True)
 class CheckOptions:
-    """How often a policy in training is evaluated.
+    """Evaluation of the policy during training.
 
     Attributes:
-        evaluate_every: Steps between evaluations, each with a checkpoint.
-        episodes: Episodes of an evaluation.
+        evaluate_every: Steps between evaluations, each followed by a checkpoint.
+        episodes: Episodes per evaluation.
     """
 
     evaluate_every: int = 10_000
@@ -48,11 +48,11 @@ class CheckOptions:
 
 @dataclass(frozen=True)
 class FileOptions:
-    """What of a run is kept, and what runs share.
+    """Files kept by a run, and files shared between runs.
 
     Attributes:
         keep_replay: Keep the replay buffer in checkpoints.
-        showings: Folder for what the expert shows to a policy that looks, shared between runs.
+        showings: Folder for the expert's grasp demonstrations, shared between runs.
     """
 
     keep_replay: bool = True
@@ -76,42 +76,44 @@ def train(
     changes: Annotated[tuple[str, ...], arg(name="set")] = (),
     files: OmitArgPrefixes[FileOptions] = _FILES,
 ) -> int:
-    """Train a policy by a recipe.
+    """Train a policy with a recipe.
 
     reach-sac (minutes) · lift-clone --scenes fresh · pickplace-clone --set cloning.rounds=4
 
-    After Ctrl-C, --resume continues a run.
+    Use --resume to continue a run after Ctrl-C.
 
     Args:
-        recipe: Name of a recipe, or the path of a TOML file of your own. The names: reach-sac,
-            reach-ppo, reach-td3, reach-clone, reach-sight, lift-sac, lift-sac-demos, lift-ppo,
-            lift-ppo-batch, lift-clone, lift-clone-planned, lift-clone-plain, lift-look,
-            lift-sight, pickplace-clone, pickplace-clone-planned, pickplace-look,
-            pickplace-sac-her, push-sac-her.
-        scenes: Where it trains, by default where the recipe says: names, globs or paths of
-            bundles; "starter:train" (shipped training tables), "fresh[:TEXT]" (new tables made on
-            demand), "refreshing[:TEXT]" (a pool renewed in the background) or
-            "curriculum[:SCENES]" (of these the difficulty at which most is learned now).
-        held_out: Where it is evaluated; the same forms.
-        seed: The same seed trains the same policy (not with "refreshing", which goes by the clock).
-        steps: Total environment steps, by default the recipe's. Clone recipes have rounds instead:
-            --set cloning.rounds=4.
-        out: The run's folder; runs/RECIPE-SEED if left out.
+        recipe: Name of a recipe, or the path of your own TOML file. Recipes: reach-sac, reach-ppo,
+            reach-td3, reach-clone, reach-sight, lift-sac, lift-sac-demos, lift-ppo, lift-ppo-batch,
+            lift-clone, lift-clone-planned, lift-clone-plain, lift-look, lift-sight,
+            pickplace-clone, pickplace-clone-planned, pickplace-look, pickplace-sac-her,
+            push-sac-her.
+        scenes: Training scenes, by default the recipe's: names, globs or paths of bundles;
+            "starter:train" (shipped training tables), "fresh[:TEXT]" (new tables generated on
+            demand), "refreshing[:TEXT]" (a pool renewed in the background) or "curriculum[:SCENES]"
+            (tables of the difficulty at which the policy currently learns most).
+        held_out: Evaluation scenes, in the same forms.
+        seed: Random seed; runs with equal seeds train identical policies (except with "refreshing",
+            which depends on timing).
+        steps: Total environment steps, by default the recipe's. For clone recipes set the number of
+            rounds instead: --set cloning.rounds=4.
+        out: Folder of the run; runs/RECIPE-SEED by default.
         resume: Resume the run in that folder.
-        checks: How often the policy is evaluated.
-        changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
-        files: What of a run is kept, and what runs share.
+        checks: Evaluation of the policy during training.
+        changes: Changes to the recipe's settings, as KEY=VALUE: options.gamma=0.9.
+        files: Files kept by the run, and files shared between runs.
     """
     from .recipes import recipe as named
 
-    chosen = named(recipe, changes)  # before anything heavy is loaded
+    chosen = named(recipe, changes)  # fails on unknown names before the heavy imports
     need_sb3()
     from .progress import TrainingPlan
     from .training import train as trained
 
     if steps is not None and chosen.algorithm == "clone":
         raise InputError(
-            f"{chosen.name} is as long as its rounds: change those, as in --set cloning.rounds=4."
+            f"{chosen.name} has no --steps: its length is set by its rounds; use --set "
+            "cloning.rounds=4, for example."
         )
     given = {"scenes": _one(scenes), "held_out": _one(held_out), "steps": steps}
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
@@ -126,7 +128,7 @@ def train(
         files.showings,
     )
     done = trained(chosen, folder, plan, resume, _say)
-    _say(f"{done.steps:,} steps of {chosen.name} in {folder}")
+    _say(f"completed {done.steps:,} steps of {chosen.name} in {folder}")
     return 130 if done.interrupted else 0
 
 
@@ -143,22 +145,24 @@ def enjoy(
     trust: bool = False,
     recipe: str | None = None,
 ) -> None:
-    """Run a trained policy and report how often it succeeds.
+    """Run a trained policy and report its success rate.
 
-    Warns if it was trained at some of the tables.
+    Warns if the policy was trained on some of the tables.
 
     Args:
         policy: Name of a shipped policy (reach-clone, reach-sight, lift-clone, lift-sight,
-            pickplace-clone), a policy file, a run's folder (its best policy), or a zip of
-            Stable-Baselines3.
-        scenes: Where; of those made on demand only the held-out side.
-        episodes: How many.
-        seed: The same seed plays the same episodes.
-        pool: Who plays.
-        render: Show it; needs a display.
-        video_strip: Write pictures of the first episode to this PNG.
-        trust: Load a zip, which unpickles it and may execute arbitrary code: only your own.
-        recipe: What a zip was trained by, if it does not lie in its run's folder.
+            pickplace-clone), a policy file, a run's folder (its best policy), or a
+            Stable-Baselines3 zip file.
+        scenes: Scenes to evaluate on; of scenes generated on demand, only the held-out part is
+            used.
+        episodes: Number of episodes.
+        seed: Random seed; equal seeds give the same episodes.
+        pool: Worker processes that run the episodes.
+        render: Show the episodes in a window; needs a display.
+        video_strip: Write pictures of the first episode to this PNG file.
+        trust: Load a zip file. Loading unpickles it and can execute arbitrary code; only use your
+            own.
+        recipe: Recipe of a zip file that is outside its run's folder.
     """
     require_number("enjoy needs --episodes", episodes, minimum=1, integer=True)
     require_seed(seed)
@@ -167,7 +171,9 @@ def enjoy(
     require_number("enjoy needs --workers", pool.workers, minimum=1, maximum=1024, integer=True)
     apart = pool.workers > 1 or pool.ray is not None
     if apart and (render or video_strip):
-        raise InputError("Pictures are taken by one process: leave out --workers and --ray.")
+        raise InputError(
+            "--render and --video-strip work in one process only: remove --workers and --ray."
+        )
     if video_strip:
         check_target(video_strip, "--video-strip")
     need_sb3()
@@ -191,7 +197,7 @@ def enjoy(
                 _say(f"{how} in {done.steps:3d} steps: {done.instruction}")
     finally:
         close(source)
-    _say(f"{own.task} at {', '.join(scenes)}: {summarize(played)}")
+    _say(f"{own.task} on {', '.join(scenes)}: {summarize(played)}")
 
 
 def plot(
@@ -201,16 +207,16 @@ def plot(
     out: Path = Path("success.png"),
     by: Literal["steps", "hours"] = "steps",
 ) -> None:
-    """Draw learning curves: the success of runs in validation, with mean and range of each recipe.
+    """Plot learning curves: validation success per recipe, with mean and range over runs.
 
     Args:
-        runs: The runs' folders.
-        out: The PNG to write.
-        by: What is across: steps of the training environments (of cloning, the states in which the
-            expert gave advice), or hours, evaluations included.
+        runs: Folders of the runs.
+        out: PNG file to write.
+        by: Horizontal axis: steps of the training environments (for cloning, the number of states
+            with expert advice), or hours, evaluations included.
     """
     if not runs:
-        raise InputError("Name at least one run's folder to plot.")
+        raise InputError("Give the folder of at least one run to plot.")
     check_target(out)
     need_sb3()
     from generator.io.pictures import write_picture
@@ -223,26 +229,29 @@ def plot(
     for name, band in found.items():
         mean, least, most = (100 * v[-1] for v in (band.mean, band.least, band.most))
         message = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
-        _say(message + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
-    _say(f"drawn in {out}")
+        _say(message + (f", {least:.0f} to {most:.0f} % over {band.runs} runs" * (band.runs > 1)))
+    _say(f"wrote {out}")
 
 
 def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
-    """Say so if a policy is about to be judged at tables it was trained at."""
+    """Print a warning if the policy was trained on some of the source's tables."""
     from .setup import count_shared, source_of
 
     try:
         both = count_shared(source_of(_one(trained), "train"), source)
         if both:
             what = "1 of these tables was" if both == 1 else f"{both} of these tables were"
-            print(f"{what} trained at: this says little of others.", file=sys.stderr)
+            print(
+                f"{what} used in training; the success rate says little about new tables.",
+                file=sys.stderr,
+            )
     except TabletopError as error:
-        message = escape(f"Whether it was trained at these tables cannot be told: {error}")
+        message = escape(f"Cannot check whether the policy was trained on these tables: {error}")
         print(message, file=sys.stderr)
 
 
 def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
-    """Return a policy with what is known of it."""
+    """Load a policy, with its card, by name or path."""
     from .policies import find_policy, load_policy
 
     path = Path(name)
@@ -251,14 +260,14 @@ def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
     path = find_policy(name)
     policy = load_policy(path)
     card, seen = policy.card, policy.card.validation
-    message = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "
-            f"(tables: {seen['tables']})") if seen else ""  # fmt: skip
+    message = (f"; validation: {seen['solved']} of {seen['episodes']} on {seen['scenes']} (tables: "
+               f"{seen['tables']})") if seen else ""  # fmt: skip
     _say(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{message}")
     return _Loaded(policy, card.task, card.env, card.scenes)
 
 
 def _load_zip(path: Path, trust: bool, recipe: str | None) -> _Loaded:
-    """Return a model of a zip of Stable-Baselines3, if it is to be trusted."""
+    """Load a Stable-Baselines3 zip file, if ``trust`` allows it."""
     from .recipes import as_texts
     from .recipes import recipe as named
     from .runs import open_run
@@ -266,8 +275,8 @@ def _load_zip(path: Path, trust: bool, recipe: str | None) -> _Loaded:
 
     if not trust:
         raise InputError(
-            f"{path} is a zip of Stable-Baselines3, and loading one may execute arbitrary code. "
-            "Pass --trust if it is your own."
+            f"{path} is a Stable-Baselines3 zip file, and loading it can execute arbitrary "
+            "code. Pass --trust if it is your own."
         )
     if recipe is not None:
         own = named(recipe)

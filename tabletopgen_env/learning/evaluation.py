@@ -1,4 +1,4 @@
-"""How often a policy succeeds, on episodes that the seed alone decides."""
+"""Evaluation of policies on seeded episodes."""
 
 from __future__ import annotations
 
@@ -14,29 +14,29 @@ from ..episodes import Held, episode_seeds
 from ..statistics import wilson
 
 SEED = 10_000
-"""Of evaluations during training: each run, and each time, sees the same episodes."""
+"""Seed of evaluations during training: all runs and all evaluations use the same episodes."""
 
 FRAME_EVERY = 4
-"""Steps between the pictures of an episode."""
+"""Steps between two pictures of an episode."""
 
 
 class Predicts(Protocol):
-    """A policy of this package, or a model of Stable-Baselines3."""
+    """A policy of this package, or a Stable-Baselines3 model, with the method ``predict``."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
-        """Return the action, and what it remembers; if that is not None it is given ``state``."""
+        """Return the action and the policy's memory, which is the next call's ``state``."""
         ...
 
 
 class EpisodePlayer:
-    """Asks a policy for actions through one episode, and hands on what it remembers."""
+    """Queries a policy for actions during one episode, passing on its memory."""
 
     def __init__(self, policy: Predicts) -> None:
         self._policy: Any = policy
         self._memory: Any = None
 
     def act(self, observation: Any) -> Any:
-        """Return the action."""
+        """Return the action for an observation."""
         told = {} if self._memory is None else {"state": self._memory}
         action, self._memory = self._policy.predict(observation, deterministic=True, **told)
         return action
@@ -44,7 +44,7 @@ class EpisodePlayer:
 
 @dataclass(frozen=True)
 class EpisodeResult:
-    """One episode: ``reward`` is the mean of a step, ``table`` the table's and objects' digest."""
+    """One episode: ``reward`` is the mean per step, ``table`` the digest of table and objects."""
 
     solved: bool
     steps: int
@@ -55,7 +55,7 @@ class EpisodeResult:
 
 @dataclass(frozen=True)
 class PolicyEvaluation:
-    """What episodes at ``tables`` different tables came to; ``reward`` and ``steps`` are means."""
+    """The result of episodes on ``tables`` different tables; ``reward`` and ``steps`` are means."""
 
     episodes: int
     solved: int
@@ -65,18 +65,18 @@ class PolicyEvaluation:
 
     @property
     def share(self) -> float:
-        """The share that was solved."""
+        """The share of episodes solved."""
         return self.solved / self.episodes
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Wilson's 95 % interval of the share."""
+        """The 95 % Wilson interval of the share."""
         return wilson(self.solved, self.episodes)
 
     def __str__(self) -> str:
         low, high = self.interval
         return (
-            f"{self.solved} of {self.episodes} solved at {self.tables} "
+            f"{self.solved} of {self.episodes} solved on {self.tables} "
             f"{'table' if self.tables == 1 else 'tables'}, {100 * self.share:.0f} % "
             f"({100 * low:.0f} to {100 * high:.0f} %)"
         )
@@ -85,9 +85,10 @@ class PolicyEvaluation:
 def play(
     env: gym.Env[Any, np.ndarray], policy: Predicts, seed: int, frames: list[Any] | None = None
 ) -> EpisodeResult:
-    """Play one episode until success has held (``episodes.Held``), or to the time limit.
+    """Run one episode until success has held (``episodes.Held``) or to the time limit.
 
-    ``frames`` gets what ``env.render`` returns at the start, every few steps and at the end.
+    ``frames`` receives the return value of ``env.render`` at the start, every few steps and at the
+    end.
     """
     seen, info = env.reset(seed=seed)
     if frames is not None:
@@ -111,12 +112,12 @@ def play(
 def evaluate(
     env: gym.Env[Any, np.ndarray], policy: Predicts, episodes: int, seed: int = SEED
 ) -> PolicyEvaluation:
-    """Play ``episodes`` episodes, those that ``seed`` means."""
+    """Evaluate a policy on ``episodes`` episodes, determined by ``seed``."""
     return summarize([play(env, policy, own) for own in seeds(seed, episodes)])
 
 
 def summarize(played: list[EpisodeResult]) -> PolicyEvaluation:
-    """Return what episodes, one or more, came to."""
+    """Summarise one or more episodes."""
     return PolicyEvaluation(
         len(played), sum(p.solved for p in played),
         float(np.mean([p.reward for p in played])), float(np.mean([p.steps for p in played])),
@@ -125,5 +126,5 @@ def summarize(played: list[EpisodeResult]) -> PolicyEvaluation:
 
 
 def seeds(seed: int, count: int) -> Iterator[int]:
-    """Return the seeds of ``count`` episodes; a longer evaluation begins with a shorter one's."""
+    """Return the seeds of ``count`` episodes; shorter evaluations use the first of these seeds."""
     return islice(episode_seeds(seed, 3), count)

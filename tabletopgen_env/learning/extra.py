@@ -1,4 +1,4 @@
-"""What training and charts need beyond the package: the extras ``train`` and ``plot``."""
+"""Optional dependencies of training and charts: the extras ``train`` and ``plot``."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ PIP = "pip install 'tabletopgen[train]'"
 
 
 def need(package: str, what: str, extra: str) -> None:
-    """Make sure that a package is installed.
+    """Check that a package is installed.
 
     Raises:
-        InputError: it is not; the message is ``what`` with the line that installs the extra.
+        InputError: the package is not installed; the message is ``what`` with the command that
+            installs the extra.
     """
     try:
         importlib.import_module(package)
@@ -22,12 +23,12 @@ def need(package: str, what: str, extra: str) -> None:
 
 
 def need_sb3() -> None:
-    """Make sure that Stable-Baselines3 is there (InputError: it is not installed)."""
+    """Check that Stable-Baselines3 is installed (InputError: it is not)."""
     need("stable_baselines3", "Policies need Stable-Baselines3", "train")
 
 
 def tensorboard_there() -> bool:
-    """Tell whether TensorBoard is installed."""
+    """Return whether TensorBoard is installed."""
     try:
         import tensorboard  # noqa: F401
     except ImportError:

@@ -1,4 +1,4 @@
-"""Ctrl-C that lets a training end without a loss."""
+"""Graceful handling of Ctrl-C in training."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from typing import Any
 
 
 class StopAsked(Exception):
-    """Ctrl-C, raised where a training can end without a loss."""
+    """Raised after Ctrl-C, at a point where training can stop without losing work."""
 
 
 @contextmanager
 def heeding(say: Callable[[str], None]) -> Iterator[threading.Event]:
-    """Give an event that the first Ctrl-C sets; the second does what it always does.
+    """Yield an event that the first Ctrl-C sets; the second one acts as usual.
 
-    In another thread than the main one nothing is heeded.
+    Outside the main thread the event is never set.
     """
     stop = threading.Event()
     if threading.current_thread() is not threading.main_thread():
@@ -28,7 +28,7 @@ def heeding(say: Callable[[str], None]) -> Iterator[threading.Event]:
     def note(number: int, frame: Any) -> None:
         stop.set()
         signal.signal(signal.SIGINT, before)
-        say("Ending after what has begun; Ctrl-C again ends at once.")
+        say("Stopping after the current step; press Ctrl-C again to stop at once.")
 
     signal.signal(signal.SIGINT, note)
     try:

@@ -1,4 +1,4 @@
-"""Success in validation over training, the runs of one recipe as one band."""
+"""Plots of validation success during training, with one band per recipe."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ ACROSS: Mapping[By, str] = {
     "steps": "steps of the training environments",
     "hours": "hours, evaluations included",
 }
-"""What is across."""
+"""The quantity on the horizontal axis."""
 
 _POINTS = 200
 
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """The share solved by runs of one recipe: mean, least and most, where all of them have been."""
+    """Success rate of a recipe's runs: mean, minimum and maximum over their common range."""
 
     runs: int
     at: Float[np.ndarray, "n"]
@@ -40,18 +40,19 @@ class Band:
 
 
 def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
-    """Return a band a recipe, by its name, interpolated between evaluations.
+    """Return a band per recipe name, interpolated between evaluations.
 
-    Runs make one band if their recipes say the same but for the number of steps. If recipes of one
-    name do not, what differs stands beside the name. A run that is given twice counts once.
+    Runs belong to one band if their recipes are equal except for the number of steps. If recipes of
+    the same name differ otherwise, the differing settings are added to the name. A run given twice
+    counts once.
 
     Args:
         runs: the runs.
-        by: "steps" of the training environments (of cloning, the states in which the expert gave
+        by: "steps" of the training environments (for cloning, the number of states with expert
             advice), or "hours" of a run, evaluations included.
 
     Raises:
-        InputError: a run has no evaluation, or runs of one recipe have nothing in common.
+        InputError: a run has no evaluation, or the runs of a recipe have no common range.
     """
     own = list({run.path.resolve(): run for run in runs}.values())
     names = labels([run.recipe for run in own])
@@ -67,7 +68,7 @@ def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
 
 
 def labels(recipes: Sequence[Recipe]) -> list[str]:
-    """Return a name for each recipe, the same for those that say the same but for their steps."""
+    """Return a label for each recipe; recipes that differ only in their steps share a label."""
     said = [_flat({k: v for k, v in r.facts().items() if k != "steps"}) for r in recipes]
     found = []
     for recipe, own in zip(recipes, said, strict=True):
@@ -80,7 +81,7 @@ def labels(recipes: Sequence[Recipe]) -> list[str]:
 
 
 def _flat(facts: Mapping[str, Any], before: str = "") -> dict[str, Any]:
-    """Return nested settings by their dotted names."""
+    """Flatten nested settings to dotted keys."""
     found: dict[str, Any] = {}
     for key, value in facts.items():
         inner = isinstance(value, Mapping)
@@ -91,14 +92,16 @@ def _flat(facts: Mapping[str, Any], before: str = "") -> dict[str, Any]:
 def _band(name: str, curves: list[tuple[list[float], list[float]]]) -> Band:
     low, high = max(at[0] for at, _ in curves), min(at[-1] for at, _ in curves)
     if low > high:
-        raise InputError(f"The runs of {name} have no stretch in common; train them on.")
+        raise InputError(
+            f"The runs of {name} have no common range of evaluations; train them further."
+        )
     at = np.linspace(low, high, _POINTS)
     shares = np.stack([np.interp(at, own, share) for own, share in curves])
     return Band(len(curves), at, shares.mean(0), shares.min(0), shares.max(0))
 
 
 def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 3"]:
-    """Draw the bands: a line for the mean, a shade from the least to the most.
+    """Draw the bands: a line for the mean, a shaded area from minimum to maximum.
 
     Raises:
         InputError: Matplotlib is not installed.
@@ -112,7 +115,7 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
 
 
 def figure(found: Mapping[str, Band], by: By) -> Figure:
-    """Return the chart of ``draw``. Names of recipes may be foreign: nothing in them is markup."""
+    """Return the chart of ``draw``. Recipe names are drawn as plain text, without markup."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
 
@@ -141,5 +144,5 @@ def figure(found: Mapping[str, Band], by: By) -> Figure:
 
 
 def number(value: float) -> str:
-    """Return a number as text, thousands apart."""
+    """Format a number with thousands separators."""
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"

@@ -1,9 +1,9 @@
-"""Policy files: a trained actor's weights with what it was made for, and nothing that runs.
+"""Policy files: a trained actor's weights with metadata, without executable content.
 
-A file is safetensors; its header holds a *card* as JSON. Reading one unpickles nothing, and checks
-sizes, names, shapes and numbers before anything is made of them. Beside the card are the answers
-of the network to a fixed observation, so that a policy whose features this package has come to
-compute otherwise is refused instead of failing at its task.
+A file is in safetensors format; its header holds a *card* as JSON. Loading unpickles nothing and
+checks sizes, names, shapes and numbers first. The card also stores the network's outputs for a
+fixed observation, so that a policy is refused if this package now computes its features
+differently, instead of failing at its task.
 """
 
 from __future__ import annotations
@@ -36,16 +36,16 @@ from .recipes import Network, Recipe, as_texts, network_of
 from .runs import kept_policy
 
 SHIPPED = Path(__file__).with_name("trained")
-"""Where the policies are that the package ships."""
+"""Folder of the policies shipped with the package."""
 
 KEY = "tabletopgen_policy"
-"""Where the header has the card; one key alone, as safetensors shuffles several."""
+"""Header key of the card; a single key, since safetensors shuffles several."""
 
 FORMAT = 1
-"""The files' version; others are refused."""
+"""Version of the file format; other versions are refused."""
 
 MOST_BYTES = 5 * 2**20
-"""A policy file is not larger."""
+"""Maximum size of a policy file."""
 
 _MOST_CARD = 2**16
 _MOST_INPUTS, _MOST_PART, _MOST_ACTIONS = 4096, 2**18, 64
@@ -55,24 +55,23 @@ _VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "stable-baselines3", "torch")
 
 @dataclass(frozen=True)
 class Card:
-    """What is known of a policy.
+    """Metadata of a policy.
 
     Attributes:
-        task: what it does.
-        env: keywords of the environment it was trained in.
-        network: what it is made of.
-        inputs: the observation's parts by name, each with its size, or its shape if it has axes.
+        task: the policy's task.
+        env: keywords of its training environment.
+        network: its network settings.
+        inputs: size of each part of the observation by name, or shape if the part has several axes.
         actions: entries of an action.
-        squash: what becomes of the last layer's values: "tanh" or "clip".
+        squash: function applied to the output layer: "tanh" or "clip".
         recipe: name of the recipe.
-        seed: of the training.
-        steps: of the environments until then.
-        scenes: where it was trained, as the recipe says; of scenes made on demand, their training
-            side.
-        validation: "solved", "episodes", "tables" (how many different ones) and "scenes" of its
-            last evaluation during training, where there was one. The best policy of a run is chosen
-            by it, so it is no test.
-        versions: of the libraries it was trained with, and of the grasp detector.
+        seed: seed of the training.
+        steps: environment steps taken so far.
+        scenes: training scenes, as in the recipe; of scenes generated on demand, the training part.
+        validation: "solved", "episodes", "tables" (number of different tables) and "scenes" of its
+            last evaluation during training, if there was one. It is used to select the best policy
+            of a run, so it is not a test result.
+        versions: versions of the libraries used in training, and of the grasp detector.
     """
 
     task: str
@@ -91,7 +90,7 @@ class Card:
 
 @dataclass(frozen=True, eq=False)
 class TrainedPolicy:
-    """A policy that acts; ``predict`` is that of Stable-Baselines3, deterministic actions only."""
+    """A policy for inference; ``predict`` has Stable-Baselines3's signature, deterministic only."""
 
     card: Card
     actor: Actor
@@ -100,18 +99,21 @@ class TrainedPolicy:
         self, observation: Any, state: Any = None, episode_start: Any = None,
         deterministic: bool = True,
     ) -> tuple[np.ndarray, Any]:  # fmt: skip
-        """Return the action for one observation, or those of a batch, and what is remembered.
+        """Return the action for one observation or a batch, and the policy's memory.
 
-        ``state`` is what the last call returned, None at an episode's start; ``episode_start`` says
-        of which rows of a batch the episode begins. Policies that remember nothing return ``state``
-        as it is; those that see (``networks.sight_extractor``) act worse without it.
+        ``state`` is the memory from the last call, None at the start of an episode.
+        ``episode_start`` marks the rows of a batch whose episode begins. Policies without memory
+        return ``state`` unchanged; policies that see (``networks.sight_extractor``) perform worse
+        without it.
 
         Raises:
             InputError: the observation or ``state`` has another shape, or ``deterministic`` is
                 False.
         """
         if not deterministic:
-            raise InputError("A policy file holds no noise; call predict(deterministic=True).")
+            raise InputError(
+                "Policies from files are deterministic; call predict(deterministic=True)."
+            )
         seen, batch = tensors_of(self.card.inputs, observation)
         size = self.actor.memory_size
         if size:
@@ -123,7 +125,7 @@ class TrainedPolicy:
         else:
             with torch.no_grad():
                 last = self.actor(seen)
-        if self.card.squash == "tanh":  # rounded as Stable-Baselines3 does
+        if self.card.squash == "tanh":  # rounded as in Stable-Baselines3
             scaled = torch.tanh(last).numpy()
             actions = np.float32(-1.0) + np.float32(0.5) * (scaled + 1.0) * np.float32(2.0)
         else:
@@ -132,14 +134,14 @@ class TrainedPolicy:
 
 
 def _memory(state: Any, starts: Any, shape: tuple[int, int]) -> Tensor:
-    """Return what is remembered, nothing of rows whose episode begins."""
+    """Return the memory, zeroed in rows whose episode begins."""
     if state is None:
         return torch.zeros(shape)
     memory = np.array(state, np.float32)
     if memory.shape != shape or not np.isfinite(memory).all():
         raise InputError(
-            f"The policy remembers finite numbers of shape {shape}, got {memory.shape}. Pass what "
-            "its last call returned, or None at the start of an episode."
+            f"The policy's state must be finite numbers of shape {shape}, got {memory.shape}. "
+            "Pass the state from the last call, or None at the start of an episode."
         )
     if starts is not None:
         memory[np.asarray(starts, bool)] = 0.0
@@ -153,7 +155,7 @@ def policy_from(
     validation: Mapping[str, Any] | None = None,
     steps: int = 0,
 ) -> TrainedPolicy:
-    """Return a copy of what a learner does now; ``validation`` and ``steps`` are the card's."""
+    """Export a learner as a policy; ``validation`` and ``steps`` go into its card."""
     actor, squash = learner.export()
     card = Card(
         recipe.task, dict(recipe.env), recipe.network, actor.inputs, actor.last.out_features,
@@ -164,13 +166,13 @@ def policy_from(
 
 
 def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> Path:
-    """Write a policy file, whole or not at all; its folder must be there.
+    """Write a policy file atomically into an existing folder.
 
-    ``half`` keeps half precision: half the size, slightly other actions.
+    ``half`` stores half precision: half the size, with slightly different actions.
 
     Raises:
-        InputError: it would be larger than ``MOST_BYTES``, or a text of its card cannot be shown.
-        StorageError: it cannot be written.
+        InputError: the file would exceed ``MOST_BYTES``, or a text of its card is not printable.
+        StorageError: the file cannot be written.
     """
     path, content = Path(path), policy_bytes(policy, half)
     write_whole(path, content, "The policy", "Choose another folder.")
@@ -178,7 +180,7 @@ def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> 
 
 
 def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
-    """Return a policy file's content; raises InputError as ``save_policy``."""
+    """Return the content of a policy file; raises InputError as ``save_policy``."""
     kind = torch.float16 if half else torch.float32
     weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
     kept = Actor(policy.card.network, policy.card.inputs, policy.card.actions)
@@ -188,28 +190,29 @@ def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
     content = packed(weights, {KEY: json.dumps(card, sort_keys=True, allow_nan=False)})
     if len(content) > MOST_BYTES:
         raise InputError(
-            f"The policy has {len(content)} bytes, a policy file at most {MOST_BYTES}: use "
-            "narrower layers, or half=True."
+            f"The policy has {len(content)} bytes, which exceeds the maximum of {MOST_BYTES}: "
+            "use narrower layers, or half=True."
         )
     return content
 
 
 def shipped_policies() -> dict[str, Path]:
-    """Return the policies the package ships, by name."""
+    """Return the names and paths of the shipped policies."""
     return {path.stem: path for path in sorted(SHIPPED.glob("*.safetensors"))}
 
 
 def load_policy(name: str | Path) -> TrainedPolicy:
-    """Read the policy of a shipped policy's name ("reach-clone"), or of a file's path.
+    """Load a policy by the name of a shipped one ("reach-clone") or by path.
 
     Raises:
-        InputError: there is none, it is too large, damaged, of another version, or no policy.
+        InputError: the file is missing, too large, damaged, of another version, or not a policy
+            file.
     """
     path = Path(name)
     try:
         path = find_policy(name)
         if path.stat().st_size > MOST_BYTES:
-            raise InputError(f"{path} has more than a policy file's {MOST_BYTES} bytes.")
+            raise InputError(f"{path} exceeds the {MOST_BYTES} bytes of a policy file.")
         with safe_open(path, framework="pt") as file:
             notes = file.metadata() or {}
             card, answers = _card(notes)
@@ -220,23 +223,23 @@ def load_policy(name: str | Path) -> TrainedPolicy:
         if isinstance(error, InputError) and str(path) in str(error):
             raise
         raise InputError(
-            f"{path} is no sound policy file ({type(error).__name__}: {error}). Policy files are "
-            "made by training; see docs/guides/training.md."
+            f"{path} is not a valid policy file ({type(error).__name__}: {error}). Policy "
+            "files are created by training; see docs/guides/training.md."
         ) from error
     if any(card.versions.get(k, v) != v for k, v in _detector(card.env).items()):
         warnings.warn(
-            f"{path} learned with another grasp detector than this version of the package ships; "
-            "it may grasp worse than it did.",
+            f"{path} was trained with another version of the grasp detector; its grasps may be "
+            "worse.",
             stacklevel=2,
         )
     return TrainedPolicy(card, actor)
 
 
 def find_policy(name: str | Path) -> Path:
-    """Return the file of a shipped policy's name, of a run's folder, or of a path.
+    """Return the policy file for a shipped policy's name, a run's folder, or a path.
 
     Raises:
-        InputError: none of them is there, or the folder holds no policy.
+        InputError: no such file or folder exists, or the folder holds no policy.
     """
     shipped, path = shipped_policies(), Path(name)
     if path.is_dir():
@@ -246,7 +249,7 @@ def find_policy(name: str | Path) -> Path:
     if path.is_file():
         return path
     raise InputError(
-        f"There is no policy {str(name)!r}: neither a file nor a shipped one."
+        f"Unknown policy {str(name)!r}: it is neither a file nor a shipped policy."
         + choices(str(name), shipped)
     )
 
@@ -255,7 +258,7 @@ def _fill(actor: Actor, weights: Mapping[str, Tensor]) -> None:
     own = actor.state_dict()
     if set(own) != set(weights):
         odd = sorted(set(own) ^ set(weights))[:3]
-        raise ValueError(f"its weights are not those of its network: {', '.join(odd)}")
+        raise ValueError(f"its weights do not match its network: {', '.join(odd)}")
     for name, value in weights.items():
         if value.dtype not in (torch.float16, torch.float32) or value.shape != own[name].shape:
             raise ValueError(f"{name} is {value.dtype} of {tuple(value.shape)}, not "
@@ -267,7 +270,7 @@ def _fill(actor: Actor, weights: Mapping[str, Tensor]) -> None:
 
 
 def _answers(actor: Actor, inputs: Mapping[str, Shape]) -> list[float]:
-    """Return what a network makes of a fixed observation."""
+    """Compute a network's outputs for a fixed observation."""
     rng = np.random.default_rng(0)
     seen: Any = {
         name: rng.normal(0.0, 0.3, shape_of(size)) for name, size in sorted(inputs.items())
@@ -278,16 +281,16 @@ def _answers(actor: Actor, inputs: Mapping[str, Shape]) -> list[float]:
 
 
 def _check_answers(kept: list[float], own: list[float]) -> None:
-    """Refuse a network that computes other things than the one that was saved."""
+    """Raise ValueError if a network's outputs differ from the saved ones."""
     if len(kept) != len(own) or not np.allclose(kept, own, rtol=1e-3, atol=1e-3):
         raise ValueError(
-            "its network answers otherwise than when it was saved: this version of the package "
-            "looks at observations in another way, or the file was changed"
+            "its network's outputs differ from the saved ones: this version of the package "
+            "processes observations differently, or the file was changed"
         )
 
 
 def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
-    """Return the card of a file's header, every value checked, and the answers kept with it."""
+    """Return the card of a file's header, with every value checked, and the saved outputs."""
     if KEY not in notes:
         raise ValueError(f"its header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
@@ -296,29 +299,31 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     _check_printable(payload)
     version = payload.pop("format", None)
     if type(version) is not int or version != FORMAT:
-        raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
+        raise ValueError(f"its version is {version!r}, this package reads version {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
-        raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
+        raise ValueError(f"its card has unexpected keys: {', '.join(sorted(payload))}")
     inputs = {check_type(k, str): _shape(v) for k, v in check_type(payload["inputs"], dict).items()}
     parts = [math.prod(shape_of(shape)) for shape in inputs.values()]
     sizes = (*(n for shape in inputs.values() for n in shape_of(shape)), payload["actions"])
     if not inputs or ("" in inputs and len(inputs) > 1) or len(inputs) > _MOST_PARTS:
-        raise ValueError(f"a policy cannot look at {inputs}")
+        raise ValueError(f"invalid observation parts {inputs}")
     if (
         max(parts) > _MOST_PART
         or not all(0 < size <= _MOST_INPUTS for size in sizes)
         or sizes[-1] > _MOST_ACTIONS
     ):
-        raise ValueError(f"a policy cannot have sizes {sizes}")
+        raise ValueError(f"invalid sizes {sizes}")
     network = network_of(check_type(payload["network"], dict), "its card")
     wide = (min(sum(parts), _MOST_INPUTS), *network.layers, check_type(payload["actions"], int))
     if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
-        raise ValueError(f"a policy file cannot hold layers of {network.layers}")
+        raise ValueError(f"invalid layer widths {network.layers}")
     task, squash = check_type(payload["task"], str), check_type(payload["squash"], str)
     if task not in NAMES or squash not in get_args(Squash):
-        raise ValueError(f"there is no task {task!r} with {squash!r}")
+        raise ValueError(f"unknown combination of task {task!r} and squash {squash!r}")
     env = check_type(payload["env"], dict)
-    Recipe("its card", task, "sac", env=env, network=network)  # checks that they go together
+    Recipe(
+        "checks that they are consistent", task, "sac", env=env, network=network
+    )  # checks that the values are consistent
     versions = _table(payload["versions"], str)
     answers = [check_type(v, float) for v in check_type(payload["answers"], list)]
     return Card(
@@ -331,11 +336,11 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
 
 
 def _shape(payload: Any) -> Shape:
-    """Return the size, or the shape, of an observation's part."""
+    """Parse the size or shape of an observation part."""
     if not isinstance(payload, list):
         return check_type(payload, int)
     if not 1 < len(payload) <= 3:
-        raise ValueError(f"a policy cannot look at shape {payload}")
+        raise ValueError(f"invalid observation shape {payload}")
     return tuple(check_type(n, int) for n in payload)
 
 
@@ -348,15 +353,15 @@ def _validation(payload: dict[str, Any]) -> dict[str, Any]:
         return {}
     solved, played, tables = (check_type(payload[k], int) for k in ("solved", "episodes", "tables"))
     if not (0 <= solved <= played and 0 < tables <= played):
-        raise ValueError(f"{solved} of {played} episodes at {tables} tables cannot be")
+        raise ValueError(f"invalid validation: {solved} of {played} episodes on {tables} tables")
     scenes = check_type(payload["scenes"], str)
     return {"solved": solved, "episodes": played, "tables": tables, "scenes": scenes}
 
 
 def _check_printable(value: Any) -> None:
-    """Refuse texts that would do something to a terminal (InputError: there is one)."""
+    """Refuse texts with control characters (InputError)."""
     if isinstance(value, str) and not value.isprintable():
-        raise InputError(f"A policy's card has only text that can be shown, got {value!r}.")
+        raise InputError(f"The texts of a policy's card must be printable, got {value!r}.")
     if isinstance(value, dict):
         value = [*value, *value.values()]
     if isinstance(value, list | tuple):
@@ -365,7 +370,7 @@ def _check_printable(value: Any) -> None:
 
 
 def _detector(env: Mapping[str, Any]) -> dict[str, str]:
-    """Return what tells the grasp detector of an environment's state, if there is one in it."""
+    """Return the digest of the grasp detector if the environment's state uses it."""
     if env.get("grasp_hint") != "detected":
         return {}
     from ..detection.detector import shipped_digest

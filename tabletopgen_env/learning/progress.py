@@ -1,4 +1,4 @@
-"""What a training leaves behind while it goes on: evaluations, policies, checkpoints, curves."""
+"""Progress of a training run: evaluations, policies, checkpoints and curves."""
 
 from __future__ import annotations
 
@@ -29,20 +29,20 @@ Say = Callable[[str], None]
 
 @dataclass(frozen=True)
 class TrainingPlan:
-    """What is asked of a training besides its recipe.
+    """Settings of a training run besides its recipe.
 
     Attributes:
-        seed: of the weights, the environments and what is tried.
-        evaluate_every: steps between evaluations, each with a checkpoint. Cloning is evaluated
-            after each round.
-        episodes: of an evaluation.
+        seed: seed of weights, environments and exploration.
+        evaluate_every: steps between evaluations, each with a checkpoint. Cloning evaluates after
+            each round.
+        episodes: episodes per evaluation.
         keep_replay: keep the replay buffer in checkpoints.
         bar: show a progress bar.
-        showings: folder in which what the expert shows at tables is kept (``demonstrations``), for
-            other runs too; None for the run's own.
+        showings: folder of the expert's grasp demonstrations (``demonstrations``), shared with
+            other runs; None for the run's folder.
 
     Raises:
-        InputError: a number out of range.
+        InputError: a number is out of range.
     """
 
     seed: int = 0
@@ -59,9 +59,9 @@ class TrainingPlan:
 
 @dataclass
 class Tracker:
-    """A training under way: its run, where it is evaluated, and how far it is.
+    """A training in progress: its run, its evaluation environment and its counts.
 
-    ``learned`` says whether a step was taken to learn from, or a round of cloning done.
+    ``learned`` is true once a training step or a round of cloning has been completed.
     """
 
     run: Run
@@ -76,7 +76,7 @@ class Tracker:
     _since: float = field(default_factory=time.monotonic)
 
     def evaluate(self, learner: Learner, steps: int) -> None:
-        """Evaluate a learner after so many steps; add a row, and keep its policy."""
+        """Evaluate a learner after ``steps`` steps; record the result and save the policy."""
         recipe, seed = self.run.recipe, self.run.seed
         policy = policy_from(learner, recipe, seed)
         seen = evaluate(self.trials, policy, self.plan.episodes)
@@ -90,25 +90,25 @@ class Tracker:
         self.logger.record("held_out/mean_reward", seen.reward)
         self.logger.record("held_out/mean_steps", seen.steps)
         self.logger.dump(steps)
-        self.say(f"{steps:,} steps, {self.counts.seconds / 60:.1f} min: {seen} held out")
+        self.say(f"{steps:,} steps, {self.counts.seconds / 60:.1f} min, held-out: {seen}")
 
     def checkpoint(self, learner: Learner, steps: int) -> None:
-        """Keep a checkpoint after so many steps, and the policy if it was not just evaluated."""
+        """Save a checkpoint after ``steps`` steps, and the policy unless it was just evaluated."""
         if steps != self._evaluated:
             self._count(learner, steps)
             self._keep(learner, None, better=False)
         self.run.save(learner, self.counts, self.plan.keep_replay)
 
     def is_finished(self) -> bool:
-        """Tell whether the recipe's steps are done, and say so if they are."""
+        """Return whether the recipe's steps are done, and report it if so."""
         done, path = self.counts.steps, self.run.path
         if done < self.run.recipe.steps:
             return False
-        self.say(f"{path} has {done:,} steps already; ask for more with --steps.")
+        self.say(f"{path} has completed its {done:,} steps; raise --steps to continue.")
         return True
 
     def end(self, learner: Learner, steps: int) -> None:
-        """Evaluate a learner that has learned since, unless Ctrl-C ended it; keep a checkpoint."""
+        """Evaluate a learner that has new steps, unless Ctrl-C was pressed; save a checkpoint."""
         if steps > self.counts.steps:
             if not self.stop.is_set():
                 self.evaluate(learner, steps)
@@ -139,7 +139,7 @@ class Tracker:
 
 
 class Pauses:
-    """What is done between rollouts, when all that was done has been learned from."""
+    """Evaluations, checkpoints and progress display between rollouts."""
 
     def __init__(self, tracker: Tracker) -> None:
         self._tracker = tracker
@@ -148,7 +148,7 @@ class Pauses:
         self._bar = bar(tracker.run.recipe.steps) if tracker.plan.bar else None
 
     def pause(self, learner: Learner, steps: int) -> bool:
-        """Evaluate after so many steps if it is time to; return whether it was.
+        """Evaluate and save a checkpoint if due after ``steps`` steps; return whether it was due.
 
         Raises:
             StopAsked: after Ctrl-C.
@@ -164,13 +164,13 @@ class Pauses:
         return True
 
     def close(self) -> None:
-        """Take the progress bar away."""
+        """Remove the progress bar."""
         if self._bar is not None:
             self._bar(None)
 
 
 class Progress(BaseCallback):
-    """Makes ``pauses`` between the rollouts of a model of Stable-Baselines3."""
+    """Calls ``Pauses.pause`` between the rollouts of a Stable-Baselines3 model."""
 
     def __init__(self, tracker: Tracker, pauses: Pauses) -> None:
         super().__init__()
@@ -186,15 +186,15 @@ class Progress(BaseCallback):
 
 
 def logger_of(run: Run, say: Say) -> Logger:
-    """Return the logger of a run's curves; without TensorBoard it writes none, and says so."""
+    """Return the logger of a run's curves, and report if TensorBoard is missing."""
     there = tensorboard_there()
     if not there:
-        say(f"TensorBoard is not installed, so there are no curves of it ({PIP}).")
+        say(f"TensorBoard is not installed; no curves are written ({PIP}).")
     return configure(str(run.curves), ["tensorboard"] if there else [])
 
 
 def bar(total: int) -> Callable[[int | None], None]:
-    """Return what moves a progress bar to a number of steps, and ends it on None."""
+    """Return a function that moves a progress bar to a number of steps, and closes it on None."""
     from rich.progress import BarColumn, MofNCompleteColumn, TimeRemainingColumn
     from rich.progress import Progress as Bars
 

@@ -1,7 +1,7 @@
-"""Recipes: everything that decides a training run, as data.
+"""Recipes: the complete settings of a training run, as data.
 
-The shipped ones are in ``recipes.toml``, a table each; one of your own is a TOML file with the same
-keys at its top. A run keeps its recipe beside its weights.
+The shipped recipes are the tables of ``recipes.toml``; your own recipe is a TOML file with the same
+keys at top level. A run stores its recipe beside its weights.
 """
 
 from __future__ import annotations
@@ -25,13 +25,15 @@ Extractor = Literal["table", "goal", "flat", "look", "sight"]
 Activation = Literal["relu", "tanh"]
 
 FILE = Path(__file__).with_name("recipes.toml")
-"""The recipes that are shipped."""
+"""The file of the shipped recipes."""
 
 STARTS = "starts"
-"""The ``randomization`` of recipes whose ``env`` names none: without, a table starts alike."""
+"""The default ``randomization`` of recipes; without it, every episode on a table starts from the
+same state.
+"""
 
 MOST_BYTES = 2**16
-"""A recipe's file is not larger."""
+"""Maximum size of a recipe file."""
 
 _ELSEWHERE = frozenset({
     "render", "render_mode", "render_size", "renderer", "worlds", "robot", "cache", "masters",
@@ -40,15 +42,15 @@ _ELSEWHERE = frozenset({
 
 @dataclass(frozen=True)
 class Network:
-    """What a policy is made of.
+    """The architecture of a policy.
 
     Attributes:
-        extractor: "table" for ``network.TableExtractor`` (state), "goal" for the same on goal
-            observations, "flat" for all entries as they are, "look" for state and height maps, with
-            a head that finds grasps (``look_extractor``), "sight" for the same of pictures with
+        extractor: feature extractor. "table": ``network.TableExtractor`` (state); "goal": the same
+            for goal observations; "flat": all entries unchanged; "look": state and height maps,
+            with a head that finds grasps (``look_extractor``); "sight": the same for pictures with
             depth (``sight_extractor``).
         layers: widths of the hidden layers after it.
-        width: of what the extractor pools the other objects to.
+        width: number of features that the extractor pools the other objects to.
         activation: "relu" or "tanh".
     """
 
@@ -59,7 +61,7 @@ class Network:
 
     @property
     def finds_grasps(self) -> bool:
-        """Whether it has a head that finds grasps."""
+        """Whether the policy has a grasp head."""
         return self.extractor in ("look", "sight")
 
     def __post_init__(self) -> None:
@@ -69,44 +71,44 @@ class Network:
         sizes = self.layers if isinstance(self.layers, tuple) else ()
         if not (0 < len(sizes) <= 8 and all(type(s) is int and 0 < s <= 4096 for s in sizes)):
             raise InputError(
-                f"Network needs layers to be 1 to 8 whole numbers up to 4096, got {self.layers!r}."
+                f"Network layers must be 1 to 8 integers from 1 to 4096, got {self.layers!r}."
             )
 
 
 @dataclass(frozen=True)
 class Recipe:
-    """How a policy for one task is trained.
+    """Settings for training a policy on one task.
 
     Attributes:
-        name: what it is called.
-        task: what to do; see ``tabletopgen_env.tasks``.
-        algorithm: "sac", "td3" or "ppo" of Stable-Baselines3, "ppo-batch" for our own of
-            ``ppo``, or "clone" for cloning alone.
-        steps: of the environments, all together; of cloning its rounds decide, not this.
-        envs: environments stepped together.
-        processes: in how many processes they are, split evenly; None for threads of this one. It
-            decides nothing but the time, but for "refreshing" scenes.
-        scenes: where it trains; anything ``scenes`` takes that is a text, or several. Of those
-            made on demand ("fresh", "refreshing", "curriculum") only the training side is used.
+        name: the recipe's name.
+        task: the task; see ``tabletopgen_env.tasks``.
+        algorithm: "sac", "td3" or "ppo" of Stable-Baselines3, "ppo-batch" for this package's
+            ``ppo``, or "clone" for cloning only.
+        steps: total environment steps; for cloning, the rounds apply instead.
+        envs: environments stepped in parallel.
+        processes: number of processes that share the environments evenly; None for threads of the
+            current process. The results do not depend on it, except with "refreshing" scenes.
+        scenes: training scenes, any text that ``scenes`` accepts, or several. Of scenes generated
+            on demand ("fresh", "refreshing", "curriculum") only the training part is used.
         batch: settings of ``ppo.batches.BatchConfig``: "ppo-batch" trains on a ``TabletopBatchEnv``
-            of ``envs`` worlds, on a GPU. None for slots on the CPU's cores. It is evaluated on
-            the CPU either way.
-        held_out: where it is evaluated; of those made on demand only the held-out side.
-        variants: how many tables "fresh" scenes are drawn from, both sides together (of a text, so
-            many of it): few enough to be met again, and compiled once, or ever new ones. Of other
-            scenes it means nothing.
-        env: further keywords of the environment. Those read by ``recipe`` have the randomization
-            ``STARTS`` unless they name another; "none" is none.
-        network: what the policy is made of.
-        options: keywords of Stable-Baselines3's class, "action_noise" the standard deviation of
-            TD3's; of "ppo-batch" those of ``ppo.config.PPOConfig``.
-        hindsight: goals replayed for each true one (HER); 0 for none.
-        demonstrations: episodes of the expert in the replay buffer from the start.
-        cloning: settings of ``CloningConfig``: the actor starts from the cloned expert. None for
-            a random start.
+            of ``envs`` worlds, on a GPU. None for slots on the CPU's cores. Evaluation runs on the
+            CPU in both cases.
+        held_out: evaluation scenes; of scenes generated on demand only the held-out part.
+        variants: number of tables that "fresh" scenes are drawn from, for both parts together (per
+            text, if there is one). With few tables, each is compiled once and met repeatedly.
+            Ignored for other scenes.
+        env: further keywords of the environment. Recipes read by ``recipe`` have the randomization
+            ``STARTS`` unless they set another one; "none" disables it.
+        network: the policy's architecture.
+        options: keywords of the Stable-Baselines3 class, with "action_noise" the standard deviation
+            for TD3; for "ppo-batch" those of ``ppo.config.PPOConfig``.
+        hindsight: relabelled goals per true goal (HER); 0 for none.
+        demonstrations: episodes of the expert in the initial replay buffer.
+        cloning: settings of ``CloningConfig``: the actor starts as a clone of the expert. None for
+            random initial weights.
 
     Raises:
-        InputError: a value out of range, or some that do not go together.
+        InputError: a value is out of range, or settings are inconsistent.
     """
 
     name: str
@@ -148,11 +150,11 @@ class Recipe:
 
     @property
     def looks(self) -> bool:
-        """Whether the observation has height maps."""
+        """Whether the observation includes height maps."""
         return self.env.get("geometry", "none") != "none"
 
     def facts(self) -> dict[str, Any]:
-        """Return it as JSON and ``recipe_of`` have it."""
+        """Return the recipe as JSON-compatible values for ``recipe_of``."""
         own = {f.name: getattr(self, f.name) for f in fields(self)}
         own |= {"network": asdict(self.network), "env": dict(self.env)}
         own |= {"options": dict(self.options)}
@@ -167,27 +169,27 @@ class Recipe:
             (self.hindsight and self.observation != "goal", "hindsight needs observation='goal'"),
             (self.hindsight and self.algorithm not in ("sac", "td3"), "hindsight needs SAC or TD3"),
             (self.hindsight and self.env.get("grasp_hint"),
-             "hindsight cannot be with grasp_hint, whose entries follow the true goal and not the "
-             "replayed one; leave one of them out"),
+             "hindsight cannot be combined with grasp_hint, whose entries follow the true "
+             "goal and not the relabelled one; remove one of them"),
             (self.demonstrations and self.algorithm not in ("sac", "td3"),
-             "demonstrations go into the replay buffer of SAC or TD3"),
+             "demonstrations need the replay buffer of SAC or TD3"),
             (self.cloning is not None and self.algorithm not in ("sac", "clone"),
              "only SAC's actor can be cloned"),
-            (self.algorithm == "clone" and self.cloning is None, "'clone' needs cloning"),
+            (self.algorithm == "clone" and self.cloning is None, "'clone' needs the table cloning"),
             (self.batch is not None and self.algorithm != "ppo-batch",
              "only 'ppo-batch' trains on a batch"),
             (self.batch is not None and self.processes is not None,
-             "a batch has no processes; leave one of them out"),
+             "a batch has no processes; remove one of the two settings"),
             (self.cloning is not None
              and self.observation != ("pixels+proprio" if sees else "state"),
              "cloning needs observation='state', or 'pixels+proprio' for the extractor 'sight'"),
             ((self.demonstrations or self.cloning is not None)
              and self.env.get("action", "ee_delta") != "ee_delta",
-             "the expert acts in action='ee_delta'"),
+             "the expert needs action='ee_delta'"),
             (self.network.extractor == "table" and self.observation != "state",
              "the extractor 'table' needs observation='state'"),
             (self.looks != (self.network.extractor == "look"),
-             "the extractor 'look' and geometry='height_map' need each other"),
+             "the extractor 'look' and geometry='height_map' require each other"),
             (self.looks and (self.observation != "state" or self.env.get("grasp_hint")),
              "the extractor 'look' needs observation='state' without a grasp hint"),
             (sees and self.observation != "pixels+proprio",
@@ -195,29 +197,30 @@ class Recipe:
             (self.network.extractor == "goal" and self.observation != "goal",
              "the extractor 'goal' needs observation='goal'"),
             (self.network.extractor == "flat" and self.observation not in ("state", "goal"),
-             "policies of pictures and point clouds are for scripts of your own"),
+             "policies for pictures and point clouds need your own training script"),
         ):  # fmt: skip
             if wrong:
                 raise InputError(f"{self.name}: {why}.")
 
 
 def env_keywords() -> frozenset[str]:
-    """Return what a recipe may say of its environment."""
+    """Return the environment keywords that a recipe can set."""
     from ..settings import KEYWORDS
 
     return KEYWORDS - _ELSEWHERE | {"preset"}
 
 
 def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
-    """Return a recipe.
+    """Load a recipe.
 
     Args:
-        name: one that is shipped, or the path of a TOML file.
-        changes: "key=value" with a TOML value, each in place of what the recipe says
+        name: name of a shipped recipe, or path of a TOML file.
+        changes: "key=value" pairs with TOML values that override the recipe's settings
             ("steps=1000", "options.gamma=0.9").
 
     Raises:
-        InputError: no such recipe, an unknown key, or a value of wrong type or out of range.
+        InputError: the recipe does not exist, a key is unknown, or a value has the wrong type or is
+            out of range.
     """
     if name.endswith(".toml"):
         path = Path(name)
@@ -226,8 +229,9 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
         shipped = _read(FILE)
         if name not in shipped:
             raise InputError(
-                f"Unknown recipe {name!r}." + choices(name, shipped) + " One of your own is the "
-                "path of a TOML file."
+                f"Unknown recipe {name!r}."
+                + choices(name, shipped)
+                + (" For your own recipe, give the path of a TOML file.")
             )
         payload = shipped[name]
     payload = _merge({"env": {"randomization": STARTS}}, payload)
@@ -238,10 +242,10 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
 
 
 def recipe_of(payload: Mapping[str, Any]) -> Recipe:
-    """Make a recipe of what a TOML or JSON file holds.
+    """Create a recipe from the content of a TOML or JSON file.
 
     Raises:
-        InputError: an unknown or missing key, or a value of wrong type or out of range.
+        InputError: a key is unknown or missing, or a value has the wrong type or is out of range.
     """
     name = printable(payload.get("name", "recipe"), "A recipe's name", InputError)
     known = {f.name for f in fields(Recipe)}
@@ -253,7 +257,7 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
     values: dict[str, Any] = {**payload, "name": name}
     for key in ("env", "options", "cloning", "batch", "network"):
         if not isinstance(values.get(key, {}), Mapping | None):
-            raise InputError(f"{name}: {key} is a table of settings, got {values[key]!r}.")
+            raise InputError(f"{name}: {key} must be a table of settings, got {values[key]!r}.")
     for key in ("env", "options"):
         values[key] = dict(values.get(key) or {})
     for key in ("scenes", "held_out"):
@@ -264,15 +268,15 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
 
 
 def as_texts(scenes: str | tuple[str, ...]) -> tuple[str, ...]:
-    """Return what a recipe says of its scenes, one text or several, as several."""
+    """Return a recipe's scenes, one text or several, as a tuple of texts."""
     return scenes if isinstance(scenes, tuple) else (scenes,)
 
 
 def network_of(payload: Mapping[str, Any], name: str) -> Network:
-    """Make a network's description of what a file holds; ``name`` is the file's for messages.
+    """Create a network's settings from the content of a file; ``name`` is for error messages.
 
     Raises:
-        InputError: an unknown key, or a value of wrong type or out of range.
+        InputError: a key is unknown, or a value has the wrong type or is out of range.
     """
     known = {f.name for f in fields(Network)}
     for key in payload:
@@ -286,7 +290,7 @@ def network_of(payload: Mapping[str, Any], name: str) -> Network:
 def _check_scenes(name: str, side: str, value: Any) -> None:
     several = as_texts(value)
     if not several or not all(isinstance(s, str) and s for s in several):
-        raise InputError(f"{name}: {side} is a text or several, got {value!r}.")
+        raise InputError(f"{name}: {side} must be a text or a list of texts, got {value!r}.")
 
 
 def _read(path: Path) -> dict[str, Any]:
@@ -295,7 +299,7 @@ def _read(path: Path) -> dict[str, Any]:
 
 
 def _check_values(name: str, value: Any) -> None:
-    """Refuse what JSON has not: dates, times, and numbers that are not finite."""
+    """Refuse values that JSON cannot represent: dates, times and non-finite numbers."""
     inner = (
         value.values() if isinstance(value, Mapping) else value if isinstance(value, list) else ()
     )
@@ -304,7 +308,7 @@ def _check_values(name: str, value: Any) -> None:
     if isinstance(value, (date, time)):
         raise InputError(f"{name}: {value} is a date or a time; put it in quotes.")
     if isinstance(value, float) and not math.isfinite(value):
-        raise InputError(f"{name}: {value} is no number a recipe can hold.")
+        raise InputError(f"{name}: {value} is not a finite number.")
 
 
 def _change(text: str) -> dict[str, Any]:
@@ -314,11 +318,11 @@ def _change(text: str) -> dict[str, Any]:
             raise ValueError("it lacks '='")
         try:
             return _toml(f"{key} = {value}")
-        except ValueError:  # a bare word is a text
+        except ValueError:  # an unquoted word is a string
             return _toml(f"{key} = {json.dumps(value.strip())}")
     except ValueError as error:
         raise InputError(
-            f"A change is 'key=value' with a TOML value, got {text!r} ({error})."
+            f"A change must be 'key=value' with a TOML value, got {text!r} ({error})."
         ) from error
 
 

@@ -1,20 +1,20 @@
-"""A run's folder: its recipe, its evaluations, its policies, and what is needed to go on.
+"""The folder of a run: recipe, evaluations, policies and checkpoint.
 
 ======================  ===========================================================================
 ``recipe.json``         the recipe, the seed and the format's version
-``evaluations.csv``     a row an evaluation: steps, seconds, episodes, solved, reward, length
-``policy.safetensors``  the latest policy; ``best.safetensors`` the one that solved the most
-                        held-out episodes (a choice, so no test: see ``enjoy``)
-``checkpoint-STEPS/``   the newest checkpoint: ``model.zip`` (weights and optimisers; also what
-                        Stable-Baselines3 loads), ``replay.npz``, or ``learner.pt`` of
+``evaluations.csv``     a row per evaluation: steps, seconds, episodes, solved, reward, length
+``policy.safetensors``  the latest policy; ``best.safetensors``: the one that solved the most
+                        held-out episodes (used for selection, so not a test: see ``enjoy``)
+``checkpoint-STEPS/``   the newest checkpoint: ``model.zip`` (weights and optimisers, loadable by
+                        Stable-Baselines3) and ``replay.npz``, or ``learner.pt`` of
                         ``ppo-batch``; and ``counts.json``
-``cloning/``            the rounds of cloning, until it is done; see ``demonstrations.rounds``
-``tensorboard/``        curves, where TensorBoard is installed
+``cloning/``            the rounds of cloning until it is done; see ``demonstrations.rounds``
+``tensorboard/``        curves, if TensorBoard is installed
 ======================  ===========================================================================
 
-A checkpoint is published by one rename, or absent. Going on reads its weights through torch's
-restricted loader (``weights_only``, sound from torch 2.6 on), its counts as JSON and its replay
-buffer as arrays; the rest of ``model.zip``, which is pickled, is not read.
+A checkpoint is published by one rename, so it is complete or absent. Resuming reads its weights
+with torch's restricted loader (``weights_only``, safe from torch 2.6 on), its counts as JSON and
+its replay buffer as arrays; the pickled rest of ``model.zip`` is not read.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ from .evaluation import PolicyEvaluation
 from .recipes import Recipe, recipe_of
 
 FORMAT = 1
-"""Version of a run's folder; others are refused."""
+"""Version of a run's folder; other versions are refused."""
 
 ROUNDS = "cloning"
-"""Where a run keeps its rounds of cloning."""
+"""Subfolder of a run's cloning rounds."""
 
 LATEST, BEST = "policy.safetensors", "best.safetensors"
 COLUMNS = ("steps", "seconds", "episodes", "solved", "reward", "length")
@@ -53,7 +53,7 @@ _RECIPE, _EVALUATIONS, _CHECKPOINT = "recipe.json", "evaluations.csv", "checkpoi
 _CURVES = "tensorboard"
 _STEPS = re.compile(rf"{_CHECKPOINT}([0-9]{{1,15}})")
 _MOST_STEPS = 10**15
-_MAX_BYTES = 16 * 2**20  # of a run's JSON and table
+_MAX_BYTES = 16 * 2**20  # for a run's JSON and table
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ class EvaluationRow:
 
 @dataclass(frozen=True)
 class Run:
-    """A run's folder with what it was begun with."""
+    """A run's folder with its recipe and seed."""
 
     path: Path
     recipe: Recipe
@@ -93,13 +93,13 @@ class Run:
 
     @property
     def kept(self) -> bool:
-        """Whether there is anything that was learned: a policy or a checkpoint."""
+        """Whether the run has a policy or a checkpoint."""
         return self.checkpoint is not None or any((self.path / p).exists() for p in (LATEST, BEST))
 
     def take_back(self, folder_too: bool) -> None:
-        """Delete what a run has written before it learned anything, and its folder if asked."""
+        """Delete the files of a run that has learned nothing; ``folder_too`` deletes its folder."""
         shutil.rmtree(self.curves, ignore_errors=True)
-        with suppress(OSError):  # it is on its way out by another error
+        with suppress(OSError):  # another error is already being raised
             for name in (_RECIPE, _EVALUATIONS):
                 (self.path / name).unlink(missing_ok=True)
             if folder_too:
@@ -110,20 +110,20 @@ class Run:
         return read_rows(self.path)
 
     def add(self, steps: int, seconds: float, seen: PolicyEvaluation) -> None:
-        """Add an evaluation to the table.
+        """Append an evaluation to the table.
 
         Raises:
-            StorageError: it cannot be written.
+            StorageError: the table cannot be written.
         """
         spent = round(seconds, 1)
         row = EvaluationRow(steps, spent, seen.episodes, seen.solved, seen.reward, seen.steps)
         _write_rows(self.path, [*self.rows(), row])
 
     def save(self, learner: Learner, counts: Counts, replay: bool) -> None:
-        """Publish a checkpoint, and delete the older ones.
+        """Publish a checkpoint and delete the older ones.
 
         Raises:
-            StorageError: it cannot be written.
+            StorageError: the checkpoint cannot be written.
         """
         older = [path for path in self.path.iterdir() if _STEPS.fullmatch(path.name)]
         final = self.path / f"{_CHECKPOINT}{counts.steps}"
@@ -143,7 +143,7 @@ class Run:
             ) from error
 
     def restore_rounds(self, rounds: int) -> Counts:
-        """Return how far so many rounds of cloning are; evaluations after them are dropped."""
+        """Return the counts after ``rounds`` rounds of cloning, and drop later evaluations."""
         rows = self.rows()[:rounds]
         _write_rows(self.path, rows)
         if not rows:
@@ -152,12 +152,12 @@ class Run:
         return Counts(steps=rows[-1].steps, seconds=rows[-1].seconds, best=best)
 
     def restore(self, learner: Learner) -> tuple[Counts, bool]:
-        """Put the newest checkpoint into a new learner; return its counts, and if it kept a replay.
+        """Load the newest checkpoint into a learner; return its counts and whether it had a replay.
 
-        Without a checkpoint nothing changes. Evaluations after it are dropped from the table.
+        Without a checkpoint the learner is unchanged. Later evaluations are dropped from the table.
 
         Raises:
-            InputError: the checkpoint is damaged, or not of this recipe.
+            InputError: the checkpoint is damaged, or belongs to another recipe.
         """
         found = self.checkpoint
         if found is None:
@@ -166,32 +166,33 @@ class Run:
         counts = _counts(found / "counts.json")
         try:
             replayed = learner.read(found, counts)
-        except Exception as error:  # whatever a damaged file brings about
+        except Exception as error:  # damaged files can raise any exception
             raise InputError(
-                f"{found} is no checkpoint of {self.recipe.name} ({error}). Begin a new run."
+                f"{found} is not a valid checkpoint of {self.recipe.name} ({error}). Start a "
+                "new run."
             ) from error
         _write_rows(self.path, [r for r in self.rows() if r.steps <= counts.steps])
         return counts, replayed
 
 
 def begin(path: Path, recipe: Recipe, seed: int) -> Run:
-    """Make a run's folder.
+    """Create a run's folder.
 
     Raises:
-        InputError: there is a run, or something else, already.
-        StorageError: it cannot be written.
+        InputError: the folder holds a run or other files already.
+        StorageError: the folder cannot be written.
     """
     if (path / _RECIPE).exists():
         raise InputError(
-            f"{path} holds a run already: continue with --resume, or choose another --out."
+            f"{path} already holds a run: continue with --resume, or choose another --out."
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
-        raise InputError(f"{path} holds something else already; choose another --out.")
+        raise InputError(f"{path} already holds other files; choose another --out.")
     there = path.exists()
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise StorageError(f"{path} cannot be made: {error.strerror or error}.") from error
+        raise StorageError(f"{path} cannot be created: {error.strerror or error}.") from error
     facts = {"format": FORMAT, "seed": seed, "recipe": recipe.facts()}
     run = Run(path, recipe, seed)
     try:
@@ -205,17 +206,17 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
 
 
 def open_run(path: Path) -> Run:
-    """Return the run of a folder.
+    """Open the run in a folder.
 
     Raises:
-        InputError: it holds none, or its recipe is damaged.
+        InputError: the folder holds no run, or its recipe is damaged.
     """
     if not (path / _RECIPE).exists():
-        raise InputError(f"{path} holds no run: {_RECIPE} is missing.")
+        raise InputError(f"{path} is not the folder of a run: {_RECIPE} is missing.")
     try:
         payload = _object(path / _RECIPE)
         if check_type(payload.get("format"), int) != FORMAT:
-            raise ValueError(f"it is not of format {FORMAT}")
+            raise ValueError(f"its format is not {FORMAT}")
         recipe = recipe_of(check_type(payload["recipe"], dict))
         return Run(path, recipe, check_type(payload["seed"], int))
     except (ValueError, TypeError, KeyError, AttributeError) as error:
@@ -223,7 +224,7 @@ def open_run(path: Path) -> Run:
 
 
 def kept_policy(path: Path) -> Path:
-    """Return the file of a run's best policy, or of its latest while there is no best.
+    """Return the file of a run's best policy, or of its latest if there is no best one.
 
     Raises:
         InputError: there is neither.
@@ -231,14 +232,11 @@ def kept_policy(path: Path) -> Path:
     for file in (BEST, LATEST):
         if (path / file).is_file():
             return path / file
-    raise InputError(
-        f"There is no policy {str(path)!r}: the folder holds no policy yet, neither {BEST} nor "
-        f"{LATEST}."
-    )
+    raise InputError(f"The folder {str(path)!r} holds no policy yet, neither {BEST} nor {LATEST}.")
 
 
 def read_rows(path: Path) -> list[EvaluationRow]:
-    """Return the evaluations in a run's folder.
+    """Read the evaluations in a run's folder.
 
     Raises:
         InputError: the table is missing or damaged.
@@ -248,24 +246,28 @@ def read_rows(path: Path) -> list[EvaluationRow]:
     try:
         return [_row(row) for row in csv.DictReader(io.StringIO(raw.decode(), newline=""))]
     except (ValueError, TypeError, KeyError, csv.Error) as error:
-        raise InputError(f"{table} is no table of evaluations ({str(error)!r}).") from error
+        raise InputError(
+            f"{table} is not a valid table of evaluations ({str(error)!r})."
+        ) from error
 
 
 def _row(cells: Mapping[str, str]) -> EvaluationRow:
-    """Return a row of the table (ValueError: its numbers are none that an evaluation can have)."""
+    """Parse a row of the table (ValueError: impossible numbers)."""
     row = EvaluationRow(
         int(cells["steps"]), float(cells["seconds"]), int(cells["episodes"]),
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
     )  # fmt: skip
     if not all(math.isfinite(v) for v in (row.seconds, row.reward, row.length)):
-        raise ValueError("a number that is not finite")
+        raise ValueError("a number is not finite")
     if not (0 <= row.steps < _MOST_STEPS and 0 <= row.solved <= row.episodes and row.episodes):
-        raise ValueError(f"{row.solved} of {row.episodes} episodes after {row.steps} steps")
+        raise ValueError(
+            f"invalid counts: {row.solved} of {row.episodes} episodes after {row.steps} steps"
+        )
     return row
 
 
 def _counts(path: Path) -> Counts:
-    """Return how far a checkpoint is (InputError: the file is damaged)."""
+    """Read the counts of a checkpoint (InputError: the file is damaged)."""
     try:
         payload = _object(path)
         own = Counts(**payload)
@@ -276,11 +278,11 @@ def _counts(path: Path) -> Counts:
         seconds, best = (float(v) for v in (own.seconds, own.best))
         return replace(own, seconds=seconds, best=best)
     except (ValueError, TypeError, OverflowError) as error:
-        raise InputError(f"{path} is damaged ({str(error)!r}). Begin a new run.") from error
+        raise InputError(f"{path} is damaged ({str(error)!r}). Start a new run.") from error
 
 
 def _object(path: Path) -> dict[str, Any]:
-    """Return the JSON object of a file (InputError: it is none)."""
+    """Read the JSON object of a file (InputError: it is not a JSON object)."""
     raw = read_regular(path, "The run's", InputError, max_bytes=_MAX_BYTES)
     return parse_object(raw, f"{path}", InputError)
 
@@ -288,10 +290,10 @@ def _object(path: Path) -> dict[str, Any]:
 def _write_rows(path: Path, rows: list[EvaluationRow]) -> None:
     lines = [",".join(COLUMNS), *(",".join(f"{getattr(r, c)}" for c in COLUMNS) for r in rows), ""]
     table = path / _EVALUATIONS
-    write_whole(table, "\n".join(lines), "The table of evaluations", "Make room for it.")
+    write_whole(table, "\n".join(lines), "The table of evaluations", "Free some disk space.")
 
 
 def differences(one: Recipe, other: Recipe) -> list[str]:
-    """Return what two recipes say differently, but for how many steps they take."""
+    """Return the keys in which two recipes differ, besides their number of steps."""
     a, b = one.facts(), other.facts()
     return [key for key in a if key != "steps" and a[key] != b[key]]

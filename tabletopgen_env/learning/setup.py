@@ -1,4 +1,4 @@
-"""What a recipe trains with: its scenes, its environments, its model."""
+"""Scenes, environments and models of a recipe."""
 
 from __future__ import annotations
 
@@ -45,13 +45,13 @@ _OURS = {
 }  # fmt: skip
 
 KEPT, MOST_KEPT = 16, 300
-"""Compiled worlds that an environment keeps, and those it keeps of scenes that are met again."""
+"""Number of compiled worlds that an environment caches, by default and for repeated scenes."""
 
 ACTIVATIONS: dict[str, type[nn.Module]] = {"relu": nn.ReLU, "tanh": nn.Tanh}
 
 
 def spec_of(task: str) -> EnvSpec:
-    """Return what is registered for a task."""
+    """Return the Gymnasium spec of a task."""
     import tabletopgen_env  # noqa: F401  (registers)
 
     return gym.spec(f"TabletopGen/{task}-v0")
@@ -60,14 +60,14 @@ def spec_of(task: str) -> EnvSpec:
 def source_of(
     scenes: str | tuple[str, ...], side: Side, variants: int | None = None, task: Task | None = None
 ) -> SceneSource:
-    """Return the source of a recipe's scenes; those made on demand are kept to one side.
+    """Return the source of a recipe's scenes; scenes generated on demand are limited to one side.
 
-    ``variants`` is how many "fresh" tables there are on both sides, None for the usual number;
-    ``task`` what those made on demand are for, None for anything.
+    ``variants`` is the number of "fresh" tables on both sides, None for the default number;
+    ``task`` is the task that scenes generated on demand must support, None for any.
 
     Raises:
-        BundleError: no bundle fits.
-        InputError: no source is called so.
+        BundleError: no bundle matches.
+        InputError: the source name is unknown.
     """
     chosen = list(scenes) if isinstance(scenes, tuple) else scenes
     needs, start = ((), STARTER) if task is None else (task.needs, task.scenes)
@@ -77,14 +77,14 @@ def source_of(
 
 
 def _vary(source: SceneSource, variants: int) -> SceneSource:
-    """Return a source with as many fresh tables, if it draws such."""
+    """Set the number of fresh tables of a source, if it draws any."""
     if isinstance(source, CurriculumScenes) and isinstance(source.source, FreshScenes):
         return replace(source, source=_vary(source.source, variants))
     return replace(source, variants=variants) if isinstance(source, FreshScenes) else source
 
 
 def worlds_kept(source: SceneSource) -> int:
-    """Return how many compiled worlds an environment at a source keeps: all, where they are few."""
+    """Return how many compiled worlds an environment caches for a source: all, if there are few."""
     if isinstance(source, CurriculumScenes):
         inner = source.source
         return max(worlds_kept(inner) if isinstance(inner, SceneSource) else KEPT, source.size)
@@ -94,12 +94,12 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Return how many tables two sources have in common, by digest, of those they have at hand.
+    """Count the tables that two sources share, by digest, among those available without drawing.
 
-    Of a refreshing pool those it begins with count, too.
+    Of a refreshing pool the initial tables count, too.
 
     Raises:
-        BundleError: a bundle is gone or damaged.
+        BundleError: a bundle is missing or damaged.
     """
 
     def at_hand(source: SceneSource) -> set[str]:
@@ -112,13 +112,13 @@ def count_shared(source: SceneSource, other: SceneSource) -> int:
 def single_env(
     task: str, keywords: Mapping[str, Any], source: SceneSource, **more: Any
 ) -> gym.Env[Any, np.ndarray]:
-    """Return one environment of a task with a recipe's keywords, with its id's time limit."""
+    """Create one environment of a task with a recipe's keywords and the registered time limit."""
     own = {"cache": worlds_kept(source), **keywords, **more}
     return gym.make(spec_of(task), scenes=source, **own)
 
 
 def vector_env(recipe: Recipe, source: SceneSource) -> TabletopVectorEnv:
-    """Return a recipe's environments for training; the scenes are left open."""
+    """Create a recipe's training environments; closing them does not close the scenes."""
     limit = spec_of(recipe.task).max_episode_steps
     return TabletopVectorEnv(
         recipe.envs, processes=recipe.processes, autoreset_mode="SameStep",
@@ -128,19 +128,19 @@ def vector_env(recipe: Recipe, source: SceneSource) -> TabletopVectorEnv:
 
 
 def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
-    """Return a recipe's environments as Stable-Baselines3 steps them, a seed each."""
+    """Create a recipe's environments as a seeded ``VecEnv``."""
     made = VecMonitor(SlotVecEnv(vector_env(recipe, source)))
     made.seed(seed)
     return made
 
 
 def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
-    """Return an untrained model on the CPU for one environment, or ``many_envs``.
+    """Create an untrained model on the CPU for one environment or for ``many_envs``.
 
-    ``seed`` is of its weights and of what it tries.
+    ``seed`` determines its weights and exploration.
 
     Raises:
-        InputError: the algorithm has no such option, or an option does not fit.
+        InputError: the algorithm has no such option, or an option is invalid.
     """
     kind: Any = _CLASSES[recipe.algorithm]
     options = dict(recipe.options)
@@ -153,7 +153,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
         size = env.action_space.shape
         options["action_noise"] = NormalActionNoise(np.zeros(size), np.full(size, float(noise)))
     if recipe.algorithm == "clone":
-        options["buffer_size"] = 1  # it replays nothing
+        options["buffer_size"] = 1  # no replay buffer needed
     if recipe.hindsight:
         _check_start(recipe)
         options["replay_buffer_class"] = HerReplayBuffer
@@ -165,13 +165,13 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
             policy_kwargs=policy_keywords(recipe.network, env.observation_space), **options,
         )  # fmt: skip
     except (TypeError, ValueError, AssertionError) as error:
-        raise InputError(f"{recipe.name}: {kind.__name__} refuses its options: {error}") from error
+        raise InputError(f"{recipe.name}: {kind.__name__} rejects its options: {error}") from error
 
 
 def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
-    """Return a recipe's model for as many environments as it has, with a buffer for a step of each.
+    """Create a recipe's model for all its environments, with a replay buffer of one step each.
 
-    ``like`` says what the environments see and do; it is not touched.
+    ``like`` provides the spaces of the environments; it is not changed.
 
     Raises:
         InputError: as ``new_model``.
@@ -188,33 +188,35 @@ def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
 
 
 class _Blank(gym.Env):
-    """Has the spaces of an environment, and does nothing."""
+    """An environment with given spaces that does nothing."""
 
     def __init__(self, like: gym.Env[Any, Any]) -> None:
         self.observation_space, self.action_space = like.observation_space, like.action_space
 
 
 def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
-    """Load a zip of Stable-Baselines3, which runs whatever it contains.
+    """Load a Stable-Baselines3 zip file, which can execute any code that it contains.
 
     Raises:
-        InputError: it is no such zip, or not of the recipe's algorithm.
+        InputError: the file is invalid, or belongs to another algorithm.
     """
     if recipe.algorithm not in _CLASSES:
-        raise InputError(f"{recipe.name}: {recipe.algorithm} writes no zips. Play a policy file.")
+        raise InputError(
+            f"{recipe.name}: {recipe.algorithm} does not write zip files. Use a policy file."
+        )
     kind = _CLASSES[recipe.algorithm]
     try:
         return kind.load(path, device="cpu")
-    except Exception as error:  # whatever it contains
+    except Exception as error:  # damaged files can raise any exception
         raise InputError(
             f"{path} cannot be loaded as {kind.__name__} ({type(error).__name__}: {error})."
         ) from error
 
 
 def policy_keywords(network: Network, space: spaces.Space[Any]) -> dict[str, Any]:
-    """Return a network's description as SB3's policies take it."""
+    """Return a network's settings as ``policy_kwargs`` of Stable-Baselines3."""
     kind, keywords = extractor_of(network, space)
-    own = {"normalize_images": False} if network.finds_grasps else {}  # it scales itself
+    own = {"normalize_images": False} if network.finds_grasps else {}  # the extractor scales it
     return {
         **own,
         "features_extractor_class": kind,
@@ -227,7 +229,7 @@ def policy_keywords(network: Network, space: spaces.Space[Any]) -> dict[str, Any
 def extractor_of(
     network: Network, space: spaces.Space[Any]
 ) -> tuple[type[BaseFeaturesExtractor], dict[str, Any]]:
-    """Return the class of a network's extractor, and its keywords."""
+    """Return the class and the keywords of a network's extractor."""
     if network.extractor == "flat":
         flat = CombinedExtractor if isinstance(space, spaces.Dict) else FlattenExtractor
         return cast("type[BaseFeaturesExtractor]", flat), {}
@@ -239,13 +241,13 @@ def extractor_of(
 
 
 def _check_start(recipe: Recipe) -> None:
-    """Refuse hindsight that would have to learn before an episode is over."""
+    """Check that hindsight does not learn before an episode is complete."""
     limit = spec_of(recipe.task).max_episode_steps or 0
     first = limit * recipe.envs
     starts = recipe.options.get("learning_starts", 100)
     require_number(f"{recipe.name} needs options.learning_starts", starts, minimum=0, integer=True)
     if not recipe.demonstrations and starts <= first:
         raise InputError(
-            f"{recipe.name}: with hindsight, learning_starts must be above {first}, the steps of "
-            f"{recipe.envs} episodes of {recipe.task}; it is {starts}."
+            f"{recipe.name}: with hindsight, learning_starts must exceed {first}, the steps of "
+            f"{recipe.envs} episodes of {recipe.task}, got {starts}."
         )

@@ -1,4 +1,4 @@
-"""Training by a recipe: environments, demonstrations, cloning, Stable-Baselines3, evaluations."""
+"""Training with a recipe: environments, demonstrations, cloning, learning and evaluations."""
 
 from __future__ import annotations
 
@@ -41,12 +41,12 @@ from .runs import ROUNDS, Run, begin, differences, open_run
 from .setup import blank_model, count_shared, many_envs, new_model, single_env, source_of
 
 EVER_NEW = 1_000_000
-"""Variants of fresh tables at which the expert shows its grasps, both sides together."""
+"""Number of fresh tables for grasp demonstrations, both sides together."""
 
 
 @dataclass(frozen=True)
 class Trained:
-    """What a training came to; ``interrupted`` if Ctrl-C ended it."""
+    """The result of a training; ``interrupted`` is true after Ctrl-C."""
 
     run: Run
     steps: int
@@ -60,22 +60,22 @@ def train(
     resume: bool = False,
     say: Say = print,
 ) -> Trained:
-    """Train a policy, and leave all there is to know of it in a folder; see ``runs``.
+    """Train a policy and write all results into a folder; see ``runs``.
 
-    Ctrl-C ends it after the rollout, the demonstration or the round of cloning it has begun, with a
-    checkpoint of what can go on; a second one ends it at once.
+    The first Ctrl-C ends the training after the current rollout, demonstration or cloning round,
+    with a checkpoint to resume from; a second one ends it at once.
 
     Args:
-        recipe: how.
-        out: the folder, made if it is missing.
-        plan: the rest.
+        recipe: the recipe.
+        out: the folder, created if it is missing.
+        plan: further settings.
         resume: resume the run in ``out``, up to the recipe's steps.
-        say: gets a line for each thing of note.
+        say: receives progress messages, one line each.
 
     Raises:
-        InputError: ``out`` holds a run, or to resume none of this recipe and seed.
-        BundleError: there are no such scenes.
-        SceneError: the scenes offer nothing to do, or nothing the expert can.
+        InputError: ``out`` already holds a run, or with ``resume`` no run of this recipe and seed.
+        BundleError: the scenes do not exist.
+        SceneError: the scenes have no valid task, or none that the expert can solve.
         StorageError: the folder cannot be written.
     """
     out, plan = Path(out), plan or TrainingPlan()
@@ -87,13 +87,13 @@ def train(
         last.callback(close, held_out)
         both = count_shared(scenes, held_out)
         if both:
-            say(f"{both} of the held-out scenes are trained on, too.")
+            say(f"{both} of the held-out scenes are also training scenes.")
         trials = single_env(recipe.task, recipe.env, held_out)
         last.callback(trials.close)
         _check(recipe, trials)
         there = out.exists()
         run = _resume(out, recipe, plan.seed) if resume else begin(out, recipe, plan.seed)
-        last.enter_context(torch_threads(1))  # small networks are faster so
+        last.enter_context(torch_threads(1))  # faster for small networks
         stop = last.enter_context(heeding(say))
         logger = logger_of(run, say)
         last.callback(logger.close)
@@ -109,7 +109,7 @@ def train(
 
 
 def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
-    """Refuse what would fail later, before anything is written."""
+    """Raise errors that would occur later, before anything is written."""
     cloning_config(recipe)
     batch_config(recipe)
     env.reset(seed=0)
@@ -128,14 +128,15 @@ def _resume(out: Path, recipe: Recipe, seed: int) -> Run:
     if changed or run.seed != seed:
         what = ", ".join(changed) or "the seed"
         raise InputError(
-            f"{out} is a run of {run.recipe.name} with seed {run.seed}; it differs in {what}. "
-            "Resume it with what it was begun with, or begin another with --out."
+            f"{out} is a run of {run.recipe.name} with seed {run.seed}; it differs in {what} "
+            "from the given settings. Resume it with its original settings, or start another run "
+            "with --out."
         )
     return replace(run, recipe=recipe)
 
 
 def _learn(tracker: Tracker, scenes: SceneSource) -> int:
-    """Train with Stable-Baselines3; return the steps there are now."""
+    """Train with Stable-Baselines3; return the total number of steps."""
     run, seed = tracker.run, tracker.plan.seed
     with closing(many_envs(run.recipe, scenes, seed)) as envs:
         model = new_model(run.recipe, envs, seed)
@@ -143,7 +144,7 @@ def _learn(tracker: Tracker, scenes: SceneSource) -> int:
         learner = Sb3Learner(model, run.recipe.network)
         tracker.counts, replayed = run.restore(learner)
         begun = tracker.counts.steps
-        if begun:  # other tables, and other tries, than those it began with
+        if begun:  # a resumed run gets other tables and exploration than at its start
             model.set_random_seed(int(np.random.SeedSequence((seed, begun)).generate_state(1)[0]))
         if tracker.is_finished():
             return begun
@@ -167,7 +168,7 @@ def _go_on(tracker: Tracker, model: BaseAlgorithm, refill: bool) -> None:
         if refill:
             assert isinstance(model, OffPolicyAlgorithm)
             tracker.say(
-                "The replay buffer was not kept: the policy fills it anew before it learns."
+                "The replay buffer was not saved: the policy refills it before learning continues."
             )
             _refill(model, callback, tracker.run.recipe.steps)
         left = tracker.run.recipe.steps - model.num_timesteps
@@ -175,7 +176,7 @@ def _go_on(tracker: Tracker, model: BaseAlgorithm, refill: bool) -> None:
 
 
 def _refill(model: OffPolicyAlgorithm, callback: Progress, maximum: int) -> None:
-    """Let the policy act, not learn, for as many steps as a new one would try at random."""
+    """Let the policy act without learning for ``learning_starts`` steps."""
     until = min(model.num_timesteps + model.learning_starts, maximum)
     _, called = model._setup_learn(until, callback, reset_num_timesteps=False)
     assert model.env is not None and model.replay_buffer is not None
@@ -188,7 +189,7 @@ def _refill(model: OffPolicyAlgorithm, callback: Progress, maximum: int) -> None
 
 
 def _demonstrate(tracker: Tracker, learner: Sb3Learner, scenes: SceneSource) -> None:
-    """Fill the replay buffer as the recipe says."""
+    """Prefill the replay buffer with the recipe's demonstrations."""
     recipe, model = tracker.run.recipe, learner.model
     if not recipe.demonstrations:
         return
@@ -203,13 +204,13 @@ def _demonstrate(tracker: Tracker, learner: Sb3Learner, scenes: SceneSource) -> 
 
 
 def _clone_alone(tracker: Tracker, scenes: SceneSource) -> int:
-    """Clone the expert, evaluated after each round; return the states it gave advice in."""
+    """Clone the expert, evaluating after each round; return the number of labelled states."""
     run = tracker.run
     model = new_model(run.recipe, tracker.trials, tracker.plan.seed)
     learner = Sb3Learner(model, run.recipe.network)
     kept = RoundsFolder(run.path / ROUNDS)
     if run.checkpoint is not None and not kept.path.exists():
-        tracker.say(f"{run.path} is trained to its end.")
+        tracker.say(f"{run.path} is already complete.")
         return run.rows()[-1].steps
     tracker.counts = run.restore_rounds(kept.done)
     with suppress(StopAsked):
@@ -227,7 +228,7 @@ def _clone(
     then: Callable[[Round], None] | None = None,
     kept: RoundsFolder | None = None,
 ) -> None:
-    """Fit the model's actor to the expert; ``then`` is called after each round."""
+    """Clone the expert into the model's actor; ``then`` is called after each round."""
     recipe = tracker.run.recipe
     config = cloning_config(recipe)
     assert isinstance(model, SAC)
@@ -250,7 +251,7 @@ def _clone(
 
 
 def _teach(tracker: Tracker, model: SAC, scenes: SceneSource, kept: RoundsFolder) -> None:
-    """Teach the model's head where to grasp, unless that is done."""
+    """Train the model's grasp head, unless it is already trained."""
     config, extractor = cloning_config(tracker.run.recipe), model.actor.features_extractor
     assert isinstance(extractor, LookExtractor)
     head = extractor.head
@@ -273,23 +274,26 @@ def _teach(tracker: Tracker, model: SAC, scenes: SceneSource, kept: RoundsFolder
 def _showings(
     tracker: Tracker, scenes: SceneSource, tables: int, folder: Path
 ) -> list[GraspShowing]:
-    """Return what the expert shows at so many tables, or the next hundred; they stay in a folder.
+    """Return the grasp demonstrations on at least ``tables`` tables, in chunks cached in a folder.
 
-    A chunk that is there already is taken as it is, so a folder is for one recipe's scenes.
+    Existing chunks are reused without checks, so a folder must only be shared by runs with the same
+    scenes.
     """
     source = replace(scenes, variants=EVER_NEW) if isinstance(scenes, FreshScenes) else scenes
     shown: list[GraspShowing] = []
     for number in range(-(-tables // CHUNK)):
         shown += gather(source, number, folder, tracker.heed)
-        tracker.say(f"{len(shown):,} things shown at {CHUNK * (number + 1):,} tables")
+        tracker.say(
+            f"grasp demonstrations for {len(shown):,} objects on {CHUNK * (number + 1):,} tables"
+        )
     return shown
 
 
 def cloning_config(recipe: Recipe) -> CloningConfig:
-    """Return a recipe's settings of cloning.
+    """Return a recipe's cloning settings.
 
     Raises:
-        InputError: an unknown one, or one out of range.
+        InputError: a setting is unknown or out of range.
     """
     try:
         return CloningConfig(**(recipe.cloning or {}))

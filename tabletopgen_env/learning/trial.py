@@ -1,4 +1,4 @@
-"""A policy's episodes at scenes, played here or by other processes, on other machines too."""
+"""Evaluation episodes of a policy, run in this process or in a pool of processes."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ Results = Generator[EpisodeResult, None, None]
 
 @dataclass(frozen=True, eq=False)
 class PolicyTrial:
-    """A policy and where it plays.
+    """A policy and its evaluation environment.
 
     Attributes:
-        task: what the policy does.
+        task: the policy's task.
         env: keywords of its environment.
-        scenes: names of scenes; of those made on demand only the held-out side.
-        policy: what acts.
+        scenes: names of scenes; of scenes generated on demand only the held-out part.
+        policy: the policy.
     """
 
     task: str
@@ -44,11 +44,11 @@ class PolicyTrial:
     policy: Predicts
 
     def source(self) -> SceneSource:
-        """Return where scenes come from, which has to be closed.
+        """Open the scene source; the caller closes it.
 
         Raises:
-            BundleError: no bundle fits.
-            InputError: no source is called so.
+            BundleError: no bundle matches.
+            InputError: the source name is unknown.
         """
         return source_of(
             self.scenes, "held_out", task=task_named(self.task, self.env.get("preset"))
@@ -73,13 +73,13 @@ class PolicyTrial:
                     _write_strip(frames, strip)
 
     def play_apart(self, seeds: Iterable[int], pool: PoolOptions) -> Results:
-        """Yield the same episodes in the same order, played by processes of a pool.
+        """Yield the same episodes in the same order, run by the processes of a pool.
 
-        The policy, which has to be picklable, travels; scenes are looked for where they are played.
+        The policy is pickled; each process resolves the scenes itself.
 
         Raises:
-            BackendError: no Ray.
-            SceneError: a process has ended abruptly.
+            BackendError: Ray is not available.
+            SceneError: a process ended unexpectedly.
         """
         packed = cloudpickle.dumps(partial(_set_up, self))
         with closing(pool_of(pool.workers, pool.ray)) as workers:
@@ -87,7 +87,7 @@ class PolicyTrial:
 
 
 def _set_up(trial: PolicyTrial) -> tuple[gym.Env[Any, Any], Predicts]:
-    """Return an environment, open until this process ends, and the policy."""
+    """Open an environment that lasts until this process ends; return it with the policy."""
     source = trial.source()
     env = single_env(trial.task, trial.env, source)
     atexit.register(close, source)

@@ -1,16 +1,16 @@
-"""Many tables at once: a Gymnasium vector environment on threads, or in several processes.
+"""A Gymnasium vector environment with its slots on threads or in several processes.
 
-MuJoCo simulates without Python's lock, so threads help some, with nothing copied, and every scene
-compiled once, however many slots meet it. What is Python's of a step runs on one core, though;
-processes use as many as there are, and each compiles the scenes that its slots meet::
+MuJoCo simulates without holding the GIL, so threads give some speed-up without copying data, and
+each scene is compiled only once for all slots. The Python part of a step still runs on one core.
+Processes use all cores, but each compiles the scenes of its own slots::
 
     gymnasium.make_vec("tabletopgen_env:TabletopGen/PickPlace-v0", num_envs=16, threads=4)
     gymnasium.make_vec("tabletopgen_env:TabletopGen/PickPlace-v0", num_envs=16, processes=4)
 
-Slots are environments of their own: each draws its scenes and goals with its own seed, and what it
-does is bit for bit what a single environment with that seed does, whatever the number of threads
-or processes. Scenes alone may differ: those of "refreshing" go by the clock, those of a curriculum
-by the order in which slots ask for them.
+Slots are independent environments: each draws its scenes and goals with its own seed and behaves
+bit for bit like a single environment with that seed, for any number of threads or processes. Only
+the scenes may differ: those of "refreshing" depend on timing, those of a curriculum on the order in
+which slots draw them.
 """
 
 from __future__ import annotations
@@ -50,18 +50,7 @@ from .workers.threads import ThreadSlots
 
 @dataclass(frozen=True)
 class Processes:
-    """In which processes slots are, and how they are stepped there.
-
-    Args:
-        count: how many processes.
-        together: whether the slots of a process are stepped in one pass of the batched core
-            (``core``): a sixth less CPU time for 16 slots, a third less for 32, and results that
-            agree with a single environment's to rounding, and so part from them in the course of an
-            episode. For observations of states and goals without hints and noise.
-
-    Raises:
-        InputError: the count is no integer, or below 1.
-    """
+    """The number of processes, and how they step their slots."""
 
     count: int
     together: bool = False
@@ -72,43 +61,44 @@ class Processes:
 
 
 class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
-    """``num_envs`` environments stepped together, as ``gymnasium.vector.VectorEnv`` says.
+    """``num_envs`` environments stepped together, a ``gymnasium.vector.VectorEnv``.
 
-    Arrays have one row a slot; infos have Gymnasium's vector format. ``reset`` takes one seed (slot
-    k gets seed + k) or a list, the options of ``TabletopEnv.reset`` for all slots alike, and the
-    option "reset_mask", an array of bools, to reset some slots only.
+    Arrays have one row per slot; infos have Gymnasium's vector format. ``reset`` takes one seed
+    (slot k gets seed + k) or a list, the options of ``TabletopEnv.reset`` for all slots, and the
+    option "reset_mask", an array of bools, to reset only some slots.
 
-    A copy (``pickle``, ``copy.deepcopy``) has copies of the slots, as ``TabletopEnv`` says: all are
-    to be reset first. A fork has neither threads nor processes of its own, and cannot step it; send
-    it a pickled copy.
+    A copy (``pickle``, ``copy.deepcopy``) has copies of the slots, as for ``TabletopEnv``; reset
+    all of them before stepping. A forked process has neither the threads nor the processes and
+    cannot step the environment; send it a pickled copy.
 
-    With ``processes`` the scenes, the task, the settings, and what ``call`` and its like take and
-    return are sent to the processes and have to be picklable; ``envs`` is not to be had. An error
-    in a slot is raised here as it was there. If a process is killed, the others are closed, and so
-    is the vector environment. The processes end with this one, however that ends.
+    With ``processes``, the scenes, the task, the settings, and arguments and results of ``call``
+    and similar methods are sent between processes and must be picklable; ``envs`` is not available.
+    An error in a slot is raised here unchanged. If a process is killed, the other processes and the
+    vector environment are closed. The processes end with this one, however it ends.
 
     Args:
-        num_envs: how many slots.
-        scenes: where tables come from, as for ``env.make_env``: one source for all slots, renewed
-            and made harder for all together. A ``SceneSource`` is left to who made it; no other
-            thread may draw from it meanwhile. With ``processes``, fixed and fresh scenes are drawn
-            in each of them; any other source stays in this one, which they ask for each scene.
-        task, preset: what to do; see ``env.make_env``.
-        threads: how many threads step them; None for one a core. Each slot keeps to one thread,
-            as OpenGL contexts have to.
-        processes: in how many further processes the slots are, split evenly, each a thread; None
-            for this process and ``threads``. See ``Processes``.
-        autoreset_mode: what follows an episode's end: "NextStep" (the next step resets the slot and
-            its action is ignored), "SameStep" (the slot is reset at once; what it saw last is in
-            ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (reset it yourself);
-            Gymnasium's ``AutoresetMode`` and the names of its members do, too.
-        max_episode_steps: the time limit; None for none (the registered ids have theirs).
-        settings: those of ``TabletopEnv``; ``cache`` is how many compiled worlds each slot keeps,
-            and how many scenes all slots of a process share.
+        num_envs: number of slots.
+        scenes: source of the tables, as in ``env.make_env``: one source for all slots, with a
+            common pool and a common curriculum. The caller keeps ownership of a ``SceneSource``; no
+            other thread may draw from it meanwhile. With ``processes``, fixed and fresh scenes are
+            drawn in each process; any other source stays in this process, which serves each draw.
+        task, preset: the task; see ``env.make_env``.
+        threads: number of threads; None for one per core. Each slot stays on one thread, as OpenGL
+            contexts require.
+        processes: number of worker processes with one thread each, among which the slots are split
+            evenly; None for this process with ``threads``. See ``Processes``.
+        autoreset_mode: behaviour at the end of an episode: "NextStep" (the next step resets the
+            slot and ignores its action), "SameStep" (the slot is reset at once; its last
+            observation is in ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (the
+            caller resets the slot). Members of Gymnasium's ``AutoresetMode`` and their names are
+            accepted, too.
+        max_episode_steps: the time limit; None for no limit (registered ids have a limit).
+        settings: settings of ``TabletopEnv``; ``cache`` is the number of compiled worlds that each
+            slot caches, and the number of scenes shared by all slots of a process.
 
     Raises:
-        InputError: a setting is wrong, or cannot be sent to a process.
-        BundleError: no bundle fits ``scenes``.
+        InputError: a setting is invalid, or cannot be sent to a process.
+        BundleError: no bundle matches ``scenes``.
         WorkerDied: a process could not be started.
     """
 
@@ -137,8 +127,8 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
                 require_number(needs, count, minimum=1, integer=True)
         if None not in (threads, shards):
             raise InputError(
-                "A vector environment has threads or processes, each of which is one thread; give "
-                f"one of them, not threads={threads} and processes={processes!r}."
+                "A vector environment uses either threads or processes; set only one of "
+                f"threads={threads} and processes={processes!r}."
             )
         check_settings(settings, *counts, "processes", "autoreset_mode")
         config = _share_worlds(read_settings(settings))
@@ -187,10 +177,10 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
     ) -> tuple[Any, dict[str, Any]]:
         """Reset all slots, or those of the option "reset_mask".
 
-        If one of them fails, none of them has an episode: ``step`` asks for another reset.
+        If one of them fails, none of them has an episode, and ``step`` requires another reset.
 
         Raises:
-            InputError: as ``TabletopEnv.reset``, or a wrong number of seeds, or a wrong mask.
+            InputError: as ``TabletopEnv.reset``, or the number of seeds or the mask is wrong.
         """
         options = as_options(options)
         mask = read_mask(options.pop("reset_mask", None), self.num_envs)
@@ -205,7 +195,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
                 playing[mask] = False
                 raise
             if not playing.all():
-                raise InputError("Reset all slots before some of them.")
+                raise InputError("Reset all slots once before using reset_mask.")
             return runner.arrays.observe(), infos
 
     def step(
@@ -213,11 +203,11 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
     ) -> tuple[
         Any, Float[np.ndarray, "n"], Bool[np.ndarray, "n"], Bool[np.ndarray, "n"], dict[str, Any]
     ]:
-        """Step every slot, or reset it, as ``metadata["autoreset_mode"]`` says.
+        """Step every slot, or reset it, according to ``metadata["autoreset_mode"]``.
 
         Raises:
-            InputError: an action of wrong shape or with NaN; no ``reset`` before, or one that
-                failed; a slot whose episode is over, if autoreset is disabled.
+            InputError: an action has the wrong shape or contains NaN, ``reset`` was not called or
+                failed, or an episode is over while autoreset is disabled.
             WorkerDied: a process of the slots has ended.
         """
         with self._running() as runner:
@@ -229,7 +219,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             return rows.observe(), *ends, infos
 
     def render(self) -> tuple[Any, ...]:
-        """Return what each slot's ``render`` returns."""
+        """Return the result of each slot's ``render``."""
         return tuple(self.visit(pickling.render))
 
     def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
@@ -237,40 +227,43 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         return tuple(self.visit(partial(pickling.call, name=name, args=args, kwargs=kwargs)))
 
     def get_attr(self, name: str) -> tuple[Any, ...]:
-        """Return an attribute of each slot's environment, or what it returns, if it is called."""
+        """Return an attribute of each slot's environment, or its result if it is a method."""
         return self.call(name)
 
     def set_attr(self, name: str, values: Any) -> None:
-        """Set an attribute of each slot's environment: a list or tuple is a value for each.
+        """Set an attribute of each slot's environment; a list or tuple holds one value per slot.
 
         Raises:
-            InputError: there are more or fewer values than slots.
+            InputError: the number of values differs from the number of slots.
         """
         if not isinstance(values, list | tuple):
             values = [values] * self.num_envs
         if len(values) != self.num_envs:
-            raise InputError(f"{self.num_envs} slots need as many values, got {len(values)}.")
+            raise InputError(
+                f"set_attr needs one value for each of the {self.num_envs} slots, got "
+                f"{len(values)}."
+            )
         with self._running() as runner:
             runner.visit(
                 {k: partial(pickling.put, name=name, value=v) for k, v in enumerate(values)}
             )
 
     def visit(self, work: Job, slots: Iterable[int] | None = None) -> list[Any]:
-        """Return what a function returns of each slot's environment, or of some slots'.
+        """Call a function on the environments of all or some slots; return its results.
 
-        It runs where the slot is, in its thread or process.
+        The function runs in the slot's thread or process.
 
         Raises:
-            InputError: there is no such slot, or the function or what it returns cannot be sent.
+            InputError: a slot does not exist, or the function or its result cannot be sent.
         """
         chosen = list(range(self.num_envs) if slots is None else slots)
         if wrong := [k for k in chosen if k not in range(self.num_envs)]:
-            raise InputError(f"There are slots 0 to {self.num_envs - 1}, not {wrong}.")
+            raise InputError(f"Slots must be 0 to {self.num_envs - 1}, got {wrong}.")
         with self._running() as runner:
             return runner.visit(dict.fromkeys(chosen, work))
 
     def close_extras(self, **kwargs: Any) -> None:
-        """Close the slots, end threads or processes, and what ``scenes`` has running."""
+        """Close the slots, the threads or processes, and the background work of ``scenes``."""
         if not hasattr(self, "_runner") or self._process != os.getpid():
             return
         try:
@@ -281,7 +274,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @property
     def np_random(self) -> Any:
-        """The slots' random generators; of those in processes, copies."""
+        """The slots' random generators; copies for slots in processes."""
         return self.get_attr("np_random")
 
     @property
@@ -307,7 +300,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         return self._runner.pids if isinstance(self._runner, ShardSlots) else ()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what a copy keeps; its slots have no episodes, as theirs say."""
+        """Return the state of a copy; its slots have no episodes, as for single environments."""
         if self.pids:
             self._check_process()
         state = {k: v for k, v in self.__dict__.items() if k != "_process"}
@@ -320,7 +313,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
     # -------------------------------------------------------------------------------------- parts
 
     def _describe(self, count: int, slot: gym.Env) -> None:
-        """Take over spaces and metadata from a slot's environment."""
+        """Set spaces and metadata from a slot's environment."""
         assert isinstance(slot.action_space, spaces.Box)
         self.num_envs = count
         self.metadata = {**slot.metadata, "autoreset_mode": self.autoreset_mode}
@@ -332,13 +325,13 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @contextmanager
     def _running(self) -> Iterator[SlotRunner]:
-        """Give what steps the slots; if it is lost meanwhile, close.
+        """Yield the runner of the slots; close the environment if the runner fails meanwhile.
 
         Raises:
-            InputError: the vector environment is closed, or of another process.
+            InputError: the vector environment is closed, or belongs to another process.
         """
         if self.closed or not self._runner.live:
-            raise InputError("This vector environment is closed; make a new one.")
+            raise InputError("This vector environment is closed; create a new one.")
         self._check_process()
         try:
             yield self._runner
@@ -350,12 +343,13 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
     def _check_process(self) -> None:
         if self._process != os.getpid():
             raise InputError(
-                "This vector environment was made before the process was forked, and its threads "
-                "and processes are not here; make one here, or send a pickled copy."
+                "This vector environment was created before the process was forked, and its "
+                "threads and processes do not exist here; create one here, or send a pickled "
+                "copy."
             )
 
     def _check_playing(self) -> None:
-        """Refuse a step of slots that have no episode, or one that is over."""
+        """Refuse to step slots without an episode, or with one that is over."""
         rows = self._runner.arrays
         if not rows.playing.all():
             idle = np.flatnonzero(~rows.playing).tolist()
@@ -374,7 +368,7 @@ def _slot(limit: int | None, task: Task, config: EnvConfig, scenes: SceneChoice)
 
 
 def _share_worlds(config: EnvConfig) -> EnvConfig:
-    """Return a config whose environments copy worlds that are compiled once."""
+    """Return a config whose environments share compiled worlds."""
     worlds = config.worlds
     masters = worlds.masters or Masters(worlds.arm, worlds.cache)
     return replace(config, worlds=replace(worlds, masters=masters))

@@ -1,4 +1,4 @@
-"""The command ``record``: a recording with its progress shown."""
+"""The command ``record``, with a progress bar."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ def record(
     """Record the scripted expert's demonstrations of a task as a dataset.
 
     Args:
-        config: What to record.
-        out: The dataset's own folder, or file (hdf5, robomimic). A Minari dataset's name ends with
-            its version: data/lift-v0. Left out, it goes into your Minari store.
-        format: Its format.
+        config: Settings of the recording.
+        out: The dataset's own folder, or file (hdf5, robomimic). The name of a Minari dataset ends
+            with its version: data/lift-v0. By default it goes into your Minari store.
+        format: Format of the dataset.
         resume: Resume after the episodes that an interrupted recording left beside OUT (lerobot).
-        lerobot: How a LeRobot dataset holds it.
-        pool: Who plays.
+        lerobot: Settings of a LeRobot dataset.
+        pool: Worker processes that run the episodes.
     """
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
@@ -50,13 +50,13 @@ def record(
 
         def report(kept: int, tried: int) -> None:
             nonlocal played
-            if played is None:  # what is wrong is told before, without a bar
+            if played is None:  # errors are reported before the bar appears
                 running.enter_context(progress)
             played = tried
             note = f"of {tried} played" if tried > kept else ""
             progress.update(shown, completed=kept, note=note)
 
         path = run(config, out, format, pool.workers, report, pool.ray, resume, lerobot)
-    print(f"{path}: {config.episodes} episodes of {played} played")
+    print(f"{path}: {config.episodes} of {played} episodes recorded")
     if format == "minari":
         print(f'  MINARI_DATASETS_PATH={path.parent}  minari.load_dataset("{path.name}")')

@@ -1,4 +1,4 @@
-"""What to record."""
+"""Settings of a recording."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ Format = Literal["minari", "hdf5", "npz", "robomimic", "lerobot"]
 FORMATS: tuple[Format, ...] = get_args(Format)
 
 EXPERT = "tabletopgen_env.expert.run.TaskExpert"
-"""The player of ``record``."""
+"""The player that ``record`` uses."""
 
 PictureMode = Literal["pixels+state", "pixels+proprio"]
 
@@ -37,16 +37,16 @@ VIDEO_CODECS: tuple[VideoCodec, ...] = get_args(VideoCodec)
 
 @dataclass(frozen=True)
 class LeRobotConfig:
-    """How a LeRobot dataset holds what was recorded.
+    """Settings of a LeRobot dataset.
 
     Attributes:
-        video: Codec of the colour pictures, whose sides must be even then; "none" keeps every
-            picture to the bit, as PNG in the tables (depth as TIFF).
-        quality: Constant rate factor of the codec: lower is better and larger. None takes 18
-            (h264, hevc) or 25 (av1).
-        privileged: Keep the entries of the flat state that no robot measures, as
-            ``observation.environment_state``, which policies of LeRobot read where it is. None
-            keeps them where there are no pictures.
+        video: Codec of the colour pictures, which must have even sizes; "none" stores every picture
+            lossless, as PNG in the tables (depth as TIFF).
+        quality: Constant rate factor of the codec: lower is better and larger. None uses 18 (h264,
+            hevc) or 25 (av1).
+        privileged: Store the entries of the flat state that no robot measures, as
+            ``observation.environment_state``, which LeRobot's policies use as an input if it
+            exists. None stores them only without pictures.
     """
 
     video: VideoCodec = "h264"
@@ -57,7 +57,7 @@ class LeRobotConfig:
         """Check the settings.
 
         Raises:
-            InputError: an unknown codec, or a quality out of range.
+            InputError: the codec is unknown, or the quality is out of range.
         """
         require_known(self.video, VIDEO_CODECS, "Unknown video codec")
         if self.quality is not None:
@@ -66,28 +66,28 @@ class LeRobotConfig:
 
 @dataclass(frozen=True)
 class RecordConfig:
-    """What to record; equal settings give equal arrays.
+    """Settings of a recording; equal settings give equal arrays.
 
     Attributes:
         task: A task's name or id: "PickPlace" or "TabletopGen/PickPlace-v0".
-        preset: With the task Sequence: "kitchen" or "coffee_table".
-        scenes: Where tables come from: bundles by name, digest, path or glob, "starter",
-            "starter:train", "fresh", "fresh:PROMPT" ...; left out, the task's own.
-        episodes: How many to keep.
-        seed: Of all episodes.
-        cameras: What pictures are taken with: some of "front", "wrist", "top" and "side", or a
-            preset ("maniskill", "droid"); none for the state alone.
-        kinds: What each camera takes: some of "rgb", "depth" and "segmentation".
-        image_size: Height and width of the pictures, pixels; None is the preset's, else 128.
-        observation: What there is beside pictures: the flat state ("pixels+state"), or only what a
+        preset: For the task Sequence: "kitchen" or "coffee_table".
+        scenes: Source of the tables: bundles by name, digest, path or glob, "starter",
+            "starter:train", "fresh", "fresh:PROMPT" ...; by default the task's own.
+        episodes: Number of episodes to keep.
+        seed: Seed of all episodes.
+        cameras: Cameras of the pictures: some of "front", "wrist", "top" and "side", or a preset
+            ("maniskill", "droid"); none for the state only.
+        kinds: Pictures of each camera: some of "rgb", "depth" and "segmentation".
+        image_size: Height and width of the pictures, pixels; None is the preset's size, or 128.
+        observation: Observations beside pictures: the flat state ("pixels+state"), or only what a
             real robot has, its own joints and the instruction ("pixels+proprio").
-        noise: Standard deviation of what is added to the expert's motion, as a share of its
-            greatest speed, so that it shows how to come back.
-        randomization: "starts" puts the arm a little off and the things some centimetres, as
-            certify does; "light" and "strong" vary more. With None nothing is
-            randomised, and episodes of the same scene, target and goal are all the same.
-        keep_failures: Keep episodes too that the expert does not solve.
-        player: Who plays, as the dataset names it; no setting of the command.
+        noise: Standard deviation of the noise added to the expert's motion, relative to its maximum
+            speed, so that the data covers recovery.
+        randomization: "starts" perturbs the arm slightly and the objects by some centimetres, as
+            certify does; "light" and "strong" vary more. With None nothing is randomised, and all
+            episodes with the same scene, target and goal are identical.
+        keep_failures: Also keep episodes that the expert does not solve.
+        player: Name of the player in the dataset; not an option of the command.
     """
 
     task: str = "PickPlace"
@@ -106,14 +106,14 @@ class RecordConfig:
 
     @property
     def name(self) -> str:
-        """The task's name, without what else an id has."""
+        """The task's name, without the other parts of an id."""
         return self.task.rpartition("/")[2].removesuffix("-v0")
 
     def check(self) -> None:
-        """Check what can be checked without a scene.
+        """Check the settings that can be checked without a scene.
 
         Raises:
-            InputError: an unknown task, or a number out of range.
+            InputError: the task is unknown, or a number is out of range.
         """
         if self.name not in NAMES:
             raise InputError(f"Unknown task {self.task!r}." + choices(self.name, NAMES))
@@ -137,11 +137,11 @@ class RecordConfig:
         return settings
 
     def environment(self) -> gym.Env[Any, Any]:
-        """Return the environment to record in; its spec makes the same one again.
+        """Create the environment to record in; its spec recreates an equal one.
 
         Raises:
-            InputError: a setting is wrong.
-            BundleError: no bundle fits the scenes.
+            InputError: a setting is invalid.
+            BundleError: no bundle matches the scenes.
         """
         import gymnasium as gym
 

@@ -1,4 +1,4 @@
-"""The expert's episodes, as they are written: one after the other, or by several processes."""
+"""The expert's episodes for recording, played here or by several processes."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ from .config import RecordConfig
 from .summaries import RowSummary, summarize, summarize_colors, summarize_depth
 
 CHUNK = 4
-"""Most episodes that a process plays before it hands them over."""
+"""Maximum number of episodes that a process plays before it returns them."""
 
 Column = Shaped[np.ndarray, "t1 ..."] | list[str]
 Columns = dict[str, Column | dict[str, Column | dict[str, Column]]]
-"""Arrays or texts of one row a step, by name, nested at most twice."""
+"""Arrays or texts with one row per step, by name, nested at most twice."""
 
 
 @dataclass(frozen=True, eq=False)
 class RecordedEpisode:
-    """One episode of ``t`` steps, the ``number``-th that was played; see the package's page."""
+    """An episode of ``t`` steps, the ``number``-th that was played; see the package docstring."""
 
     number: int
     observations: Shaped[np.ndarray, "t1 ..."] | dict[str, Shaped[np.ndarray, "t1 ..."] | list[str]]
@@ -48,13 +48,13 @@ class RecordedEpisode:
 
     @property
     def state(self) -> Float[np.ndarray, "t1 s"] | None:
-        """The flat state before each step and after the last, if it was observed."""
+        """The flat state before each step and after the last one, if it was observed."""
         seen = self.observations
         return seen.get("state") if isinstance(seen, dict) else seen  # type: ignore[return-value]
 
     @property
     def pictures(self) -> dict[str, Shaped[np.ndarray, "t1 h w *c"]]:
-        """The pictures by their key in the observations."""
+        """The pictures by their observation keys."""
         seen = self.observations if isinstance(self.observations, dict) else {}
         return {n: rows for n, rows in seen.items() if not isinstance(rows, list) and rows.ndim > 2}
 
@@ -65,7 +65,7 @@ class RecordedEpisode:
 
     @property
     def arrays(self) -> dict[str, Any]:
-        """Everything that has a row for each step, by name."""
+        """All arrays with a row per step, by name."""
         steps = len(self.rewards)
         return {
             "observations": self.observations,
@@ -77,7 +77,7 @@ class RecordedEpisode:
         }
 
     def summaries(self) -> dict[str, RowSummary]:
-        """Return summaries of actions, rewards, robot and observations by their name.
+        """Return summaries of actions, rewards, robot and observations by name.
 
         Colours are in [0, 1], depth is in metres, and labels have no summary.
         """
@@ -101,15 +101,15 @@ def play_episodes(
     ray: str | None = None,
     first: int = 0,
 ) -> Generator[RecordedEpisode | SceneError, None, None]:
-    """Yield one episode after the other without end, or why there is none to keep.
+    """Yield episodes indefinitely; an episode that is not kept is replaced by the reason.
 
-    The first is that of the number ``first``.
-    They do not depend on the number of ``workers``, nor on whether these are of the Ray cluster at
-    the address ``ray``; a single one of this machine plays in ``env``. Close it in the end.
+    The first episode has the number ``first``. The episodes do not depend on the number of
+    ``workers``, or on whether these belong to the Ray cluster at the address ``ray``; a single
+    local worker plays in ``env``. Close the generator at the end.
 
     Raises:
-        BackendError: no Ray.
-        SceneError: a process has ended abruptly.
+        BackendError: Ray is not available.
+        SceneError: a process ended unexpectedly.
     """
     if workers == 1 and ray is None:
         yield from (_attempt(config, env, number) for number in count(first))
@@ -119,7 +119,8 @@ def play_episodes(
         numbers, begun = count(first, few), count(first, few)
         ahead: deque[Future[list[RecordedEpisode | SceneError]]] = deque()
         for done in numbers:
-            wanted = max(-(-(config.episodes + first - done) // few), 1)  # if all of them are kept
+            # assuming that all of them are kept
+            wanted = max(-(-(config.episodes + first - done) // few), 1)
             while len(ahead) < min(2 * workers, wanted):
                 ahead.append(pool.submit(_chunk, config, make, next(begun), few))
             yield from ahead.popleft().result()
@@ -135,7 +136,7 @@ def _environment(config: RecordConfig) -> gym.Env[Any, Any]:
 def _chunk(
     config: RecordConfig, make: bytes, first: int, few: int
 ) -> list[RecordedEpisode | SceneError]:
-    """Play the episodes of a process's turn in the environment that ``make`` makes, pickled."""
+    """Play a process's share of episodes in the environment that the pickled ``make`` creates."""
     env = call_once(make)
     return [_attempt(config, env, first + k) for k in range(few)]
 
@@ -143,7 +144,7 @@ def _chunk(
 def _attempt(
     config: RecordConfig, env: gym.Env[Any, Any], number: int
 ) -> RecordedEpisode | SceneError:
-    """Play one episode; return it, or why it is not kept."""
+    """Play one episode; return it, or the reason why it is not kept."""
     seed = int(np.random.default_rng((config.seed, number)).integers(2**31))
     infos: list[dict[str, Any]] = []
     felt: list[np.ndarray] = []
@@ -157,9 +158,9 @@ def _attempt(
     except SceneError as error:
         return error
     if shown is None:
-        return SceneError(f"the expert knows no way to {infos[0]['instruction']!r}")
+        return SceneError(f"the expert has no plan for {infos[0]['instruction']!r}")
     if not (shown.solved or config.keep_failures):
-        return SceneError(f"the expert did not {shown.instruction!r}")
+        return SceneError(f"the expert did not solve {shown.instruction!r}")
     digest = env.get_wrapper_attr("world").digest
     return recorded_episode(number, seed, shown, infos, felt, digest)
 
@@ -172,15 +173,15 @@ def recorded_episode(
     felt: Sequence[np.ndarray],
     digest: str,
 ) -> RecordedEpisode:
-    """Return an episode as datasets keep it.
+    """Return an episode in the form that datasets store.
 
     Args:
-        number: of the episode among those played.
-        seed: of its reset.
-        shown: what was seen and done in it.
-        infos: of its reset and of each step.
-        felt: what the robot felt, likewise (``observations.proprioception``).
-        digest: of the table and its objects.
+        number: number of the episode among those played.
+        seed: seed of its reset.
+        shown: its observations and actions.
+        infos: infos of its reset and of each step.
+        felt: proprioception at its reset and after each step (``observations.proprioception``).
+        digest: digest of the table and its objects.
     """
     facts = {
         "seed": seed,
@@ -201,7 +202,7 @@ def recorded_episode(
 
 
 def _proprio(seen: Any, felt: Float[np.ndarray, "t1 p"]) -> Float[np.ndarray, "t1 p"]:
-    """Return what the robot felt, misread as in what was observed."""
+    """Return the proprioception, with the same sensor errors as in the observations."""
     if isinstance(seen, dict) and "proprio" in seen:
         return seen["proprio"]
     state = seen["state"] if isinstance(seen, dict) else seen
@@ -218,7 +219,7 @@ def _plain(observations: Any) -> Any:
 
 
 def _columns(infos: Sequence[Mapping[str, Any]]) -> Columns:
-    """Return what is kept of the infos of an episode, but for the proprioception."""
+    """Return the stored columns of an episode's infos, without the proprioception."""
     terms = {
         name: np.array([info["reward_terms"][name] for info in infos], np.float32)
         for name in infos[0]["reward_terms"]

@@ -1,4 +1,4 @@
-"""Ctrl-C in a recording: it ends what is played, and never what is being written."""
+"""Handling of Ctrl-C in a recording: it interrupts playing, but never writing."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ _Playing = Callable[[Iterable[RecordedEpisode]], Iterator[RecordedEpisode]]
 
 @contextmanager
 def deferring() -> Iterator[_Playing]:
-    """Defer Ctrl-C, except while an episode is played; give what iterates over episodes until then.
+    """Defer Ctrl-C outside of playing; yield a wrapper for the iteration over episodes.
 
-    Pressed while one is written, it ends the iteration after that one. In another thread than the
-    main one nothing is deferred.
+    Ctrl-C during the writing of an episode ends the iteration after that episode. Outside the main
+    thread nothing is deferred.
     """
     if threading.current_thread() is not threading.main_thread():
         yield iter

@@ -1,4 +1,4 @@
-"""Where a dataset is made, and how it appears: whole, by one rename."""
+"""Atomic publication of datasets: written to a temporary place, then renamed."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from generator.io.files import remove_tree, write_whole
 
 _KEY = "recording.json"
 _LOCK = "lock"
-_PLACE = "dataset"  # whatever the target is called: no name of what lies beside it
+_PLACE = "dataset"  # a fixed name, so that it differs from its neighbours' names
 _MOST_BYTES = 1 << 20  # of the key
 
 
 @contextmanager
 def publish(target: Path) -> Iterator[Path]:
-    """Give a place beside ``target``, and move what was made there to it if nothing goes wrong.
+    """Yield a temporary path beside ``target``, and move its content to ``target`` on success.
 
     Raises:
-        InputError: something has come to be at ``target`` meanwhile.
-        StorageError: the disk refused.
+        InputError: ``target`` was created by another program meanwhile.
+        StorageError: a file cannot be written.
     """
     part = None
     try:
@@ -43,16 +43,16 @@ def publish(target: Path) -> Iterator[Path]:
 
 @contextmanager
 def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iterator[Path]:
-    """Give a place beside ``target`` as ``publish`` does, in a folder that outlives a failure.
+    """Yield a temporary path as ``publish`` does, in a folder that survives a failure.
 
-    The folder, ``.<name>.part``, is found again by the next call with the same ``key`` if it is to
-    ``resume``; what its owner keeps beside the place is still there. It goes once the dataset is
-    published, and where the failed call left nothing in it.
+    The next call with the same ``key`` and ``resume`` continues with the folder, ``.<name>.part``,
+    and all files in it. The folder is removed once the dataset is published, or if a failed call
+    left nothing in it.
 
     Raises:
-        InputError: such a folder is there but is not to be resumed, is of another key, or is in
-            use; something has come to be at ``target`` meanwhile.
-        StorageError: the disk refused.
+        InputError: the folder exists and ``resume`` is false, it has another key, or it is in use;
+            or ``target`` was created by another program meanwhile.
+        StorageError: a file cannot be written.
     """
     from filelock import FileLock, Timeout
 
@@ -60,10 +60,10 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
     with storing(target):
         target.parent.mkdir(parents=True, exist_ok=True)
         if part.is_symlink():
-            raise InputError(f"{part} leads elsewhere. Remove it, or choose another place.")
+            raise InputError(f"{part} is a symbolic link. Remove it, or choose another place.")
         if part.is_dir() and not resume:
             raise InputError(
-                f"An interrupted recording to {target} is there. Continue it by --resume, or "
+                f"An interrupted recording to {target} exists. Continue it with --resume, or "
                 f"remove {part}."
             )
         part.mkdir(exist_ok=True)
@@ -84,7 +84,7 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
 
 
 def _claim(part: Path, key: Mapping[str, Any]) -> None:
-    """Write down whose the folder is, or check that it is of the same key."""
+    """Store the key in the folder, or check that an existing key is the same."""
     wanted = json.loads(json.dumps(key))
     path = part / _KEY
     if not path.is_file():
@@ -93,19 +93,19 @@ def _claim(part: Path, key: Mapping[str, Any]) -> None:
     raw = read_regular(path, "The interrupted recording", StorageError, max_bytes=_MOST_BYTES)
     found = parse_object(raw, f"The interrupted recording {str(path)!r}", StorageError)
     other = [
-        f"{name} was {found.get(name)!r} and is {wanted.get(name)!r}"
+        f"{name} was {found.get(name)!r} and is now {wanted.get(name)!r}"
         for name in sorted({*found, *wanted})
         if found.get(name) != wanted.get(name)
     ]
     if other:
         raise InputError(
-            f"The interrupted recording in {part} is another one: {'; '.join(other)}. Give the "
-            "same settings, or remove it."
+            f"The interrupted recording in {part} has other settings: {'; '.join(other)}. Use "
+            "the same settings, or remove it."
         )
 
 
 def _drop_if_empty(part: Path) -> None:
-    """Remove what is half done, and the folder if nothing is kept in it."""
+    """Remove the incomplete dataset, and the folder if nothing else is stored in it."""
     if (part / _PLACE).is_dir():
         shutil.rmtree(part / _PLACE, ignore_errors=True)
     kept = [p for p in part.iterdir() if p.name not in (_KEY, _LOCK)]
@@ -115,13 +115,15 @@ def _drop_if_empty(part: Path) -> None:
 
 def _appear(made: Path, target: Path) -> None:
     if os.path.lexists(target):
-        raise InputError(f"{target} has come to be there meanwhile. Choose another place.")
+        raise InputError(
+            f"{target} was created by another program meanwhile. Choose another place."
+        )
     made.rename(target)
 
 
 @contextmanager
 def storing(target: Path) -> Iterator[None]:
-    """Raise StorageError where the disk refuses what is written for ``target``."""
+    """Convert OSError to StorageError for files of ``target``."""
     try:
         yield
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Recording: play, keep what was solved, and publish the dataset by one rename."""
+"""Recording: play episodes, keep the solved ones, and publish the dataset by one rename."""
 
 from __future__ import annotations
 
@@ -22,10 +22,11 @@ from .interrupts import deferring
 from .publication import publish, publish_in_parts, storing
 
 _LEROBOT = LeRobotConfig()
-_DECISIVE = ("tabletopgen", "mujoco", "numpy", "pyarrow")  # versions that decide the bytes
+# packages whose versions influence the bytes
+_DECISIVE = ("tabletopgen", "mujoco", "numpy", "pyarrow")
 
 MOST_MISSES = 50
-"""How many episodes in a row may give nothing to keep."""
+"""Maximum number of consecutive episodes that are not kept."""
 
 
 def record(
@@ -38,30 +39,31 @@ def record(
     resume: bool = False,
     lerobot: LeRobotConfig = _LEROBOT,
 ) -> Path:
-    """Record the expert's demonstrations; return where the dataset is.
+    """Record the expert's demonstrations; return the path of the dataset.
 
-    It is there once it is whole: whatever goes wrong before leaves nothing behind, but for the
-    format "lerobot" the episodes that are done, in ``.<name>.part`` beside ``out``. ``resume``
+    The dataset appears only when it is complete. A failure leaves nothing behind, except in the
+    format "lerobot", which stores completed episodes in ``.<name>.part`` beside ``out``. ``resume``
     continues after these, if there are any, with the same settings (``episodes`` may differ, but
-    not be less than there are), to the same bytes as without the interruption. ``lerobot`` says how
-    that format keeps pictures.
+    not be less than the stored ones), and gives the same bytes as an uninterrupted recording.
+    ``lerobot`` holds the settings of that format.
 
-    ``out`` is the dataset's own folder, or file ("hdf5", "robomimic"), which must not be there yet.
-    The name of a Minari dataset is its id and ends with a version ("data/lift-v0"); None is
-    ``TabletopGen-<task>-v0`` in the user's Minari store. ``workers`` are processes that play; they
-    change what is recorded only where the clock renews the scenes ("refreshing"). They are of this
-    machine or, with its address, of a ``ray`` cluster, whose machines have to share the folders of
-    scenes that are paths; ``out`` is written here alone. ``report`` is called with how many
-    episodes are kept and how many were played: once nothing is found wrong, and after each.
+    ``out`` is the dataset's own folder, or file ("hdf5", "robomimic"), and must not exist. The name
+    of a Minari dataset is its id and ends with a version ("data/lift-v0"); None is
+    ``TabletopGen-<task>-v0`` in the user's Minari store. ``workers`` is the number of processes
+    that play; it influences the result only if the scenes are renewed by the clock ("refreshing").
+    The processes run on this machine or, given its address, on a ``ray`` cluster, whose machines
+    must share the folders of scenes given by path; ``out`` is written on this machine. ``report``
+    is called with the number of kept and of played episodes, first after all checks have passed,
+    then after each episode.
 
     Raises:
-        InputError: a setting is wrong, a package or a codec is missing, ``out`` is there already,
-            or what is to be resumed is another recording, or has more episodes already.
-        BackendError: no Ray.
-        BundleError: no bundle fits the scenes, or one is damaged.
-        SceneError: the expert solved none of 50 episodes in a row, or a process that played has
-            ended abruptly.
-        StorageError: the disk refused.
+        InputError: a setting is invalid, a package or a codec is missing, ``out`` exists already,
+            or the recording to be resumed has other settings or more episodes.
+        BackendError: Ray is not available.
+        BundleError: no bundle matches the scenes, or one is damaged.
+        SceneError: the expert solved none of 50 episodes in a row, or a process that played ended
+            unexpectedly.
+        StorageError: a file cannot be written.
     """
     require_number("record needs workers", workers, minimum=1, integer=True)
     target = _check(config, out, format, resume, lerobot)
@@ -87,18 +89,19 @@ def write_dataset(
     resume: bool = False,
     lerobot: LeRobotConfig = _LEROBOT,
 ) -> Path:
-    """Write episodes that are played elsewhere, as ``record`` does those of the expert.
+    """Write episodes played elsewhere, in the same way as ``record``.
 
-    ``episodes`` returns them, and all are kept, whatever ``config.episodes`` says; it is called
-    with the number of the first, 0 unless an interrupted recording is resumed. ``env`` is where
-    they are played, and stays open.
+    ``episodes`` returns the episodes, all of which are kept, regardless of ``config.episodes``. It
+    is called with the number of the first one, 0 unless an interrupted recording is resumed.
+    ``env`` is the environment in which they are played; it is not closed.
 
-    Ctrl-C ends the recording, and those kept until then are the dataset. So they are if something
-    goes wrong later, which is raised then; of the format "lerobot" they wait to be resumed.
+    Ctrl-C ends the recording, and the dataset consists of the episodes so far. The same holds for
+    an error, which is raised afterwards; in the format "lerobot" the episodes are stored until the
+    recording is resumed instead.
 
     Raises:
-        InputError: as ``record``, or there was not one episode.
-        StorageError: the disk refused.
+        InputError: as ``record``, or there was no episode.
+        StorageError: a file cannot be written.
     """
     target = _check(config, out, format, resume, lerobot)
     failure: BaseException | None = None
@@ -115,7 +118,7 @@ def write_dataset(
                 raise
             failure = error
         if dataset.kept == 0:
-            raise InputError("No episode was kept, so there is no dataset.")
+            raise InputError("No episode was kept, so no dataset is written.")
         dataset.finish()
     if failure is not None:
         with storing(target):
@@ -130,21 +133,21 @@ def _check(
     resume: bool,
     lerobot: LeRobotConfig,
 ) -> Path:
-    """Check what can be checked before anything is played; return where the dataset goes."""
+    """Check the settings before anything is played; return the path of the dataset."""
     if format not in FORMATS:
         raise InputError(f"Unknown format {format!r}." + choices(str(format), FORMATS))
     config.check()
     lerobot.check()
     check_installed(format, lerobot)
     if resume and format not in RESUMABLE:
-        raise InputError(f"The format {format!r} cannot be resumed; {', '.join(RESUMABLE)} can.")
+        raise InputError(f"The format {format!r} cannot be resumed, only {', '.join(RESUMABLE)}.")
     return _target(config, out, format)
 
 
 def _publish(
     target: Path, config: RecordConfig, format: Format, resume: bool, lerobot: LeRobotConfig
 ) -> AbstractContextManager[Path]:
-    """Return what gives the place to write to."""
+    """Return the context manager that yields the temporary path of the dataset."""
     if format not in RESUMABLE:
         return publish(target)
     settings = {n: v for n, v in asdict(config).items() if n != "episodes"}
@@ -161,12 +164,12 @@ def _play(
     ray: str | None,
     report: Callable[[int, int], None],
 ) -> None:
-    """Play what the dataset lacks, and write it."""
+    """Play the missing episodes, and write them."""
     missing = config.episodes - dataset.kept
     if missing < 0:
         raise InputError(
-            f"The interrupted recording has {dataset.kept} episodes already, more than the "
-            f"{config.episodes} asked for. Resume it with episodes={dataset.kept} or more."
+            f"The interrupted recording already has {dataset.kept} episodes, more than the "
+            f"requested {config.episodes}. Resume it with episodes={dataset.kept} or more."
         )
     report(dataset.kept, dataset.resumed_at)
     if missing > 0:
@@ -181,15 +184,15 @@ def _write(
     dataset: Writer,
     report: Callable[[int, int], None],
 ) -> None:
-    """Write as many episodes as are asked for."""
+    """Write episodes until the requested number is reached."""
     missed = 0
     for number, episode in enumerate(episodes, dataset.resumed_at + 1):
         if isinstance(episode, SceneError):
             missed += 1
             if missed == MOST_MISSES:
                 raise SceneError(
-                    f"{missed} episodes in a row gave nothing to keep. Use other scenes, another "
-                    f"task or less noise. Of the last: {episode}"
+                    f"None of {missed} consecutive episodes was kept. Use other scenes, "
+                    f"another task or less noise. Reason for the last one: {episode}"
                 )
         else:
             missed = 0
@@ -200,9 +203,9 @@ def _write(
 
 
 def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Path:
-    """Return where the dataset goes: a place that is free, and has a dataset's name."""
+    """Return the path of the dataset after checking that it is free and validly named."""
     if out is None and format != "minari":
-        raise InputError(f"Say where the {format} dataset goes, with 'out'.")
+        raise InputError(f"Set 'out' to the path of the {format} dataset.")
     if out is None:
         from minari.storage import get_dataset_path
 
@@ -216,10 +219,11 @@ def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Pat
             parse_dataset_id(target.name)
         except (ValueError, TypeError) as error:
             raise InputError(
-                f"{target.name!r} is no name of a Minari dataset: letters, digits, '-' and '_', "
-                f"with a version at the end, such as '{config.name.lower()}-v0'."
+                f"{target.name!r} is not a valid name of a Minari dataset: use letters, "
+                "digits, '-' and '_', with a version at the end, such as "
+                f"'{config.name.lower()}-v0'."
             ) from error
     if os.path.lexists(target):
-        raise InputError(f"{target} is there already. Remove it, or choose another place.")
+        raise InputError(f"{target} already exists. Remove it, or choose another place.")
     check_folder(target.parent)
     return target

@@ -1,4 +1,4 @@
-"""What many rows of numbers are like: range, mean, deviation and quantiles, entry by entry."""
+"""Statistics of rows of numbers per entry: range, mean, deviation and quantiles."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ import numpy as np
 from jaxtyping import Float, Shaped, UInt8
 
 QUANTILES: Mapping[str, float] = {"q01": 0.01, "q10": 0.10, "q50": 0.50, "q90": 0.90, "q99": 0.99}
-"""The quantiles of a summary by their name."""
+"""The quantiles of a summary, by name."""
 
-_MOST_NUMBERS = 1 << 22  # of the pixels of one picture stream of an episode
+_MOST_NUMBERS = 1 << 22  # pixels sampled per picture stream and episode
 
 
 @dataclass(frozen=True, eq=False)
 class RowSummary:
-    """Of ``count`` rows: a row for each figure, an entry for each of the rows' ``d`` entries.
+    """Statistics of ``count`` rows, each an array with an entry for each of the ``d`` columns.
 
-    ``std`` is the deviation of the population; ``quantiles`` are in the order of ``QUANTILES``.
+    ``std`` is the population's standard deviation; ``quantiles`` are in the order of ``QUANTILES``.
     """
 
     minimum: Float[np.ndarray, "d"]
@@ -30,7 +30,7 @@ class RowSummary:
     count: int
 
     def figures(self) -> dict[str, Any]:
-        """Return it as JSON values: min, max, mean, std, count and the quantiles, as lists."""
+        """Return min, max, mean, std, count and the quantiles as JSON lists."""
         quantiles = dict(zip(QUANTILES, self.quantiles.tolist(), strict=True))
         return {
             "min": self.minimum.tolist(),
@@ -43,10 +43,10 @@ class RowSummary:
 
     @classmethod
     def of_figures(cls, figures: Mapping[str, Any]) -> RowSummary:
-        """Return the summary whose ``figures`` these are.
+        """Return the summary with given ``figures``.
 
         Raises:
-            KeyError, TypeError, ValueError: they are none.
+            KeyError, TypeError, ValueError: the figures are invalid.
         """
         names = ("min", "max", "mean", "std", *QUANTILES)
         rows = np.array([figures[name] for name in names], np.float64)
@@ -56,14 +56,14 @@ class RowSummary:
 
 
 def summarize(rows: Shaped[np.ndarray, "t *d"]) -> RowSummary:
-    """Return the summary of numbers or truth values, a row each; there has to be one at least."""
+    """Summarise one or more rows of numbers or booleans."""
     table = np.asarray(rows, np.float64).reshape(len(rows), -1)
     quantiles = np.quantile(table, list(QUANTILES.values()), axis=0)
     return RowSummary(table.min(0), table.max(0), table.mean(0), table.std(0), quantiles, len(rows))
 
 
 def summarize_colors(pictures: UInt8[np.ndarray, "t h w c"]) -> RowSummary:
-    """Return the summary of pictures by channel, in [0, 1]; ``count`` is of the pictures."""
+    """Summarise pictures per channel, in [0, 1]; ``count`` is the number of pictures."""
     levels = np.arange(256) / 255.0
     channels = pictures.reshape(-1, pictures.shape[-1]).T
     counts = np.stack([np.bincount(channel, minlength=256) for channel in channels])
@@ -79,17 +79,17 @@ def summarize_colors(pictures: UInt8[np.ndarray, "t h w c"]) -> RowSummary:
 
 
 def summarize_depth(pictures: Float[np.ndarray, "t h w"]) -> RowSummary:
-    """Return the summary of depth pictures as one channel, metres; of large ones, of a part."""
+    """Summarise depth pictures as one channel, metres; large streams are subsampled."""
     numbers = pictures.reshape(-1, 1)
     few = summarize(numbers[:: -(-len(numbers) // _MOST_NUMBERS)])
     return RowSummary(few.minimum, few.maximum, few.mean, few.std, few.quantiles, len(pictures))
 
 
 def merge(summaries: Sequence[RowSummary]) -> RowSummary:
-    """Return the summary of the rows of all; the quantiles are the mean of theirs, by rows.
+    """Merge summaries; quantiles are the means of the parts' quantiles, weighted by rows.
 
-    Range, mean and deviation are those of all rows; quantiles cannot be had from quantiles, and
-    the mean is what LeRobot takes when it merges episodes.
+    Range, mean and deviation are exact. Exact quantiles cannot be computed from quantiles; LeRobot
+    uses the mean as well when it merges episodes.
     """
     counts = np.array([s.count for s in summaries], np.float64)
     shares = counts / counts.sum()
@@ -107,17 +107,17 @@ def merge(summaries: Sequence[RowSummary]) -> RowSummary:
 
 
 class Summaries:
-    """Summaries by name of a dataset whose episodes come one after the other."""
+    """Summaries by name of a dataset whose episodes are added one by one."""
 
     def __init__(self) -> None:
         self._known: dict[str, RowSummary] = {}
 
     def add(self, summaries: Mapping[str, RowSummary]) -> None:
-        """Take in those of one more episode."""
+        """Add the summaries of one more episode."""
         for name, summary in summaries.items():
             known = self._known.get(name)
             self._known[name] = summary if known is None else merge([known, summary])
 
     def figures(self) -> dict[str, dict[str, Any]]:
-        """Return all as JSON values, by name."""
+        """Return all statistics as JSON values, by name."""
         return {name: summary.figures() for name, summary in self._known.items()}

@@ -1,22 +1,22 @@
-"""Where an environment's tables come from: scenes that are there, made again, or ever renewed.
+"""Scene sources of an environment: existing, generated or continuously renewed scenes.
 
 A source draws *references*: a key, by which a compiled world is reused, and a function that loads
-the scene when it is not there yet. Drawing uses the generator it is given and nothing else, so
-that a seeded environment sees the same tables again; only what is renewed by the clock does not
-(``RefreshingScenes`` with ``per_minute``).
+the scene if it is not cached. Draws depend only on the given generator, so that a seeded
+environment repeats its tables; the exception are scenes renewed by the clock (``RefreshingScenes``
+with ``per_minute``).
 
 ====================  =============================================================================
-``FixedScenes``       bundles and scenes in memory, all equally likely
-``FreshScenes``       a new one for each draw: of texts, or of a ``SceneDistribution``
-``RefreshingScenes``  a pool that processes keep renewing in the background
-``CurriculumScenes``  those of another source at which the policy learns most now
-``SharedScenes``      those of another source, for several threads, as ``TabletopVectorEnv`` has it
-``split``             the scenes of any source to train on, or those held out
+``FixedScenes``       bundles and scenes in memory, drawn uniformly
+``FreshScenes``       a new scene for each draw: from texts, or from a ``SceneDistribution``
+``RefreshingScenes``  a pool that background processes keep renewing
+``CurriculumScenes``  scenes of another source, preferably where the policy currently learns most
+``SharedScenes``      scenes of another source, for several threads as in ``TabletopVectorEnv``
+``split``             the training scenes or the held-out scenes of any source
 ====================  =============================================================================
 
-``"fresh"`` and ``"refreshing"`` draw tables for the task at hand: of every theme, with what
-``Task.needs`` lists on them besides. A source that is passed in draws what it says:
-``FreshScenes(SceneDistribution(needs=task.needs))`` has the needs, too.
+``"fresh"`` and ``"refreshing"`` draw tables for the current task: of every theme, and with the
+objects listed in ``Task.needs``. A source object is used unchanged:
+``FreshScenes(SceneDistribution(needs=task.needs))`` includes the needs as well.
 """
 
 from generator.language.distribution import SceneDistribution as SceneDistribution

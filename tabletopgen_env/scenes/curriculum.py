@@ -1,4 +1,4 @@
-"""Scenes of the difficulty at which the policy learns most now."""
+"""A curriculum: scenes of the difficulty at which the policy currently learns most."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from .sampler import DifficultySampler
 from .source import HeldRef, Remembered, SceneRef, SceneSource, close, record
 from .splits import SplitRule, admitting
 
-_NEW = 4.0  # weight of a scene that was not drawn yet
+_NEW = 4.0  # weight of a scene not drawn before
 
 
 @dataclass(eq=False)
 class CurriculumScenes:
-    """Draws scenes of another source by their difficulty and by how episodes there have ended.
+    """Draws scenes of another source by their difficulty and the results of earlier episodes.
 
-    It holds the ``size`` scenes last met. For each draw the source draws one more, and of all held
-    one is chosen: a bin of difficulty by ``sampler``, then a scene of it. One that was not drawn
-    yet counts four times as much, since most is learned of what is new.
-    ``record`` is told how each episode ended, and at which scene, so that episodes in flight at the
-    same time count where they belong.
+    It holds the ``size`` most recent scenes. Each draw adds one more scene of the source, then
+    chooses among the held ones: first a bin of difficulty by ``sampler``, then a scene in it.
+    Scenes not drawn before have four times the weight, since new scenes teach most. ``record``
+    receives the result of each episode with its scene, so that concurrent episodes count for the
+    right bins.
 
-    At most one scene is made or loaded for a draw, for ``difficulty.difficulty``, and none whose
-    reference says how difficult it is. Of a source that makes scenes when they are drawn, the
-    scenes held stay in memory.
+    Each draw generates or loads at most one scene, to compute ``difficulty.difficulty``, and none
+    if its reference includes the difficulty. For a source that generates scenes on demand, the held
+    scenes stay in memory.
 
     Attributes:
-        source: where scenes come from: a ``SceneSource``, or fixed ones as ``resolve`` takes them.
-        sampler: the success rates by difficulty, which change, and what is drawn by them.
-        size: how many scenes are held.
+        source: the source: a ``SceneSource``, or fixed scenes as for ``resolve``.
+        sampler: success rates by difficulty, updated in place, and the distribution of draws.
+        size: number of held scenes.
 
     Raises:
-        InputError: settings out of their range.
+        InputError: a setting is out of range.
     """
 
     source: SceneSource | FixedChoice
@@ -57,21 +57,21 @@ class CurriculumScenes:
             self._source = self.source
         elif on_demand(self.source):
             raise InputError(
-                f"CurriculumScenes takes no {self.source!r}; pass scenes="
-                f"'{CURRICULUM}:{self.source}', or a SceneSource."
+                f"CurriculumScenes does not accept {self.source!r}; pass "
+                f"scenes='{CURRICULUM}:{self.source}', or a SceneSource."
             )
         else:
             self._source = fixed_scenes(self.source)
         if self.size < 1:
-            raise InputError(f"A curriculum needs size to be at least 1, got {self.size}.")
+            raise InputError(f"The size of a curriculum must be at least 1, got {self.size}.")
 
     @property
     def scenes(self) -> SceneSource:
-        """The source of the scenes that it chooses among."""
+        """The underlying source."""
         return self._source
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw a scene; its reference says how difficult it is."""
+        """Draw a scene; its reference includes its difficulty."""
         self._meet(self._source.draw(rng))
         bins = self.sampler.bins(np.array([ref.difficulty for ref in self._held], float))
         weights = np.array([1.0 if ref.key in self._drawn else _NEW for ref in self._held])
@@ -83,13 +83,13 @@ class CurriculumScenes:
         return ref
 
     def record(self, ref: SceneRef, success: bool) -> None:
-        """Take the end of an episode at a scene into account."""
+        """Record the result of an episode on a scene."""
         record(self._source, ref, success)
         if ref.difficulty is not None:
             self.sampler.record(self.sampler.bins(ref.difficulty), success)
 
     def admitting(self, rule: SplitRule) -> CurriculumScenes:
-        """Return the curriculum over only those scenes that a rule admits, with nothing learned."""
+        """Return a curriculum over the scenes that a rule admits, with empty success rates."""
         new = dataclasses.replace(self.sampler)
         return dataclasses.replace(self, source=admitting(self._source, rule), sampler=new)
 
@@ -98,7 +98,7 @@ class CurriculumScenes:
         close(self._source)
 
     def _meet(self, drawn: SceneRef) -> None:
-        """Hold a scene, once; let go those that are gone, and the one met longest ago."""
+        """Hold a scene, without duplicates; drop deleted scenes, and beyond ``size`` the oldest."""
         others = [ref for ref in self._held if ref.key != drawn.key and is_there(ref)]
         [met] = [ref for ref in self._held if ref.key == drawn.key] or [self._rate(drawn)]
         self._held = [*others, met][-self.size :]
@@ -115,7 +115,7 @@ class CurriculumScenes:
 
 @dataclass(eq=False)
 class _Made:
-    """Makes a scene once, and keeps it."""
+    """Generates a scene once and keeps it."""
 
     make: Callable[[], Scene]
     scene: Scene | None = None

@@ -1,4 +1,4 @@
-"""How hard a scene is to work at, from its geometry alone."""
+"""The difficulty of a scene for manipulation, from its geometry alone."""
 
 from __future__ import annotations
 
@@ -22,73 +22,74 @@ from ..affordance import (
 from ..robot.mount import Mount
 
 TERMS = ("objects", "clutter", "clearance", "distance", "stacking", "size")
-"""What difficulty is made of; see ``difficulty_terms``."""
+"""Names of the terms of a difficulty; see ``difficulty_terms``."""
 
 MANY = 20
-"""Number of objects from which on it gets no harder."""
+"""Number of objects at which the objects term reaches 1."""
 
 DEEP = 2
-"""So many things below a thing, or more, are the worst."""
+"""Number of objects below an object at which the stacking term reaches 1."""
 
 FULL = 0.35
-"""Share of a tabletop that is covered where clutter is at its worst."""
+"""Covered share of the tabletop at which the clutter term reaches 1."""
 
 FREE = 0.12
-"""Gap to the nearest neighbour, metres, from which on the hand has all the room it needs."""
+"""Gap to the nearest neighbour, metres, above which the hand is unobstructed."""
 
 NEAR, FAR = 0.45, 0.77
-"""Distances from the robot's base, metres: up to the first is easy, at the second is the end of
-what the hand reaches."""
+"""Distances from the robot's base, metres: the distance term is 0 up to the first, and 1 at the
+second, the end of the reach.
+"""
 
 SMALL, TINY = 0.03, 0.01
-"""Widths, metres: things narrower than the first are hard to hit, those below the second most."""
+"""Widths, metres: the size term grows below the first and reaches 1 at the second."""
 
 WIDE = 0.05
-"""Width, metres, from which on the fingers must come down with care; they open 8 cm."""
+"""Width, metres, above which the fingers, which open 8 cm, have little clearance."""
 
 LOW = 0.04
 """Height, metres, below which the fingers work close to the table."""
 
 RIM = 0.5
-"""How hard it is to take a vessel by its wall."""
+"""Size term of a vessel that can only be grasped by its rim."""
 
 
 def difficulty(scene: Scene, target: str | None = None) -> float:
-    """Return how hard a scene is to work at, in [0, 1]: the mean of ``difficulty_terms``.
+    """Compute the difficulty of a scene in [0, 1], the mean of ``difficulty_terms``.
 
-    Of a ``target`` (an object's name) it is how hard that object is to work with. Else it knows the
-    scene alone: the same scene has the same difficulty for every robot of the Panda's size that
-    stands where ``Mount.beside`` puts it, whatever the task. A bare table has 0.
+    With ``target`` (an object's name) it is the difficulty of manipulating that object. Otherwise
+    it depends on the scene only: the same scene has the same difficulty for every robot of the
+    Panda's size mounted by ``Mount.beside``, and for every task. An empty table has difficulty 0.
 
     Raises:
-        InputError: there is no such object.
+        InputError: the object does not exist.
     """
     return float(np.mean(list(difficulty_terms(scene, target).values())))
 
 
 def difficulty_terms(scene: Scene, target: str | None = None) -> Mapping[str, float]:
-    """Return what makes a scene hard, each in [0, 1] and 0 for a bare table.
+    """Compute the terms of a scene's difficulty, each in [0, 1] and 0 for an empty table.
 
-    Where there is a mean over things, it is of ``target`` alone if one is given.
+    With ``target``, means over objects are replaced by the value of the target.
 
     ==========  ==============================================================================
-    objects     how many there are, over ``MANY``
-    clutter     share of the tabletop that is covered by what stands on it, over ``FULL``
-    clearance   how little room there is: 1 for things that touch, 0 from a gap of ``FREE`` to
-                the nearest neighbour on the table; the mean over things that stand on the table.
-                Of a target on another thing the neighbours are all but what it stands on
-    distance    how far from the robot's base: 0 up to ``NEAR``, 1 at ``FAR`` and wherever the
-                hand does not reach; the mean over all things
-    stacking    how many things lie between a thing and the table, over ``DEEP``; the mean over
-                all things
-    size        how badly a thing's size suits the hand, as it rests: narrower than ``SMALL`` (1 at
-                ``TINY``), wider than ``WIDE`` (1 where the fingers no longer open), lower than
-                ``LOW`` (1 at the lowest the fingers take), the worst of these; ``RIM`` for what is
-                only taken by its wall; the mean over what can be grasped at all, 1 if nothing can
+    objects     number of objects, divided by ``MANY``
+    clutter     share of the tabletop covered by objects that stand on it, divided by ``FULL``
+    clearance   lack of space: 1 for touching objects, 0 from a gap of ``FREE`` to the nearest
+                neighbour on the table; the mean over objects that stand on the table. For a
+                target on another object, its neighbours are all objects but its carriers
+    distance    distance from the robot's base: 0 up to ``NEAR``, 1 at ``FAR`` and wherever the
+                hand does not reach; the mean over all objects
+    stacking    number of objects between an object and the table, divided by ``DEEP``; the mean
+                over all objects
+    size        mismatch between an object's size at rest and the fingers: narrower than ``SMALL``
+                (1 at ``TINY``), wider than ``WIDE`` (1 at the maximum opening), lower than ``LOW``
+                (1 at the minimum height), the maximum of these; ``RIM`` for objects that can only
+                be grasped by a wall; the mean over graspable objects, 1 if there are none
     ==========  ==============================================================================
 
     Raises:
-        InputError: there is no such object.
+        InputError: the object does not exist.
     """
     if not scene.objects and target is None:
         return dict.fromkeys(TERMS, 0.0)
@@ -108,7 +109,7 @@ def difficulty_terms(scene: Scene, target: str | None = None) -> Mapping[str, fl
 
 
 def _below(scene: Scene, thing: Object) -> list[str]:
-    """Return what lies between an object and the table, the nearest first."""
+    """Return the objects between an object and the table, nearest first."""
     found: list[str] = []
     while (support := thing.placement.on) != TABLE and support not in found:
         found.append(support)
@@ -117,7 +118,7 @@ def _below(scene: Scene, thing: Object) -> list[str]:
 
 
 def _tightness(scene: Scene, target: Object) -> float:
-    """Return the clearance term of one object, from the outlines of all but what carries it."""
+    """Return the clearance term of one object, from the outlines of all others but its carriers."""
     import shapely
 
     carrying = {target.name, *_below(scene, target)}
@@ -128,7 +129,7 @@ def _tightness(scene: Scene, target: Object) -> float:
 
 
 def _crowding(scene: Scene) -> dict[str, float]:
-    """Return clutter and clearance, from the outlines of what stands on the table."""
+    """Return clutter and clearance, from the outlines of objects that stand on the table."""
     import shapely
 
     standing = [o for o in scene.objects if o.placement.on == TABLE]
@@ -153,7 +154,7 @@ def _distances(scene: Scene, things: Sequence[Object]) -> Float[np.ndarray, "k"]
 
 
 def _misfit(obj: Object) -> float | None:
-    """Return how badly an object's size suits the hand, in [0, 1]; None if it cannot be grasped."""
+    """Return the size term of an object, in [0, 1]; None if it cannot be grasped."""
     if why_not_graspable(obj, None) is not None:
         walled = obj.model.container and why_not_graspable(obj, opening(obj)) is None
         return RIM if walled else None

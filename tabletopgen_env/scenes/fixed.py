@@ -1,4 +1,4 @@
-"""Scenes that are there: bundles on disk, and scenes in memory."""
+"""Fixed scenes: bundles on disk and scenes in memory."""
 
 from __future__ import annotations
 
@@ -18,33 +18,33 @@ from .splits import SplitRule, admits, kinds, kinds_of
 
 @dataclass(frozen=True)
 class Bundle:
-    """Loads the bundle at a path, which need not be there any more."""
+    """Loads the bundle at a path, which may have been deleted since."""
 
     path: Path
 
     def __call__(self) -> Scene:
-        """Read the whole scene, every file checked.
+        """Read the whole scene, with every file checked.
 
         Raises:
-            BundleError: the bundle is gone or damaged.
+            BundleError: the bundle is missing or damaged.
         """
         return load(self.path)
 
     def exists(self) -> bool:
-        """Tell whether the bundle is still there; says nothing of damage."""
+        """Return whether the bundle exists; damage is not detected."""
         return (self.path / "scene.json").is_file()
 
     def digest(self) -> str:
-        """Return the digest of what is on the table."""
+        """The digest of the table and its objects."""
         return load_digest(self.path)
 
     def kinds(self) -> frozenset[str]:
-        """Return the kinds of its objects."""
+        """The categories of its objects."""
         return kinds_of(load_kinds(self.path))
 
 
 def bundle_ref(path: Path) -> SceneRef:
-    """Refer to the bundle at a path; the working directory may change afterwards."""
+    """Return a reference to the bundle at a path, independent of the working directory."""
     place = path.resolve()
     return SceneRef(f"bundle:{place}", Bundle(place))
 
@@ -55,7 +55,7 @@ def folder(ref: SceneRef) -> Path | None:
 
 
 def is_there(ref: SceneRef) -> bool:
-    """Tell whether a scene can still be loaded, as far as a glance at the disk tells."""
+    """Return whether a scene can still be loaded, by a quick check of the disk."""
     return not isinstance(ref.load, Bundle) or ref.load.exists()
 
 
@@ -63,8 +63,8 @@ def is_there(ref: SceneRef) -> bool:
 class FixedScenes:
     """Draws uniformly from fixed scenes.
 
-    A bundle that is deleted while the environment runs is passed over, with one warning, as long
-    as other scenes are left; when it comes back it is drawn again. A damaged one is an error.
+    A bundle that is deleted while the environment runs is skipped, with one warning, as long as
+    other scenes remain; if it reappears, it is drawn again. A damaged bundle raises an error.
     """
 
     refs: tuple[SceneRef, ...]
@@ -79,40 +79,40 @@ class FixedScenes:
         return len(self.refs)
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw one of the scenes, all equally likely.
+        """Draw one of the scenes uniformly.
 
         Raises:
-            BundleError: every scene was a bundle, and all are gone.
+            BundleError: all scenes were bundles that no longer exist.
         """
         ref = self.refs[int(rng.integers(len(self.refs)))]
         if is_there(ref):
             return ref
         left = [other for other in self.refs if is_there(other)]
-        missing = f"The bundle {folder(ref)} is gone since the environment was made"
+        missing = f"The bundle {folder(ref)} no longer exists"
         if not left:
-            others = f", and so are the other {len(self) - 1}" if len(self) > 1 else ""
-            raise BundleError(f"{missing}{others}. Put it back, or pass other scenes.")
+            others = f", nor do the other {len(self) - 1}" if len(self) > 1 else ""
+            raise BundleError(f"{missing}{others}. Restore it, or pass other scenes.")
         if not self._warned:
             self._warned = True
             warnings.warn(
-                f"{missing}; continuing with the {len(left)} of {len(self)} scenes that are left.",
+                f"{missing}; continuing with the {len(left)} of {len(self)} remaining scenes.",
                 RuntimeWarning, stacklevel=2,
             )  # fmt: skip
         return left[int(rng.integers(len(left)))]
 
     def admitting(self, rule: SplitRule) -> FixedScenes:
-        """Return only the scenes that a rule admits.
+        """Return the scenes that a rule admits.
 
         Raises:
-            InputError: none is left, or there is no such category.
-            BundleError: a bundle is gone or damaged.
+            InputError: no scene is left, or a category does not exist.
+            BundleError: a bundle is missing or damaged.
         """
         if rule.categories:
             rule.check_categories(word for ref in self.refs for word in kinds(ref))
         kept = tuple(ref for ref in self.refs if admits(rule, ref))
         if not kept:
             raise InputError(
-                f"None of the {len(self)} scenes is for {rule}. Choose another share or other "
-                "categories, or give more scenes."
+                f"None of the {len(self)} scenes belongs to {rule}. Choose another share or "
+                "other categories, or pass more scenes."
             )
         return FixedScenes(kept)

@@ -1,4 +1,4 @@
-"""Ever new scenes, made when they are asked for."""
+"""Scenes generated on demand."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from .source import SceneRef
 from .splits import SplitRule
 
 DRAWS = 1000
-"""How many texts, or plans, and seeds are drawn for one of the right side of a split."""
+"""Maximum number of draws for one scene on the required side of a split."""
 
 
 @dataclass(frozen=True)
 class FreshScenes:
-    """Makes a new table for every draw: a seed for a text drawn uniformly, or a drawn plan.
+    """Generates a new table for every draw, from a random text and seed or from a drawn plan.
 
     Attributes:
         prompts: a text, a list of texts, or a distribution of tables.
-        variants: bounds the seeds, for each text or for the distribution, so that compiled worlds
-            are met again; at most 2^30.
+        variants: number of seeds per text or for the distribution, at most 2^30; with few seeds,
+            compiled worlds are met again.
         making: "compose", "generate" or "module:function"; see ``SceneRecipe``.
-        rules: what side of a split to keep to; see ``admitting``.
+        rules: required sides of splits; see ``admitting``.
 
     Raises:
-        InputError: no text, an empty one, or settings out of their range.
+        InputError: there is no text, a text is empty, or a setting is out of range.
     """
 
     prompts: str | Sequence[str] | SceneDistribution = field(default_factory=SceneDistribution)
@@ -44,18 +44,18 @@ class FreshScenes:
             texts = (given,) if isinstance(given, str) else tuple(given)
             if not texts or not all(isinstance(t, str) and t.strip() for t in texts):
                 raise InputError(
-                    "FreshScenes needs at least one prompt, not empty, or a SceneDistribution, "
+                    "FreshScenes needs one or more non-empty prompts, or a SceneDistribution, "
                     f"got {given!r}. An example: FreshScenes('an office desk')."
                 )
             object.__setattr__(self, "prompts", texts)
         if not 1 <= self.variants <= MOST_SEEDS:
-            raise InputError(f"FreshScenes.variants is from 1 to 2^30, got {self.variants}.")
+            raise InputError(f"FreshScenes.variants must be from 1 to 2^30, got {self.variants}.")
         if self.making not in (COMPOSE, GENERATE):
             maker(self.making)
         object.__setattr__(self, "rules", tuple(self.rules))
 
     def check(self) -> None:
-        """Plan each text once, since what cannot be planned can never be made.
+        """Plan each text once, to detect texts that can never be generated.
 
         Raises:
             InputError: a text cannot be planned.
@@ -67,7 +67,7 @@ class FreshScenes:
                     recipe.plan()
 
     def recipe(self, rng: np.random.Generator) -> SceneRecipe:
-        """Draw what decides one scene; as ``draw``, which makes a reference of it."""
+        """Draw the recipe of a scene; ``draw`` returns a reference to it."""
         for _ in range(DRAWS):
             what = self.prompts
             if not isinstance(what, SceneDistribution):
@@ -78,25 +78,25 @@ class FreshScenes:
                 return recipe
         sides = " and ".join(str(rule) for rule in self.rules)
         raise SceneError(
-            f"None of {DRAWS} drawn scenes is for {sides}. Choose another share or other "
+            f"None of {DRAWS} drawn scenes belongs to {sides}. Choose another share or other "
             f"categories, other prompts, or more variants than {self.variants}."
         )
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw what decides a scene; the scene is made when it is loaded.
+        """Draw a reference to a scene, which is generated when it is loaded.
 
         Raises:
             InputError: a text cannot be planned.
-            SceneError: none of ``DRAWS`` drawn scenes is on the right side of every split.
+            SceneError: none of ``DRAWS`` drawn scenes is on the required side of every split.
         """
         recipe = self.recipe(rng)
         return SceneRef(recipe.key, recipe.make)
 
     def admitting(self, rule: SplitRule) -> FreshScenes:
-        """Return the source of only those scenes that a rule admits.
+        """Return a source of the scenes that a rule admits.
 
         Raises:
-            InputError: there is no such category.
+            InputError: a category does not exist.
         """
         if self.making in (COMPOSE, GENERATE):
             rule.check_categories()

@@ -1,4 +1,4 @@
-"""Fixed scenes by what users call them: names, digests, paths, globs, "starter" and its sides."""
+"""Lookup of fixed scenes by name, digest, path or glob, or by "starter" and its sides."""
 
 from __future__ import annotations
 
@@ -14,49 +14,49 @@ from .source import HeldRef, SceneRef
 from .splits import Side, SplitRule
 
 STARTER = "starter"
-"""Means the shipped bundles that are for any task."""
+"""Name of the shipped bundles that suit any task."""
 
 FRESH = "fresh"
-"""Means scenes made again for each draw; after a colon comes what they are of."""
+"""Name of scenes generated for each draw; a text can follow after a colon."""
 
 REFRESHING = "refreshing"
-"""Means a pool that is renewed in the background; after a colon comes what it is of."""
+"""Name of a pool renewed in the background; a text can follow after a colon."""
 
 CURRICULUM = "curriculum"
-"""Means scenes of the difficulty at which most is learned now; after a colon comes of which."""
+"""Name of a curriculum of scenes; the scenes can follow after a colon."""
 
 _SIDES: dict[str, Side] = {f"{STARTER}:{side}": side for side in get_args(Side)}
 FORMS = (
     STARTER, *_SIDES, FRESH, f"{FRESH}:PROMPT", REFRESHING, f"{REFRESHING}:PROMPT",
     CURRICULUM, f"{CURRICULUM}:SCENES",
 )  # fmt: skip
-"""What ``scenes`` may say besides bundles."""
+"""Forms of ``scenes`` besides bundles."""
 
 FixedChoice = str | Path | Scene | Sequence["str | Path | Scene"]
-"""What fixed scenes may be called."""
+"""Identifiers of fixed scenes."""
 
 
 def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
-    """Find fixed scenes, in a fixed order; ``selection.resolve`` says what they may be called.
+    """Find fixed scenes, in a fixed order, by the identifiers listed in ``selection.resolve``.
 
     Raises:
-        BundleError: no bundle fits; the message says what there is.
-        InputError: ``scenes`` is of another kind, or an empty list.
+        BundleError: no bundle matches; the message lists the available ones.
+        InputError: ``scenes`` has another type, or is an empty list.
     """
     if isinstance(scenes, str | Path | Scene):
         return FixedScenes(tuple(_find(scenes)))
     if isinstance(scenes, Iterable):
         return FixedScenes(tuple(ref for item in scenes for ref in _find(item)))
     raise InputError(
-        f"scenes is of type {type(scenes).__name__}; pass a bundle's path, name or glob, "
+        f"scenes has type {type(scenes).__name__}; pass a bundle's path, name or glob, "
         f"{', '.join(map(repr, FORMS))}, a Scene, a list of these, or a SceneSource."
     )
 
 
 def on_demand(scenes: object) -> bool:
-    """Return whether tables are made: ``scenes`` is a form of ``FRESH`` or ``REFRESHING``.
+    """Return whether ``scenes`` is generated on demand: a form of ``FRESH`` or ``REFRESHING``.
 
-    Or a curriculum of one, as ``CURRICULUM`` alone is.
+    A curriculum of such a form counts as well; ``CURRICULUM`` alone is one.
     """
     if not isinstance(scenes, str):
         return False
@@ -64,10 +64,10 @@ def on_demand(scenes: object) -> bool:
 
 
 def graded_of(scenes: str) -> str | None:
-    """Return of which scenes a form of ``CURRICULUM`` is one, None for what is none.
+    """Return the scenes that a form of ``CURRICULUM`` refers to; None for other forms.
 
     Raises:
-        InputError: nothing follows the colon, or another curriculum.
+        InputError: nothing follows the colon, or another curriculum does.
     """
     head, colon, inner = scenes.partition(":")
     if head != CURRICULUM:
@@ -76,7 +76,7 @@ def graded_of(scenes: str) -> str | None:
         return FRESH
     if not inner.strip() or inner.strip().partition(":")[0] == CURRICULUM:
         raise InputError(
-            f"scenes={scenes!r} does not say of which scenes it is a curriculum. Pass for example "
+            f"scenes={scenes!r} names no scenes for the curriculum. Pass, for example, "
             f"'{CURRICULUM}:{STARTER}:train', '{CURRICULUM}:{FRESH}:an office desk', or just "
             f"{CURRICULUM!r}."
         )
@@ -84,15 +84,17 @@ def graded_of(scenes: str) -> str | None:
 
 
 def _find(item: str | Path | Scene) -> list[SceneRef]:
-    """Return the references that one item stands for, in a fixed order."""
+    """Return the references of one item, in a fixed order."""
     if isinstance(item, Scene):
         return [HeldRef(item)]
     if not isinstance(item, str | Path):
-        raise InputError(f"A list of scenes holds a {type(item).__name__}: {item!r}.")
+        raise InputError(
+            f"A list of scenes cannot hold an item of type {type(item).__name__}: {item!r}."
+        )
     if on_demand(item) or (isinstance(item, str) and graded_of(item)):
         raise InputError(
-            f"{item!r} is no fixed scene, and cannot be one of a list; for several prompts pass "
-            "scenes=FreshScenes([prompt, ...])."
+            f"{item!r} is not a fixed scene and cannot be part of a list; for several prompts "
+            "pass scenes=FreshScenes([prompt, ...])."
         )
     if item in _SIDES:
         return list(fixed_scenes(STARTER).admitting(SplitRule(_SIDES[str(item)])).refs)
@@ -105,13 +107,13 @@ def _find(item: str | Path | Scene) -> list[SceneRef]:
 
 
 def _explain(text: str, error: BundleError) -> BundleError | InputError:
-    """Return the error for a text that names no bundle: perhaps it was to be one of the forms."""
+    """Return the error for a text that matches no bundle, with a hint at similar forms."""
     head, colon, _ = text.partition(":")
     if colon and head.isidentifier() and len(head) > 1:
         meant = text if head == STARTER else f"{head}:PROMPT"
-        return InputError(f"scenes cannot be {text!r}." + choices(meant, FORMS))
+        return InputError(f"scenes={text!r} is not supported." + choices(meant, FORMS))
     from rapidfuzz import fuzz, process
 
     if near := process.extractOne(text, FORMS, scorer=fuzz.ratio, score_cutoff=75):
-        return BundleError(f"{error} Or did you mean scenes={near[0]!r}?")
+        return BundleError(f"{error} Did you mean scenes={near[0]!r}?")
     return BundleError(f"{error} Besides bundles, scenes can be {', '.join(map(repr, FORMS))}.")

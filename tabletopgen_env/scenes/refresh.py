@@ -1,4 +1,4 @@
-"""A pool of scenes that is renewed in the background while training goes on."""
+"""A pool of scenes that is renewed in the background during training."""
 
 from __future__ import annotations
 
@@ -21,47 +21,46 @@ from .source import SceneRef
 from .splits import SplitRule, admits
 
 PER_MINUTE = 6.0
-"""How many scenes are renewed a minute, unless said otherwise."""
+"""Default number of scenes renewed per minute."""
 
 
 @dataclass(eq=False)
 class RefreshingScenes:
     """Draws uniformly from a pool that background processes keep renewing.
 
-    The oldest scene goes as a new one comes. With ``per_minute`` a draw never waits for a new
-    scene: it takes over what is finished, orders what is due, and draws from what is there, so that
-    what a policy sees depends on the clock and on how fast the processes are. With ``every_resets``
-    it depends on neither: the same seed gives the same scenes at the same draws, a failed scene
-    included; scenes are made ahead, and a draw at which one is due waits for it if it is not done.
-    (A process that the system kills costs its scene, and that run its repeatability, with a
-    warning.) Several slots of a vector environment draw in the order of their resets, which is
-    fixed only where they are reset by one thread.
+    A new scene replaces the oldest one. With ``per_minute`` a draw never waits for a new scene: it
+    adds completed scenes, orders those that are due, and draws from the pool, so the scenes that a
+    policy sees depend on timing. With ``every_resets`` they do not: equal seeds give equal scenes
+    at equal draws, including failures. Scenes are generated in advance, and a draw waits only for a
+    scene that is due but not complete. (If the system kills a process, its scene is lost, and so is
+    the run's repeatability, with a warning.) Several slots of a vector environment draw in the
+    order of their resets, which is only deterministic if one thread resets them.
 
-    Only the first draw makes its pool itself, about a second a scene, where ``initial`` gives it
-    none. Where processes die or scenes cannot be made, the pool stays as it is, with one warning,
-    and new ones are tried after ever longer pauses, with ``every_resets`` at the next draw that is
+    Without ``initial``, the first draw generates the pool itself, about a second per scene. If
+    processes die or scenes cannot be generated, the pool stays unchanged, with one warning, and
+    renewal is retried after increasing pauses, or with ``every_resets`` at the next draw that is
     due; see ``failures``.
 
-    Each process takes 150 to 300 MB at nice 10. All ends with ``close``, or with the process that
-    drew; the next draw begins anew, and so does a pickled or forked copy. Threads of your own draw
-    through ``SharedScenes``.
+    Each process takes 150 to 300 MB and runs at nice 10. The processes end with ``close``, or with
+    the process that drew; the next draw starts them again, and so does a pickled or forked copy.
+    For your own threads, use ``SharedScenes``.
 
     Attributes:
-        fresh: where new scenes come from: a ``FreshScenes``, or what that takes as ``prompts``.
-        size: how many scenes the pool holds.
-        per_minute: how many scenes are renewed a minute; None for ``PER_MINUTE`` if
-            ``every_resets`` is None, too. The processes may not keep up with a high rate.
-        every_resets: renew a scene every so many draws instead, in step with them.
-        workers: how many scenes are made at a time, each by a process.
-        initial: the first pool, at most ``size`` drawn from it: a ``FixedScenes``, or what names
+        fresh: source of new scenes: a ``FreshScenes``, or its argument ``prompts``.
+        size: number of scenes in the pool.
+        per_minute: number of scenes renewed per minute; None for ``PER_MINUTE`` unless
+            ``every_resets`` is set. The processes may not keep up with a high rate.
+        every_resets: number of draws per renewed scene, instead of ``per_minute``.
+        workers: number of processes, each generating one scene at a time.
+        initial: first pool, of which at most ``size`` are drawn: a ``FixedScenes``, or the name of
             one ("starter", a list of bundles).
-        synchronous: renew in this very process, as part of the draws that are due, without other
-            processes: slow. Needs ``every_resets``.
-        seed: of the scenes made; None takes it from the first draw's generator.
+        synchronous: generate scenes in this process at the draws that are due, without other
+            processes; slow. Needs ``every_resets``.
+        seed: seed of the generated scenes; None takes it from the first draw's generator.
 
     Raises:
-        InputError: settings out of their range, or that do not go together.
-        BundleError: ``initial`` names no bundle.
+        InputError: a setting is out of range, or settings are inconsistent.
+        BundleError: ``initial`` matches no bundle.
     """
 
     fresh: FreshScenes | str | Sequence[str] | SceneDistribution = field(
@@ -86,25 +85,25 @@ class RefreshingScenes:
             require_seed(self.seed)
         if (self.per_minute is None) == (self.every_resets is None):
             raise InputError(
-                "RefreshingScenes is renewed either per_minute or every_resets, got "
+                "RefreshingScenes needs exactly one of per_minute and every_resets, got "
                 f"{self.per_minute} and {self.every_resets}"
                 + (" with synchronous=True." if self.synchronous else ".")
             )
         if self.per_minute is not None and not 0 < self.per_minute < np.inf:
-            raise InputError(f"per_minute is a positive number of scenes, got {self.per_minute}.")
+            raise InputError(f"per_minute must be a positive number, got {self.per_minute}.")
         if self.every_resets is not None and self.every_resets < 1:
-            raise InputError(f"every_resets is a number from 1 up, got {self.every_resets}.")
+            raise InputError(f"every_resets must be at least 1, got {self.every_resets}.")
         if self.synchronous and self.every_resets is None:
-            raise InputError("synchronous=True renews every_resets; per_minute is no fixed count.")
+            raise InputError("synchronous=True needs every_resets, not per_minute.")
         if self.initial is not None and not isinstance(self.initial, FixedScenes):
             self.initial = fixed_scenes(self.initial)
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw one scene of the present pool, all equally likely.
+        """Draw one scene of the current pool uniformly.
 
         Raises:
             InputError: a text cannot be planned.
-            SceneError: the first pool could not be made, or is all lost.
+            SceneError: the first pool could not be generated, or is entirely lost.
         """
         if self._pool is None or self._pool.owner != os.getpid():
             fresh, initial = self._parts()
@@ -116,28 +115,28 @@ class RefreshingScenes:
 
     @property
     def refs(self) -> tuple[SceneRef, ...]:
-        """The scenes in the pool, the oldest first; none before the first draw."""
+        """The scenes in the pool, oldest first; none before the first draw."""
         return tuple(self._pool.refs) if self._pool else ()
 
     @property
     def renewals(self) -> int:
-        """How many scenes have been renewed."""
+        """The number of renewed scenes."""
         return self._pool.renewals if self._pool else 0
 
     @property
     def failures(self) -> int:
-        """How often a scene could not be made or a process died."""
+        """The number of failed scenes and dead processes."""
         return self._pool.failures if self._pool else 0
 
     @property
     def pids(self) -> tuple[int, ...]:
-        """The ids of the processes that are running."""
+        """The ids of the running processes."""
         return self._pool.background.pids if self._pool and self._pool.background else ()
 
     def admitting(self, rule: SplitRule) -> RefreshingScenes:
-        """Return the source of only those scenes that a rule admits, at first and later on.
+        """Return a source of the scenes that a rule admits, initially and after renewal.
 
-        Where that leaves none of the first ones, the first pool is made.
+        If no initial scene is admitted, the first pool is generated.
         """
         fresh, initial = self._parts()
         some = initial is not None and any(admits(rule, ref) for ref in initial.refs)
@@ -145,13 +144,13 @@ class RefreshingScenes:
         return dataclasses.replace(self, fresh=fresh.admitting(rule), initial=kept)
 
     def close(self) -> None:
-        """End the processes and delete what they made. May be called twice."""
+        """End the processes and delete their files. Repeated calls are allowed."""
         if self._pool is not None and self._pool.background is not None:
             self._pool.background.close()
         self._pool = None
 
     def _parts(self) -> tuple[FreshScenes, FixedScenes | None]:
-        """Return ``fresh`` and ``initial`` as ``__post_init__`` has left them."""
+        """Return ``fresh`` and ``initial`` with the types set by ``__post_init__``."""
         assert isinstance(self.fresh, FreshScenes)
         assert self.initial is None or isinstance(self.initial, FixedScenes)
         return self.fresh, self.initial

@@ -1,7 +1,7 @@
-"""Which difficulty to practise next: there is most to learn where only some episodes succeed.
+"""Sampling of difficulties by learning potential, which is highest where some episodes succeed.
 
-Arrays alone, so that whatever plays many episodes at once can use it: ``CurriculumScenes`` draws
-one scene at a time by it, a batched environment the bins of all its episodes together.
+It uses arrays only, so that any program that runs many episodes can use it: ``CurriculumScenes``
+draws one scene at a time, a batched environment the bins of all its episodes together.
 """
 
 from __future__ import annotations
@@ -16,28 +16,29 @@ from numpy.typing import ArrayLike
 from generator.errors import InputError
 
 EDGES = (0.0, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 1.0)
-"""Edges of the bins of difficulty: nine in ten composed tables lie from 0.19 to 0.42."""
+"""Edges of the bins of difficulty: nine in ten composed tables are between 0.19 and 0.42."""
 
 
 @dataclass(eq=False)
 class DifficultySampler:
-    """Draws bins of difficulty by their learning potential, from a running success rate of each.
+    """Draws bins of difficulty by their learning potential, from running success rates.
 
-    A bin's rate is p = (s + 1) / (n + 2) of s successes in n episodes, older episodes counting
-    less: half after ``halflife`` others of the same bin. Its potential is p (1 - p), which is
-    highest where half of the episodes succeed, and for bins without any yet (S. Tzannetos et al.,
-    "Proximal curriculum for reinforcement learning agents", TMLR 2023). A bin that holds a share w
-    of what there is is drawn with probability ``explore`` w + (1 - ``explore``) w potential / sum
-    of w potential, so that without any episodes all there is is equally likely.
+    The rate of a bin is p = (s + 1) / (n + 2) for s successes in n episodes. Older episodes count
+    less: half after ``halflife`` further episodes of the same bin. The potential is p (1 - p),
+    which is highest where half of the episodes succeed, and for bins without episodes (S. Tzannetos
+    et al., "Proximal curriculum for reinforcement learning agents", TMLR 2023). A bin with a share
+    w of all items is drawn with probability ``explore`` w + (1 - ``explore``) w potential / sum of
+    w potential, so that all items are equally likely at the start.
 
     Attributes:
-        edges: of the bins, b + 1 rising numbers; what lies outside is in the first or last bin.
-        explore: share of draws that are uniform over all there is, in (0, 1]; 1 draws uniformly.
-        halflife: episodes of a bin after which one counts half; inf never forgets.
-        counts: episodes and successes of each bin, decayed.
+        edges: b + 1 increasing edges of the bins; values outside belong to the first or last bin.
+        explore: share of uniform draws, in (0, 1]; 1 draws uniformly.
+        halflife: number of episodes of a bin after which an older one counts half; inf never
+            forgets.
+        counts: decayed number of episodes and of successes of each bin.
 
     Raises:
-        InputError: settings out of their range.
+        InputError: a setting is out of range.
     """
 
     edges: tuple[float, ...] = EDGES
@@ -48,7 +49,7 @@ class DifficultySampler:
     def __post_init__(self) -> None:
         self.edges = tuple(float(edge) for edge in self.edges)
         if len(self.edges) < 2 or not (np.diff(self.edges) > 0).all():
-            raise InputError(f"A curriculum needs at least two rising edges, got {self.edges}.")
+            raise InputError(f"A curriculum needs at least two increasing edges, got {self.edges}.")
         if not 0 < self.explore <= 1 or not self.halflife > 0:
             raise InputError(
                 "A curriculum needs explore in (0, 1] and a positive halflife, got "
@@ -58,7 +59,7 @@ class DifficultySampler:
 
     @property
     def rates(self) -> Float[np.ndarray, "b"]:
-        """The success rate of each bin; a half where nothing is known."""
+        """The success rate of each bin; 1/2 for bins without episodes."""
         return (self.counts[:, 1] + 1) / (self.counts[:, 0] + 2)
 
     def bins(self, difficulties: ArrayLike) -> Int[np.ndarray, "*n"]:
@@ -67,7 +68,7 @@ class DifficultySampler:
         return np.asarray(found)
 
     def probabilities(self, amounts: Real[np.ndarray, "b"] | None = None) -> Float[np.ndarray, "b"]:
-        """Return how likely each bin is drawn; ``amounts`` is how much it holds, None is alike."""
+        """Return the probability of each bin, given its number of items (None: equal numbers)."""
         held = np.ones(len(self.counts)) if amounts is None else np.asarray(amounts, float)
         potential = held * self.rates * (1 - self.rates)
         return self.explore * held / held.sum() + (1 - self.explore) * potential / potential.sum()
@@ -75,18 +76,18 @@ class DifficultySampler:
     def sample(
         self, rng: np.random.Generator, n: int, amounts: Real[np.ndarray, "b"] | None = None
     ) -> Int[np.ndarray, "n"]:
-        """Draw ``n`` bins, by how much each holds; none that holds nothing."""
+        """Draw ``n`` bins, weighted by the number of items in each; empty bins are never drawn."""
         return rng.choice(len(self.counts), size=n, p=self.probabilities(amounts))
 
     def record(self, bins: ArrayLike, successes: ArrayLike) -> None:
-        """Take episodes that ended together into account, in whatever order they are given."""
+        """Record the results of simultaneous episodes; their order does not matter."""
         which = np.atleast_1d(np.asarray(bins, int))
         won = np.atleast_1d(np.asarray(successes, float))
         ended = np.bincount(which, minlength=len(self.counts))
         share = np.bincount(which, won, minlength=len(self.counts)) / np.maximum(ended, 1)
-        forgotten = math.log(0.5) / self.halflife  # what is kept of one is exp of this
+        forgotten = math.log(0.5) / self.halflife  # decay rate per episode
         kept = np.exp(ended * forgotten)
-        # 1 + kept + kept² ..., as many as ended; without forgetting it is their number
+        # sum of the weights 1 + decay + decay² ...; without decay, the number of episodes
         fresh = np.expm1(ended * forgotten) / math.expm1(forgotten) if forgotten else ended
         self.counts = self.counts * kept[:, None] + (
             fresh[:, None] * np.stack([np.ones_like(share), share], axis=1)

@@ -1,4 +1,4 @@
-"""What users may pass as ``scenes``, and the sources it means."""
+"""The forms of ``scenes`` that users can pass, and the sources they refer to."""
 
 from __future__ import annotations
 
@@ -15,36 +15,37 @@ from .source import SceneSource
 from .splits import SHARE, By, Side, SplitRule, admitting
 
 SceneChoice = FixedChoice | SceneSource
-"""What may be passed as ``scenes``."""
+"""Types accepted as ``scenes``."""
 
 
 def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER) -> SceneSource:
-    """Make a scene source of what a user may pass as ``scenes``.
+    """Create a scene source from a value that a user passes as ``scenes``.
 
     Args:
         scenes: one of
 
-            - "starter": the shipped bundles that are for any task; "starter:train" and
+            - "starter": the shipped bundles that suit any task; "starter:train" and
               "starter:held_out" split them by digest, a fifth held out;
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
-            - "fresh": made again for each draw, of every theme and for the task at hand (see
-              ``needs``); "fresh:PROMPT": of a text;
-            - "refreshing": a pool that begins with ``start`` and is renewed in the background, of
-              every theme; "refreshing:PROMPT": of a text from the start, which takes about a second
-              a scene at the first reset;
-            - "curriculum": new tables as of "fresh", of a difficulty at which most is learned;
-              "curriculum:SCENES": of those that any other text here means, such as
+            - "fresh": generated for each draw, of every theme and for the current task (see
+              ``needs``); "fresh:PROMPT": from a text;
+            - "refreshing": a pool that starts with ``start`` and is renewed in the background, of
+              every theme; "refreshing:PROMPT": from a text, also at the start, which takes about a
+              second per scene at the first reset;
+            - "curriculum": new tables as for "fresh", of a difficulty at which most is learned;
+              "curriculum:SCENES": scenes of any other form listed here, such as
               "curriculum:starter:train" or "curriculum:fresh:an office desk". See
               ``CurriculumScenes``;
             - a ``Scene``, or a sequence of scenes, names, paths and globs;
-            - a ``SceneSource``, which is returned as it is.
+            - a ``SceneSource``, which is returned unchanged.
 
-        needs: what each table of every theme holds besides (``Task.needs``); not those of a text.
-        start: what the pool of "refreshing" begins with (``Task.scenes``), if these are fixed.
+        needs: additional objects of tables of every theme (``Task.needs``); ignored for texts.
+        start: initial pool of "refreshing" (``Task.scenes``), if these scenes are fixed.
 
     Raises:
-        BundleError: no bundle fits; the message says what there is.
-        InputError: ``scenes`` is of another kind, an empty list, or a text that cannot be planned.
+        BundleError: no bundle matches; the message lists the available ones.
+        InputError: ``scenes`` has another type, is an empty list, or is a text that cannot be
+            planned.
     """
     if isinstance(scenes, SceneSource):
         return scenes
@@ -63,38 +64,37 @@ def split(
     needs: Needs = (),
     start: SceneChoice = STARTER,
 ) -> SceneSource:
-    """Return the source of only the scenes to train on, or only those held out.
+    """Return a source of only the training scenes, or only the held-out ones.
 
-    Which side a scene is on depends on the scene alone: the sides never meet, in whatever process,
-    list or order they are asked for. See ``splits``.
+    The side of a scene depends only on the scene: the sides are disjoint in all processes and
+    lists. See ``splits``.
 
     Args:
-        scenes: anything ``resolve`` takes. Of a refreshing pool the first scenes and all later
-            ones are split.
+        scenes: anything ``resolve`` takes. For a refreshing pool, initial and later scenes are
+            split.
         side: "train" or "held_out".
-        by: "digest" for a share of all scenes, "category" for what is on the table.
+        by: "digest" for a share of all scenes, "category" for the objects on the table.
         share: by digest, the share of all scenes that is held out.
-        categories: by category, the held-out ones ("mug", "wine glass"): a scene with any object
-            of any of them is held out.
-        needs: as ``resolve`` takes them.
-        start: likewise.
+        categories: by category, the held-out ones ("mug", "wine glass"): a scene with an object of
+            any of them is held out.
+        needs: as for ``resolve``.
+        start: as for ``resolve``.
 
     Raises:
-        InputError: settings that do not go together, no such category, or fixed scenes of which
-            none is on that side. Where scenes are made on demand, a draw that finds none raises
-            ``SceneError``.
+        InputError: settings are inconsistent, a category does not exist, or no fixed scene is on
+            that side. For scenes generated on demand, a draw that finds none raises ``SceneError``.
     """
     given = (categories,) if isinstance(categories, str) else tuple(categories)
     return admitting(resolve(scenes, needs, start), SplitRule(side, by, share, given))
 
 
 def _make(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
-    """Return the source that a form of ``FRESH`` or ``REFRESHING`` means."""
+    """Create the source that a form of ``FRESH`` or ``REFRESHING`` refers to."""
     head, colon, prompt = text.partition(":")
     if colon and not prompt.strip():
         raise InputError(
-            f"scenes={text!r} lacks a prompt. Pass for example '{head}:an office desk', or just "
-            f"{head!r}."
+            f"scenes={text!r} lacks a prompt. Pass, for example, '{head}:an office desk', or "
+            f"just {head!r}."
         )
     fresh = FreshScenes(prompt.strip() if colon else SceneDistribution(needs=needs))
     fresh.check()

@@ -1,4 +1,4 @@
-"""Scene sources, the references they draw, and a source shared by threads."""
+"""Scene sources, their references, and a source shared by threads."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ _REMEMBERED = 10_000
 
 @dataclass(frozen=True, eq=False)
 class SceneRef:
-    """One scene that can be loaded. Equal ``key`` means the same scene.
+    """A loadable scene. Equal ``key`` means equal scene.
 
-    ``difficulty``, in [0, 1], is how hard it is to work at, where that is known without loading.
+    ``difficulty``, in [0, 1], is the scene's difficulty, if it is known without loading.
     """
 
     key: str
@@ -29,18 +29,18 @@ class SceneRef:
     difficulty: float | None = None
 
     def rate(self, difficulty: float) -> SceneRef:
-        """Return the reference with how hard the scene is."""
+        """Return the reference with the scene's difficulty."""
         return replace(self, difficulty=difficulty)
 
 
 class HeldRef(SceneRef):
-    """A scene in memory, known by being the very same one; a copy elsewhere is another."""
+    """A scene in memory, identified by object identity; a copy is another scene."""
 
     def __init__(self, scene: Scene, difficulty: float | None = None) -> None:
         super().__init__(f"scene:{id(scene)}", lambda: scene, difficulty)
 
     def rate(self, difficulty: float) -> HeldRef:
-        """Return the reference with how hard the scene is."""
+        """Return the reference with the scene's difficulty."""
         return HeldRef(self.load(), difficulty)
 
     def __reduce__(self) -> tuple[type[HeldRef], tuple[Scene, float | None]]:
@@ -48,16 +48,16 @@ class HeldRef(SceneRef):
 
 
 class Remembered(Generic[T]):
-    """What was found out about scenes, each once, of some ten thousand; a copy knows nothing.
+    """A cache of facts about scenes, for some ten thousand of them; copies start empty.
 
-    Of a scene in memory it is kept as long as the scene, whose key another may have afterwards.
+    Facts about a scene in memory live as long as the scene, since its key can be reused afterwards.
     """
 
     def __init__(self) -> None:
         self._known: dict[str, tuple[Callable[[], Scene | None], T]] = {}
 
     def of(self, ref: SceneRef, find: Callable[[SceneRef], T]) -> T:
-        """Return what ``find`` says of a scene, or has said."""
+        """Return the cached result of ``find`` for a scene, calling it if necessary."""
         scene = ref.load() if isinstance(ref, HeldRef) else None
         known = self._known.get(ref.key)
         if known is None or known[0]() is not scene:
@@ -73,15 +73,15 @@ class Remembered(Generic[T]):
 
 @runtime_checkable
 class SceneSource(Protocol):
-    """Anything that can draw a scene.
+    """A source from which scenes can be drawn.
 
-    A source may have more; what is there is used:
+    The following members are optional:
 
-    - ``refs``: a sequence of the scenes at hand, any of which it could draw now;
-    - ``admitting(rule)``: returns the source of only those of its scenes that a ``Rule`` admits;
-    - ``record(ref, success)``: is told at the end of an episode whether the task succeeded, and
-      the reference that ``draw`` gave for it: several episodes may be under way at the same time;
-    - ``close()``: ends what it has running. May be called twice; the next draw starts it anew.
+    - ``refs``: a sequence of the available scenes, any of which can be drawn now;
+    - ``admitting(rule)``: returns a source of the scenes that a ``Rule`` admits;
+    - ``record(ref, success)``: called at the end of an episode with its success and the reference
+      that ``draw`` returned for it; several episodes can run concurrently;
+    - ``close()``: stops background work. Repeated calls are allowed; the next draw restarts it.
     """
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
@@ -90,22 +90,22 @@ class SceneSource(Protocol):
 
 
 def record(source: SceneSource, ref: SceneRef, success: bool) -> None:
-    """Tell a source how an episode at a scene of its ended, if it wants to know."""
+    """Report the result of an episode to its source, if the source records results."""
     if (told := getattr(source, "record", None)) is not None:
         told(ref, success)
 
 
 def close(source: SceneSource) -> None:
-    """End what a source has running, if it can have anything running."""
+    """Stop the background work of a source, if it has any."""
     if (closing := getattr(source, "close", None)) is not None:
         closing()
 
 
 class SharedScenes:
-    """A source that several threads may draw from: one at a time.
+    """A source that several threads can draw from, one at a time.
 
-    What a draw gives may be gone by the time that it is loaded; an environment then draws again.
-    A copy (``pickle``, ``copy.deepcopy``) shares a copy of the source.
+    A drawn scene may be gone by the time it is loaded; an environment then draws again. A copy
+    (``pickle``, ``copy.deepcopy``) shares a copy of the source.
     """
 
     def __init__(self, source: SceneSource) -> None:
@@ -118,7 +118,7 @@ class SharedScenes:
             return self._source.draw(rng)
 
     def record(self, ref: SceneRef, success: bool) -> None:
-        """Pass on how an episode at a scene ended."""
+        """Forward the result of an episode."""
         with self._lock:
             record(self._source, ref, success)
 
@@ -128,7 +128,7 @@ class SharedScenes:
             close(self._source)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what a copy keeps: no lock."""
+        """Return the state of a copy, without the lock."""
         return {"_source": self._source}
 
     def __setstate__(self, state: dict[str, Any]) -> None:

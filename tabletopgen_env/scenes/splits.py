@@ -1,12 +1,12 @@
-"""Splits: scenes to train on, and scenes held out, told apart by what they are.
+"""Splits into training scenes and held-out scenes, by properties of each scene alone.
 
-By *digest*, a fixed share of all scenes is held out: what decides is a hash of the scene, so every
-process, machine and list of scenes agrees, and scenes added later move none of the others. Scenes
-on disk or in memory are hashed by their table and objects; scenes made on demand by what decides
-them, their text (or distribution) and seed, so that none is made in vain.
+By *digest*, a fixed share of all scenes is held out. The side is a hash of the scene, so all
+processes, machines and lists of scenes agree, and new scenes do not change the side of others.
+Scenes on disk or in memory are hashed by their table and objects; scenes generated on demand by
+their inputs, the text (or distribution) and seed, so that no rejected scene is generated.
 
-By *category*, every scene with any object of a held-out category is held out. An object is of a
-category by the catalogue's key, or by the words it is called ("alarm clock" is of alarm_clock).
+By *category*, every scene with an object of a held-out category is held out. An object belongs to a
+category by its catalogue key or by its label ("alarm clock" belongs to alarm_clock).
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ from generator.scene import Scene
 from .source import Remembered, SceneRef, SceneSource, close, record
 
 Side = Literal["train", "held_out"]
-"""What a scene is for."""
+"""The sides of a split."""
 
 By = Literal["digest", "category"]
-"""What decides the side of a scene."""
+"""The property that determines the side of a scene."""
 
 SHARE = 0.2
-"""Share of all scenes that is held out by digest, unless said otherwise."""
+"""Default share of scenes held out by digest."""
 
 DRAWS = 200
-"""How many scenes of a foreign source are looked at for one of the right side."""
+"""Maximum number of draws from a foreign source for one scene on the required side."""
 
 
 @dataclass(frozen=True)
@@ -46,12 +46,12 @@ class SplitRule:
     Attributes:
         side: "train" or "held_out".
         by: "digest" or "category".
-        share: by digest, the share of scenes held out, in (0, 1). What a share holds out, any
-            larger share holds out, too.
+        share: by digest, the share of scenes held out, in (0, 1). Scenes held out with one share
+            are also held out with any larger share.
         categories: by category, the held-out ones.
 
     Raises:
-        InputError: an unknown word, or settings that do not go together.
+        InputError: ``side`` or ``by`` is unknown, or settings are inconsistent.
     """
 
     side: Side
@@ -63,22 +63,24 @@ class SplitRule:
         require_known(self.side, get_args(Side), "A split has no side")
         require_known(self.by, get_args(By), "A split has no by")
         if not 0 < self.share < 1:
-            raise InputError(f"A split's share is in (0, 1), got {self.share}.")
+            raise InputError(f"The share of a split must be in (0, 1), got {self.share}.")
         if isinstance(self.categories, str):
-            raise InputError(f"categories is a tuple of names, got the text {self.categories!r}.")
+            raise InputError(
+                f"categories must be a tuple of names, got the text {self.categories!r}."
+            )
         if bool(self.categories) != (self.by == "category"):
             raise InputError(
-                "Name the held-out categories with by='category', and only then: by is "
-                f"{self.by!r}, categories are {tuple(self.categories)}."
+                f"categories and by='category' require each other: by is {self.by!r}, "
+                f"categories are {tuple(self.categories)}."
             )
         object.__setattr__(self, "categories", tuple(sorted({_key(c) for c in self.categories})))
 
     def admits(self, identity: Callable[[], str], kinds: Callable[[], frozenset[str]]) -> bool:
-        """Tell whether a scene is on this side; only what decides is asked for.
+        """Return whether a scene is on this side; only the relevant argument is evaluated.
 
         Args:
-            identity: returns what tells the scene from all others, the same in every process.
-            kinds: returns what ``kinds_of`` does.
+            identity: returns the identity of the scene, the same in every process.
+            kinds: returns the result of ``kinds_of``.
         """
         if self.by == "category":
             held_out = not kinds().isdisjoint(self.categories)
@@ -88,14 +90,14 @@ class SplitRule:
         return held_out == (self.side == "held_out")
 
     def check_categories(self, present: Iterable[str] = ()) -> None:
-        """Refuse categories that are neither the catalogue's nor ``present`` in the scenes.
+        """Check that categories exist in the catalogue or are ``present`` in the scenes.
 
         Raises:
-            InputError: there is no such category.
+            InputError: a category does not exist.
         """
         known = {*categories_known(), *present}
         for category in self.categories:
-            require_known(category, known, "There is no category")
+            require_known(category, known, "Unknown category")
 
     def __str__(self) -> str:
         how = f"share={self.share:g}" if self.by == "digest" else f"categories={self.categories}"
@@ -104,39 +106,39 @@ class SplitRule:
 
 @runtime_checkable
 class Described(Protocol):
-    """A ``SceneRef.load`` that knows what a scene is without loading it whole."""
+    """A ``SceneRef.load`` that can describe a scene without loading it completely."""
 
     def digest(self) -> str:
-        """Return what ``generator.bundle.digest`` says of the scene."""
+        """Return the scene's ``generator.bundle.digest``."""
         ...
 
     def kinds(self) -> frozenset[str]:
-        """Return the kinds of its objects; see ``kinds_of``."""
+        """Return the categories of its objects; see ``kinds_of``."""
         ...
 
 
 def admits(rule: SplitRule, ref: SceneRef) -> bool:
-    """Tell whether a scene is on the side of a rule, loading it only if there is no other way."""
+    """Return whether a scene is on the side of a rule, loading it only if necessary."""
     return rule.admits(lambda: digest_of(ref), lambda: kinds(ref))
 
 
 def digest_of(ref: SceneRef) -> str:
-    """Return the digest of a scene, loading it only if there is no other way."""
+    """Return the digest of a scene, loading it only if necessary."""
     return ref.load.digest() if isinstance(ref.load, Described) else digest(ref.load())
 
 
 def kinds(ref: SceneRef) -> frozenset[str]:
-    """Return the kinds of the objects of a scene, loading it only if there is no other way."""
+    """Return the categories of a scene's objects, loading it only if necessary."""
     return ref.load.kinds() if isinstance(ref.load, Described) else scene_kinds(ref.load())
 
 
 def scene_kinds(scene: Scene) -> frozenset[str]:
-    """Return the kinds of the objects of a scene."""
+    """Return the categories of a scene's objects."""
     return kinds_of((o.model.category, o.label) for o in scene.objects)
 
 
 def kinds_of(objects: Iterable[tuple[str, str]]) -> frozenset[str]:
-    """Return the categories of objects given by (category, label): both, written as keys."""
+    """Return categories of objects from pairs (category, label): both, written as keys."""
     words = {_key(word) for pair in objects for word in pair}
     return frozenset(words - {"generic"})
 
@@ -146,10 +148,10 @@ def _key(word: str) -> str:
 
 
 def admitting(source: SceneSource, rule: SplitRule) -> SceneSource:
-    """Return the source of only those scenes that a rule admits.
+    """Return a source of the scenes that a rule admits.
 
     Raises:
-        InputError: no scene is admitted, where that can be told, or there is no such category.
+        InputError: no scene is admitted, if this is known, or a category does not exist.
     """
     own = getattr(source, "admitting", None)
     return AdmittedScenes(source, rule) if own is None else own(rule)
@@ -157,10 +159,9 @@ def admitting(source: SceneSource, rule: SplitRule) -> SceneSource:
 
 @dataclass(eq=False)
 class AdmittedScenes:
-    """Those scenes of any source that a rule admits, found by drawing until one is.
+    """The scenes of any source that a rule admits, found by rejection sampling.
 
-    For sources that do not know how to keep to one side by themselves. Scenes are loaded to be
-    judged, each once.
+    It is used for sources without ``admitting``. Scenes are loaded for the check, once each.
     """
 
     source: SceneSource
@@ -177,12 +178,12 @@ class AdmittedScenes:
             if self._known.of(ref, partial(admits, self.rule)):
                 return ref
         raise SceneError(
-            f"None of {DRAWS} drawn scenes is for {self.rule}. Choose another share or other "
-            "categories, or give the source more scenes."
+            f"None of {DRAWS} drawn scenes belongs to {self.rule}. Choose another share or "
+            "other categories, or add scenes to the source."
         )
 
     def record(self, ref: SceneRef, success: bool) -> None:
-        """Pass on how an episode at a scene ended."""
+        """Forward the result of an episode."""
         record(self.source, ref, success)
 
     def close(self) -> None:

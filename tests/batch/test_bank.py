@@ -121,9 +121,9 @@ def test_scenes_with_too_many_objects_are_named_and_left_out() -> None:
     assert bank.scenes == ("vanity",) and bank.sources == (0,)
     (left,) = bank.left_out
     assert (left.source, left.name) == (1, "coffee-square")
-    assert left.reason == "it has 5 objects and max_objects is 4"
+    assert left.reason == "it has 5 objects, but max_objects is 4"
     with pytest.raises(
-        InputError, match=r"No scene is left.*'vanity': it has 4 objects.*raise max"
+        InputError, match=r"None of the .* scenes fits.*'vanity': it has 4 objects.*raise max"
     ):
         SceneBank(shipped("vanity", "coffee-square"), max_objects=3)
     with pytest.raises(InputError, match="at least one world"):
@@ -176,6 +176,8 @@ def test_objects_of_many_parts_are_merged_and_gated_anew(monkeypatch: pytest.Mon
     floating = tuple(Failure("floats", (name,)) for name in ("mug_1", "bowl_1", "more"))
     failed = replace(judge(world.scene), failures=floating)
     monkeypatch.setattr(simplification, "judge", lambda scene: failed)
-    said = "with 5 parts an object it fails its physical gate (mug_1 floats; bowl_1 floats)"
+    said = (
+        "with at most 5 parts per object it fails its physical gate (mug_1 floats; bowl_1 floats)"
+    )
     with pytest.raises(InputError, match=re.escape(said)):
         SceneBank([world], max_parts=5)

@@ -239,9 +239,9 @@ def test_a_wrapper_of_gymnasium_turns_it_into_numpy(lift: TabletopBatchEnv) -> N
         ({"num_envs": 0}, "num_envs"),
         ({"device": "cuda"}, "CUDA"),
         ({"observation": "point_cloud"}, "observation='state' or 'goal' or 'pixels'"),
-        ({"observation": "pixels", "kinds": ["rgb", "depth"]}, "colours alone"),
+        ({"observation": "pixels", "kinds": ["rgb", "depth"]}, "RGB only"),
         ({"grasp_hint": True}, "grasp hint"),
-        ({"randomization": "strong"}, "the start alone"),
+        ({"randomization": "strong"}, "supports only"),
         ({"render_mode": "rgb_array"}, "render"),
         ({"max_objects": 1}, "max_objects"),
     ],
@@ -296,5 +296,5 @@ def test_other_scenes_are_made_in_a_process_and_swapped_in() -> None:
 
 
 def test_scenes_without_anything_to_do_are_named() -> None:
-    with pytest.raises(InputError, match="offered nothing to do, 'vanity'"):
+    with pytest.raises(InputError, match="had no valid task, for example 'vanity'"):
         TabletopBatchEnv(1, "vanity", task="Tidy", device="cpu")

@@ -66,7 +66,7 @@ def test_settings_of_a_batch_are_checked() -> None:
     for changes, why in (
         ({"algorithm": "ppo", "options": {}}, "only 'ppo-batch' trains on a batch"),
         ({"processes": 2}, "a batch has no processes"),
-        ({"batch": 3}, "batch is a table of settings"),
+        ({"batch": 3}, "batch must be a table of settings"),
     ):
         with pytest.raises(InputError, match=why):
             tiny(**changes)

@@ -75,10 +75,10 @@ def test_a_forged_result_is_neither_marked_nor_shown(tmp_path: Path, shell: Shel
     suite = find_suite("lift-test-random")
     path = forged(suite, tmp_path / "forged.json", SuiteOutcome(True, 1, 1.0))
     said = shell("bench", "check", str(path), code=1).err
-    assert "126 episodes solved in 1 steps, and success has to hold for 10" in said
+    assert "126 episodes solved in 1 steps, but success must hold for 10" in said
     assert not mark_path(path).exists()
     shown = shell("bench", "leaderboard", str(tmp_path), code=2).err
-    assert "SuperNet at lift-test-random has figures that no run gives" in shown
+    assert "SuperNet on lift-test-random has impossible figures" in shown
 
 
 def test_a_result_without_the_versions_of_a_run_is_named(tmp_path: Path) -> None:
@@ -115,7 +115,7 @@ def test_a_check_of_fewer_episodes_keeps_the_mark(
     )  # fmt: skip
     check("--episodes", "3", "--seed", "1")
     before = mark_path(zero).read_bytes()
-    assert "the mark of 3 episodes is kept" in check("--episodes", "1").out
+    assert "kept the existing mark for 3 episodes" in check("--episodes", "1").out
     assert mark_path(zero).read_bytes() == before
     mark_path(zero).write_bytes(before[:-20])  # damaged, and no longer a mark
     check("--episodes", "1")
@@ -135,9 +135,9 @@ def test_a_player_without_a_policy_is_shown_as_what_it_is(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(("player", "wrong"), [
-    ({"kind": "oracle"}, "a player is 'oracle'"),
-    ({"kind": "expert", "digest": "ab" * 32}, "no digest"),
-    ({"kind": "zero", "settings": {"observation": "pixels"}}, "no settings"),
+    ({"kind": "oracle"}, "a player has the kind 'oracle'"),
+    ({"kind": "expert", "digest": "ab" * 32}, "cannot have a digest"),
+    ({"kind": "zero", "settings": {"observation": "pixels"}}, "or settings"),
     ({"kind": "policy", "name": "Expert", "digest": "ab" * 32}, "called 'Expert'"),
 ])  # fmt: skip
 def test_no_result_is_of_a_player_that_there_cannot_be(
@@ -160,7 +160,7 @@ def test_no_policy_runs_under_the_name_of_the_expert(
     )
     monkeypatch.syspath_prepend(str(tmp_path))
     run = BenchRun(tmp_path / "out", "expert", tables=store)
-    with pytest.raises(InputError, match="cannot be called 'expert'"):
+    with pytest.raises(InputError, match="cannot be named 'expert'"):
         run_suite(toy, "my_still_policy:Still", run)
     assert not (tmp_path / "out").exists()
 
@@ -204,7 +204,7 @@ def test_another_policy_is_not_the_one_of_the_result(
     payload["player"] |= {"kind": "policy", "name": "mine.safetensors", "digest": "ab" * 32}
     zero.write_text(json.dumps({**payload, "digest": canonical_digest(payload)}))
     said = shell("bench", "check", str(zero), *own, code=2).err
-    assert "names its policy 'mine.safetensors', which is not found here" in said
+    assert "names its policy 'mine.safetensors', which was not found" in said
 
 
 def test_the_leaderboard_shows_marks(tmp_path: Path) -> None:

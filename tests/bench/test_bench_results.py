@@ -53,7 +53,7 @@ def test_an_edited_result_is_refused(toy: Suite, tmp_path: Path, change: dict) -
     path = tmp_path / "a.json"
     result_of(toy, path, "random", {0})
     path.write_text(json.dumps(json.loads(path.read_text()) | change))
-    with pytest.raises(InputError, match="edited or cut off"):
+    with pytest.raises(InputError, match="edited or truncated"):
         results.read_result(path)
 
 
@@ -72,8 +72,8 @@ def test_a_cut_or_newer_result_is_refused(toy: Suite, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("change", "why"), [
-    (lambda p: p.update(schema=0), "schema 0"),
-    (lambda p: p.update(solved=3), "sums"),
+    (lambda p: p.update(schema=0), "schema is 0"),
+    (lambda p: p.update(solved=3), "totals"),
     (lambda p: p["episodes"][0].update(solved=1), "bool"),
     (lambda p: p["episodes"][0].update(table="x/../y"), "table"),
     (lambda p: p["episodes"][0].update(reward=[1]), "reward"),
@@ -115,7 +115,7 @@ def test_results_of_other_suites_are_not_compared(
     one = result_of(toy, tmp_path / "a.json", "random", {0})
     other = find_suite(f"{suite_file}:test-random")
     two = result_of(other, tmp_path / "b.json", "random", {0})
-    with pytest.raises(InputError, match="at one suite"):
+    with pytest.raises(InputError, match="on the same suite"):
         comparison.difference(two, one)
     fewer = dataclasses.replace(one, episodes=one.episodes[:2])
     with pytest.raises(InputError, match="different episodes"):
@@ -172,7 +172,7 @@ def test_results_of_other_suites_are_not_shown(
         leaderboard.page([own, own])
     with pytest.raises(InputError, match="other episodes"):
         leaderboard.page([dataclasses.replace(own, episodes=own.episodes[1:])])
-    with pytest.raises(InputError, match="of test suites"):
+    with pytest.raises(InputError, match="only accepts test suites"):
         leaderboard.page([dataclasses.replace(own, suite="lift-validation")])
 
 

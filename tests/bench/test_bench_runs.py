@@ -164,7 +164,7 @@ def test_a_result_of_something_else_is_kept(
 ) -> None:
     played(suite, "zero", tmp_path, store)
     (tmp_path / "reach-test_zero.json").rename(tmp_path / "reach-test_random.json")
-    with pytest.raises(InputError, match="result of something else"):
+    with pytest.raises(InputError, match="is a different result"):
         played(suite, "random", tmp_path, store)
 
 
@@ -202,13 +202,13 @@ def test_a_function_whose_module_changed_is_another_policy(
     assert find_player(f"{module}:Told", suite)[0].digest not in (own, digest)
     file.write_text(POLICY + "\n\nSTEP = 2\n")
     monkeypatch.delitem(sys.modules, module)
-    with pytest.raises(InputError, match="something else \\(other player\\)"):
+    with pytest.raises(InputError, match="different result \\(other player\\)"):
         run_suite(suite, name, run)
 
 
 @pytest.mark.parametrize(("policy", "why"), [
     ("Loud", "the policy's digest must be a text"),
-    ("Nobody", "makes no policy"),
+    ("Nobody", "does not create a policy"),
     ("number", "without predict"),
     ("Deaf", "acts at 10 Hz"),
     ("Greedy", "'robot', which is the suite's"),
@@ -225,9 +225,9 @@ def test_a_policy_that_does_not_fit_is_refused(
 
 
 def test_shipped_policies_play_their_task(suite: Suite, store: Path, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="lift-clone does Lift"):
+    with pytest.raises(InputError, match="lift-clone was trained for Lift"):
         played(suite, "lift-clone", tmp_path, store)
-    with pytest.raises(InputError, match=r"no policy 'reach-clown'.*reach-clone"):
+    with pytest.raises(InputError, match=r"Unknown policy 'reach-clown'.*reach-clone"):
         played(suite, "reach-clown", tmp_path, store)
     with pytest.raises(InputError, match="holds no policy yet"):
         played(suite, str(tmp_path), tmp_path, store)
@@ -293,13 +293,13 @@ def test_the_command_runs_suites(
 ) -> None:
     run = shell.of("bench", "run", "zero", "--tables", str(store), "--out", str(tmp_path))
     shown = run("--suite", f"{suite_file}:test", f"{suite_file}:test-random")
-    assert "zero solved 0 of 4 at reach-test," in shown.out
-    assert "of 6 at reach-test-random," in shown.out
+    assert "zero solved 0 of 4 on reach-test," in shown.out
+    assert "of 6 on reach-test-random," in shown.out
     made = shell("bench", "make", f"{suite_file}:test", "--out", str(store)).out.split()
     assert sorted(made) == sorted(map(str, store.iterdir()))
     listed = shell("bench", "list").out
     assert "lift-test-random" in listed and "Version v1" in listed and "lift-train" in listed
-    assert "no suite 'lift-tset'" in run("--suite", "lift-tset", code=2).err
+    assert "Unknown suite 'lift-tset'" in run("--suite", "lift-tset", code=2).err
     assert "--workers" in run("--suite", f"{suite_file}:test", "--workers", "0", code=2).err
 
 

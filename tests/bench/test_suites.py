@@ -43,18 +43,18 @@ def test_episodes_are_the_instances_that_were_solved(reach: TaskSuites, suite_fi
     "lift-tset", "juggle-test", "test", "", "lift-test-randm", "reach",
 ])  # fmt: skip
 def test_an_unknown_suite_is_refused(name: str) -> None:
-    with pytest.raises(InputError, match="There is no s"):
+    with pytest.raises(InputError, match="Unknown s"):
         files.find_suite(name)
 
 
 def test_tables_to_train_at_are_not_played() -> None:
-    with pytest.raises(InputError, match="to train at"):
+    with pytest.raises(InputError, match="is for training"):
         files.find_suite(f"{files.tasks()[0].lower()}-train")
 
 
 @pytest.mark.parametrize(("change", "why"), [
-    ({"schema": 2}, "Install a newer one"),
-    ({"schema": 0}, "schema 0"),
+    ({"schema": 2}, "Install a newer version"),
+    ({"schema": 0}, "schema is 0"),
     ({"schema": True}, "True"),
     ({"task": "Juggle"}, "Juggle"),
     ({"more": 1}, "keys"),
@@ -140,9 +140,9 @@ def test_tables_to_train_at_are_on_the_other_side() -> None:
 
 
 def test_levels_and_tasks_to_train_at_are_known() -> None:
-    with pytest.raises(InputError, match="no level 'brutal'"):
+    with pytest.raises(InputError, match="Unknown level 'brutal'"):
         training_tables(files.tasks()[0], "brutal")
-    with pytest.raises(InputError, match="no suites of 'Juggle'"):
+    with pytest.raises(InputError, match="No suites of 'Juggle'"):
         training_tables("Juggle")
 
 

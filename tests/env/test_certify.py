@@ -171,14 +171,14 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
     ("spoil", "reason"),
     [
         (lambda p: p | {"scene": "0" * 64}, "another scene"),
-        (lambda p: p | {"schema": 5}, "of schema 5, not 4.*certify the bundle again"),
+        (lambda p: p | {"schema": 5}, "schema is 5, not 4.*certify the bundle again"),
         (lambda p: p | {"schema": True}, "type int"),
-        (lambda p: p | {"schema": 0}, "of schema 0"),
+        (lambda p: p | {"schema": 0}, "schema is 0"),
         (lambda p: p | {"versions": ["mujoco"]}, "type dict"),
         (lambda p: spoilt(p, successes=9), "9 of 2"),
         (lambda p: spoilt(p, successes=True), "type int"),
         (lambda p: spoilt(p, task="Juggle"), "Unknown task 'Juggle'"),
-        (lambda p: spoilt(p, task="Push"), "lists Push, which it was not made for"),
+        (lambda p: spoilt(p, task="Push"), "lists Push, which is not in its terms"),
         (lambda p: spoilt(p, preset="kitchen"), "Lift has no presets"),
         (lambda p: spoilt(p, task="Sequence", preset="kichen"), "no preset 'kichen'"),
         (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes to be a whole"),
@@ -206,7 +206,7 @@ def test_a_certificate_of_an_older_schema_certifies_nothing(bundle: Path) -> Non
 @pytest.mark.parametrize("raw", [b"{", b'{"schema": NaN}', b"\xff", b"[" * 5000])
 def test_what_is_no_json_is_refused(bundle: Path, raw: bytes) -> None:
     (bundle / FILE).write_bytes(raw)
-    with pytest.raises(BundleError, match="no sound certificate"):
+    with pytest.raises(BundleError, match="not a valid certificate"):
         read_certificate(bundle)
 
 
@@ -243,7 +243,7 @@ def test_the_command_goes_on_where_it_was_interrupted(
     (done / FILE).write_text(json.dumps(marked))
     wanted = ["certify", str(tmp_path / "a"), "--tasks", "Lift", "Stack", "--most", "8"]
     told = shell(*wanted, "--episodes", "2", "--seed", "3").out
-    assert "1 of 2 bundles are certified already" in told
+    assert "1 of 2 bundles are already certified" in told
     assert f"{left.name}: Lift (target cube_1): 2 of 2" in told and done.name not in told
     assert is_certified(left, TERMS) and json.loads((done / FILE).read_text()) == marked
     assert not is_certified(left, replace(TERMS, seed=4)), "it says something else"

@@ -179,7 +179,7 @@ def test_scenes_with_nothing_to_do_are_passed_over() -> None:
         ({"render_mode": "ansi"}, "Available: depth_array, human, rgb_array"),
         ({"observation": "pixels", "image_size": 4}, "between 8 and 2048"),
         ({"renderer": "vulkan"}, "Available: auto, gl, software"),
-        ({"scenes": 7}, "scenes is of type int"),
+        ({"scenes": 7}, "scenes has type int"),
         ({"action": ["ee_delta"]}, r"Unknown action mode \['ee_delta'\].*Available: ee_absolute"),
         ({"observation": ["state"]}, "Available: goal, pixels"),
         ({"cameras": [["front"]]}, "Unknown camera.*Available: front, side, top, wrist"),

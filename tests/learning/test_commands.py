@@ -66,10 +66,10 @@ def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, s
     ]
     rest = [lines.partition("\n")[2] for lines in told]
     assert rest[0] == rest[1] == rest[2]
-    first = f"best.safetensors: tiny, seed 3, 32 steps; validation: 0 of 2 at {other} (tables: 1)"
+    first = f"best.safetensors: tiny, seed 3, 32 steps; validation: 0 of 2 on {other} (tables: 1)"
     assert told[0].startswith(first + "\n")
     assert told[0].count("failed in  60 steps: ") == 2
-    assert f"Reach at {other}: 0 of 2 solved at 1 table, 0 % (0 to 66 %)" in told[0]
+    assert f"Reach on {other}: 0 of 2 solved on 1 table, 0 % (0 to 66 %)" in told[0]
 
 
 @pytest.mark.slow
@@ -77,14 +77,14 @@ def test_enjoying_where_it_was_trained_is_said(
     trained: Path, table: str, other: str, tmp_path: Path, shell
 ) -> None:
     copied = str(shutil.copytree(table, tmp_path / "copied"))
-    for scenes, said in ((copied, "1 of these tables was trained at"), (other, "")):
+    for scenes, said in ((copied, "1 of these tables was used in training"), (other, "")):
         err = shell("enjoy", str(trained), "--scenes", scenes, "--episodes", "1").err
         assert said in err and bool(said) == bool(err)
     policy = load_policy(trained / LATEST)
     gone = dataclasses.replace(policy.card, scenes=("/none",))
     path = save_policy(dataclasses.replace(policy, card=gone), tmp_path / "p.safetensors")
     told = shell("enjoy", str(path), "--scenes", other, "--episodes", "1").err
-    assert "cannot be told: No bundle" in told
+    assert "trained on these tables: No bundle" in told
 
 
 @pytest.mark.slow
@@ -115,7 +115,7 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
 @pytest.mark.parametrize(
     ("args", "code", "why"),
     [
-        (("enjoy", "nothing"), 2, "no policy 'nothing'"),
+        (("enjoy", "nothing"), 2, "Unknown policy 'nothing'"),
         (("enjoy", "{}", "--episodes", "0"), 2, "whole number >= 1"),
         (("enjoy", "{}", "--seed", "-1"), 2, "A seed has to be a whole number from 0"),
         (("train", "reach-sac", "--seed", "-1"), 2, "A seed has to be a whole number from 0"),
@@ -123,8 +123,8 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
         (("plot", "{}", "--out", "/"), 5, "cannot be written"),
         (("enjoy", "{}", "--scenes", "/none"), 4, "No bundle"),
         (("enjoy", "{}", "--render", "--video-strip", "x.png"), 2, "not both"),
-        (("enjoy", "{}", "--workers", "2", "--video-strip", "x.png"), 2, "leave out --workers"),
-        (("enjoy", "{}", "--ray", "auto", "--render"), 2, "leave out --workers and --ray"),
+        (("enjoy", "{}", "--workers", "2", "--video-strip", "x.png"), 2, "remove --workers"),
+        (("enjoy", "{}", "--ray", "auto", "--render"), 2, "remove --workers and --ray"),
         (("enjoy", "{}", "--workers", "0"), 2, "enjoy needs --workers"),
         (("enjoy", "{}/.."), 2, "no policy yet"),
         (("train", "reach-sacc"), 2, "Did you mean 'reach-sac'"),
@@ -132,7 +132,7 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
         (("train", "reach-sac", "--steps", "0"), 2, "steps"),
         (("train", "reach-sac", "--set", "gamma"), 2, "key=value"),
         (("plot",), 2, "at least one"),
-        (("plot", "/none"), 2, "holds no run"),
+        (("plot", "/none"), 2, "not the folder of a run"),
         (("train",), 2, "required"),
     ],
 )

@@ -56,7 +56,7 @@ def test_runs_of_other_settings_are_told_apart(small, tmp_path: Path) -> None:
 def test_runs_without_a_common_stretch_are_refused(small, tmp_path: Path) -> None:
     early = made(tmp_path / "a", small(), 0, {100: 1, 200: 2})
     late = made(tmp_path / "b", small(), 1, {300: 1, 400: 2})
-    with pytest.raises(InputError, match="no stretch in common"):
+    with pytest.raises(InputError, match="no common range"):
         bands([early, late])
     with pytest.raises(InputError, match="no evaluation yet"):
         bands([made(tmp_path / "c", small(), 2, {})])
@@ -112,11 +112,11 @@ def test_the_command_draws_a_picture(small, tmp_path: Path, shell) -> None:
         made(tmp_path / str(seed), small(), seed, {0: 0, 100: last})
     out = tmp_path / "new" / "success.png"
     told = shell("plot", str(tmp_path / "0"), str(tmp_path / "1"), "--out", str(out)).out
-    assert "60 % after 100 steps, 40 to 80 % of 2 runs" in told
+    assert "60 % after 100 steps, 40 to 80 % over 2 runs" in told
     with Image.open(out) as picture:
         assert picture.format == "PNG"
     (tmp_path / "0" / "evaluations.csv").write_text("steps\nx\n")
-    assert "no table of evaluations" in shell("plot", str(tmp_path / "0"), code=2).err
+    assert "not a valid table of evaluations" in shell("plot", str(tmp_path / "0"), code=2).err
 
 
 def test_a_run_that_cannot_be_begun_leaves_nothing(small, tmp_path, monkeypatch) -> None:

@@ -130,7 +130,7 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
     path.write_text("task = 'Push'\nalgorithm = 'ppo'\nnetwork = {layers = [8]}\n")
     assert (recipe(str(path)).name, recipe(str(path)).network.layers) == ("mine", (8,))
     for text, why in (
-        ("task = ", "no TOML"), ("steps = inf", "no number"), ("", "needs 'task'"),
+        ("task = ", "no TOML"), ("steps = inf", "not a finite number"), ("", "needs 'task'"),
         ("options = {a = [2026-01-01]}", "2026-01-01 is a date"),
         ("env = {a = 07:32:00}", "a time"),
     ):  # fmt: skip
@@ -158,15 +158,15 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
         ({"network": {"layers": []}}, "layers"),
         ({"network": {"activation": "gelu"}}, "activation"),
         ({"network": [1]}, "table of settings"),
-        ({"scenes": []}, "scenes is a text"),
-        ({"held_out": 3}, "held_out is a text"),
+        ({"scenes": []}, "scenes must be a text"),
+        ({"held_out": 3}, "held_out must be a text"),
         ({"variants": 0}, "variants"),
         ({"variants": 1.5}, "variants"),
         ({"hindsight": 4}, "observation='goal'"),
         ({"hindsight": 4, "env": {"observation": "goal", "grasp_hint": True},
-          "network": {"extractor": "goal"}}, "cannot be with grasp_hint"),
+          "network": {"extractor": "goal"}}, "cannot be combined with grasp_hint"),
         ({"algorithm": "ppo", "demonstrations": 3}, "replay buffer"),
-        ({"algorithm": "clone"}, "needs cloning"),
+        ({"algorithm": "clone"}, "needs the table cloning"),
         ({"algorithm": "td3", "cloning": {}}, "only SAC"),
         ({"demonstrations": 3, "env": {"action": "joint_delta"}}, "ee_delta"),
         ({"env": {"observation": "goal"}}, "extractor 'table'"),
@@ -184,14 +184,14 @@ def test_options_are_those_of_the_algorithm(small, table: str) -> None:
         new_model(small(options={"learning_rat": 1}), env, 0)
     with pytest.raises(InputError, match="no option 'policy'"):
         new_model(small(options={"policy": "x"}), env, 0)
-    with pytest.raises(InputError, match="refuses"):
+    with pytest.raises(InputError, match="rejects"):
         new_model(small(options={"buffer_size": "many"}), env, 0)
     with pytest.raises(InputError, match="action_noise to be a number >= 0, got 'much'"):
         new_model(small("td3", options={"action_noise": "much"}), env, 0)
     hindsight = {"env": {"observation": "goal"}, "hindsight": 4, "network": {"extractor": "goal"}}
     with pytest.raises(InputError, match="learning_starts to be a whole number"):
         new_model(small(options={"learning_starts": "soon"}, **hindsight), env, 0)
-    with pytest.raises(InputError, match="learning_starts must be above 120"):
+    with pytest.raises(InputError, match="learning_starts must exceed 120"):
         goal = {"observation": "goal"}
         new_model(
             small(hindsight=4, env=goal, network={"extractor": "goal"}),

@@ -170,9 +170,9 @@ def test_another_runs_buffer_is_refused(small, tmp_path: Path) -> None:
     path = tmp_path / "replay.npz"
     write_buffer(model.replay_buffer, path)
     other = new_model(small(options={"buffer_size": 500, "learning_starts": 9}), envs, 0)
-    with pytest.raises(InputError, match="no replay buffer of this run"):
+    with pytest.raises(InputError, match="not a valid replay buffer of this run"):
         read_buffer(other.replay_buffer, path)
     path.write_bytes(path.read_bytes()[:1000])
-    with pytest.raises(InputError, match="no replay buffer of this run"):
+    with pytest.raises(InputError, match="not a valid replay buffer of this run"):
         read_buffer(model.replay_buffer, path)
     envs.close()

@@ -33,7 +33,7 @@ def test_a_recipe_of_wrong_types_is_refused(run: Run, change: dict[str, Any]) ->
                                  "1,2,2,1,inf,1", "x,2,2,1,1,1", "1"])  # fmt: skip
 def test_evaluations_that_cannot_be_are_refused(run: Run, row: str) -> None:
     (run.path / "evaluations.csv").write_text(",".join(COLUMNS) + f"\n{row}\n")
-    with pytest.raises(InputError, match="no table of evaluations"):
+    with pytest.raises(InputError, match="not a valid table of evaluations"):
         read_rows(run.path)
 
 

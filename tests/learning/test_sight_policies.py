@@ -214,7 +214,7 @@ def test_policies_hand_on_what_they_remember(tmp_path) -> None:
     player = EpisodePlayer(policy)
     for _ in range(3):
         seen = env.step(player.act(seen))[0]
-    with pytest.raises(InputError, match="remembers finite numbers"):
+    with pytest.raises(InputError, match="must be finite numbers"):
         policy.predict(seen, np.zeros((2, 3)))
 
 

@@ -140,8 +140,8 @@ def test_the_command_records_and_resumes(
     given = ["record", "--task", "Reach", "--scenes", "coffee-square-*", "--episodes", "1",
              "--format", "lerobot", "--out", str(out)]  # fmt: skip
     assert run([*given, "--video", "none", "--resume"]) == 0
-    assert f"{out}: 1 episodes of 1 played" in capsys.readouterr().out
+    assert f"{out}: 1 of 1 episodes recorded" in capsys.readouterr().out
     features = json.loads((out / "meta" / "info.json").read_text())["features"]
     assert features["observation.environment_state"]["shape"] == [247], "there are no pictures"
     assert run([*given, "--resume"]) == 2
-    assert "is there already" in capsys.readouterr().err
+    assert "already exists" in capsys.readouterr().err

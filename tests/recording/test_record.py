@@ -245,7 +245,7 @@ def test_it_gives_up_where_the_expert_solves_nothing(
             yield SceneError("the expert did not 'fly'")
 
     monkeypatch.setattr("tabletopgen_env.recording.recorder.play_episodes", none)
-    with pytest.raises(SceneError, match=r"50 episodes in a row .* did not 'fly'"):
+    with pytest.raises(SceneError, match=r"50 consecutive episodes .* did not 'fly'"):
         record(LIFT, tmp_path / "none", "npz")
     assert list(tmp_path.iterdir()) == []
 
@@ -256,10 +256,10 @@ def test_wrong_requests_are_explained(tmp_path: Path, lift: Path) -> None:
         (replace(LIFT, episodes=0), {}, "episodes to be a whole number >= 1"),
         (replace(LIFT, noise=-1.0), {}, "noise"),
         (LIFT, {"format": "hdf"}, "Did you mean 'hdf5'"),
-        (LIFT, {"format": "npz", "out": None}, "Say where"),
+        (LIFT, {"format": "npz", "out": None}, "Set 'out'"),
         (LIFT, {"workers": 0}, "workers to be a whole number >= 1"),
-        (LIFT, {"out": lift}, "is there already"),
-        (LIFT, {"out": tmp_path / "lift"}, "no name of a Minari dataset.*'lift-v0'"),
+        (LIFT, {"out": lift}, "already exists"),
+        (LIFT, {"out": tmp_path / "lift"}, "not a valid name of a Minari dataset.*'lift-v0'"),
         (replace(LIFT, cameras=("back",)), {}, "Unknown camera 'back'"),  # type: ignore[arg-type]
         (replace(LIFT, observation="pixels"), {}, "Unknown observation 'pixels'"),  # type: ignore[arg-type]
         (replace(LIFT, randomization="lihgt"), {}, "Did you mean 'light'"),
@@ -303,9 +303,9 @@ def test_the_command_records_and_says_where(
     settings = json.loads(Path(f"{out}-plain/dataset.json").read_text())["settings"]
     assert settings["randomization"] is None
     capsys.readouterr()
-    assert f"{out}: 1 episodes of 1 played" in told.out and "1/1" in told.err
+    assert f"{out}: 1 of 1 episodes recorded" in told.out and "1/1" in told.err
     wrong = {
-        "is there already": [*given, "--out", str(out)],
+        "already exists": [*given, "--out", str(out)],
         "Did you mean 'Lift'": ["record", "--task", "Lifft"],
         "Did you mean 'light'": [*given, "--randomization", "lihgt", "--out", f"{out}-b"],
     }

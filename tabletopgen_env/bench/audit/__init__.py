@@ -1,1 +1,1 @@
-"""Checks of results: by their own figures, and by playing some of their episodes again."""
+"""Checks of results: plausibility of their figures, and replay of some of their episodes."""

@@ -1,4 +1,4 @@
-"""What ``bench check`` does with a result, and what it prints."""
+"""The check of a result by ``bench check``, and its output."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ from .replay import EpisodeReplay, draw_places, player_of, replay
 
 @dataclass(frozen=True)
 class Check:
-    """How results are checked.
+    """Settings of a check of results.
 
     Attributes:
-        episodes: how many of each are played again.
-        seed: what draws them; None for another one each time.
-        policy: who plays; None for who the result names.
-        suite: the suite, if it is of a file of one's own.
-        tables: the folder of the tables; None for "bench" in the user's cache.
-        pool: who makes missing tables.
+        episodes: number of episodes to replay per result.
+        seed: seed of the random choice of episodes; None for a different choice each time.
+        policy: the player; None for the one named in the result.
+        suite: the suite, if it is in your own file.
+        tables: folder of the tables; None for "bench" in the user's cache.
+        pool: worker processes that generate missing tables.
     """
 
     episodes: int = 5
@@ -41,14 +41,14 @@ class Check:
 
 
 def check_result(path: Path, check: Check) -> bool:
-    """Check a result, print what was found and mark it; return whether it passed.
+    """Check a result, print the outcome and mark the result; return whether it passed.
 
-    A mark of more episodes of the same result is kept.
+    An existing mark for more episodes of the same result is kept.
 
     Raises:
-        InputError: it is no sound result, its suite or its policy is not found, or a number is out
-            of range.
-        SceneError: a table is made here as another one.
+        InputError: the result is invalid, its suite or policy is not found, or a number is out of
+            range.
+        SceneError: a table is generated differently here.
         BundleError: a table is damaged.
         StorageError: the mark cannot be written.
     """
@@ -77,7 +77,9 @@ def check_result(path: Path, check: Check) -> bool:
     kept = _stronger_mark(path, mark)
     if kept is None:
         write_mark(path, mark)
-    marked = "marked" if kept is None else f"the mark of {len(kept.episodes)} episodes is kept"
+    marked = (
+        "marked" if kept is None else (f"kept the existing mark for {len(kept.episodes)} episodes")
+    )
     print(
         escape(
             f"{path}: {len(numbers)} of {len(result.episodes)} episodes replayed (seed {seed}), "
@@ -89,10 +91,10 @@ def check_result(path: Path, check: Check) -> bool:
 
 
 def _stronger_mark(path: Path, mark: ReplayMark) -> ReplayMark | None:
-    """Return the mark of a result that is there if it is of more episodes than ``mark``."""
+    """Return a result's existing mark if it covers more episodes than ``mark``."""
     try:
         there = read_mark(path, mark.result)
-    except InputError:  # edited or damaged: no mark
+    except InputError:  # edited or damaged, so not a mark
         return None
     more = there is not None and len(there.episodes) > len(mark.episodes)
     return there if more else None
@@ -103,7 +105,7 @@ def _fail(path: Path, why: str) -> None:
 
 
 def _difference(again: EpisodeReplay) -> str:
-    """Return how an episode differs from what a result says of it."""
+    """Describe how a replayed episode differs from the listed one."""
     row = again.listed
     what = [part for part in (row.target, row.goal) if part]
     return (
@@ -118,7 +120,7 @@ def _outcome(row: EpisodeRow) -> str:
 
 
 def _others(result: BenchResult) -> str:
-    """Return which versions of packages the result was made with that are not those here."""
+    """Describe the packages whose versions differ from those of the result."""
     here = versions(PACKAGES)
     other = [f"{k} {v}, here {here[k]}" for k, v in result.versions.items() if here.get(k) != v]
-    return f"; it was made with {', '.join(other)}" if other else ""
+    return f"; the result was made with {', '.join(other)}" if other else ""

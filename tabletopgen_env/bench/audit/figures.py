@@ -1,4 +1,4 @@
-"""Figures of a result that no run of its suite gives."""
+"""Detection of figures that no run of a suite can produce."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ DoubtKind = Literal["too fast", "too long", "cut short", "reward too low", "rewa
                     "no versions"]  # fmt: skip
 
 _ROUNDED = 1e-5  # rewards are rounded to 6 digits
-_GIVES_UP = ("expert",)  # kinds of players that may end an episode before its time
+_GIVES_UP = ("expert",)  # kinds of players that can end an episode early
 _NOTHING = SuiteOutcome(False, 0, 0.0)
 
 
 @dataclass(frozen=True)
 class Doubt:
-    """What is impossible about some episodes of a result.
+    """An impossible property of some episodes of a result.
 
     Attributes:
-        kind: what it is.
-        count: of how many episodes; for "no versions" of how many packages.
-        value: the figure of the first of them.
-        limit: what it would have to be at least, or at most.
+        kind: the kind of the problem.
+        count: number of affected episodes; for "no versions", of packages.
+        value: the figure of the first affected episode.
+        limit: the minimum or maximum possible value.
     """
 
     kind: DoubtKind
@@ -39,46 +39,48 @@ class Doubt:
     limit: float = 0.0
 
     def __str__(self) -> str:
-        """Return a sentence."""
+        """Describe the problem in a sentence."""
         many = f"{self.count} episode{'s' if self.count > 1 else ''}"
         value, limit = f"{self.value:g}", f"{self.limit:g}"
         sentences: dict[DoubtKind, str] = {
-            "too fast": f"{many} solved in {value} steps, and success has to hold for {limit}",
-            "too long": f"{many} of {value} steps, and the time limit is {limit}",
-            "cut short": f"{many} not solved and ended after {value} of {limit} steps",
-            "reward too low": f"{many} solved with a mean reward of {value}, and the steps of "
-            f"success alone give {limit}",
-            "reward too high": f"{many} with a mean reward of {value} where it is below {limit}",
-            "no versions": f"{self.count} packages of a run without a version",
+            "too fast": f"{many} solved in {value} steps, but success must hold for {limit}",
+            "too long": f"{many} of {value} steps, but the time limit is {limit}",
+            "cut short": f"{many} not solved but ended after {value} of {limit} steps",
+            "reward too low": (
+                f"{many} solved with a mean reward of {value}, but the successful "
+                f"steps alone give {limit}"
+            ),
+            "reward too high": f"{many} with a mean reward of {value}, which must be below {limit}",
+            "no versions": f"{self.count} packages without a version",
         }
         return sentences[self.kind]
 
 
 def suite_matches(result: BenchResult, suite: Suite) -> bool:
-    """Return whether a result lists just the episodes of a suite, in its order."""
+    """Return whether a result lists exactly the episodes of a suite, in its order."""
     asked = [row_of(episode, _NOTHING) for episode in suite.episodes()]
     same = [(*r.key, r.level) for r in asked] == [(*r.key, r.level) for r in result.episodes]
     return same and (result.version, result.suites) == (suite.of.version, digest_of(suite.of))
 
 
 def check_suite(result: BenchResult, suite: Suite) -> None:
-    """Check that a result is of a suite as it is.
+    """Check that a result belongs to the current version of its suite.
 
     Raises:
-        InputError: it is not.
+        InputError: it does not.
     """
     if not suite_matches(result, suite):
         raise InputError(
-            f"The result of {result.player.name} at {result.suite} is of other episodes than the "
-            f"package's suite {suite.of.version}. Run the suite again."
+            f"The result of {result.player.name} at {result.suite} lists other episodes than "
+            f"the package's suite {suite.of.version}. Run the suite again."
         )
 
 
 def doubts(result: BenchResult, suite: Suite) -> tuple[Doubt, ...]:
-    """Return what is impossible about a result of a suite; nothing for what a run wrote.
+    """Return the impossible figures of a result of a suite; an unmodified result has none.
 
-    An episode is solved once success has held for ``hold`` steps, which the mean of the dense
-    reward, 1 exactly on success, shows; else it lasts for the time limit.
+    An episode is solved once success has held for ``hold`` steps, during which the dense reward is
+    exactly 1; otherwise it lasts until the time limit. The mean reward must agree with this.
     """
     found: dict[DoubtKind, Doubt] = {}
     for row in result.episodes:

@@ -1,6 +1,6 @@
-"""Marks of results that were played again: a file beside each.
+"""Marks of replayed results, in a file beside each result.
 
-Like a result, a mark is no signature: who keeps a leaderboard makes the marks themselves.
+Like a result, a mark is not signed: the maintainer of a leaderboard creates the marks.
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ from ..results import MOST_EPISODES
 from ..suites import canonical_digest, read_payload
 
 SUFFIX = ".replayed"
-"""Ends the name of a mark, after its result's: "lift-test_expert.json.replayed"."""
+"""Suffix of a mark's name, after its result's: "lift-test_expert.json.replayed"."""
 
 SCHEMA = 1
-"""Version of the files; others are refused."""
+"""Version of the file format; other versions are refused."""
 
 
 @dataclass(frozen=True)
 class ReplayMark:
-    """Which episodes of a result were played again and came out as it says.
+    """The episodes of a result that were replayed with identical outcomes.
 
     Attributes:
-        result: the result's digest.
-        seed: what they were drawn by.
-        episodes: their places in the result, from 0.
-        versions: of the packages that they were played with.
+        result: digest of the result.
+        seed: seed of the random choice of episodes.
+        episodes: indices of the episodes in the result, from 0.
+        versions: versions of the packages used for the replay.
     """
 
     result: str
@@ -44,26 +44,28 @@ class ReplayMark:
 
 
 def mark_path(result: Path) -> Path:
-    """Return where the mark of a result is."""
+    """Return the path of a result's mark."""
     return result.with_name(result.name + SUFFIX)
 
 
 def write_mark(result: Path, mark: ReplayMark) -> None:
-    """Write the mark of a result, whole or not at all.
+    """Write the mark of a result atomically.
 
     Raises:
-        StorageError: it cannot be written.
+        StorageError: the mark cannot be written.
     """
     facts = json.loads(json.dumps({"schema": SCHEMA, **dataclasses.asdict(mark)}))
     text = json.dumps({**facts, "digest": canonical_digest(facts)}, indent=1, sort_keys=True) + "\n"
-    write_whole(mark_path(result), text, "The mark", "Check a copy of the result.")
+    write_whole(
+        mark_path(result), text, "The mark", "Check a copy of the result in a writable folder."
+    )
 
 
 def remove_mark(result: Path) -> None:
     """Remove the mark of a result, if there is one.
 
     Raises:
-        StorageError: it cannot be removed.
+        StorageError: the mark cannot be removed.
     """
     path = mark_path(result)
     if path.exists():
@@ -71,7 +73,7 @@ def remove_mark(result: Path) -> None:
 
 
 def read_mark(result: Path, digest: str) -> ReplayMark | None:
-    """Return the mark of a result with a digest; None if it has none, or one of an older result.
+    """Return the mark of the result with a digest; None if it has no mark, or only an older one.
 
     Raises:
         InputError: the mark is damaged, edited or of another schema.
@@ -83,10 +85,10 @@ def read_mark(result: Path, digest: str) -> ReplayMark | None:
     own = payload.pop("digest", None)
     try:
         if own != canonical_digest(payload) or check_type(payload["schema"], int) != SCHEMA:
-            raise ValueError("it was edited or cut off")
+            raise ValueError("the file was edited or truncated")
         numbers = tuple(check_type(k, int) for k in check_type(payload["episodes"], list))
         if not numbers or len({*numbers}) < len(numbers) or not _within(numbers):
-            raise ValueError("its episodes are no places in a result")
+            raise ValueError("its episodes are not valid indices")
         versions = {
             printable(k, "A package", InputError): printable(v, "A version", InputError)
             for k, v in check_type(payload["versions"], dict).items()

@@ -1,4 +1,4 @@
-"""Episodes of a result played again from their seeds, and compared with what it says."""
+"""Replay of a result's episodes from their seeds, and comparison with the listed outcomes."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from ..results import BenchResult, EpisodeRow, row_of
 from ..tables import make_tables
 
 REWARD = 1e-4
-"""How far two mean rewards of one episode may differ."""
+"""Tolerance of the mean reward of an episode."""
 
 
 @dataclass(frozen=True)
 class EpisodeReplay:
-    """An episode as a result lists it, and as it was played again; ``number`` is its place."""
+    """An episode as a result lists it, and its replay; ``number`` is its index."""
 
     number: int
     listed: EpisodeRow
@@ -32,19 +32,19 @@ class EpisodeReplay:
 
     @property
     def agrees(self) -> bool:
-        """Whether both are the same: solved or not, after as many steps, with the same reward.
+        """Whether both agree: the same success and number of steps, and equal rewards.
 
-        Processors differ in the last digits of mean rewards, so these agree within ``REWARD``.
+        Rewards agree within ``REWARD``, since processors differ in the last digits of the mean.
         """
         near = abs(self.listed.reward - self.played.reward) <= REWARD
         return near and replace(self.played, reward=self.listed.reward) == self.listed
 
 
 def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
-    """Return the places of ``count`` episodes drawn by a seed; of all, if there are fewer.
+    """Draw the indices of ``count`` episodes with a seed; of all, if there are fewer.
 
     Raises:
-        InputError: less than one.
+        InputError: ``count`` is less than one.
     """
     require_number("A check needs --episodes", count, minimum=1, integer=True)
     total = len(result.episodes)
@@ -53,10 +53,10 @@ def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
 
 
 def player_of(result: BenchResult, suite: Suite, player: str | None) -> str:
-    """Return who plays a result's episodes again: ``player``, or who the result names.
+    """Return the player for a replay: ``player``, or the one named in the result.
 
     Raises:
-        InputError: the result does not say who, or ``player`` is another one than it says.
+        InputError: the result names no player, or ``player`` differs from the one it names.
     """
     listed = result.player
     name = player or (listed.kind if listed.kind in SIMPLE else listed.name)
@@ -66,7 +66,7 @@ def player_of(result: BenchResult, suite: Suite, player: str | None) -> str:
         if player is not None:
             raise
         raise InputError(
-            f"The result names its policy {listed.name!r}, which is not found here ({error}) Name "
+            f"The result names its policy {listed.name!r}, which was not found ({error}) Give "
             "the file or the function with --policy."
         ) from error
     _check_same(facts, listed, name)
@@ -81,11 +81,11 @@ def replay(
     tables: Path | None = None,
     pool: PoolOptions = PoolOptions(),  # noqa: B008
 ) -> Iterator[EpisodeReplay]:
-    """Play the episodes at some places of a result again, and yield each.
+    """Replay the episodes of a result with the given indices, and yield each.
 
     Raises:
-        InputError: no such player.
-        SceneError: a table is made here as another one.
+        InputError: the player does not exist.
+        SceneError: a table is generated differently here.
         BundleError: a table is damaged.
     """
     episodes = suite.episodes()
@@ -101,13 +101,13 @@ def replay(
 
 
 def _check_same(facts: PlayerFacts, listed: PlayerFacts, name: str) -> None:
-    """Check that a player is the one of a result, whatever it is called there."""
+    """Check that a player is the one of a result, regardless of its name there."""
     other = [
         part for part in ("kind", "digest", "settings")
         if getattr(facts, part) != getattr(listed, part)
     ]  # fmt: skip
     if other:
         raise InputError(
-            f"{name} is not the policy of the result of {listed.name} (other {', '.join(other)}). "
-            "Name the one that played it with --policy."
+            f"{name} is not the policy of the result of {listed.name} (other "
+            f"{', '.join(other)}). Give the original policy with --policy."
         )

@@ -1,1 +1,1 @@
-"""Where and how to take, put down and push, before anything moves."""
+"""Planning of grasps, placements and pushes, before any motion."""

@@ -1,4 +1,4 @@
-"""Choose a grasp: the best one that the arm can reach, once per arrangement of a scene."""
+"""Choice of the best reachable grasp, once per arrangement of a scene."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
 
 HOVER = 0.06
-"""Metres above a grasp from which the hand goes straight down."""
+"""Height above a grasp from which the hand moves straight down, metres."""
 
-_AROUND = 0.35  # metres about the object in which the wrist may hit something
-_MOST = 80  # grasps that are looked at
+_AROUND = 0.35  # distance from the object within which the wrist can collide, metres
+_MOST = 80  # maximum number of examined grasps
 
 
 @dataclass(frozen=True, eq=False)
 class GraspPlan:
-    """A grasp that can be reached: the hand's yaw in the base frame, and where the object was."""
+    """A reachable grasp, with the hand's yaw in the base frame and the object's position."""
 
     grasp: Grasp
     yaw: float
@@ -38,22 +38,22 @@ class Chooser(Protocol):
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return a grasp of ``target`` where it is now, None if there is none; as ``choose``."""
+        """Return a grasp of ``target`` at its current pose, None if there is none."""
         ...
 
 
 def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> GraspPlan | None:
-    """Return the best grasp of ``target`` where it is now that the arm can reach, None if none.
+    """Return the best reachable grasp of ``target`` at its current pose, None if there is none.
 
-    Those that ``failed`` rank last.
+    Grasps in ``failed`` rank last.
     """
     return first_reachable(world, target, plan_grasps(world, target, failed)[:_MOST])
 
 
 def first_reachable(world: World, target: str, found: list[Grasp]) -> GraspPlan | None:
-    """Return the first of the grasps ``found`` that the arm can reach; None if it can reach none.
+    """Return the first of the grasps ``found`` that the arm can reach, None if there is none.
 
-    The wrist is kept off the height map of all but the target.
+    The wrist must clear the height map of all other objects.
     """
     center = world.position(target)
     low, high = center[:2] - _AROUND, center[:2] + _AROUND
@@ -62,7 +62,7 @@ def first_reachable(world: World, target: str, found: list[Grasp]) -> GraspPlan 
     clear = wrists_are_free(world, others, points[:, :2], points[:, 2] - TIP)
     free = list(compress(found, clear))
     last: GraspPlan | None = None
-    # If the wrist has no room for any grasp, it may still pass.
+    # If the wrist has no space for any grasp, the motion may still succeed.
     for grasp in free or found:
         points, tip = (grasp.point, grasp.point + up(HOVER)), float(grasp.point[2]) - TIP
         yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
@@ -78,10 +78,10 @@ def first_reachable(world: World, target: str, found: list[Grasp]) -> GraspPlan 
 
 
 def first_plan(world: World, name: str, chooser: Chooser = choose) -> GraspPlan | None:
-    """Return the grasp that ``chooser`` takes of an object at the start of an episode."""
+    """Return the grasp that ``chooser`` selects for an object at the start of an episode."""
     return world.remember((chooser, name), lambda: chooser(world, name))
 
 
 def has_grasp(world: World, name: str) -> bool:
-    """Return whether the arm reaches a grasp of an object where the scene puts it."""
+    """Return whether the arm can reach a grasp of an object at its pose in the scene."""
     return first_plan(world, name) is not None

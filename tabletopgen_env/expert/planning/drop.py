@@ -14,21 +14,24 @@ from .grasps import TIP, Grasp
 from .placement import Placer, plan_place
 
 ABOVE = 0.04
-"""Metres above the place at which what is held is brought into line with it."""
+"""Height above the place at which the held object is aligned with it, metres."""
 
-_FINE, _FUNNEL = 0.006, 0.008  # metres aside that are good, and beyond which it stays ABOVE
+# tolerated horizontal error, and the further error at which it stays at ABOVE, metres
+_FINE, _FUNNEL = 0.006, 0.008
 _TURNED = 0.05  # radians, both
 _LIFT = 0.06
-_LET_GO = 0.024  # metres by which the fingers open wider than what they held
-_TURNING = 0.35  # radians left beyond which what is held sweeps a circle
-_BESIDE = 0.015  # metres kept beside what is held
-_PUSHED = 0.02  # metres above the place below which a goal that moves is being pushed
+_LET_GO = 0.024  # additional opening of the fingers to release, metres
+_TURNING = 0.35  # remaining turn beyond which the held object sweeps a circle, radians
+_BESIDE = 0.015  # clearance beside the held object, metres
+# height above the place below which a moving goal is being pushed by the hand, metres
+_PUSHED = 0.02
 
 
 class Drop:
-    """The way of a held object to the place that ``plan`` has for it in its goal's region.
+    """The path of a held object to the place that ``plan`` chooses in its goal's region.
 
-    ``yaw`` is the hand's now (base frame, radians); ``opening`` lets go, metres.
+    ``yaw`` is the hand's current yaw (base frame, radians); ``opening`` is the opening for release,
+    metres.
     """
 
     def __init__(
@@ -40,23 +43,23 @@ class Drop:
         self._shift = np.zeros(3)
         self.opening = opening
         self.tool = self._place.tool
-        """Where the tool lets go, world frame, metres, as of the last ``follow``."""
+        """Position of the tool at release, world frame, metres, as of the last ``follow``."""
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Update the place by how the object has shifted in the hand and the goal has moved."""
+        """Update the place after a shift of the object in the hand or a motion of the goal."""
         left, right, _ = world.touches(self._target)
-        if not (left and right):  # what is let go no longer counts
+        if not (left and right):  # a released object no longer counts
             return
         place, tool = self._place, world.data.site_xpos[world.tcp]
-        if tool[2] > self.tool[2] + _PUSHED:  # else the hand is at the goal and moves it
+        if tool[2] > self.tool[2] + _PUSHED:  # otherwise the hand is at the goal and moves it
             self._shift = self._goal.region(world).center - place.seen
         offset = rotation_z(self.turn(world))[:2, :2] @ (world.position(self._target) - tool)[:2]
         sunk = tool[2] - world.lowest(self._target) - place.hanging
         self.tool = np.array([*(place.target - offset), place.tool[2] + sunk]) + self._shift
 
     def turn(self, world: World) -> float:
-        """Return how far the hand has yet to turn, radians."""
+        """Return the remaining turn of the hand, radians."""
         if self._place.yaw is None:
             tool = world.data.site_xpos[world.tcp]
             offset = (world.position(self._target) - tool)[:2]
@@ -64,31 +67,32 @@ class Drop:
         return turn_left(world, self._place.yaw, self._place.tool)
 
     def hover(self, world: World) -> float:
-        """Return how far above the place the hand still has to be: it comes down as it is aimed."""
+        """Return the height above the place that the hand still has to keep until it is aligned."""
         aside = float(np.linalg.norm((world.data.site_xpos[world.tcp] - self.tool)[:2])) - _FINE
         turn = abs(self.turn(world)) - _TURNED
         return ABOVE * float(np.clip(max(aside / _FUNNEL, turn / _TURNED), 0.0, 1.0))
 
 
 def let_go_at(grasp: Grasp) -> float:
-    """Return how far the fingers open to let go, metres: neighbours may be near."""
+    """Return the opening for release, metres, limited by neighbours."""
     return min(grasp.opening, grasp.width + _LET_GO)
 
 
 def lift_of(goal: Goal) -> float:
-    """Return how high above its grasp the tool lifts a thing before it goes elsewhere, metres."""
+    """Return the height above its grasp to which an object is lifted before transport, metres."""
     return sum(RAISED) / 2 if isinstance(goal, Raised) else _LIFT
 
 
 def hanging(world: World, target: str) -> float:
-    """Return how far the held object, or the fingertips, reach below the tool, metres."""
+    """Return the extent of the held object, or of the fingertips, below the tool, metres."""
     return max(float(world.data.site_xpos[world.tcp][2] - world.lowest(target)), TIP)
 
 
 def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
-    """Return where from the tool a held object's middle is and how far it reaches about it.
+    """Return the position of a held object's centre relative to the tool, and its extent.
 
-    Metres, along the table, world frame. With a large ``turn`` (radians) left it may be anywhere.
+    Metres, horizontally, world frame. With a large ``turn`` (radians) left, all directions are
+    covered.
     """
     if abs(turn) > _TURNING:
         return np.zeros(3), breadth(world, target)
@@ -98,14 +102,14 @@ def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"]
 
 
 def breadth(world: World, target: str) -> float:
-    """Return how far the held object reaches from the tool along the table, metres."""
+    """Return the horizontal extent of the held object from the tool, metres."""
     size = np.abs(world.rotation(target)) @ world.scene.object(target).scale / 2
     away = (world.position(target) - world.data.site_xpos[world.tcp])[:2]
     return float(np.linalg.norm(away) + size[:2].max())
 
 
 def met(world: World, goal: Goal) -> bool:
-    """Return whether the goal's target is where it asks for, and as it asks."""
+    """Return whether the goal's target is in the required place and state."""
     assert goal.target is not None
     if not goal.settled(world):
         return False
@@ -115,7 +119,7 @@ def met(world: World, goal: Goal) -> bool:
 
 
 def lost(world: World, goal: Goal) -> bool:
-    """Return whether the goal's target lies still and let go, but not as the goal asks."""
+    """Return whether the goal's target is at rest and released, but not as the goal requires."""
     assert goal.target is not None
     still = not world.touches(goal.target)[2] and at_rest(world, goal.target)
     return still and not met(world, goal)

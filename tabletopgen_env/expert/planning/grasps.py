@@ -1,10 +1,10 @@
-"""Where to put two fingers: top grasps found on the collision shapes as they stand.
+"""Grasp planning for two fingers: top grasps on the collision shapes at their current poses.
 
-For each turn of the hand and each strip of a finger's breadth across the object, the object's
-cross-section at the fingers' height is cut into solid runs: a can gives one run, a mug its two
-walls, a handle one of its own. A run narrow enough to be straddled, whose sides face each other
-(antipodal within the friction cone), is a grasp if there is room beside it: a gripper that comes
-straight down meets the rest of the world as a height map.
+For each yaw of the hand and each strip of a finger's width across the object, the object's
+cross-section at the fingers' height is divided into solid runs: a can gives one run, a mug its two
+walls, and a handle a separate one. A run that is narrow enough for the fingers and whose sides face
+each other (antipodal within the friction cone) is a grasp if there is space beside it. For a
+gripper that moves straight down, all other objects are a height map.
 """
 
 from __future__ import annotations
@@ -25,24 +25,24 @@ from .heights import HeightMap, VoxelSolid, move_parts, solid, surroundings
 from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
 
 TIP = 0.0088
-"""How far the fingertips reach beyond the tool centre point, metres."""
+"""Extent of the fingertips beyond the tool centre point, metres."""
 
 _TURNS = 12
 _PAD_DEPTH, _SHAFT = 0.0125, (0.007, 0.0265)
 _PALM_U, _PALM_V, _PALM_Z = 0.112, 0.042, 0.042
-_TIGHT_U, _TIGHT_V = 0.106, 0.036  # where there is no room for more
-_TIGHT = 2.0  # by which such a grasp is worse
+_TIGHT_U, _TIGHT_V = 0.106, 0.036  # if there is not enough space for more
+_TIGHT = 2.0  # score penalty of such a grasp
 _PALM_REACH = 0.13
 _MARGIN = 0.011
 
 
 @dataclass(frozen=True, eq=False)
 class Grasp:
-    """Where to close the fingers, in the world frame.
+    """A grasp in the world frame.
 
     ``point`` is the tool centre point (m), ``angle`` the direction of opening about +z (radians,
-    equal modulo pi), ``opening`` how far to open before going down and ``width`` what will be
-    between the fingers (m). A higher ``score`` is better.
+    equal modulo pi), ``opening`` the opening before the descent and ``width`` the expected distance
+    between the closed fingers (m). A higher ``score`` is better.
     """
 
     point: Float[np.ndarray, "3"]
@@ -53,14 +53,14 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` where it is now, best first; those like ``avoid`` last."""
+    """Return top grasps of ``target`` where it stands, best first, those like ``avoid`` last."""
     angles = rotation_yaw(world.rotation(target)) + np.arange(_TURNS) * np.pi / _TURNS
     found = [_demote(grasp, avoid) for grasp in grasps_along(world, target, angles.tolist())]
     return sorted(found, key=lambda grasp: -grasp.score)
 
 
 def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator[Grasp]:
-    """Yield grasps of ``target`` where it is now, by the ``angles`` of their fingers' opening."""
+    """Yield grasps of ``target`` at its current pose whose fingers open along ``angles``."""
     thing = world.scene.object(target)
     position, rotation = world.position(target), world.rotation(target)
     own = move_parts(thing.parts, position, rotation)
@@ -76,9 +76,9 @@ def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator
 def grasps_alone(
     thing: Object, rotation: Float[np.ndarray, "3 3"], angles: Iterable[float]
 ) -> Iterator[Grasp]:
-    """Yield top grasps of an object by itself, with nothing under it or beside it.
+    """Yield top grasps of an isolated object, with nothing under it or beside it.
 
-    ``rotation`` turns it, about the origin of its frame, into the frame of the grasps.
+    ``rotation`` rotates it, about the origin of its frame, into the frame of the grasps.
     """
     own, origin = move_parts(thing.parts, np.zeros(3), rotation), np.zeros(3)
     nothing = HeightMap(np.zeros(2), STEP_V, np.full((1, 1), -np.inf))
@@ -103,7 +103,7 @@ def is_like(grasp: Grasp, other: Grasp) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Seen:
-    """An object's voxels over a floor; ``center`` is their origin, ``heading`` turns them."""
+    """An object's voxels above a floor; ``center`` is their origin, ``heading`` rotates them."""
 
     shape: VoxelSolid
     cut: Slabs
@@ -113,7 +113,7 @@ class _Seen:
 
     @property
     def middle(self) -> Float[np.ndarray, "2"]:
-        """The middle of the voxels (x, y, world)."""
+        """The centre of the voxels (x, y, world)."""
         return self.center + self.heading @ (self.shape.origin + self.size / 2)
 
     @property
@@ -123,7 +123,8 @@ class _Seen:
 
     def columns(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
         """Return the column nearest to each point (x, y, world); see ``VoxelSolid.nearest``."""
-        turned = (points - self.center).reshape(-1, 2) @ self.heading  # one product, not many
+        # a single matrix product, for speed
+        turned = (points - self.center).reshape(-1, 2) @ self.heading
         return self.shape.nearest(turned.reshape(points.shape))
 
 
@@ -133,8 +134,8 @@ def _see(
     rotation: Float[np.ndarray, "3 3"],
     floor: float,
 ) -> _Seen:
-    """Return an object's parts, which lie in the world, as voxels over a floor that high."""
-    # Cut in the object's own heading, so that what fits stays so wherever it is moved and turned.
+    """Convert an object's parts, in the world frame, to voxels above a floor of this height."""
+    # Voxels follow the object's heading, so that results do not depend on its pose on the table.
     heading = rotation_z(rotation_yaw(rotation))
     shape = solid(move_parts(own, -position * [1, 1, 0] @ heading, heading.T), STEP_U, RISE)
     return _Seen(shape, slabs(shape, floor), position[:2], heading[:2, :2], floor)
@@ -185,7 +186,7 @@ def _room(
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return the widest openings (m) whose fingers come down free ``beside``, NaN where none."""
+    """Return the largest free openings (m) for the descending fingers, NaN if none is free."""
     distance = np.abs(u - center[:, None])
 
     def free(

@@ -1,4 +1,4 @@
-"""Scenes as height maps, all that a gripper from above can hit, and objects as voxels."""
+"""Scenes as height maps for a gripper from above, and objects as voxels."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...world.world import World
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:
-    """Heights of the highest surface over a grid, world frame, -inf where nothing is.
+    """Heights of the highest surface over a grid, world frame, -inf in empty cells.
 
     ``origin`` is the centre of cell (0, 0), ``cell`` the spacing (metres); ``heights[i, j]`` is at
     ``origin + cell * (i, j)``.
@@ -39,12 +39,12 @@ def move_parts(
     position: Float[np.ndarray, "3"],
     rotation: Float[np.ndarray, "3 3"],
 ) -> tuple[ConvexPart, ...]:
-    """Return convex parts carried from the body frame into the world."""
+    """Transform convex parts from the body frame to the world frame."""
     return tuple(ConvexPart(part.vertices @ rotation.T + position) for part in parts)
 
 
 def parts_of(world: World, name: str) -> tuple[ConvexPart, ...]:
-    """Return an object's convex parts where they are now, world frame."""
+    """Return an object's convex parts at its current pose, world frame."""
     parts = world.scene.object(name).parts
     return world.remember(
         ("parts", name), lambda: move_parts(parts, world.position(name), world.rotation(name))
@@ -69,7 +69,7 @@ def surroundings(
     high: Float[np.ndarray, "2"],
     cell: float,
 ) -> HeightMap:
-    """Return the height map of every object but ``target``, where they are now."""
+    """Return the height map of all objects but ``target`` at their current poses."""
     parts = [p for o in world.scene.objects if o.name != target for p in parts_of(world, o.name)]
     return height_map(parts, low, high, cell)
 
@@ -79,7 +79,7 @@ class VoxelSolid:
     """An object as voxels, world frame.
 
     ``filled[i, j, k]`` is at (``origin`` + ``cell`` * (i, j), ``levels[k]``), metres; ``levels``
-    rise by equal steps. The columns on the grid's border are empty.
+    are equally spaced. The columns on the grid's border are empty.
     """
 
     origin: Float[np.ndarray, "2"]
@@ -90,7 +90,7 @@ class VoxelSolid:
     def nearest(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
         """Return the column nearest to each point as a flat index i * ny + j.
 
-        Outside the grid that is one on its border, an empty one.
+        Points outside the grid map to a column on its border, which is empty.
         """
         i, j = _nearest(points, self.origin, self.cell)
         nx, ny, _ = self.filled.shape
@@ -100,7 +100,7 @@ class VoxelSolid:
 def _nearest(
     points: Float[np.ndarray, "*n 2"], origin: Float[np.ndarray, "2"], cell: float
 ) -> tuple[Int[np.ndarray, "*n"] | np.int64, Int[np.ndarray, "*n"] | np.int64]:
-    """Return the indices of the grid's cell nearest to each point, also of those outside it."""
+    """Return the indices of the grid's cell nearest to each point, also for points outside it."""
     x, y = points[..., 0], points[..., 1]
     i, j = (x - origin[0]) / cell, (y - origin[1]) / cell
     return np.rint(i).astype(int), np.rint(j).astype(int)
@@ -115,7 +115,7 @@ def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> VoxelSolid
     filled = np.zeros((len(axes[0]), len(axes[1]), len(levels)), bool)
     for part, cells, points in cells_under(parts, axes):
         hit, ground, ceiling = part_span(part, points)
-        # A part thinner than a voxel fills the voxel at its middle.
+        # A part thinner than a voxel fills the voxel at its centre.
         spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2
         low, high = ground[:, None] - spare, ceiling[:, None] + spare
         window = filled[cells]

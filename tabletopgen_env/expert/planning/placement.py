@@ -1,8 +1,8 @@
-"""Where to let go of what the hand holds: place and turn, with room for it and for the fingers.
+"""Planning of the release: place and yaw, with space for the held object and the fingers.
 
-What is held, and the fingers that open around it, come straight down on the height map of all
-else: their undersides say how deep they go. Of many places and turns in the goal's region, the best
-one is low, near the middle and well supported, with the shortest fall.
+The held object and the opening fingers move straight down onto the height map of all other objects;
+their undersides determine how deep they can go. Among many places and yaws in the goal's region,
+the best one is low, near the centre and well supported, with the shortest drop.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from .grasps import TIP
 from .heights import HeightMap, parts_of, solid, surroundings
 
 RELEASE = 0.004
-"""Height from which a thing is let go, metres."""
+"""Height above the surface at which an object is released, metres."""
 
 _TURNS = np.arange(-6, 6) * np.pi / 6
 _CELL = 0.005
 _MOST_COLUMNS = 160
-_INSIDE = 0.006  # metres that a place keeps from the region's edge
-_LEVEL = 0.005  # metres above a flat place at which a thing lies on something else
+_INSIDE = 0.006  # minimum distance of a place from the region's edge, metres
+_LEVEL = 0.005  # height above a flat surface at which an object rests on another one, metres
 _ABOVE = 0.06
-_TRIED = 10  # places for which the arm is asked
+_TRIED = 10  # number of places checked for reachability
 PAD, SHAFT, SHAFT_Z = 0.0125, 0.0265, 0.017
 FINGER_HALF = 0.0105
 PALM, PALM_Z = (0.106, 0.036), 0.043
@@ -40,11 +40,11 @@ PALM, PALM_Z = (0.106, 0.036), 0.043
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """Where the tool lets go: its point (m, world), the hand's yaw (base frame, radians).
+    """The tool's pose at release: its point (m, world) and the hand's yaw (base frame, radians).
 
-    A ``yaw`` of None is whichever the hand has, turned only as far as the last joint's range asks.
-    ``target`` is where the held thing's centre is then (x, y, world), ``hanging`` how far it
-    reached below the tool and ``seen`` where the goal's region was when this was planned.
+    A ``yaw`` of None means the current yaw, turned only as far as the last joint's range requires.
+    ``target`` is the position of the held object's centre then (x, y, world), ``hanging`` its
+    extent below the tool and ``seen`` the position of the goal's region at planning time.
     """
 
     tool: Float[np.ndarray, "3"]
@@ -55,7 +55,7 @@ class Place:
 
 
 class Placer(Protocol):
-    """Plans where to let go: the expert's planner (``plan_place``), or ``middle_place``."""
+    """Plans the release: the expert's planner (``plan_place``), or ``middle_place``."""
 
     def __call__(self, world: World, goal: Goal, yaw: float, opening: float) -> Place:
         """Return a place; see ``plan_place``."""
@@ -70,10 +70,10 @@ class Underside(NamedTuple):
 
 
 def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the best place in a goal's region for its target, held as it is now.
+    """Return the best place in a goal's region for its target, as currently held.
 
-    ``yaw`` is the hand's, now, in the base frame, radians; ``opening`` how far the fingers open to
-    let go, metres.
+    ``yaw`` is the hand's current yaw in the base frame, radians; ``opening`` is the opening of the
+    fingers for release, metres.
     """
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
@@ -81,7 +81,7 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     hand = _hand(opening, yaw + world.mount.yaw)
     offset = (world.position(goal.target) - tool)[:2]
     lever = np.zeros(2)
-    if isinstance(goal, OnTop):  # there it has to balance
+    if isinstance(goal, OnTop):  # the object has to balance there
         lever = (world.rotation(goal.target) @ world.scene.object(goal.target).com)[:2]
     region = goal.region(world)
     points = _points(goal, region)
@@ -116,10 +116,11 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the middle of a goal's region, for its target as the hand holds it, as ``plan_place``.
+    """Return the centre of a goal's region as a place for its target, as ``plan_place`` does.
 
-    The hand is not turned, or by half a turn where its arm reaches the place only so. It
-    takes the height map of all else, and the box of what is held with its lowest point.
+    The hand keeps its yaw, or makes half a turn if the arm can reach the place only in this way.
+    The plan uses the height map of all other objects, and the box of the held object with its
+    lowest point.
     """
     places = [*_middles(world, goal, yaw, opening, (0.0, np.pi))]
     reached = (p for p in places if p.yaw is not None and _stretched(world, p.tool, p.yaw))
@@ -127,9 +128,9 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def unturned_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the middle of a goal's region as ``middle_place``, whichever way the hand is there.
+    """Return the centre of a goal's region as ``middle_place`` does, for any yaw of the hand.
 
-    To follow it takes no memory of how the hand was when this was planned.
+    The place does not depend on the hand's pose at planning time, so following it needs no memory.
     """
     (place,) = _middles(world, goal, yaw, opening, (0.0,))
     return replace(place, yaw=None)
@@ -138,7 +139,7 @@ def unturned_place(world: World, goal: Goal, yaw: float, opening: float) -> Plac
 def _middles(
     world: World, goal: Goal, yaw: float, opening: float, turns: tuple[float, ...]
 ) -> Iterator[Place]:
-    """Yield the place in the middle of a goal's region for each turn of the hand."""
+    """Yield the place at the centre of a goal's region for each turn of the hand."""
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
     held, hand = _boxed_underside(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
@@ -170,7 +171,7 @@ def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
 
 
 def _points(goal: Goal, region: Region) -> Float[np.ndarray, "n 2"]:
-    """Return places (x, y, world) for the target's centre, the middle first."""
+    """Return places (x, y, world) for the target's centre, the region's centre first."""
     rings = (0.0, 0.3, 0.6, 0.95) if isinstance(goal, Into | OnTop) else (0.0, 0.3, 0.6)
     angles = np.arange(12) * np.pi / 6
     ring = np.column_stack([np.cos(angles), np.sin(angles)])
@@ -180,7 +181,7 @@ def _points(goal: Goal, region: Region) -> Float[np.ndarray, "n 2"]:
 
 
 def _base(world: World, goal: Goal, region: Region) -> float:
-    """Return the height on which the target is to rest, world frame."""
+    """Return the height of the surface on which the target is to rest, world frame."""
     if isinstance(goal, Into):
         return float(world.position(goal.reference)[2]) + goal.opening.floor
     if isinstance(goal, OnTop):
@@ -192,13 +193,13 @@ def _room(world: World, target: str, region: Region, held: Underside) -> HeightM
     reach = float(region.semi[:2].max() + 2 * np.linalg.norm(held.at, axis=1).max() + 0.15)
     low, high = region.center[:2] - reach, region.center[:2] + reach
     found = surroundings(world, target, low, high, _CELL)
-    # Each surface is taken a cell wider: so much room is left beside it.
+    # Each surface is enlarged by a cell, as clearance beside it.
     heights = ndimage.maximum_filter(found.heights, 3)
     return HeightMap(found.origin, _CELL, np.maximum(heights, world.scene.table.height))
 
 
 def _held_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
-    """Return the underside of the target as it hangs in the hand."""
+    """Return the underside of the target as held in the hand."""
     shape = solid(parts_of(world, target), _CELL, _CELL)
     i, j = np.nonzero(shape.filled.any(-1))
     low = shape.levels[shape.filled[i, j].argmax(-1)] - _CELL / 2
@@ -210,7 +211,7 @@ def _held_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> 
 
 
 def _boxed_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
-    """Return the underside of the target as if it filled its box as it hangs in the hand."""
+    """Return the underside of the target as held in the hand, with its box as its shape."""
     rotation, half = world.rotation(target), world.scene.object(target).scale / 2
     across = np.linspace(-1.0, 1.0, 9)
     unit = np.stack(np.meshgrid(across, across, across), -1).reshape(-1, 3)
@@ -219,7 +220,7 @@ def _boxed_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) ->
 
 
 def _hand(opening: float, yaw: float) -> Underside:
-    """Return the underside of the hand with its fingers opened; ``yaw`` in the world frame."""
+    """Return the underside of the hand with open fingers; ``yaw`` in the world frame."""
     inner = opening / 2
     boxes = (
         ((inner, inner + PAD), FINGER_HALF, -TIP),
@@ -239,5 +240,5 @@ def _hand(opening: float, yaw: float) -> Underside:
 def _touching(
     others: HeightMap, tools: Float[np.ndarray, "k 2"], under: Underside
 ) -> Float[np.ndarray, "k n"]:
-    """Return at what height the tool stands when each column of ``under`` touches, by place."""
+    """Return the tool's height at which each column of ``under`` makes contact, per place."""
     return others.at(tools[:, None] + under.at) - under.low

@@ -1,9 +1,9 @@
-"""What fingers can close on: an object's cross-sections, cut into solid runs and rated.
+"""Graspable cross-sections: an object's slices divided into solid runs, with quality scores.
 
-The object is seen along one turn of the hand: v counts the lines of cells across which the fingers
-open, u the cells along them. A pad covers a strip of ``_LINES`` lines and, at one height, a slab of
-``_LAYERS`` levels at most. Both fit into the bits of a byte, so all strips of a turn, at all the
-heights to look at, are cut and rated together.
+The object is seen along one yaw of the hand: v counts the lines of cells perpendicular to the
+fingers' opening, u the cells along it. A pad covers a strip of ``_LINES`` lines and, at one height,
+a slab of at most ``_LAYERS`` levels. Both fit into the bits of a byte, so that all strips of a yaw,
+at all heights to be examined, are divided and scored together.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from jaxtyping import Bool, Float, Int, UInt8
 from .heights import VoxelSolid
 
 WIDEST = 0.0735
-"""Widest run to straddle, metres: the opening of 8 cm less what aiming needs."""
+"""Widest run to grasp, metres: the maximum opening of 8 cm minus a margin for aiming."""
 
 STEP_U, STEP_V, RISE = 0.0015, 0.003, 0.003
-"""Cells along the opening and across it, and levels, metres."""
+"""Size of cells along the opening and across it, and height of levels, metres."""
 
 FINGER_HALF, PAD_HEIGHT = 0.0105, 0.0188
-"""Half a finger's breadth and the height of its pad, metres."""
+"""Half a finger's width and the height of its pad, metres."""
 
 _ACROSS = np.arange(1 - np.ceil(FINGER_HALF / STEP_V), np.ceil(FINGER_HALF / STEP_V), dtype=int)
 _LINES, _LAYERS = len(_ACROSS), int(PAD_HEIGHT / RISE) + 1
@@ -39,11 +39,11 @@ _TOUCHED = 0.75
 
 @dataclass(frozen=True, eq=False)
 class Slabs:
-    """An object cut, from every level up, into slabs as high as a finger's pad.
+    """An object divided, from every level up, into slabs as high as a finger's pad.
 
-    Bit b of ``codes[k, c]`` says whether column c (as ``VoxelSolid.nearest`` counts) is filled at
-    level k + b. ``tops[c]`` is the number of levels up to the highest one filled, ``looks[t]`` the
-    slabs to look at where that is t: height of the fingertips (metres), lowest level and bits.
+    Bit b of ``codes[k, c]`` is set if column c (in the order of ``VoxelSolid.nearest``) is filled
+    at level k + b. ``tops[c]`` is the number of levels up to the highest filled one, ``looks[t]``
+    the slabs to examine for a top of t: height of the fingertips (metres), lowest level and bits.
     """
 
     codes: UInt8[np.ndarray, "nz c"]
@@ -52,7 +52,7 @@ class Slabs:
 
 
 def slabs(shape: VoxelSolid, floor: float) -> Slabs:
-    """Cut ``shape``, which stands over a table as high as ``floor`` (metres)."""
+    """Divide ``shape``, which stands on a table of height ``floor`` (metres), into slabs."""
     count = len(shape.levels)
     filled = np.ascontiguousarray(shape.filled.reshape(-1, count).T).astype(np.uint8)
     tops = (filled * np.arange(1, count + 1, dtype=np.int16)[:, None]).max(0)
@@ -66,7 +66,7 @@ def slabs(shape: VoxelSolid, floor: float) -> Slabs:
 def _looks(
     levels: Float[np.ndarray, "z"], top: int, floor: float
 ) -> tuple[tuple[float, int, int], ...]:
-    """Return the slabs to look at where ``top`` levels lie under the top, the lowest first."""
+    """Return the slabs to examine below a top of ``top`` levels, lowest first."""
     highest = float(levels[top - 1]) + RISE / 2
     tips = sorted({round(max(highest - d, floor + _ABOVE_TABLE), 4) for d in _DEPTHS})
     first = np.searchsorted(levels, tips).tolist()
@@ -77,7 +77,7 @@ def _looks(
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """Runs that can be straddled, ordered by row, height and place.
+    """Graspable runs, ordered by row, height and position.
 
     ``row`` is the middle line of a run's strip, ``left`` and ``right`` its first and last cell,
     ``tip`` the height of the fingertips (metres); a higher ``quality`` is better.
@@ -91,7 +91,7 @@ class Runs:
 
 
 def find_runs(cut: Slabs, columns: Int[np.ndarray, "nv nu"]) -> Runs:
-    """Return the runs of an object whose columns are seen as ``columns``, on every second line."""
+    """Return the runs of an object with the given ``columns``, on every second line."""
     tops = cut.tops[columns]
     lines, cells = (np.flatnonzero(tops.any(axis)) for axis in (1, 0))
     rows = np.arange(lines[0], lines[-1] + 1, 2) if len(lines) else lines
@@ -125,7 +125,7 @@ def _windows(
     left: Int[np.ndarray, "r"],
     width: Int[np.ndarray, "r"],
 ) -> Bool[np.ndarray, "r b w"]:
-    """Return the bits of the ``width`` codes from ``left`` on in each ``row``, then zeros."""
+    """Return the bits of ``width`` codes from ``left`` on in each ``row``, padded with zeros."""
     along = np.arange(width.max(initial=1))
     found = codes[row[:, None], np.minimum(left[:, None] + along, codes.shape[1] - 1)]
     found = np.where(along < width[:, None], found, np.uint8(0))
@@ -135,10 +135,11 @@ def _windows(
 def _quality(
     by_line: Bool[np.ndarray, "r b w"], by_layer: Bool[np.ndarray, "r b w"]
 ) -> Float[np.ndarray, "r"]:
-    """Rate the two sides of each run, NaN if the fingers would slide off."""
-    # A side's *slope* along the finger's breadth, the *squeeze* by which the run narrows upwards
-    # (it would pop out) and the *lean* of its middle (fingers would meet at different heights) stay
-    # well within the pads' friction cone. Levels much narrower than the widest are not touched.
+    """Score the two sides of each run, NaN if the fingers would slide off."""
+    # These must stay well within the pads' friction cone: a side's *slope* along the finger's
+    # width, the *squeeze* by which the run narrows upwards (the object would pop out) and the
+    # *lean* of its middle (fingers would make contact at different heights). Levels much narrower
+    # than the widest one make no contact.
     lines, widths = np.asarray(by_line.any(2)), by_layer.sum(2)
     layers = widths >= _TOUCHED * widths.max(1, keepdims=True)
     share, hold = lines.sum(1) / _LINES, layers.sum(1) * RISE
@@ -160,7 +161,7 @@ def _quality(
 def _ends(
     rows: Bool[np.ndarray, "r b w"],
 ) -> tuple[Float[np.ndarray, "r b"], Float[np.ndarray, "r b"]]:
-    """Return where each row of cells begins and ends, metres."""
+    """Return the start and end of each row of cells, metres."""
     last = rows.shape[2] - 1 - rows[:, :, ::-1].argmax(2)
     return rows.argmax(2) * STEP_U, last * STEP_U
 

@@ -1,7 +1,7 @@
-"""Strokes: where to put the closed fingers, and how to turn the hand, to push a thing along.
+"""Push strokes: position of the closed fingers and yaw of the hand for pushing an object.
 
-The hand pushes on the line through the centre of mass, where a thing slides without turning. The
-fingers and the palm over them need room all along that way.
+The hand pushes along the line through the centre of mass, where an object slides without turning.
+The fingers and the palm above them need space along the whole way.
 """
 
 from __future__ import annotations
@@ -21,41 +21,42 @@ from .grasps import TIP
 from .heights import HeightMap, height_map, parts_of, surroundings
 
 BEHIND = 0.025
-"""Metres between the fingers and the object before a stroke."""
+"""Distance between the fingers and the object before a stroke, metres."""
 
 HOVER = 0.06
-"""Height from which the hand comes straight down, metres."""
+"""Height from which the hand moves straight down, metres."""
 
 PAD = 0.01
 """Half the thickness of the closed fingers' pads, metres."""
 
 _THICK = 0.013  # half the closed fingers' thickness, metres
-_HALF_STRIP = 0.012  # half the breadth of what the fingers meet, metres
-_FINGERS = (0.03, 0.015)  # half their breadth and thickness, shafts and all, and some room, metres
-_TIPS = (0.012, 0.0095)  # half the breadth and thickness of the pads alone, metres
-_PALM = (0.11, 0.042)  # half its breadth and thickness, and some room, metres
-_TIGHT = ((0.0265, 0.0105), (0.102, 0.0315))  # fingers and palm without the room, metres
-_PALM_Z = 0.044  # the palm above the fingertips, metres
-_PUSH_HEIGHT = 0.03  # how far up the fingers push, metres
-_CLOSE = 0.01  # metres behind the object where there is little room
-_LOWEST, _HIGHEST = 0.012, 0.07  # of the tool above the table, metres
+_HALF_STRIP = 0.012  # half the width of the contact strip, metres
+# half width and half thickness of the fingers with shafts and clearance, metres
+_FINGERS = (0.03, 0.015)
+_TIPS = (0.012, 0.0095)  # half width and half thickness of the pads only, metres
+_PALM = (0.11, 0.042)  # half width and half thickness of the palm with clearance, metres
+_TIGHT = ((0.0265, 0.0105), (0.102, 0.0315))  # fingers and palm without clearance, metres
+_PALM_Z = 0.044  # height of the palm above the fingertips, metres
+_PUSH_HEIGHT = 0.03  # height at which the fingers push, metres
+_CLOSE = 0.01  # distance behind the object if there is little space, metres
+_LOWEST, _HIGHEST = 0.012, 0.07  # range of the tool's height above the table, metres
 _CELL = 0.006  # of height maps, metres
 _TURNS = np.deg2rad([0.0, 180.0, 30.0, -30.0, 150.0, -150.0, 60.0, -60.0, 120.0, -120.0, 90.0])
-_REACH = 0.62  # metres about the object that a stroke may touch
+_REACH = 0.62  # range of a stroke around the object, metres
 
 
 Care = Literal["free", "tight", "bold"]
-"""How much room the hand has to have.
+"""The space that the hand requires.
 
-"free": all along the way. "tight": where it comes down, beside the object. "bold": none.
+"free": along the whole way. "tight": at the start only, beside the object. "bold": none.
 """
 
 
 @dataclass(frozen=True, eq=False)
 class Stroke:
-    """A push: the tool goes from ``start`` (m, world) along ``ahead`` with the hand at ``yaw``.
+    """A push: the tool moves from ``start`` (m, world) along ``ahead`` with the hand at ``yaw``.
 
-    ``ahead`` is a unit vector along the table, ``yaw`` is in the base frame, radians.
+    ``ahead`` is a horizontal unit vector, ``yaw`` is in the base frame, radians.
     """
 
     start: Float[np.ndarray, "3"]
@@ -64,7 +65,7 @@ class Stroke:
 
 
 def beside(world: World, target: str) -> HeightMap:
-    """Return the height map of everything but the target, as far as a stroke may lead."""
+    """Return the height map of everything but the target, within the range of a stroke."""
     center = world.position(target)[:2]
     return surroundings(world, target, center - _REACH, center + _REACH, _CELL)
 
@@ -81,9 +82,9 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Return the stroke that pushes an object's centre towards a spot (x, y, world); None if none.
+    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), if there is one.
 
-    ``others`` is what is ``beside`` it, if known.
+    ``others`` is the height map ``beside`` the object, if it is already known.
     """
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))
@@ -97,8 +98,8 @@ def plan_stroke(
     best: tuple[float, Stroke] | None = None
     for k, turn in enumerate(_TURNS):
         if best is not None and k > 1:
-            break  # the hand and its opposite are compared; the others are fallbacks
-        # The fingers open along the hand's y axis; side by side they are broadest.
+            break  # the yaw and its opposite are compared; the others are fallbacks
+        # The fingers open along the hand's y axis; side by side they are widest.
         opening = bearing + turn + np.pi / 2
         found = _contact(parts, own, com, ahead, opening, world.scene.table.height)
         if found is None:
@@ -118,7 +119,7 @@ def plan_stroke(
         far = stretch(world, (start, end, start + np.array([0.0, 0.0, HOVER])), yaw)
         if far is None:
             continue
-        far += abs(turn_left(world, yaw, start))  # a quick turn is worth some stretching
+        far += abs(turn_left(world, yaw, start))  # a quick turn is worth some additional stretch
         if best is None or far < best[0]:
             best = far, Stroke(start, ahead, yaw)
     return None if best is None else best[1]
@@ -138,7 +139,7 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return where (x, y, world) and how high the tool is at a touch, low; None for a miss."""
+    """Return the tool's position (x, y, world) and height at contact, low; None without contact."""
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()
     palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
@@ -159,7 +160,7 @@ def _contact(
 def _behind(
     parts: list[ConvexPart], com: Float[np.ndarray, "2"], ahead: Float[np.ndarray, "2"]
 ) -> float | None:
-    """Return where along ``ahead`` from ``com`` the strip that the fingers sweep meets parts, m."""
+    """Return where the fingers' strip first meets parts, in metres from ``com`` along ``ahead``."""
     across = np.array([-ahead[1], ahead[0]])
     found: list[float] = []
     for part in parts:
@@ -171,7 +172,7 @@ def _behind(
 
 
 def _first_in_strip(u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"]) -> float:
-    """Return the least ``u`` of the convex hull of (u, v) within the strip."""
+    """Return the smallest ``u`` of the convex hull of (u, v) within the strip."""
     within = np.abs(v) <= _HALF_STRIP
     least = [float(u[within].min())] if within.any() else []
     for edge in (-_HALF_STRIP, _HALF_STRIP):
@@ -191,7 +192,7 @@ def _is_free(
     tip: float,
     hand: tuple[tuple[float, float], tuple[float, float]] = (_FINGERS, _PALM),
 ) -> bool:
-    """Return whether fingers and palm pass along a line with the hand opening along ``opening``."""
+    """Return whether fingers and palm, opening along ``opening``, are free along a line."""
     return all(
         others.at(line[:, None] + _rectangle(half, opening)).max() <= height
         for half, height in zip(hand, (tip - 0.001, tip + _PALM_Z), strict=True)
@@ -199,7 +200,7 @@ def _is_free(
 
 
 def _rectangle(half: tuple[float, float], opening: float) -> Float[np.ndarray, "n 2"]:
-    """Return a grid over a rectangle whose first side lies along ``opening``, metres."""
+    """Return a grid over a rectangle whose first side is along ``opening``, metres."""
     axis = np.array([np.cos(opening), np.sin(opening)])
     sides = [np.linspace(-h, h, max(int(2 * h / 0.01), 2) + 1) for h in half]
     grid = np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)

@@ -1,1 +1,1 @@
-"""Vector environments as Stable-Baselines3 has them."""
+"""Adapters from vector environments to the ``VecEnv`` interface of Stable-Baselines3."""

@@ -1,4 +1,4 @@
-"""``TabletopBatchEnv`` as Stable-Baselines3 wants its environments: NumPy arrays, a copy a step."""
+"""Adapter from ``TabletopBatchEnv`` to Stable-Baselines3, with NumPy arrays."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from ...parallel.batch.env import TabletopBatchEnv
 
 
 class BatchVecEnv(VecEnv):
-    """The worlds of a batch with SB3's infos.
+    """A ``TabletopBatchEnv`` as a ``VecEnv`` of Stable-Baselines3.
 
-    An info holds "success" and "is_success"; a world's last one of an episode also
-    "terminal_observation" and "TimeLimit.truncated", and "failed", whether its world has failed.
+    Each info holds "success" and "is_success". The last info of an episode also holds
+    "terminal_observation", "TimeLimit.truncated" and "failed" (whether the world has failed).
 
     Args:
-        batch: the worlds; closed with this.
+        batch: the batch; ``close`` closes it.
     """
 
     def __init__(self, batch: TabletopBatchEnv) -> None:
@@ -31,24 +31,24 @@ class BatchVecEnv(VecEnv):
         super().__init__(batch.num_envs, batch.single_observation_space, batch.single_action_space)
 
     def reset(self) -> Any:
-        """Start an episode in every world, with the seed that was set; return what they see."""
+        """Reset all worlds with the stored seed and return their observations."""
         seen, _ = self.batch.reset(seed=self._seeds[0])
         self._reset_seeds()
         return as_numpy(seen)
 
     def seed(self, seed: int | None = None) -> Sequence[int | None]:
-        """Set the seed of the next reset; one for all worlds."""
+        """Set the seed of the next reset, shared by all worlds."""
         if seed is not None:
             require_seed(seed)
         self._seeds = [seed] * self.num_envs
         return self._seeds
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Keep the actions for ``step_wait``."""
+        """Store the actions for ``step_wait``."""
         self._actions = actions
 
     def step_wait(self) -> Any:
-        """Step all worlds; return what they see, their rewards, which ended, and their infos."""
+        """Step all worlds; return observations, rewards, done flags and infos."""
         seen, rewards, terminated, truncated, infos = self.batch.step(self._actions)
         done = (terminated | truncated).cpu().numpy()
         answers = [_success(s) for s in infos["success"].cpu().tolist()]
@@ -69,34 +69,30 @@ class BatchVecEnv(VecEnv):
         self.batch.close()
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        """Return an attribute of the batch, once for each world."""
+        """Return an attribute of the batch, repeated for each selected world."""
         return [getattr(self.batch, attr_name)] * len([*self._get_indices(indices)])
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
-        """Refuse: worlds have no attributes of their own.
-
-        Raises:
-            InputError: always.
-        """
-        raise InputError(f"Worlds of a batch have no attributes of their own; got {attr_name!r}.")
+        """Raise an error: single worlds have no attributes."""
+        raise InputError(
+            f"The worlds of a batch have no attributes of their own, got {attr_name!r}."
+        )
 
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
-        """Refuse: worlds have no methods of their own.
-
-        Raises:
-            InputError: always.
-        """
-        raise InputError(f"Worlds of a batch have no methods of their own; got {method_name!r}.")
+        """Raise an error: single worlds have no methods."""
+        raise InputError(
+            f"The worlds of a batch have no methods of their own, got {method_name!r}."
+        )
 
     def env_is_wrapped(self, wrapper_class: type[Any], indices: Any = None) -> list[bool]:
-        """Tell that no world is wrapped."""
+        """Return False for each selected world: worlds are never wrapped."""
         return [False] * len([*self._get_indices(indices)])
 
 
 def as_numpy(seen: Tensor | dict[str, Tensor]) -> Any:
-    """Return observations as NumPy arrays of their own."""
+    """Copy observations to NumPy arrays."""
     if isinstance(seen, dict):
         return {key: as_numpy(value) for key, value in seen.items()}
     return torch.clone(seen).cpu().numpy()

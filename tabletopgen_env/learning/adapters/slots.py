@@ -1,7 +1,7 @@
-"""``TabletopVectorEnv`` as Stable-Baselines3 wants its environments: many tables at once.
+"""Adapter from ``TabletopVectorEnv`` to Stable-Baselines3.
 
-Scenes are compiled once for all slots and drawn from one source, where environments in processes of
-their own would each compile, and each renew, their own.
+All slots share one scene source and its compiled scenes. Separate environments in subprocesses
+would each compile, and renew, their own.
 """
 
 from __future__ import annotations
@@ -27,39 +27,39 @@ _FINAL = ("final_obs", "final_info")
 
 
 class SlotVecEnv(VecEnv):
-    """Slots that reset themselves, with SB3's infos.
+    """A ``TabletopVectorEnv`` as a ``VecEnv`` of Stable-Baselines3.
 
-    A slot's last info of an episode holds "terminal_observation" and "TimeLimit.truncated".
+    The last info of an episode holds "terminal_observation" and "TimeLimit.truncated".
 
     Args:
-        slots: the vector environment, made with ``autoreset_mode="SameStep"``.
+        slots: the vector environment, created with ``autoreset_mode="SameStep"``.
 
     Raises:
-        InputError: it is reset in another mode.
+        InputError: the vector environment has another autoreset mode.
     """
 
     def __init__(self, slots: TabletopVectorEnv) -> None:
         mode = slots.autoreset_mode
         if mode is not AutoresetMode.SAME_STEP:
             raise InputError(
-                "SlotVecEnv needs slots that reset within the step that ends an episode: make them "
-                f"with autoreset_mode='SameStep', not {mode.value!r}."
+                "SlotVecEnv needs slots that reset in the step that ends an episode: create "
+                f"the vector environment with autoreset_mode='SameStep', not {mode.value!r}."
             )
         self.slots = slots
         self._actions: Any = None
         super().__init__(slots.num_envs, slots.single_observation_space, slots.single_action_space)
 
     def reset(self) -> Any:
-        """Reset all slots with the seeds and options that were set, and return what they see.
+        """Reset all slots with the stored seeds and options; return their observations.
 
         Raises:
-            InputError: the slots' options differ.
+            InputError: the options differ between slots.
         """
         options = self._options[0]
         if any(other != options for other in self._options):
             raise InputError(
-                "All slots are reset with the same options; set_options takes one dict, got "
-                f"{self._options}."
+                "All slots must be reset with the same options: pass one dict to set_options, "
+                f"got {self._options}."
             )
         seen, infos = self.slots.reset(seed=self._seeds, options=options or None)
         self.reset_infos = [row(infos, k) for k in range(self.num_envs)]
@@ -68,7 +68,7 @@ class SlotVecEnv(VecEnv):
         return seen
 
     def seed(self, seed: int | None = None) -> Sequence[int | None]:
-        """Give each slot a seed of its own for the next reset; other runs' slots have others."""
+        """Derive one seed per slot for the next reset from ``seed``."""
         if seed is None:
             return super().seed()
         require_seed(seed)
@@ -78,13 +78,13 @@ class SlotVecEnv(VecEnv):
         return self._seeds
 
     def step_async(self, actions: np.ndarray) -> None:
-        """Keep the actions for ``step_wait``."""
+        """Store the actions for ``step_wait``."""
         self._actions = actions
 
     def step_wait(
         self,
     ) -> tuple[Any, Float[np.ndarray, "n"], Bool[np.ndarray, "n"], list[dict[str, Any]]]:
-        """Step all slots; return what they see, their rewards, which ended, and their infos."""
+        """Step all slots; return observations, rewards, done flags and infos."""
         seen, rewards, terminated, truncated, infos = self.slots.step(self._actions)
         done = terminated | truncated
         answers = []
@@ -105,26 +105,26 @@ class SlotVecEnv(VecEnv):
         self.slots.close()
 
     def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
-        """Return an attribute of some slots' environments."""
+        """Return an attribute of the selected environments."""
         return self._visit(partial(pickling.get, name=attr_name), indices)
 
     def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
-        """Set an attribute of some slots' environments."""
+        """Set an attribute of the selected environments."""
         self._visit(partial(pickling.put, name=attr_name, value=value), indices)
 
     def env_method(
         self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
     ) -> list[Any]:
-        """Call a method of some slots' environments, each where it is."""
+        """Call a method of the selected environments, in the process that runs each."""
         given = {"name": method_name, "args": method_args, "kwargs": method_kwargs}
         return self._visit(partial(pickling.call, **given), indices)
 
     def env_is_wrapped(self, wrapper_class: type[gym.Wrapper], indices: Any = None) -> list[bool]:
-        """Tell which slots are wrapped so."""
+        """Return which of the selected environments are wrapped in ``wrapper_class``."""
         return self._visit(partial(is_wrapped, wrapper_class=wrapper_class), indices)
 
     def get_images(self) -> Sequence[np.ndarray | None]:
-        """Return the slots' pictures."""
+        """Return the rendered picture of each slot."""
         return self.slots.render()
 
     def _visit(self, work: Job, indices: Any) -> list[Any]:
@@ -132,7 +132,7 @@ class SlotVecEnv(VecEnv):
 
 
 def row(infos: dict[str, Any], k: int) -> dict[str, Any]:
-    """Return one slot's info of Gymnasium's infos of a vector environment."""
+    """Extract the info of one slot from the infos of a Gymnasium vector environment."""
     own = {}
     for key, value in infos.items():
         mask = infos.get(f"_{key}")

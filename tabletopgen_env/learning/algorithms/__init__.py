@@ -1,1 +1,1 @@
-"""What trains: one protocol for the algorithms of Stable-Baselines3 and our own."""
+"""Training algorithms: one protocol for Stable-Baselines3 and this package's own."""

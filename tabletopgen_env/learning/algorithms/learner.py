@@ -1,4 +1,4 @@
-"""What a training needs of an algorithm's model, whoever wrote it."""
+"""The protocol of a trainable model, independent of its library."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from ..networks.actor import Actor, Squash
 
 @dataclass(frozen=True)
 class Counts:
-    """How far a run is: environment steps, gradient steps, episodes, seconds, and its best share.
+    """Progress of a run: environment and gradient steps, episodes, seconds, best success rate.
 
-    ``best`` is -1 before the first evaluation; ``cloned`` says whether the actor's cloned start is
-    done.
+    ``best`` is -1 before the first evaluation; ``cloned`` is true once the actor has been cloned
+    from the expert.
     """
 
     steps: int = 0
@@ -26,30 +26,30 @@ class Counts:
 
 
 class Learner(Protocol):
-    """A model that learns: how far it is, what acts of it, and what it needs to go on."""
+    """A trainable model: its progress, its actor and its checkpoints."""
 
     @property
     def updates(self) -> int:
-        """Gradient steps, or what the algorithm counts in their place."""
+        """The number of gradient steps, or the algorithm's equivalent."""
         ...
 
     @property
     def episodes(self) -> int:
-        """Episodes that ended while it learned."""
+        """The number of episodes completed in training."""
         ...
 
     def export(self) -> tuple[Actor, Squash]:
-        """Return a copy of what acts, and what becomes of its actions."""
+        """Return a copy of the actor and the squashing of its actions."""
         ...
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write what is needed to go on into a folder; ``replay``: a replay buffer, too."""
+        """Write a checkpoint into a folder, with the replay buffer if ``replay``."""
         ...
 
     def read(self, folder: Path, counts: Counts) -> bool:
-        """Become what was written; return whether a replay buffer was there.
+        """Restore a checkpoint; return whether it contained a replay buffer.
 
         Raises:
-            Exception: of any kind, where a file is damaged or of another network.
+            Exception: of any kind, if a file is damaged or belongs to another network.
         """
         ...

@@ -1,4 +1,4 @@
-"""A model of Stable-Baselines3 as a learner."""
+"""A Stable-Baselines3 model as a ``Learner``."""
 
 from __future__ import annotations
 
@@ -21,40 +21,40 @@ MODEL, REPLAY = "model.zip", "replay.npz"
 
 @dataclass(frozen=True, eq=False)
 class Sb3Learner:
-    """A model of ``making.new_model``, and what its policy is made of."""
+    """A Stable-Baselines3 model made by ``setup.new_model``, with its network settings."""
 
     model: BaseAlgorithm
     network: Network
 
     @property
     def updates(self) -> int:
-        """Gradient steps; of PPO epochs."""
+        """The number of gradient steps; for PPO, of epochs."""
         return getattr(self.model, "_n_updates", 0)
 
     @property
     def episodes(self) -> int:
-        """Episodes that ended while it learned."""
+        """The number of episodes completed in training."""
         return self.model._episode_num
 
     def export(self) -> tuple[Actor, Squash]:
-        """Return a copy of the model's actor, and what becomes of its actions."""
+        """Return a copy of the model's actor and the squashing of its actions."""
         return actor_of(self.model, self.network)
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write the model, and its replay buffer if it has one and ``replay`` is asked for."""
+        """Write the model, and with ``replay`` its replay buffer if it has one."""
         self.model.save(folder / MODEL)
         buffer = getattr(self.model, "replay_buffer", None)
         if replay and buffer is not None:
             write_buffer(buffer, folder / REPLAY)
 
     def read(self, folder: Path, counts: Counts) -> bool:
-        """Become what was written; return whether a replay buffer was there.
+        """Restore a checkpoint; return whether it contained a replay buffer.
 
         Raises:
-            Exception: of any kind, where a file is damaged or of another model.
+            Exception: of any kind, if a file is damaged or belongs to another model.
         """
         if not (folder / MODEL).is_file():
-            raise FileNotFoundError(f"{MODEL} is missing, or no file")
+            raise FileNotFoundError(f"{MODEL} is missing or not a file")
         _, weights, variables = load_from_zip_file(folder / MODEL, device="cpu", load_data=False)
         self.model.set_parameters(weights, device="cpu")
         for name, value in (variables or {}).items():

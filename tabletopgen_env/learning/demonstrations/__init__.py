@@ -1,1 +1,1 @@
-"""The expert's demonstrations: recorded, cloned, put into replay buffers."""
+"""Demonstrations by the expert: recording, cloning and replay buffers."""

@@ -1,7 +1,8 @@
-"""Cloning the expert with its advice on the learner's own states (DAgger, Ross et al. 2011).
+"""Behaviour cloning of the expert by DAgger (Ross et al. 2011).
 
-The first round shows the expert at work, shaken so that it shows how to come back; in the others
-the learner acts and the expert says what it would do. Everything said so far is fitted anew.
+In the first round the expert acts, with noise added so that the data covers recovery. In later
+rounds the learner acts and the expert labels the visited states. After each round the actor is
+fitted to the labels of all rounds.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from .recorded import Demonstration, Policy, demonstrations
 from .rounds import RoundsFolder
 
 HeadStart = Literal["nothing", "detector"]
-"""What the head of a policy that looks starts from."""
+"""Initial weights of the grasp head."""
 
 
 @dataclass(frozen=True)
@@ -34,18 +35,18 @@ class CloningConfig:
     """Settings of cloning.
 
     Attributes:
-        rounds: rounds of advice; the first is the expert's own.
-        episodes: episodes a round.
+        rounds: number of rounds; in the first one the expert acts.
+        episodes: episodes per round.
         expert_share: share of a later round's episodes in which the expert acts.
-        noise: standard deviation of what shakes the expert.
-        steps: gradient steps after each round; the last has ``last_steps``.
-        batch: states a gradient step.
-        learning_rate: Adam's highest; it rises and falls once a round.
-        tables: tables at which the expert shows its grasps first, to a policy that looks; they are
-            others than those of the rounds where ever new ones can be made.
-        head_steps: gradient steps by which its head learns from them.
-        head_start: what the head starts from: "nothing", or "detector" for the weights of the
-            shipped grasp detector.
+        noise: standard deviation of the noise added to the expert's actions.
+        steps: gradient steps after each round; the last round uses ``last_steps``.
+        batch: states per gradient step.
+        learning_rate: maximum learning rate of Adam; each round runs one warm-up and decay cycle.
+        tables: tables with grasp demonstrations for the grasp head, for policies that have one.
+            They differ from the tables of the rounds if the scenes are generated on demand.
+        head_steps: gradient steps of the grasp head.
+        head_start: initial weights of the grasp head: "nothing" for random weights, "detector" for
+            the weights of the shipped grasp detector.
     """
 
     rounds: int = 12
@@ -72,7 +73,7 @@ class CloningConfig:
 
 @dataclass(frozen=True)
 class Round:
-    """How a round went: states so far, the share of its episodes solved, and the loss."""
+    """The outcome of a round: states so far, success rate of its episodes, and loss."""
 
     number: int
     states: int
@@ -80,7 +81,7 @@ class Round:
     loss: float
 
 
-@torch_threads(1)  # small networks are faster so
+@torch_threads(1)  # faster for small networks
 def clone(
     model: SAC,
     env: gym.Env[Any, np.ndarray],
@@ -89,13 +90,13 @@ def clone(
     report: Callable[[Round], None] | None = None,
     kept: RoundsFolder | None = None,
 ) -> list[Demonstration]:
-    """Fit a model's actor, in place, to the expert's advice in ``env``; return every episode seen.
+    """Fit a model's actor in place to the expert's advice in ``env``; return all episodes.
 
-    ``seed`` is of the episodes and the batches; ``report`` is called after each round. Rounds go to
-    ``kept``, and those that are there already are not done again.
+    ``seed`` determines the episodes and the batches. ``report`` is called after each round. Each
+    round is saved in ``kept``; rounds already there are not repeated.
 
-    An actor that looks (``networks.look_extractor``) is taught on the ways of the teacher's grasps;
-    its head, which finds its own, is left as it is.
+    An actor with a grasp head (``networks.look_extractor``) is trained on ways that follow from the
+    teacher's grasps; the head itself is not changed.
     """
     seeds = CountedSeeds(episode_seeds(seed, 2))
     generator = torch.Generator().manual_seed(seed)
@@ -122,7 +123,7 @@ def clone(
 
 
 class CountedSeeds(Iterator[int]):
-    """Seeds, and how many were drawn."""
+    """An iterator over seeds that counts how many were drawn."""
 
     def __init__(self, seeds: Iterator[int]) -> None:
         self._seeds, self.drawn = seeds, 0
@@ -132,18 +133,21 @@ class CountedSeeds(Iterator[int]):
         return next(self._seeds)
 
     def skip(self, count: int) -> None:
-        """Draw ``count`` seeds."""
+        """Draw and discard ``count`` seeds."""
         for _ in range(count):
             next(self)
 
 
 def looks(model: SAC) -> bool:
-    """Return whether a model's actor finds grasps by itself."""
+    """Return whether a model's actor has a grasp head."""
     return isinstance(model.actor.features_extractor, LookExtractor)
 
 
 def moves_of(model: SAC) -> Callable[[Tensor], Tensor]:
-    """Return what a model's actor does in states, as a ``Teacher`` shows them if it looks."""
+    """Return the actor's mean action as a function of states.
+
+    For an actor with a grasp head, the states are those of a ``Teacher``, with the way included.
+    """
     actor = model.actor
     extractor = actor.features_extractor
     if not isinstance(extractor, LookExtractor):
@@ -152,7 +156,7 @@ def moves_of(model: SAC) -> Callable[[Tensor], Tensor]:
 
 
 def _acting(act: Callable[[Tensor], Tensor]) -> Policy:
-    """Return a policy that does what ``act`` says."""
+    """Return a policy for single observations from a batched action function."""
 
     def policy(state: Float[np.ndarray, "n"]) -> Float[np.ndarray, "a"]:
         with torch.no_grad():
@@ -162,7 +166,7 @@ def _acting(act: Callable[[Tensor], Tensor]) -> Policy:
 
 
 def policy_of(model: SAC) -> Policy:
-    """Return what a model does in a state, without noise."""
+    """Return a deterministic policy that runs the model on single observations."""
     return lambda state: model.predict(state, deterministic=True)[0]
 
 
@@ -173,7 +177,7 @@ def fit(
     config: CloningConfig,
     generator: torch.Generator,
 ) -> float:
-    """Fit a model's actor to the advice in ``seen``; return the mean loss of the last tenth."""
+    """Fit a model's actor to the advice in ``seen``; return the mean loss of the last steps."""
     states = torch.from_numpy(np.concatenate([d.observations[:-1] for d in seen]))
     advice = torch.from_numpy(np.concatenate([d.advice for d in seen]))
     actor, act = model.actor, moves_of(model)

@@ -1,7 +1,7 @@
-"""Showings: objects as a policy sees them, each with the grasps the expert would take there.
+"""Grasp demonstrations ("showings"): objects as a policy observes them, with the expert's grasps.
 
-They teach the part of a policy that says where to grasp (``networks.grasp_head``). Nothing is
-played: the expert names its grasps of every object at a table, as the table stands.
+They train the grasp head of a policy (``networks.grasp_head``). No episode is played: the expert
+lists its grasps of each object of a table at rest.
 """
 
 from __future__ import annotations
@@ -30,28 +30,30 @@ from ...world.world import World
 from ...world.worlds import WorldCache
 
 COLUMNS = ("angle", "x", "y", "z", "opening", "width", "score")
-"""Of a grasp: the bearing of the fingers' opening and the tool's place in the target's heading
-frame (radians; metres from the centre of its box, and for z from its lowest point), the rest as
-``Grasp`` has it."""
+"""Columns of a grasp: the bearing of the direction in which the fingers open, and the tool's
+position in the target's heading frame (radians; metres from the centre of the target's box, z from
+its lowest point). The other columns are as in ``Grasp``.
+"""
 
 CHUNK = 100
-"""Tables whose showings are kept in one file."""
+"""Tables per file of showings."""
 
 MOST = 200
-"""Grasps of an object that are kept, the best ones."""
+"""The maximum number of grasps per object; the best ones are kept."""
 
-_MAX_BYTES = 512 * 2**20  # of one file
+_MAX_BYTES = 512 * 2**20  # per file
 
 
 @dataclass(frozen=True, eq=False)
 class GraspShowing:
-    """One object: ``maps`` and ``stands`` as a policy sees them, and the expert's grasps.
+    """One object: ``maps`` and ``stands`` as a policy observes them, and the expert's grasps.
 
-    ``maps`` are the first two of ``observations.height_map``; ``stands`` where the robot's base is
-    from the centre of the object's box (x, y, heading frame), and how high the box's lowest corner
-    is above the table top and that above the base, metres. ``grasps`` has ``COLUMNS``: first the
-    one that the expert chooses, then those it rates lower, best first. What it rates higher, but
-    the arm cannot reach, is left out.
+    ``maps`` are the first two maps of ``observations.height_map``. ``stands`` holds the position of
+    the robot's base relative to the centre of the object's box (x, y, heading frame), the height of
+    the box's lowest corner above the table top, and the height of the table top above the base, all
+    in metres. ``grasps`` has the columns ``COLUMNS``: first the grasp that the expert chooses, then
+    those with a lower score, best first. Grasps with a higher score that the arm cannot reach are
+    left out.
     """
 
     maps: UInt8[np.ndarray, "2 48 48"]
@@ -60,7 +62,7 @@ class GraspShowing:
 
 
 def showings(source: SceneSource, tables: int, seed: int) -> Iterator[list[GraspShowing]]:
-    """Yield what the expert shows at ``tables`` drawn tables, table by table."""
+    """Yield the showings of ``tables`` random tables, one list per table."""
     rng, look = np.random.default_rng((seed, 6)), HeightLook()
     worlds = WorldCache(Panda(), 1)
     for _ in range(tables):
@@ -76,7 +78,7 @@ def showings(source: SceneSource, tables: int, seed: int) -> Iterator[list[Grasp
 
 
 def showing(world: World, name: str, look: HeightLook) -> GraspShowing | None:
-    """Return the showing of one object where it is now, None if the arm reaches no grasp of it."""
+    """Return the showing of an object at its current pose; None if no grasp is reachable."""
     plan = choose(world, name)
     if plan is None:
         return None
@@ -99,13 +101,13 @@ def showing(world: World, name: str, look: HeightLook) -> GraspShowing | None:
 def gather(
     source: SceneSource, number: int, folder: Path, heed: Callable[[], None] | None = None
 ) -> list[GraspShowing]:
-    """Return the showings of chunk ``number``, which are made and kept if ``folder`` has not them.
+    """Return the showings of chunk ``number``, generating and saving them if ``folder`` lacks them.
 
-    ``heed`` is called after each table that is made.
+    ``heed`` is called after each generated table.
 
     Raises:
         BundleError: the file is damaged.
-        StorageError: it cannot be written.
+        StorageError: the file cannot be written.
     """
     path = folder / f"showings-{number:03d}.npz"
     if not path.is_file():
@@ -119,7 +121,7 @@ def gather(
 
 
 def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
-    """Write showings, whole or not at all (StorageError: they cannot be written)."""
+    """Write showings to a file atomically (StorageError: the file cannot be written)."""
     content = BytesIO()
     np.savez_compressed(
         content,
@@ -133,7 +135,7 @@ def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
 
 
 def read_showings(path: Path) -> list[GraspShowing]:
-    """Read a file of showings (BundleError: it is damaged)."""
+    """Read a file of showings (BundleError: the file is damaged)."""
     try:
         kept = read_arrays(path, "The file of showings", InputError, max_bytes=_MAX_BYTES)
         maps, stands, grasps, counts = (kept[k] for k in ("maps", "stands", "grasps", "counts"))
@@ -143,10 +145,12 @@ def read_showings(path: Path) -> list[GraspShowing]:
             shapes != ((n, 2, CELLS, CELLS), (n, 4), (total, len(COLUMNS)))
             or counts.min(initial=1) < 1
         ):
-            raise ValueError(f"arrays of other shapes: {shapes}")
+            raise ValueError(f"unexpected array shapes: {shapes}")
         if not (np.isfinite(stands).all() and np.isfinite(grasps).all()):
-            raise ValueError("numbers that are not finite")
+            raise ValueError("non-finite numbers")
     except (ValueError, KeyError, TypeError, InputError) as error:
-        raise BundleError(f"{path} holds no sound showings ({error}). Delete it.") from error
+        raise BundleError(
+            f"{path} is not a valid file of showings ({error}). Delete it."
+        ) from error
     parts = np.split(grasps.astype(np.float32), np.cumsum(counts)[:-1]) if n else []
     return [GraspShowing(*row) for row in zip(maps, stands.astype(np.float32), parts, strict=True)]

@@ -1,4 +1,4 @@
-"""Teaching a policy's head where to grasp, from showings of the expert's choices."""
+"""Training of the grasp head on the expert's grasps."""
 
 from __future__ import annotations
 
@@ -15,14 +15,17 @@ from ..networks.grasp_head import GraspHead, turn_maps
 from .demos import GraspShowing
 
 SEEN_TURNS = 4
-"""Turns of a showing that a batch has: a third of all costs a third."""
+"""The number of turns per showing in a batch; training on a third of all turns takes a third of the
+time.
+"""
 
 _RATE = 3e-3
-_TOLD = 10  # times that the loss is told
-_CLOSE = (0.008, 0.012, np.deg2rad(16.0))  # metres aside and up, radians: the same grasp
+_TOLD = 10  # number of loss reports
+# metres horizontally and vertically, radians: tolerance for equal grasps
+_CLOSE = (0.008, 0.012, np.deg2rad(16.0))
 
 Places = tuple[Int[Tensor, "k"], Float[Tensor, "k 5"], Float[Tensor, "k"]]
-"""Places that have a grasp, their best ones, and how good those are."""
+"""The cells that have a grasp, the best grasp of each, and its score."""
 
 
 def teach_head(
@@ -33,11 +36,12 @@ def teach_head(
     note: Callable[[int, float], None] | None = None,
     size: int = 16,
 ) -> None:
-    """Fit a head, in place, in ``steps`` batches of ``size`` showings, mirrored at random.
+    """Fit a head in place with ``steps`` batches of ``size`` showings, mirrored at random.
 
-    Of each the head sees ``SEEN_TURNS`` of its turns, one of them where the expert would grasp.
+    Each showing contributes ``SEEN_TURNS`` of its turns, at least one of them with a grasp of the
+    expert.
 
-    ``note`` is told the steps done and the mean loss since it was told last.
+    ``note`` receives the number of steps done and the mean loss since its last call.
     """
     optimiser = torch.optim.AdamW(head.parameters(), _RATE, weight_decay=1e-4)
     schedule = torch.optim.lr_scheduler.OneCycleLR(optimiser, _RATE, total_steps=steps)
@@ -63,10 +67,10 @@ def teach_head(
 def batch_of(
     shown: Sequence[GraspShowing], signs: Int[Tensor, "b 2"]
 ) -> tuple[GraspBatch, Float[Tensor, "b t 6"]]:
-    """Return showings as a batch, and what the head sees beside the maps.
+    """Return a batch of showings and the head's inputs beside the maps.
 
-    ``signs`` has -1 where an axis of the hand is to be mirrored: a grasp's mirror image is one of
-    the object's mirror image, and of an arm that comes from the mirrored side.
+    ``signs`` is -1 where an axis of the hand is mirrored. The mirror image of a grasp is a grasp of
+    the mirrored object by an arm at the mirrored position.
     """
     maps = torch.from_numpy(np.stack([one.maps for one in shown]))
     seen, sides = turn_maps(maps, torch.from_numpy(np.stack([one.stands for one in shown])))
@@ -77,7 +81,8 @@ def batch_of(
         for axis in (0, 1):
             if sign[axis] < 0:
                 seen[row] = seen[row].flip(axis + 2)
-                sides[row, :, [axis, 3]] *= -1  # its cosine or sine, and the sine of its double
+                # the cosine or sine of its bearing, and the sine of twice the bearing
+                sides[row, :, [axis, 3]] *= -1
         places, best, scores = _places(one.grasps, sign)
         if len(places):
             share[row, places] = torch.softmax(scores / SHARPNESS, 0)
@@ -88,9 +93,10 @@ def batch_of(
 def some_turns(
     batch: GraspBatch, sides: Float[Tensor, "b t 6"], generator: torch.Generator
 ) -> tuple[GraspBatch, Float[Tensor, "b k 6"]]:
-    """Return a batch with ``SEEN_TURNS`` of the turns of each showing, one by what it is worth.
+    """Return a batch with ``SEEN_TURNS`` random turns of each showing.
 
-    Shares are of the places that are left.
+    One of the turns is drawn with its share of the grasps as probability. The shares are normalised
+    over the remaining cells.
     """
     by_turn = batch.share.unflatten(1, (TURNS, -1))
     first = torch.multinomial(by_turn.sum(2) + 1e-6, 1, generator=generator)
@@ -107,7 +113,7 @@ def some_turns(
 
 
 def _places(grasps: Float[np.ndarray, "g 7"], sign: Sequence[int]) -> Places:
-    """Return the places of grasps of ``COLUMNS``, the best of each."""
+    """Return the cells of grasps in the columns ``COLUMNS``, with the best grasp of each cell."""
     angle, x, y, z, opening, width, score = grasps.T
     turn = np.rint(angle * TURNS / np.pi).astype(int) % TURNS
     angle = turn * np.pi / TURNS
@@ -117,15 +123,15 @@ def _places(grasps: Float[np.ndarray, "g 7"], sign: Sequence[int]) -> Places:
     inside = (np.minimum(i, j) >= 0) & (np.maximum(i, j) < PLACES)
     rows = np.column_stack([along, across, z, width, opening - width, score])[inside]
     places, first = np.unique(((turn * PLACES + i) * PLACES + j)[inside], return_index=True)
-    kept = torch.from_numpy(rows[first]).float()  # they come best first
+    kept = torch.from_numpy(rows[first]).float()  # grasps are sorted best first
     return torch.from_numpy(places), kept[:, :5], kept[:, 5]
 
 
 def found_share(head: GraspHead, shown: Sequence[GraspShowing], worse: float = 0.6) -> float:
-    """Return the share of showings whose plan is one of the expert's grasps.
+    """Return the share of showings in which the head's plan matches one of the expert's grasps.
 
-    The same is within 8 mm aside, 12 mm up and 16 degrees; only grasps that the expert rates at
-    most ``worse`` below its choice count.
+    Grasps match within 8 mm horizontally, 12 mm vertically and 16 degrees. Only grasps whose score
+    is at most ``worse`` below that of the expert's choice count.
     """
     return float(np.mean([_is_found(head, one, worse) for one in shown]))
 

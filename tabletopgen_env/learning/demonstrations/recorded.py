@@ -1,4 +1,4 @@
-"""Episodes of the expert, or of a policy with the expert's advice, as arrays."""
+"""Episodes of the expert, or of a policy labelled by the expert, as arrays."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ if TYPE_CHECKING:
     from .teacher import Teacher
 
 PATIENCE = 4.0
-"""How patient the expert is with a learner."""
+"""Patience of the expert in episodes where a learner acts."""
 
 Policy = Callable[[Any], Float[np.ndarray, "a"]]
-"""Who acts on what is seen."""
+"""A function from an observation to an action."""
 
 
 @dataclass(frozen=True, eq=False)
 class Demonstration:
-    """One episode: what was seen, what the expert would do there, what was done, and what came.
+    """One episode: observations, the expert's advice, actions and rewards.
 
-    ``observations`` is an array (t + 1, o), one row more than the others have, or a dict of such
-    arrays where the environment's observations are dicts; ``solved`` says how it ended.
+    ``observations`` is an array (t + 1, o), one row longer than the other arrays, or a dict of such
+    arrays for dict observations. ``solved`` is true if the episode ended in success.
     """
 
     observations: Any
@@ -41,14 +41,14 @@ class Demonstration:
     instruction: str
 
     def observation(self, step: int) -> Any:
-        """Return what was seen before a step, or after the last one (``step`` = t)."""
+        """Return the observation before a step; ``step`` = t returns the last one."""
         if isinstance(self.observations, dict):
             return {name: part[step] for name, part in self.observations.items()}
         return self.observations[step]
 
 
 def _teacher(env: gym.Env[Any, np.ndarray]) -> Teacher:
-    from .teacher import Teacher  # which needs torch
+    from .teacher import Teacher  # imports torch
 
     return Teacher(env)
 
@@ -62,13 +62,13 @@ def demonstrate(
     to_the_limit: bool = False,
     taught: bool = False,
 ) -> Demonstration | None:
-    """Play one episode of "ee_delta" with the expert watching; None if it knows no way.
+    """Play one "ee_delta" episode with the expert's advice; None if the expert has no plan for it.
 
-    It ends when success has held (``episodes.Held``), or at the time limit; ``to_the_limit``: only
-    there. ``policy`` acts, or the expert itself. ``noise`` is the standard deviation of what is
-    added to the expert's motion (not to the gripper), so that it shows how to come back. ``report``
-    gets the info of ``reset`` and of each step. ``taught``: what is seen, by the policy too, is
-    what a ``teacher.Teacher`` makes of it.
+    The episode ends when success has held (``episodes.Held``) or at the time limit; with
+    ``to_the_limit`` only at the time limit. ``policy`` acts, or the expert if it is None. ``noise``
+    is the standard deviation of the noise added to the expert's motion (not to the gripper), so
+    that the data covers recovery. ``report`` receives the info of ``reset`` and of each step. With
+    ``taught``, observations are converted by a ``teacher.Teacher``, also for the policy.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)
@@ -106,7 +106,7 @@ def demonstrate(
 
 
 def stack(seen: Sequence[Any]) -> Any:
-    """Return observations as one array with a row for each, or a dict of such arrays."""
+    """Stack observations into one array with a row for each, or into a dict of such arrays."""
     if isinstance(seen[0], Mapping):
         return {name: stack([each[name] for each in seen]) for name in seen[0]}
     return np.stack(seen)
@@ -120,10 +120,10 @@ def demonstrations(
     noise: float = 0.0,
     taught: bool = False,
 ) -> Iterator[Demonstration]:
-    """Yield ``count`` demonstrations with seeds drawn from ``seeds``; those without are skipped.
+    """Yield ``count`` demonstrations with seeds from ``seeds``; skip episodes without a plan.
 
     Raises:
-        SceneError: of a hundred seeds in a row the expert knew a way with none.
+        SceneError: the expert has no plan for a hundred seeds in a row.
     """
     missed = 0
     while count:
@@ -132,7 +132,7 @@ def demonstrations(
             missed += 1
             if missed == 100:
                 raise SceneError(
-                    "The expert finds nothing it can do in 100 episodes; use other scenes."
+                    "The expert has no plan for 100 episodes in a row; use other scenes."
                 )
             continue
         missed = 0

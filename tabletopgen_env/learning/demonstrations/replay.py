@@ -1,4 +1,4 @@
-"""Replay buffers: filled by the expert, and kept on disk without a pickle."""
+"""Replay buffers: prefilling by the expert, and storage without pickle."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...episodes import episode_seeds
 from .recorded import Demonstration, demonstrate, stack
 
 MISSES = 100
-"""After so many episodes in a row that the expert does not solve, filling ends in an error."""
+"""The number of consecutive unsolved episodes after which prefilling fails."""
 
 _MAX_REST = 2**20  # bytes of a buffer's file besides its arrays
 _ARRAYS = ("actions", "rewards", "dones", "timeouts")
@@ -32,14 +32,14 @@ def fill(
     seed: int,
     between: Callable[[], None] | None = None,
 ) -> int:
-    """Put episodes of the expert that end in success into a buffer; return how many.
+    """Add successful episodes of the expert to a buffer; return how many.
 
-    Episodes go on to the time limit, so that the buffer shows what staying there is worth, and end
-    as timeouts. Their number is rounded up to a multiple of the buffer's environments. ``between``
-    is called before each episode, and may raise to end it.
+    Episodes run to the time limit, so that the buffer covers the value of staying at the goal, and
+    end as timeouts. Their number is rounded up to a multiple of the buffer's environments.
+    ``between`` is called before each episode and may raise an exception to stop.
 
     Raises:
-        InputError: the buffer has no room for them.
+        InputError: the buffer is too small for them.
         SceneError: the expert solves none of ``MISSES`` episodes in a row.
     """
     wide = buffer.n_envs
@@ -50,11 +50,11 @@ def fill(
         length = len(together[0].actions)
         if rounds * length > buffer.buffer_size:
             raise InputError(
-                f"{rounds * wide} demonstrations of {length} steps do not fit into a buffer of "
-                f"{buffer.buffer_size * wide}; make it larger (options.buffer_size)."
+                f"{rounds * wide} demonstrations of {length} steps do not fit into a replay "
+                f"buffer of {buffer.buffer_size * wide} steps; increase options.buffer_size."
             )
         if any(len(d.actions) != length for d in together):
-            raise InputError("Demonstrations need a task whose episodes are all as long.")
+            raise InputError("Demonstrations need a task whose episodes all have the same length.")
         for step in range(length):
             _add(buffer, together, step)
     return rounds * wide
@@ -63,7 +63,7 @@ def fill(
 def _solved_episodes(
     env: gym.Env[Any, np.ndarray], seed: int, between: Callable[[], None]
 ) -> Iterator[Demonstration]:
-    """Yield episodes that end in success, without end."""
+    """Yield successful episodes of the expert, indefinitely."""
     seeds = episode_seeds(seed, 4)
     missed = 0
     while missed < MISSES:
@@ -74,7 +74,8 @@ def _solved_episodes(
             missed = 0
             yield shown
     raise SceneError(
-        f"The expert solves none of {MISSES} episodes here; use other scenes, or no demonstrations."
+        f"The expert solves none of {MISSES} episodes in these scenes; use other scenes, or "
+        "train without demonstrations."
     )
 
 
@@ -90,7 +91,7 @@ def _add(buffer: ReplayBuffer, together: Sequence[Demonstration], step: int) -> 
 
 
 def write_buffer(buffer: ReplayBuffer, path: Path) -> None:
-    """Write what a buffer holds as arrays."""
+    """Write the content of a buffer as arrays."""
     held = buffer.buffer_size if buffer.full else buffer.pos
     arrays = {name: array[:held] for name, array in _arrays(buffer).items()}
     arrays["position"] = np.array([buffer.pos, buffer.full, buffer.buffer_size])
@@ -101,10 +102,10 @@ def write_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
-    """Put into a new buffer what one of the same size held; unfinished episodes end there.
+    """Load the content of an equal-sized buffer into a new one; unfinished episodes end there.
 
     Raises:
-        InputError: the file is damaged, or of another buffer.
+        InputError: the file is damaged, or belongs to another buffer.
     """
     own = _arrays(buffer)
     most = sum(array.nbytes for array in own.values()) + _MAX_REST
@@ -113,7 +114,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
         position, full, size = (int(v) for v in file["position"])
         held = size if full else position
         if size != buffer.buffer_size or not 0 <= position <= size:
-            raise ValueError(f"it is of a buffer of {size}, not {buffer.buffer_size}")
+            raise ValueError(f"it holds a buffer of size {size}, not {buffer.buffer_size}")
         for name, array in own.items():
             array[:held] = _like(file[name], array[:held])
         buffer.pos, buffer.full = position, bool(full)
@@ -121,23 +122,27 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
             began = buffer._current_ep_start
             began[:] = _like(file["began"], began)
             if ((began < 0) | (began >= size)).any():
-                raise ValueError("an episode begins outside the buffer")
+                raise ValueError("an episode starts outside the buffer")
         _end_episodes(buffer)
     except (ValueError, KeyError, TypeError, IndexError, OverflowError) as error:
         raise InputError(
-            f"{path} is no replay buffer of this run ({error}). Delete it to go on without."
+            f"{path} is not a valid replay buffer of this run ({error}). Delete it to continue "
+            "without it."
         ) from error
 
 
 def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
-    """Return an array that is of the kind and shape of another (ValueError: it is not)."""
+    """Return an array if its dtype and shape match another's, else raise ValueError."""
     if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
-        raise ValueError(f"{kept.dtype} of {kept.shape} stands for {own.dtype} of {own.shape}")
+        raise ValueError(
+            f"the array is {kept.dtype} of shape {kept.shape}, expected {own.dtype} "
+            f"of shape {own.shape}"
+        )
     return kept
 
 
 def _end_episodes(buffer: ReplayBuffer) -> None:
-    """End unfinished episodes as by a time limit, as the environments begin anew."""
+    """Mark unfinished episodes as timed out, since the environments are reset."""
     if not (buffer.pos or buffer.full):
         return
     last = (buffer.pos - 1) % buffer.buffer_size
@@ -149,7 +154,7 @@ def _end_episodes(buffer: ReplayBuffer) -> None:
 
 
 def _arrays(buffer: ReplayBuffer) -> dict[str, np.ndarray]:
-    """Return a buffer's own arrays by name."""
+    """Return a buffer's arrays by name."""
     found = {name: getattr(buffer, name) for name in _ARRAYS}
     for name in ("observations", "next_observations"):
         held: Any = getattr(buffer, name)

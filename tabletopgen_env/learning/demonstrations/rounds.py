@@ -1,11 +1,11 @@
-"""Rounds of cloning on disk, so that a training that was cut off resumes as if it had not been.
+"""Rounds of cloning on disk, so that an interrupted run resumes with identical results.
 
 ==================================  ================================================================
 ``round-NN.npz``                    the episodes of a round
-``actor-NN.safetensors``            the actor after it, and where the random numbers are; with it
-                                    the round is there, without it is not
-``head.safetensors``                the actor's head (``networks.grasp_head``), once taught
-``showings-NNN.npz``                what it was taught with, see ``demos``
+``actor-NN.safetensors``            the actor after the round, and the state of the random numbers;
+                                    written last: a round without it is ignored
+``head.safetensors``                the actor's trained grasp head (``networks.grasp_head``)
+``showings-NNN.npz``                training data of the grasp head, see ``demos``
 ==================================  ================================================================
 """
 
@@ -29,19 +29,19 @@ from generator.io.files import write_file, write_whole
 
 from .recorded import Demonstration
 
-_MAX_BYTES = 2**31  # of a round
-_ADVICE = "Begin a new run."
+_MAX_BYTES = 2**31  # per round
+_ADVICE = "Start a new run."
 
 
 @dataclass(frozen=True)
 class RoundsFolder:
-    """Where the rounds of a run are kept."""
+    """The folder of a run's cloning rounds."""
 
     path: Path
 
     @property
     def done(self) -> int:
-        """How many rounds are there."""
+        """The number of completed rounds."""
         return len(list(self.path.glob("actor-*.safetensors")))
 
     def keep(
@@ -52,10 +52,10 @@ class RoundsFolder:
         generator: torch.Generator,
         drawn: int,
     ) -> None:
-        """Keep a round: its episodes, and the actor, the random numbers and the seeds drawn so far.
+        """Save a round: its episodes, the actor, the random state and the number of seeds drawn.
 
         Raises:
-            StorageError: it cannot be written.
+            StorageError: a file cannot be written.
         """
         self.path.mkdir(parents=True, exist_ok=True)
         content = BytesIO()
@@ -74,7 +74,7 @@ class RoundsFolder:
         write_whole(self._actor(number), save(weights), "The round", _ADVICE)
 
     def read(self, actor: nn.Module, generator: torch.Generator) -> tuple[list[Demonstration], int]:
-        """Put actor and random numbers back; return the episodes so far and the seeds drawn.
+        """Restore actor and random state; return all episodes and the number of seeds drawn.
 
         Raises:
             BundleError: a file is damaged.
@@ -98,19 +98,19 @@ class RoundsFolder:
         return seen, drawn
 
     def keep_head(self, head: nn.Module) -> None:
-        """Keep the head (StorageError: it cannot be written)."""
+        """Save the grasp head (StorageError: the file cannot be written)."""
         self.path.mkdir(parents=True, exist_ok=True)
         write_whole(self._head, save(_weights(head)), "The head", _ADVICE)
 
     def read_head(self, head: nn.Module) -> bool:
-        """Put the head back; return whether there is one (BundleError: it is damaged)."""
+        """Restore the grasp head; return whether there is one (BundleError: it is damaged)."""
         if not self._head.is_file():
             return False
         _fill(head, self._load(self._head), self.path)
         return True
 
     def remove(self) -> None:
-        """Delete all of it."""
+        """Delete the folder."""
         shutil.rmtree(self.path, ignore_errors=True)
 
     @property
@@ -131,12 +131,14 @@ class RoundsFolder:
             rows = {key: len(kept[key]) for key in ("observations", "advice", "actions", "rewards")}
             steps = int(lengths.sum())
             if rows.pop("observations") != steps + len(lengths) or set(rows.values()) != {steps}:
-                raise ValueError("arrays of different lengths")
+                raise ValueError("array lengths differ")
             if len(kept["solved"]) != len(lengths) or kept["drawn"].shape != ():
-                raise ValueError("it lacks how its episodes went")
+                raise ValueError("the outcomes of its episodes are missing")
             return kept
         except (InputError, ValueError, KeyError, TypeError) as error:
-            raise BundleError(f"{path} holds no sound round ({error}). {_ADVICE}") from error
+            raise BundleError(
+                f"{path} is not a valid cloning round ({error}). {_ADVICE}"
+            ) from error
 
     def _load(self, path: Path) -> dict[str, Tensor]:
         try:
@@ -153,4 +155,4 @@ def _fill(module: nn.Module, weights: dict[str, Tensor], path: Path) -> None:
     try:
         module.load_state_dict(weights)
     except RuntimeError as error:
-        raise BundleError(f"{path} is of another network. {_ADVICE}") from error
+        raise BundleError(f"{path} belongs to another network. {_ADVICE}") from error

@@ -1,10 +1,9 @@
-"""A teacher who knows where it grasps, for a policy that finds grasps by itself.
+"""A teacher with planned grasps, for policies that find grasps themselves.
 
-The expert follows a grasp hint of its own, which the environment does not show. What is kept of an
-observation is the flat state, of pictures its estimate (``networks.perception``), and the way
-(``networks.look_extractor``) of the teacher's grasp: so
-the part of a policy that moves learns apart from the part that finds grasps, and no two good
-grasps are ever mixed into a bad one.
+The expert follows its own grasp hint, which the environment does not show. Observations are reduced
+to the flat state (estimated by ``networks.perception`` if the observation is pictures) and the way
+(``networks.look_extractor``) to the teacher's grasp. So the moving part of a policy is trained
+separately from its grasp head, and different good grasps are never averaged into a bad one.
 """
 
 from __future__ import annotations
@@ -32,7 +31,7 @@ from ..networks.perception import perceive, recall_goal
 
 
 class Teacher:
-    """An environment in one episode, as the expert sees it, with a hint that it itself lacks."""
+    """An environment during one episode, as the expert sees it, with an additional grasp hint."""
 
     def __init__(self, env: gym.Env[Any, np.ndarray]) -> None:
         self._env: Any = env.unwrapped
@@ -40,25 +39,25 @@ class Teacher:
         self.controller: Controller = self._env.controller
         self.hint = GraspHint("planned", unturned_place)
         self._goal: Goal | None = None
-        self._marker = torch.zeros(1, 4)  # of this episode, see perception.recall_goal
+        self._marker = torch.zeros(1, 4)  # per episode, see perception.recall_goal
 
     @property
     def unwrapped(self) -> Teacher:
-        """This, as an environment has it."""
+        """This object, in place of the unwrapped environment."""
         return self
 
     @property
     def world(self) -> World:
-        """The world of the environment's episode."""
+        """The world of the current episode."""
         return self._env.world
 
     @property
     def goal(self) -> Goal:
-        """The goal that the environment shows."""
+        """The goal of the current episode."""
         return self._env.goal
 
     def see(self, observation: dict[str, Any]) -> Float32[np.ndarray, "n"]:
-        """Return what is kept of an observation; the teacher's plan follows what has happened."""
+        """Reduce an observation to state and way, with the teacher's plan updated."""
         world, goal = self.world, self.goal
         if goal is not self._goal:
             self.hint.begin(world, goal)
@@ -80,7 +79,7 @@ class Teacher:
 def plan_in_heading(
     world: World, state: Float[Tensor, "s"], plan: GraspPlan
 ) -> Float[np.ndarray, "6"]:
-    """Return a grasp of a state's target as a policy has it; see ``networks.grasp_head.PLAN``."""
+    """Return a grasp plan in the policy's representation; see ``networks.grasp_head.PLAN``."""
     slot = state[len(ROBOT_BOUNDS) :]
     heading, low = float(heading_of(state[None])[0]), float(lowest_of(state[None])[0])
     point = world.to_base(plan.grasp.point) - np.array([float(slot[0]), float(slot[1]), low])

@@ -1,7 +1,7 @@
-"""The part of a trained policy that acts, apart from the algorithm that trained it.
+"""The actor of a trained policy, independent of the training algorithm.
 
-Deterministic actions of SAC, TD3 and PPO are the same thing: features, hidden layers, a last linear
-layer, then a squashing by tanh (SAC, TD3) or a clipping (PPO).
+SAC, TD3 and PPO compute deterministic actions alike: features, hidden layers, a linear output
+layer, then tanh (SAC, TD3) or clipping (PPO).
 """
 
 from __future__ import annotations
@@ -28,14 +28,15 @@ from .sight_extractor import MEMORY, SightExtractor
 Squash = Literal["tanh", "clip"]
 Shape = int | tuple[int, ...]
 Inputs = Mapping[str, Shape]
-"""The observation's parts by name and shape; one without a name where it is an array.
+"""Shapes of the observation's parts by name; the empty name stands for an observation that is an
+array.
 
-A part of one axis has its size.
+The shape of a one-dimensional part is its size.
 """
 
 
 class Actor(nn.Module):
-    """Features, hidden layers and the action before it is squashed or clipped."""
+    """Feature extractor, hidden layers and output layer, before squashing or clipping."""
 
     def __init__(self, network: Network, inputs: Inputs, actions: int) -> None:
         super().__init__()
@@ -52,18 +53,18 @@ class Actor(nn.Module):
         self.last = nn.Linear(size, actions)
 
     def forward(self, observations: Any) -> Float[Tensor, "n a"]:
-        """Return the actions of a batch of observations."""
+        """Compute the actions for a batch of observations."""
         return self.last(self.hidden(self.extractor(observations)))
 
     @property
     def memory_size(self) -> int:
-        """Entries of what it remembers from step to step, 0 for nothing."""
+        """The size of the memory carried between steps, 0 for policies without memory."""
         return MEMORY if isinstance(self.extractor, SightExtractor) else 0
 
     def recall(
         self, observations: Any, memory: Float[Tensor, "n m"]
     ) -> tuple[Float[Tensor, "n a"], Float[Tensor, "n m"]]:
-        """Return the actions of a batch of observations, and what is remembered after it."""
+        """Compute the actions for a batch of observations, and the updated memory."""
         if not isinstance(self.extractor, SightExtractor):
             return self(observations), memory
         features, after = self.extractor.recall(observations, memory)
@@ -71,9 +72,9 @@ class Actor(nn.Module):
 
 
 def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
-    """Return a copy of the actor of an SAC, TD3 or PPO, and what becomes of its actions.
+    """Return a copy of the actor of an SAC, TD3 or PPO model, and the squashing of its actions.
 
-    ``network`` is what ``making.new_model`` made it with.
+    ``network`` is the network that ``setup.new_model`` created the model with.
     """
     size = model.action_space.shape
     actor = Actor(network, inputs_of(model.observation_space), int(np.prod(size or (0,))))
@@ -85,7 +86,9 @@ def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
     elif isinstance(model, TD3):
         parts = (model.actor.features_extractor, model.actor.mu)
     else:
-        raise InputError(f"There are no policy files of {type(model).__name__}.")
+        raise InputError(
+            f"{type(model).__name__} cannot be exported as a policy file; use SAC, TD3 or PPO."
+        )
     extractor, *rest = parts
     actor.extractor.load_state_dict(extractor.state_dict())
     linear = [m for part in rest for m in part.modules() if isinstance(m, nn.Linear)]
@@ -97,11 +100,11 @@ def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
 
 
 def inputs_of(space: spaces.Space[Any]) -> dict[str, Shape]:
-    """Return the parts of an observation space.
+    """Return the shapes of the parts of an observation space.
 
     Raises:
-        InputError: one is no array of one axis, no height maps, and no picture with calibrations,
-            so the policy looks at points, or at pictures in a way of its own.
+        InputError: a part is neither one-dimensional, nor a height map, nor a picture with
+            calibration; policy files do not support point clouds or other picture inputs.
     """
     parts = space.spaces if isinstance(space, spaces.Dict) else {"": space}
     pictures = {
@@ -111,43 +114,45 @@ def inputs_of(space: spaces.Space[Any]) -> dict[str, Shape]:
         flat = part.shape is not None and len(part.shape) == 1
         if not (flat or name == "height_map" or name in pictures):
             raise InputError(
-                f"Policy files hold policies of states, goals, height maps, and pictures with "
-                f"calibrations; {name or 'the observation'} is {part}. Keep the zip of "
-                "Stable-Baselines3 instead."
+                "Policy files support states, goals, height maps and pictures with "
+                f"calibrations; {name or 'the observation'} is {part}. Keep the "
+                "Stable-Baselines3 zip file instead."
             )
     shapes = {name: _channels_last(part.shape) for name, part in parts.items() if part.shape}
     return {name: shape[0] if len(shape) == 1 else shape for name, shape in shapes.items()}
 
 
 def _channels_last(shape: tuple[int, ...]) -> tuple[int, ...]:
-    """Return a shape as the environment has it: Stable-Baselines3 moves channels to the front."""
+    """Move the channels, which Stable-Baselines3 puts first, back to the last axis of a shape."""
     colors = len(shape) == 3 and shape[0] == 3 and shape != height_map_space().shape
     return (*shape[1:], shape[0]) if colors else shape
 
 
 def shape_of(shape: Shape) -> tuple[int, ...]:
-    """Return the shape of an observation's part."""
+    """Return the shape of an observation part as a tuple."""
     return (shape,) if isinstance(shape, int) else shape
 
 
 def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
-    """Return an observation as the network takes it, and whether it was a batch.
+    """Convert an observation to tensors with a batch axis; return also whether it already had one.
 
     Raises:
-        InputError: it lacks a part, or one has another shape.
+        InputError: a part is missing or has another shape.
     """
     several = "" not in inputs
     given = observation if several else {"": observation}
     if several != isinstance(observation, Mapping) or set(inputs) - set(given):
-        raise InputError(f"The policy looks at {dict(inputs)}, got {_describe(observation)}.")
+        raise InputError(
+            f"The policy needs an observation of {dict(inputs)}, got {_describe(observation)}."
+        )
     made, batch = {}, False
     for name, size in inputs.items():
         part, shape = np.asarray(given[name], np.float32), shape_of(size)
         batch = part.ndim == len(shape) + 1
         if part.ndim not in (len(shape), len(shape) + 1) or part.shape[-len(shape) :] != shape:
             raise InputError(
-                f"The policy looks at {name or 'an observation'} of {_entries(size)}, got "
-                f"{_describe(part)}. Make the environment with the policy's own settings."
+                f"The policy needs {name or 'an observation'} of {_entries(size)}, got "
+                f"{_describe(part)}. Create the environment with the policy's settings."
             )
         made[name] = torch.from_numpy(part if batch else part[None])
     return (made if several else made[""]), batch
@@ -159,7 +164,7 @@ def _entries(size: Shape) -> str:
 
 def _describe(observation: Any) -> str:
     if isinstance(observation, Mapping):
-        return f"a dict with {', '.join(map(str, observation)) or 'nothing'}"
+        return f"a dict of {', '.join(map(str, observation)) or 'nothing'}"
     return f"an array of shape {np.shape(observation)}"
 
 

@@ -1,4 +1,4 @@
-"""Looking at goal observations as at the flat state."""
+"""Features of goal observations, in the layout of the flat state."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ _BARE = len(ROBOT_BOUNDS) + SLOTS * len(SLOT_BOUNDS)
 
 
 class GoalExtractor(BaseFeaturesExtractor):
-    """Features of goal observations of one goal: those ``TableExtractor`` has of the flat state.
+    """Features of goal observations with one goal, computed by a ``TableExtractor``.
 
-    The state's goal entries are written from the desired and the achieved goal, so that they
-    follow when hindsight replaces them. Whether an object carries the goal is left out (entry 268
-    is 0). Slot 1 of the observation does not follow: it stays the object that carries the true
-    goal, if one does, also where the goal is a replayed one; and so does the grasp hint.
+    The state's goal entries are computed from the desired and the achieved goal, so that they
+    follow hindsight relabelling. Entry 268 (whether an object carries the goal) is 0. Slot 1 of the
+    observation and the grasp hint do not follow: if an object carries the true goal, slot 1 remains
+    that object for relabelled goals.
 
     Raises:
-        InputError: the observation is no goal observation of one goal.
+        InputError: the observation is not a goal observation with one goal.
     """
 
     def __init__(self, observation_space: spaces.Dict, width: int = 64) -> None:
@@ -38,7 +38,7 @@ class GoalExtractor(BaseFeaturesExtractor):
         shapes = [parts[k].shape for k in ("achieved_goal", "desired_goal") if k in parts]
         if shapes != [(ENTRIES,)] * 2:
             raise InputError(
-                f"GoalExtractor reads goal observations of one goal, the observation is "
+                "GoalExtractor needs goal observations with one goal, got "
                 f"{observation_space}. Use the extractor 'flat'."
             )
         size = parts["observation"].shape[0] + len(GOAL_BOUNDS)
@@ -47,7 +47,7 @@ class GoalExtractor(BaseFeaturesExtractor):
         self.extractor = extractor
 
     def forward(self, observations: dict[str, Any]) -> Float[Tensor, "n f"]:
-        """Return the features of a batch of goal observations."""
+        """Compute the features of a batch of goal observations."""
         seen, desired = observations["observation"], observations["desired_goal"]
         away = desired[:, :3] - observations["achieved_goal"][:, :3]
         carried = torch.zeros_like(away[:, :1])

@@ -1,10 +1,10 @@
-"""The part of a policy that says where to grasp, learned from what the expert chooses.
+"""The grasp head of a policy, trained on the expert's grasps.
 
-The maps of the observation are turned to twelve directions of the fingers, and one small network,
-of the layers that the grasp detector has (``detection.network``), rates each square centimetre in
-each: how good a grasp there is, how high, how wide. Beside the maps it sees from where the arm
-comes, since the best grasp is of no use where the arm cannot reach it. That is added to the
-activations after the second layer.
+The observation's height maps are rotated to twelve finger directions. A small network with the
+layers of the grasp detector (``detection.network``) predicts, for each square centimetre and
+direction, the quality, height and width of a grasp. The position of the robot's base is a further
+input, since a grasp out of the arm's reach is useless; it is added to the activations after the
+second layer.
 """
 
 from __future__ import annotations
@@ -34,22 +34,26 @@ from ...observations.height_map import CELL, CELLS, STEP
 from ...parallel.core.arrays import wrap
 
 PLAN = ("x", "y", "z", "angle", "opening", "width")
-"""A grasp as a policy has it: the tool in the target's heading frame, from the centre of its box
-and for z from the box's lowest corner (m); the bearing of the hand's x axis less a quarter turn, in
-that frame (radians); how far to open, and what will be between the fingers (m)."""
+"""A grasp as a policy represents it: the tool's position in the target's heading frame, relative to
+the centre of its box (x, y) and the box's lowest corner (z), in m; the bearing of the hand's x axis
+minus a quarter turn, in that frame, in radians; the opening of the fingers, and the width between
+them when closed on the target, in m.
+"""
 
 STANDS = 4
-"""Entries of what the head sees beside the maps: where the robot's base is from the target (x, y,
-heading frame), the target's lowest corner above the table, the table above the base, metres."""
+"""Number of the head's inputs beside the maps: position of the robot's base relative to the target
+(x, y, heading frame), height of the target's lowest corner above the table, height of the table
+above the base, in metres.
+"""
 
-_AFTER, _FAR = 1, 0.6  # the layer after which the arm's side is added; metres that are 1 to it
+_AFTER, _FAR = 1, 0.6  # layer after which the base's position is added; its unit in metres
 _CONTEXT = 6
 _WIDEST = 0.08
 _ANGLES = torch.arange(TURNS) * (math.pi / TURNS)
 
 
 class GraspHead(nn.Module):
-    """Rates grasps of a target; ``plan`` is the best one."""
+    """Predicts the quality of grasps of a target; ``plan`` returns the best one."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -59,13 +63,13 @@ class GraspHead(nn.Module):
         nn.init.zeros_(self.side.bias)
 
     def start_from(self, weights: Mapping[str, Float[np.ndarray, "..."]]) -> None:
-        """Take over the weights of a grasp detector, which does not know where the arm is."""
+        """Load the weights of a grasp detector, which has no input for the base's position."""
         self.layers.load_state_dict({
             key: torch.from_numpy(np.asarray(value, np.float32)) for key, value in weights.items()
         })  # fmt: skip
 
     def forward(self, views: Float[Tensor, "b t 3 n n"], sides: Float[Tensor, "b t 6"]) -> Rated:
-        """Return the ratings of targets seen as ``turn_maps`` gives them."""
+        """Compute the predictions for inputs from ``turn_maps``."""
         values, side = views.flatten(0, 1), self.side(sides.flatten(0, 1))[..., None, None]
         for number, layer in enumerate(self.layers):
             values = layer(values if number == 0 else values.relu())
@@ -78,7 +82,7 @@ class GraspHead(nn.Module):
     def plan(
         self, maps: Real[Tensor, "b m 48 48"], stands: Float[Tensor, "b 4"]
     ) -> Float[Tensor, "b 6"]:
-        """Return the grasp rated best of each target, as ``PLAN``."""
+        """Return the best grasp of each target, as ``PLAN``."""
         rated = self(*turn_maps(maps, stands))
         best = rated.best.flatten(1).argmax(1)
         rows = torch.arange(len(best))
@@ -97,7 +101,7 @@ def turn_easily(
     angle: Float[Tensor, "b"],
     stands: Float[Tensor, "b 4"],
 ) -> Float[Tensor, "b"]:
-    """Return ``angle`` or its opposite: for which the arm's last joint is nearer to its home."""
+    """Return ``angle`` or its opposite, whichever keeps the last joint nearer to its home."""
     bearing = torch.atan2(y - stands[:, 1], x - stands[:, 0])
     off = wrap(angle + math.pi / 2 - bearing - ROLL)
     return torch.where(off.abs() > math.pi / 2, angle + math.pi, angle)
@@ -106,12 +110,12 @@ def turn_easily(
 def turn_maps(
     maps: Real[Tensor, "b m 48 48"], stands: Float[Tensor, "b 4"]
 ) -> tuple[Float[Tensor, "b t 3 n n"], Float[Tensor, "b t 6"]]:
-    """Return the first two maps of an observation as the head sees them, at each turn.
+    """Rotate the first two maps of an observation to each finger direction.
 
-    Heights are above the target's lowest corner. Channels: the target's, that of all else, and how
-    far the target is below its top. With each turn comes from where the arm reaches: the cosine and
-    sine of the base's bearing from the direction of opening, of its double, its distance, and how
-    high the target's lowest corner is above the base.
+    Heights are relative to the target's lowest corner. Channels: the target's heights, the heights
+    of everything else, and the target's depth below its top. The second array holds for each turn
+    the cosine and sine of the base's bearing relative to the finger direction, those of twice the
+    bearing, the distance of the base, and the height of the target's lowest corner above the base.
     """
     count = len(maps)
     low = (stands[:, 2] / HEIGHT)[:, None, None, None]
@@ -134,7 +138,7 @@ def turn_maps(
 
 
 def _grid() -> Float[Tensor, "t n n 2"]:
-    """Return where the cells of each turn's view are in a map, as ``grid_sample`` counts."""
+    """Return the map positions of each rotated view's cells, in ``grid_sample`` coordinates."""
     axis = (torch.arange(SEEN) - (SEEN - 1) / 2) * (CELL / ((CELLS - 1) * CELL / 2))
     u, v = axis[:, None], axis[None]
     c, s = (f(_ANGLES)[:, None, None] for f in (torch.cos, torch.sin))

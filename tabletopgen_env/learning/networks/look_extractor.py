@@ -1,22 +1,22 @@
-"""Looking at the state and the height maps: a head says where to grasp, the rest how to go there.
+"""Features of state and height maps: a head chooses the grasp, and geometry the way to it.
 
-The observation has no grasp in it. ``GraspHead`` finds one in the maps, and what follows from it
-and from the state by geometry alone are eight features, the *way*, which are to the policy what the
-entries of the grasp hint are where there is one (``observations.grasp_hint``):
+The observation has no grasp hint. ``GraspHead`` finds a grasp in the maps. Eight features, the
+*way*, follow from the grasp and the state by geometry alone; they replace the entries of the grasp
+hint (``observations.grasp_hint``):
 
 =====  =======================================================================================
-0-2    where the tool is to go, minus where it is, base frame, m
-3      the turn of the hand that is left, rad
-4      how far to open the fingers, m
-5      what will be, or is, between them, m
-6      how much higher the tool has to be to pass over what lies on its way, m
-7      1 to a grasp, -1 with the target in both fingers, 0 with the target let go in its goal
+0-2    desired minus current position of the tool, base frame, m
+3      remaining turn of the hand, rad
+4      desired opening of the fingers, m
+5      expected or current width between the fingers, m
+6      how much the tool has to rise to clear objects on its way, m
+7      1 on the way to a grasp, -1 with the target in both fingers, 0 with it released in its goal
 =====  =======================================================================================
 
-With the target in the fingers the way leads to the middle of the goal region, as high as what lies
-there under the outline of the target asks for (map 2 under map 0), the hand turned only as far as
-the last joint's range asks for, or, where the region hangs in the air (Lift), straight up. All of
-it is a function of one observation.
+With the target in the fingers the way leads to the middle of the goal region, at a height that
+clears whatever lies there under the target's outline (map 2 under map 0). The hand turns only as
+far as the last joint's range requires. If the region is in the air (Lift), the way leads straight
+up. All of it is a function of a single observation.
 """
 
 from __future__ import annotations
@@ -49,12 +49,13 @@ from .network import TableExtractor
 _ROBOT, _SLOT = len(ROBOT_BOUNDS), len(SLOT_BOUNDS)
 _FLAT = _ROBOT + SLOTS * _SLOT + len(GOAL_BOUNDS)
 _REGION = slice(_FLAT - len(GOAL_BOUNDS) + 1, _FLAT)  # centre, semi-axes x and y, yaw, z, way
-_WIDER, _WIDEST, _HIGHEST = 0.024, 0.08, 0.3  # metres: to let go; at all; that entry 6 is at most
-_IN_AIR = 0.03  # metres above what is below it at which a region hangs in the air
+# metres: extra opening to release; largest opening; maximum of entry 6
+_WIDER, _WIDEST, _HIGHEST = 0.024, 0.08, 0.3
+_IN_AIR = 0.03  # a region higher than this above the surface below it counts as in the air, metres
 
 
 class LookExtractor(BaseFeaturesExtractor):
-    """Features of ``state`` and ``height_map``: those of ``TableExtractor`` with the way as hint.
+    """Features of ``state`` and ``height_map``: those of ``TableExtractor``, with the way as hint.
 
     The head is not trained through the features, only by ``demonstrations.grasp_lessons``.
 
@@ -67,8 +68,8 @@ class LookExtractor(BaseFeaturesExtractor):
         shapes = {name: part.shape for name, part in parts.items()}
         if shapes != {"state": (_FLAT,), "height_map": height_map_space().shape}:
             raise InputError(
-                f"LookExtractor reads the flat state and the height maps, the observation is "
-                f"{observation_space}. Make the environment with geometry='height_map' and "
+                "LookExtractor needs the flat state and the height maps, got "
+                f"{observation_space}. Create the environment with geometry='height_map' and "
                 "without a grasp hint."
             )
         table = TableExtractor(
@@ -79,22 +80,22 @@ class LookExtractor(BaseFeaturesExtractor):
         self._last: tuple[bytes, Tensor] | None = None
 
     def forward(self, observations: dict[str, Any]) -> Float[Tensor, "n f"]:
-        """Return the features of a batch of observations."""
+        """Compute the features of a batch of observations."""
         state, maps = observations["state"], observations["height_map"]
         return self.features(state, ways(state, maps, self.plans(state, maps)))
 
     def features(
         self, state: Float[Tensor, "n o"], way: Float[Tensor, "n 8"]
     ) -> Float[Tensor, "n f"]:
-        """Return the features of states with their ways."""
+        """Compute the features of states and their ways."""
         return self.table(torch.cat([state, way], 1))
 
     def plans(
         self, state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"]
     ) -> Float[Tensor, "n 6"]:
-        """Return the grasp of each target (``grasp_head.PLAN``), zeros where none is needed.
+        """Return the grasp of each target (``grasp_head.PLAN``), zeros if no grasp is needed.
 
-        Of one observation alone it is remembered while nothing that the head sees changes.
+        The grasp of a single observation is cached while the head's inputs do not change.
         """
         plans = state.new_zeros(len(state), 6)
         rows = torch.nonzero(~(is_held(state) | at_goal(state))).flatten()
@@ -123,7 +124,7 @@ def is_held(state: Float[Tensor, "n o"]) -> Bool[Tensor, "n"]:
 
 
 def at_goal(state: Float[Tensor, "n o"]) -> Bool[Tensor, "n"]:
-    """Return whether the target, not in both fingers, is in the goal region."""
+    """Return whether the target is in the goal region and not held by both fingers."""
     _, _, _, a, b, yaw, high, x, y, z = state[:, _REGION].unbind(1)
     c, s = yaw.cos(), yaw.sin()
     across = ((c * x + s * y) / a) ** 2 + ((c * y - s * x) / b) ** 2
@@ -141,7 +142,7 @@ def lowest_of(state: Float[Tensor, "n o"]) -> Float[Tensor, "n"]:
 
 
 def base_from_target(state: Float[Tensor, "n o"]) -> Float[Tensor, "n 4"]:
-    """Return what the head sees beside the maps; see ``grasp_head.STANDS``."""
+    """Return the head's inputs beside the maps; see ``grasp_head.STANDS``."""
     x, y = _turn(-state[:, _ROBOT], -state[:, _ROBOT + 1], -heading_of(state))
     table = state[:, 37]
     return torch.stack([x, y, lowest_of(state) - table, table], 1)
@@ -150,10 +151,11 @@ def base_from_target(state: Float[Tensor, "n o"]) -> Float[Tensor, "n 4"]:
 def release_height(
     state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"]
 ) -> tuple[Float[Tensor, "n"], Float[Tensor, "n"]]:
-    """Return how high the tool lets go of the target in the middle of its goal, not turned.
+    """Return the height of the tool for releasing the target in the middle of its goal, unrotated.
 
-    And how high what lies there is under the target; base frame, metres. The target is as wide as
-    its box, the opened hand as ``expert.planning.placing`` has it, a cell added all around.
+    The second array is the height of the surface there under the target. Both are in the base
+    frame, in metres. The target is as wide as its box, the open hand as in
+    ``expert.planning.placement``; both are enlarged by one cell on all sides.
     """
     heights = maps[:, 2].float() * STEP + state[:, 37, None, None]
     heading, low = heading_of(state), lowest_of(state)
@@ -182,7 +184,7 @@ def release_height(
 def ways(
     state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"], plan: Float[Tensor, "n 6"]
 ) -> Float[Tensor, "n 8"]:
-    """Return the ways of targets with these grasps (``grasp_head.PLAN``), see the module's page."""
+    """Compute the way for each target and grasp (``grasp_head.PLAN``); see the module docstring."""
     tool, low = state[:, 15:18], lowest_of(state)
     holding, put = is_held(state), at_goal(state)
     x, y = _turn(plan[:, 0], plan[:, 1], heading_of(state))
@@ -216,20 +218,20 @@ def ways(
 def _turn_left(
     state: Float[Tensor, "n o"], angle: Float[Tensor, "n"], at: Float[Tensor, "n 3"]
 ) -> Float[Tensor, "n"]:
-    """Return how far the last joint has to turn for a grasp; as ``expert.arm.turn_left``."""
+    """Return the remaining turn of the last joint for a grasp, as ``expert.arm.turn_left``."""
     wanted = heading_of(state) + angle + math.pi / 2 - torch.atan2(at[:, 1], at[:, 0])
     return MIDDLE + wrap(wanted - MIDDLE) - _roll(state)
 
 
 def _least_turn(state: Float[Tensor, "n o"], at: Float[Tensor, "n 2"]) -> Float[Tensor, "n"]:
-    """Return how far the hand has to turn with what it holds; as ``expert.arm.least_turn``."""
+    """Return the minimum turn of the hand with the held object, as ``expert.arm.least_turn``."""
     turned = torch.atan2(state[:, 16], state[:, 15]) - torch.atan2(at[:, 1], at[:, 0])
     asked = _roll(state) + wrap(turned)
     return asked.clamp(MIDDLE - ROLL_RANGE, MIDDLE + ROLL_RANGE) - asked
 
 
 def _roll(state: Float[Tensor, "n o"]) -> Float[Tensor, "n"]:
-    """Return the hand's yaw relative to the bearing of the tool, in the last joint's range."""
+    """Return the hand's yaw relative to the tool's bearing, within the last joint's range."""
     relative = torch.atan2(state[:, 19], state[:, 18]) - torch.atan2(state[:, 16], state[:, 15])
     by_joint = MIDDLE - state[:, 6]
     return by_joint + wrap(relative - by_joint)
@@ -241,7 +243,7 @@ def _rise(
     depth: Float[Tensor, "n"],
     broad: Float[Tensor, "n"],
 ) -> Float[Tensor, "n"]:
-    """Return entry 6: over what but the target stands within ``broad`` of the straight way."""
+    """Return entry 6: the rise over other objects within ``broad`` of the straight path."""
     tool, slots = state[:, 15:18], state[:, _ROBOT : _ROBOT + SLOTS * _SLOT]
     others = slots.reshape(-1, SLOTS, _SLOT)[:, 1:]
     way = (end - tool)[:, None, :2]
@@ -258,7 +260,7 @@ def _rise(
 
 
 def _reach(slots: Float[Tensor, "*n s"]) -> Float[Tensor, "*n 3"]:
-    """Return how far boxes reach from their centres along the base frame's axes, metres."""
+    """Return the half extents of boxes along the base frame's axes, metres."""
     x, y = slots[..., 3:6], slots[..., 6:9]
     axes = torch.stack([x, y, torch.linalg.cross(x, y)], -1)
     return (axes.abs() * slots[..., None, 9:12]).sum(-1)
@@ -267,7 +269,7 @@ def _reach(slots: Float[Tensor, "*n s"]) -> Float[Tensor, "*n 3"]:
 def _turn_box(
     state: Float[Tensor, "n o"], heading: Float[Tensor, "n"]
 ) -> tuple[Float[Tensor, "n"], Float[Tensor, "n"]]:
-    """Return how far the target's box reaches along the axes of its heading frame, metres."""
+    """Return the half extents of the target's box along the axes of its heading frame, metres."""
     slot, bounds = state[:, _ROBOT : _ROBOT + _SLOT], []
     half = slot[:, 9:12]
     x, y = slot[:, 3:6], slot[:, 6:9]

@@ -1,8 +1,7 @@
-"""What the baselines look with: the flat state's parts, scaled, and a set of objects pooled.
+"""The feature extractor of the baselines: scaled parts of the flat state, and pooled objects.
 
-A policy that is to work at tables it never saw must not care in which slot an object comes. Target
-and goal object have slots of their own; all the others go through one small network each and are
-pooled by their largest activations.
+A policy for unseen tables must not depend on the order of the objects. Target and goal object have
+fixed slots; the other objects each pass through a shared small network and are max-pooled.
 """
 
 from __future__ import annotations
@@ -29,7 +28,7 @@ _TOOL = slice(15, 18)
 _WAYS = (34, 35, 36, 276, 277, 278)
 _HINTED_WAYS = (*_WAYS, *range(_FLAT, _FLAT + 4))
 _FINE = (0.02, 0.005)
-"""What ways still to go, metres or radians, are divided by to be seen closely."""
+"""Divisors of the remaining distances (m) and angles (rad), for fine resolution near zero."""
 
 _ROBOT_SCALE = np.array(
     [1.0] * 7 + [0.5] * 7 + [0.04] + [0.3] * 3 + [1.0] * 6 + [0.1] * 7 + [1.0] * 3 + [0.1] * 3
@@ -41,12 +40,12 @@ _HINT_SCALE = np.array([0.1] * 3 + [1.0] + [0.04] * 2 + [0.1] + [1.0])
 
 
 class TableExtractor(BaseFeaturesExtractor):
-    """Features of the flat state, with the grasp hint or without (see ``observations``).
+    """Features of the flat state, with or without the grasp hint (see ``observations``).
 
-    Robot, target, goal object, goal and hint are scaled to about 1 each and clipped at 8. The ways
-    still to go (tool to target, target to goal, tool and turn to the hinted grasp) come again,
-    squashed, so that millimetres count when they are short. The other objects are seen from
-    the tool, by one network, and pooled to ``width`` features.
+    Robot, target, goal object, goal and hint are scaled to about 1 and clipped at 8. Remaining
+    distances and angles (tool to target, target to goal, tool and turn to the hinted grasp) are
+    repeated through tanh, so that millimetres matter near zero. The other objects are expressed
+    relative to the tool, pass through one shared network and are max-pooled to ``width`` features.
 
     Raises:
         InputError: the observation is not the flat state.
@@ -60,8 +59,8 @@ class TableExtractor(BaseFeaturesExtractor):
         hinted = observation_space.shape == (_FLAT + _HINT,)
         if not hinted and observation_space.shape != (_FLAT,):
             raise InputError(
-                f"TableExtractor reads the flat state of {_FLAT} entries ({_FLAT + _HINT} with the "
-                f"grasp hint), the observation is {observation_space}. Make the environment with "
+                f"TableExtractor needs the flat state of {_FLAT} entries ({_FLAT + _HINT} with "
+                f"the grasp hint), got {observation_space}. Create the environment with "
                 "observation='state'."
             )
         self.ways = list(_HINTED_WAYS if hinted else _WAYS)
@@ -75,7 +74,7 @@ class TableExtractor(BaseFeaturesExtractor):
             self.register_buffer(f"per_{name}", values, persistent=False)
 
     def forward(self, observations: Float[Tensor, "n o"]) -> Float[Tensor, "n f"]:
-        """Return the features of a batch of states."""
+        """Compute the features of a batch of states."""
         robot, slots = observations[:, :_ROBOT], observations[:, _ROBOT : _FLAT - _GOAL]
         rest = observations[:, _FLAT - _GOAL :]
         slots = slots.reshape(-1, SLOTS, _SLOT)

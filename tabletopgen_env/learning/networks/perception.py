@@ -1,19 +1,20 @@
-"""From pictures to what a policy that looks is told: an estimate of its state and height maps.
+"""Estimation of state and height maps from pictures.
 
-The flat state and the height maps of the simulator (``observations``) are what no robot has. Here
-they are estimated from one observation of "pixels+proprio" with depth, calibrations and a mask of
-the target: depth becomes points in the base frame, the points under the masks are the target, and
-what else is seen near it is what a hand meets on its way. Of the state there are
+A real robot has no access to the simulator's flat state and height maps (``observations``). This
+module estimates them from one observation of "pixels+proprio" with depth, calibrations and a mask
+of the target: depth becomes points in the base frame, the points under the masks are the target,
+and other points near it are obstacles. The estimated state holds
 
-- the robot's entries, as it feels them, and its touch: both fingers touch the target when they
-  were told to close, rest, and did not meet,
-- the target's slot: the box of its points with axes along the base frame's, its velocities 0,
-- the table's height: that at which most points are,
-- the goal region: where the target is to be raised to (Lift), or, if no target is seen, the middle
-  of the ball in the marker's green (Reach); with semi-axes of 0 where that is hidden, too.
+- the robot's proprioceptive entries, and its touch: both fingers touch the target if they were
+  commanded to close, are at rest, and did not close completely,
+- the target's slot: the bounding box of its points along the axes of the base frame, with zero
+  velocities,
+- the table's height: the height with the most points,
+- the goal region: the lifted position of the target (Lift), or, if no target is visible, the centre
+  of the green marker ball (Reach), with zero semi-axes if the marker is hidden, too.
 
-All other entries are 0. Maps 0 and 1 are of the points in the same frame; what the cameras do not
-see is missing in them, what lies higher than the hand too, since it may be the arm.
+All other entries are 0. Maps 0 and 1 are built from the points in the same frame. Surfaces that no
+camera sees are missing in them, and so are points above the hand, which may belong to the arm.
 """
 
 from __future__ import annotations
@@ -36,28 +37,29 @@ STATE = len(ROBOT_BOUNDS) + SLOTS * len(SLOT_BOUNDS) + len(GOAL_BOUNDS)
 """Entries of an estimated state."""
 
 _SLOT, _GOAL = len(ROBOT_BOUNDS), STATE - len(GOAL_BOUNDS)
-_FEWEST, _LEAST_GREEN = 6, 3  # points that a thing, and the marker, is taken to be seen by
-_BINS, _BIN, _LOWEST = 100, 0.01, -0.5  # heights among which the table's is looked for, metres
-_NEAR = 1.2  # metres from the base's axis within which points count
-_STRIDE = 7  # of the points that the table's height is taken from
-_SEAM = 0.004  # metres above the table up to which points may be the table's
-_SUNK = 0.02  # metres above the table up to which what is seen of a thing begins at the table
-_THINNEST = 0.003  # half an extent, metres
-_HAND = ((-0.05, -0.13, -0.30), (0.05, 0.13, 0.02))  # the hand's box, its own frame, metres
-_ABOVE = 0.10  # metres above the tool from which on points may be the arm's
-_CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # command, metres, metres a second
-_WITHIN = 0.04  # metres from the target's box to the tool in a grasp
+_FEWEST, _LEAST_GREEN = 6, 3  # minimum number of points of a visible object, and of the marker
+_BINS, _BIN, _LOWEST = 100, 0.01, -0.5  # range of heights searched for the table's, metres
+_NEAR = 1.2  # points count within this distance from the base's axis, metres
+_STRIDE = 7  # stride of the points used for the table's height
+_SEAM = 0.004  # points up to this height above the table may belong to it, metres
+_SUNK = 0.02  # an object visible down to this height above the table stands on it, metres
+_THINNEST = 0.003  # minimum half extent, metres
+_HAND = ((-0.05, -0.13, -0.30), (0.05, 0.13, 0.02))  # the hand's box in its own frame, metres
+_ABOVE = 0.10  # points this far above the tool may belong to the arm, metres
+_CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # command, metres, metres per second
+_WITHIN = 0.04  # maximum distance from the target's box to the tool in a grasp, metres
 _RAISED = (ASTRAY, ASTRAY, (RAISED[1] - RAISED[0]) / 2)  # semi-axes of Lift's region, metres
-_RISE = sum(RAISED) / 2  # from where the target stands to the region's middle, metres
+_RISE = sum(RAISED) / 2  # from the target's initial position to the region's centre, metres
 _REACHED = (REACHED, REACHED, REACHED)  # semi-axes of Reach's region, metres
 _BALL = Reach.marker_radius
-_SEEDS, _FITS = 12, 6  # points around which the ball is looked for, and steps of a fit
-_NEAR_BALL = 0.003  # metres from the ball's surface within which points are of it
-_GREEN, _RED_SHARE, _BLUE_SHARE = 60.0, 0.40, 0.60  # the marker's: least green; others' most
+_SEEDS, _FITS = 12, 6  # number of seed points for the ball, and of steps per fit
+_NEAR_BALL = 0.003  # distance from the ball's surface within which points belong to it, metres
+# marker colour: minimum green; maximum shares of red and blue
+_GREEN, _RED_SHARE, _BLUE_SHARE = 60.0, 0.40, 0.60
 
 
 def cameras_of(names: Iterable[str]) -> tuple[str, ...]:
-    """Return the cameras that an observation has depth, mask and calibration of."""
+    """Return the cameras for which depth, mask and calibration are observed."""
     known = set(names)
     cameras = sorted(n.removesuffix("_calibration") for n in known if n.endswith("_calibration"))
     return tuple(c for c in cameras if {f"{c}_depth", f"{c}_target"} <= known)
@@ -66,9 +68,9 @@ def cameras_of(names: Iterable[str]) -> tuple[str, ...]:
 def perceive(
     seen: Mapping[str, Num[Tensor, "n ..."]],
 ) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 3 48 48"], Float[Tensor, "n"]]:
-    """Return estimates of the flat states and height maps of a batch of observations.
+    """Estimate the flat states and height maps of a batch of observations.
 
-    The third are how many points are of the marker, 0 where none is shown or it is hidden.
+    The third array holds the number of marker points, 0 if the marker is absent or hidden.
     """
     cameras = cameras_of(seen)
     found = [
@@ -115,11 +117,11 @@ def _perceive_one(
 def recall_goal(
     state: Float[Tensor, "n s"], shown: Float[Tensor, "n"], kept: Float[Tensor, "n 4"]
 ) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 4"]]:
-    """Return states with the marker where it was seen best, and what is kept of it.
+    """Replace poorly visible markers by their best earlier sighting; return states and sightings.
 
-    The hand hides the marker at last, and what peeps out tells little of where it is. ``shown`` is
-    by how many points it is seen now; ``kept`` by how many it was seen best, and where it was then,
-    base frame, metres.
+    Near the end of a reach the hand hides the marker, and the visible rest is a poor estimate of
+    its position. ``shown`` is the number of marker points in the current observation. ``kept`` is
+    the largest number of points so far and the marker's position then, base frame, metres.
     """
     filled, after = state.clone(), kept.clone()
     better = (shown > 0) & (shown >= kept[:, 0])
@@ -135,7 +137,7 @@ def recall_goal(
 def _cloud(
     seen: Mapping[str, Float[Tensor, "..."]], camera: str
 ) -> tuple[Float[Tensor, "m 3"], Bool[Tensor, "m"], Bool[Tensor, "m"]]:
-    """Return the points that a camera sees, which are the target's, and which are green."""
+    """Return a camera's points, and masks of those on the target and of green ones."""
     depth, told = seen[f"{camera}_depth"], seen[f"{camera}_calibration"]
     pose, lens = told[:12].view(3, 4), told[12:].clamp(min=1e-3) * len(depth)
     rows = torch.arange(depth.shape[0], dtype=depth.dtype)[:, None]
@@ -151,18 +153,18 @@ def _cloud(
 
 
 def _is_green(picture: Float[Tensor, "h w c"]) -> Bool[Tensor, "m"]:
-    """Return which pixels have the marker's colour; channels are the first axis or the last."""
+    """Return which pixels have the marker's colour; channels are the first or the last axis."""
     last = picture if picture.shape[-1] == 3 else picture.movedim(0, -1)
     red, green, blue = last.reshape(-1, 3).unbind(1)
     return (green > _GREEN) & (red < _RED_SHARE * green) & (blue < _BLUE_SHARE * green)
 
 
 def find_ball(points: Float[Tensor, "m 3"]) -> tuple[Float[Tensor, "3"], int]:
-    """Return the middle of the ball that points are of best, and how many are near its surface.
+    """Fit the marker ball to points; return its centre and the number of points near its surface.
 
-    That is 0 if they are of none. The ball has the marker's radius; other things may have its
-    colour. It is fitted to what is around each of some points; the fit with the most points near
-    its surface is taken.
+    The number is 0 if no ball fits. The ball has the marker's radius; other objects may share its
+    colour. One ball is fitted around each of several seed points, and the fit with the most points
+    near its surface is returned.
     """
     best, most = points.new_zeros(3), 0
     for seed in points[:: -(-len(points) // _SEEDS) or 1]:
@@ -174,7 +176,7 @@ def find_ball(points: Float[Tensor, "m 3"]) -> tuple[Float[Tensor, "3"], int]:
 
 
 def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
-    """Return the middle of a ball by Gauss-Newton steps from below the points, seen from above."""
+    """Fit a ball's centre to points seen from above, by Gauss-Newton steps from below them."""
     middle = points.mean(0) - points.new_tensor([0, 0, _BALL / 2])
     damping = 1e-3 * torch.eye(3, dtype=points.dtype)
     for _ in range(_FITS):
@@ -188,14 +190,14 @@ def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
 def _is_around(
     points: Float[Tensor, "m 3"], middle: Float[Tensor, "3"], table: Float[Tensor, ""]
 ) -> Bool[Tensor, "m"]:
-    """Return which points are of things on the table that a map may show."""
+    """Return which points are above the table and within the range of a map."""
     x, y, z = points.unbind(1)
     far = CELL * CELLS / 2
     return (z > table + _SEAM) & ((x - middle[0]).abs() < far) & ((y - middle[1]).abs() < far)
 
 
 def is_robot(points: Float[Tensor, "m 3"], felt: Float[Tensor, "p"]) -> Bool[Tensor, "m"]:
-    """Return which points may be the robot's: those in the hand's box, and all above it."""
+    """Return which points may be the robot's: those inside the hand's box or above it."""
     x, y = felt[18:21], felt[21:24]
     axes = torch.stack([x, y, torch.linalg.cross(x, y)], 1)
     own = (points - felt[15:18]) @ axes
@@ -204,14 +206,14 @@ def is_robot(points: Float[Tensor, "m 3"], felt: Float[Tensor, "p"]) -> Bool[Ten
 
 
 def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
-    """Return the height at which most points are, 0 if there are none, metres."""
+    """Return the height with the most points in metres, 0 without points."""
     places = ((points[:, 2] - _LOWEST) / _BIN).floor()
     points = points[(places >= 0) & (places < _BINS)]
     if len(points) == 0:
         return points.new_zeros(())
     places = ((points[:, 2] - _LOWEST) / _BIN).long()
     counts = torch.bincount(places, minlength=_BINS)
-    counts = counts + torch.cat([counts[1:], counts[:1]])  # a top may lie across two
+    counts = counts + torch.cat([counts[1:], counts[:1]])  # a table top may straddle two bins
     best = counts.argmax()
     return points[(places == best) | (places == best + 1), 2].median()
 
@@ -219,7 +221,7 @@ def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
 def box_of(
     points: Float[Tensor, "m 3"], table: Float[Tensor, ""]
 ) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
-    """Return middle and half extents of a thing's box along the base frame's axes, metres."""
+    """Return centre and half extents of an object's box along the base frame's axes, metres."""
     low, high = points.quantile(0.01, 0), points.quantile(0.99, 0)
     if low[2] < table + _SUNK:
         low[2] = table
@@ -229,7 +231,7 @@ def box_of(
 def height_grid(
     points: Float[Tensor, "m 3"], middle: Float[Tensor, "3"], table: Float[Tensor, ""]
 ) -> Float[Tensor, "48 48"]:
-    """Return the greatest heights of points above the table by cells around a middle, in steps."""
+    """Return the maximum height of points above the table per cell around a centre, in steps."""
     cells = ((points[:, :2] - middle[:2]) / CELL + CELLS / 2).floor().long()
     inside = ((cells >= 0) & (cells < CELLS)).all(1)
     cells, heights = cells[inside], ((points[inside, 2] - table) / STEP).round().clamp(0, 255)
@@ -239,7 +241,7 @@ def height_grid(
 
 
 def _close(grid: Float[Tensor, "48 48"]) -> Float[Tensor, "48 48"]:
-    """Return a map with its holes of up to two cells filled."""
+    """Return a map with holes of up to two cells filled."""
     padded = functional.pad(grid[None, None], (2, 2, 2, 2))
     wide = functional.max_pool2d(padded, 5, 1, 2)
     closed = -functional.max_pool2d(-wide, 5, 1, 2)
@@ -252,7 +254,7 @@ def _write_target(
     middle: Float[Tensor, "3"],
     half: Float[Tensor, "3"],
 ) -> None:
-    """Write the target's slot, the way to it, and whether it is held."""
+    """Write the target's slot, the offset from tool to target, and whether the target is held."""
     slot = state[_SLOT : _SLOT + len(SLOT_BOUNDS)]
     slot[:3], slot[9:12] = middle, half
     slot[3] = slot[7] = slot[18] = 1.0

@@ -1,9 +1,9 @@
-"""A policy that sees: what ``perception`` makes of pictures, looked at as height maps are.
+"""Features of pictures: height maps estimated by ``perception``, with a memory of the grasp.
 
-From each place a hand sees other parts of a thing, so the head would change its mind on the way: a
-rim can be grasped all around. A *memory* keeps its last grasp, where it is in the base frame. Once
-the hand is over it, it is not asked again, unless the target has moved or time has passed. A marker
-that the hand hides is remembered where it was seen best.
+From each position the hand sees other parts of an object, so the head's choice would change on the
+way; a rim, for example, can be grasped anywhere. A *memory* keeps the last grasp in the base frame.
+Once the hand is over the grasp, the head is not evaluated again unless the target has moved or a
+time limit has passed. A marker hidden by the hand keeps its best-seen position.
 """
 
 from __future__ import annotations
@@ -24,23 +24,25 @@ from .look_extractor import LookExtractor, at_goal, is_held, lowest_of, ways
 from .perception import STATE, cameras_of, perceive, recall_goal
 
 MEMORY = 15
-"""Entries of a memory: 1 if there is a grasp, for how many steps it was kept, the target's middle
-when it was found, the tool's place in it (base frame, m), and the last three of
-``grasp_head.PLAN``; then by how many points the marker was seen best, and where
-(``perception.recall_goal``)."""
+"""Entries of a memory: 1 if there is a grasp, its age in steps, the target's centre when the grasp
+was found, the tool's position in the grasp (base frame, m), and the last three entries of
+``grasp_head.PLAN``; then the largest number of marker points seen so far, and the marker's position
+then (``perception.recall_goal``).
+"""
 
 _GRASP = 11  # entries of the grasp
 
 _TOOL, _TARGET = slice(15, 18), slice(len(ROBOT_BOUNDS), len(ROBOT_BOUNDS) + 3)
-_MOVED = 0.015  # metres that the target's middle may seem to move, aside and up
-_OVER = 0.05  # metres aside within which the hand is over a grasp
-_LONGEST = 60  # steps for which a grasp is kept
+# tolerated apparent motion of the target's centre, horizontally and vertically, metres
+_MOVED = 0.015
+_OVER = 0.05  # horizontal distance within which the hand is over a grasp, metres
+_LONGEST = 60  # maximum age of a grasp, steps
 
 
 class SightExtractor(LookExtractor):
-    """Features of "pixels+proprio" with depth, masks of the target and calibrations.
+    """Features of "pixels+proprio" with depth, target masks and calibrations.
 
-    Colours are needed where the goal is a marked point (Reach).
+    Colours are needed if the goal is a marked point (Reach).
 
     Raises:
         InputError: the observation lacks them.
@@ -50,8 +52,8 @@ class SightExtractor(LookExtractor):
         parts = getattr(observation_space, "spaces", {})
         if "proprio" not in parts or not cameras_of(parts):
             raise InputError(
-                f"SightExtractor reads pictures, the observation is {observation_space}. Make the "
-                "environment with observation='pixels+proprio', kinds=['depth'], "
+                f"SightExtractor needs pictures with depth, got {observation_space}. Create "
+                "the environment with observation='pixels+proprio', kinds=['depth'], "
                 "target_mark='mask', calibration=True and instruction='none'."
             )
         looked = {
@@ -62,14 +64,14 @@ class SightExtractor(LookExtractor):
         self._observation_space = observation_space
 
     def forward(self, observations: dict[str, Any]) -> Float[Tensor, "n f"]:
-        """Return the features of a batch of observations, with nothing remembered."""
+        """Compute the features of a batch of observations, with empty memories."""
         empty = torch.zeros(len(observations["proprio"]), MEMORY)
         return self.recall(observations, empty)[0]
 
     def recall(
         self, observations: dict[str, Any], memory: Float[Tensor, "n 15"]
     ) -> tuple[Float[Tensor, "n f"], Float[Tensor, "n 15"]]:
-        """Return the features of a batch of observations, and the memories after it."""
+        """Compute the features of a batch of observations, and the updated memories."""
         state, maps, shown = perceive(observations)
         state, goal = recall_goal(state, shown, memory[:, _GRASP:])
         kept = _fits(state, memory)
@@ -86,17 +88,17 @@ class SightExtractor(LookExtractor):
 
 
 def _sees_target(state: Float[Tensor, "n s"]) -> Bool[Tensor, "n"]:
-    """Return whether a target is seen; without one there is no way to go (Reach)."""
+    """Return whether a target is visible; without one there is no way (Reach)."""
     return state[:, len(ROBOT_BOUNDS) + 18] > 0.5
 
 
 def _needs_grasp(state: Float[Tensor, "n s"]) -> Bool[Tensor, "n"]:
-    """Return whether a target is seen that is neither held nor at its goal."""
+    """Return whether a target is visible that is neither held nor at its goal."""
     return _sees_target(state) & ~is_held(state) & ~at_goal(state)
 
 
 def _fits(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Bool[Tensor, "n"]:
-    """Return whether a memory's grasp is still the one to go for."""
+    """Return whether a memory's grasp is still valid."""
     moved = state[:, _TARGET] - memory[:, 2:5]
     aside = (state[:, _TOOL] - memory[:, 5:8])[:, :2].norm(dim=1)
     still = (moved[:, :2].norm(dim=1) < _MOVED) & (moved[:, 2].abs() < _MOVED)
@@ -105,14 +107,14 @@ def _fits(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Bool[Te
 
 
 def _plan_of(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Float[Tensor, "n 6"]:
-    """Return a memory's grasp as ``grasp_head.PLAN``; the estimate's heading is 0."""
+    """Return a memory's grasp as ``grasp_head.PLAN``; the estimated heading is 0."""
     aside = memory[:, 5:7] - state[:, _TARGET][:, :2]
     up = memory[:, 7] - lowest_of(state)
     return torch.cat([aside, up[:, None], memory[:, 8:_GRASP]], 1)
 
 
 def _memory_of(state: Float[Tensor, "n s"], plan: Float[Tensor, "n 6"]) -> Float[Tensor, "n 11"]:
-    """Return the memory of a grasp."""
+    """Return the memory entries of a grasp."""
     middle = state[:, _TARGET]
     place = torch.cat([middle[:, :2] + plan[:, :2], (lowest_of(state) + plan[:, 2])[:, None]], 1)
     known = torch.tensor([1.0, 0.0]).expand(len(state), 2)

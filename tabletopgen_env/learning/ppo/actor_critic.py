@@ -1,4 +1,4 @@
-"""An actor with normally distributed actions, and a critic beside it."""
+"""An actor with Gaussian actions, and a separate critic."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from ..recipes import Network
 from .worlds import Seen
 
 _CALM = 0.01
-"""Gain of the actor's last layer at the start: actions begin near 0."""
+"""Initial gain of the actor's last layer; initial actions are near 0."""
 
 
 class ActorCritic(nn.Module):
-    """Two networks of a recipe's shape that share nothing, and the actions' log deviations.
+    """Separate actor and critic networks, and the log standard deviations of the actions.
 
     Args:
-        network: what both are made of.
-        inputs: the observation's parts by name and size.
+        network: architecture of both networks.
+        inputs: size of each observation part by name.
         actions: entries of an action.
-        std: of the actions at the start.
-        seed: of the weights.
+        std: initial standard deviation of the actions.
+        seed: seed of the initial weights.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class ActorCritic(nn.Module):
         return self.actor(_whole(seen))
 
     def values(self, seen: Seen) -> Float[Tensor, "n"]:
-        """Return the critic's estimates."""
+        """Return the critic's value estimates."""
         return self.critic(_whole(seen))[:, 0]
 
     def log_probs(
@@ -55,7 +55,7 @@ class ActorCritic(nn.Module):
         return -(0.5 * away**2 + self.log_std + constant).sum(-1)
 
     def entropy(self) -> Float[Tensor, ""]:
-        """Return the entropy of the actions, the same whatever is seen."""
+        """Return the entropy of the actions, which does not depend on the observation."""
         return (self.log_std + 0.5 * math.log(2 * math.pi * math.e)).sum()
 
 
@@ -63,7 +63,7 @@ def divergence(
     means: Float[Tensor, "n a"], log_std: Float[Tensor, "a"],
     other: Float[Tensor, "n a"], other_log_std: Float[Tensor, "a"],
 ) -> Float[Tensor, "n"]:  # fmt: skip
-    """Return the Kullback-Leibler divergences of normal distributions from others, KL(own||other).
+    """Compute the Kullback-Leibler divergences KL(own||other) between normal distributions.
 
     log(s'/s) + (s^2 + (m - m')^2) / (2 s'^2) - 1/2, summed over the entries.
     """
@@ -72,7 +72,7 @@ def divergence(
 
 
 def _start(net: Actor, gain: float) -> None:
-    """Give a network orthogonal weights, those of its last layer scaled by ``gain``."""
+    """Initialise a network with orthogonal weights, those of its last layer scaled by ``gain``."""
     for layer in (*net.hidden, net.last):
         if isinstance(layer, nn.Linear):
             own = gain if layer is net.last else math.sqrt(2)
@@ -81,5 +81,5 @@ def _start(net: Actor, gain: float) -> None:
 
 
 def _whole(seen: Seen) -> Seen | Tensor:
-    """Return observations as networks take them."""
+    """Convert observations to the form that networks take."""
     return seen.get("", seen)

@@ -1,4 +1,4 @@
-"""A recipe's worlds as one batch on MuJoCo Warp, in place of slots on the CPU's cores."""
+"""A recipe's environments as one batch on MuJoCo Warp, in place of CPU slots."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class BatchConfig:
     """Settings of a recipe's batch, its table ``batch``; see ``TabletopBatchEnv``.
 
     Attributes:
-        device: "cuda", "cuda:<number>" or "cpu" (slow, for tests); the policy learns there, too.
-        scenes: how many scenes are drawn, once for the whole run; None for the usual number, and
-            for all of fixed ones.
-        episodes: how many episodes of each are drawn beforehand.
+        device: "cuda", "cuda:<number>" or "cpu" (slow, for tests), for simulation and training.
+        scenes: number of scenes, drawn once per run; None for the default number, or for all scenes
+            of a fixed source.
+        episodes: number of episodes drawn in advance per scene.
         max_objects: scenes with more objects are left out.
 
     Raises:
-        InputError: a value out of range, or no such device.
+        InputError: a value is out of range, or the device does not exist.
     """
 
     device: str = "cuda"
@@ -46,7 +46,7 @@ def batch_config(recipe: Recipe) -> BatchConfig | None:
     """Return the settings of a recipe's batch; None if it has none.
 
     Raises:
-        InputError: an unknown one, one out of range, or no such device.
+        InputError: a setting is unknown or out of range, or the device does not exist.
     """
     if recipe.batch is None:
         return None
@@ -62,10 +62,11 @@ def batch_config(recipe: Recipe) -> BatchConfig | None:
 def batch_env(
     recipe: Recipe, config: BatchConfig, source: SceneSource, seed: int
 ) -> TabletopBatchEnv:
-    """Return a recipe's worlds as a batch; ``seed`` is of the scenes and episodes drawn for it.
+    """Create a recipe's batch; ``seed`` determines its scenes and episodes.
 
     Raises:
-        InputError: a setting is not for batches, too little memory, or no scene is left.
+        InputError: a setting is not available for batches, memory is insufficient, or no scene is
+            left.
     """
     settings = {key: value for key, value in recipe.env.items() if key != "preset"}
     return TabletopBatchEnv(

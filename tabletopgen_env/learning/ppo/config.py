@@ -1,4 +1,4 @@
-"""What can be set of PPO."""
+"""Settings of PPO."""
 
 from __future__ import annotations
 
@@ -13,21 +13,22 @@ class PPOConfig:
 
     Attributes:
         rollout: steps of each world between updates.
-        epochs: times an update goes over the rollout.
-        minibatches: parts of a rollout, each a gradient step.
-        learning_rate: Adam's at the start.
-        target_kl: the mean KL divergence that the learning rate aims at: it falls where an update
-            moves the policy twice as far, and rises where it moves it half as far. 0 keeps it.
-        gamma: discount of a step.
-        gae_lambda: discount of advantage estimates (Schulman et al. 2016).
-        clip: how far the probability ratio counts.
+        epochs: passes over the rollout per update.
+        minibatches: minibatches per pass, each one gradient step.
+        learning_rate: Adam's initial learning rate.
+        target_kl: target of the mean KL divergence per update. The learning rate decreases if an
+            update exceeds twice the target, and increases if it stays below half of it. 0 keeps it
+            constant.
+        gamma: discount factor per step.
+        gae_lambda: lambda of generalised advantage estimation (Schulman et al. 2016).
+        clip: clipping range of the probability ratio.
         entropy: weight of the entropy bonus.
         value: weight of the value loss.
-        max_grad_norm: gradients of actor and of critic are clipped to this norm.
-        std: standard deviation of the actions at the start; they are clipped to [-1, 1].
+        max_grad_norm: maximum gradient norm, separately for actor and critic.
+        std: initial standard deviation of the actions, which are clipped to [-1, 1].
 
     Raises:
-        InputError: a value out of range.
+        InputError: a value is out of range.
     """
 
     rollout: int = 64

@@ -1,4 +1,4 @@
-"""Proximal policy optimisation (Schulman et al. 2017): collect a rollout, and learn from it."""
+"""Proximal policy optimisation (Schulman et al. 2017): rollouts and updates."""
 
 from __future__ import annotations
 
@@ -25,14 +25,15 @@ FILE = "learner.pt"
 """The file of a checkpoint."""
 
 _RATES = 1e-5, 1e-2
-"""Where an adaptive learning rate stays."""
+"""Range of an adaptive learning rate."""
 
 
 @dataclass(frozen=True)
 class UpdateFigures:
-    """What a rollout and its update came to; ``success`` is a share of episodes, NaN without any.
+    """Statistics of a rollout and its update; ``success`` is a share of episodes, NaN without any.
 
-    Losses and ``kl``, the policy's divergence from what it was, are means of the minibatches.
+    Losses and ``kl``, the divergence from the policy before the update, are means over the
+    minibatches.
     """
 
     policy_loss: float
@@ -44,18 +45,18 @@ class UpdateFigures:
 
 
 class BatchPPO:
-    """Learns from batches of worlds, on any device; the same seed learns the same on a CPU.
+    """PPO on batches of worlds, on any device; on a CPU, equal seeds give equal results.
 
-    Rewards are scaled by 1 - gamma, so that values are of a reward's size whatever the discount.
-    Observations are not normalised: the extractors scale them.
+    Rewards are scaled by 1 - gamma, so that values have the scale of a reward for any discount.
+    Observations are not normalised, since the extractors scale them.
 
     Args:
-        network: what actor and critic are made of.
-        inputs: the observation's parts by name and size.
+        network: architecture of actor and critic.
+        inputs: size of each observation part by name.
         actions: entries of an action.
         config: the settings.
-        seed: of the weights, the actions and the minibatches.
-        device: where it learns.
+        seed: seed of the weights, the actions and the minibatches.
+        device: device of the networks.
     """
 
     def __init__(
@@ -73,9 +74,9 @@ class BatchPPO:
 
     @torch.no_grad()
     def collect(self, worlds: TensorWorlds, seen: Seen) -> tuple[Seen, Rollout]:
-        """Act for a rollout in worlds that show ``seen``.
+        """Collect a rollout in worlds with the current observations ``seen``.
 
-        Return what they show now, and the rollout, which the next one overwrites.
+        Returns the next observations and the rollout; the next call overwrites the rollout.
         """
         config, nets = self.config, self.nets
         own = self._rollout or Rollout.like(seen, len(nets.log_std), config.rollout)
@@ -99,7 +100,7 @@ class BatchPPO:
         return seen, own
 
     def update(self, rollout: Rollout) -> UpdateFigures:
-        """Learn from a rollout."""
+        """Update actor and critic on a rollout."""
         config = self.config
         gains = advantages(
             rollout.rewards, rollout.values, rollout.over, rollout.after, config.gamma,
@@ -127,11 +128,11 @@ class BatchPPO:
 
     @property
     def learning_rate(self) -> float:
-        """Adam's learning rate now."""
+        """The current learning rate of Adam."""
         return float(self.optimiser.param_groups[0]["lr"])
 
     def _step(self, batch: _Batch, rows: Int[Tensor, "b"]) -> Float[Tensor, "3"]:
-        """Take a gradient step; return the losses of policy and value, and the divergence."""
+        """Take a gradient step; return the policy loss, the value loss and the divergence."""
         config, nets = self.config, self.nets
         seen = {name: part[rows] for name, part in batch.seen.items()}
         means, gains = nets.means(seen), batch.gains[rows]
@@ -150,7 +151,7 @@ class BatchPPO:
         return torch.stack([policy_loss.detach(), value_loss.detach(), kl])
 
     def _adapt(self, kl: float) -> None:
-        """Change the learning rate by how far an update has moved the policy."""
+        """Adapt the learning rate to the divergence of the last update."""
         target, (low, high) = self.config.target_kl, _RATES
         rate = self.learning_rate
         if not target:
@@ -165,19 +166,19 @@ class BatchPPO:
     # --------------------------------------------------------------------------------------- keep
 
     def export(self) -> tuple[Actor, Squash]:
-        """Return a copy of the actor on the CPU, and what becomes of its actions."""
+        """Return a copy of the actor on the CPU, and the squashing of its actions."""
         actor = copy.deepcopy(self.nets.actor).cpu()
         actor.eval().requires_grad_(False)
         return actor, "clip"
 
     def write(self, folder: Path, replay: bool) -> None:
         """Write weights, optimiser and random state into a checkpoint's folder."""
-        content = io.BytesIO()  # a full disk is then an OSError
+        content = io.BytesIO()  # so that a full disk raises OSError
         torch.save(self._state(), content)
         (folder / FILE).write_bytes(content.getvalue())
 
     def read(self, folder: Path, counts: Counts) -> bool:
-        """Become what was written, whatever device it was on; return False: nothing is replayed.
+        """Restore a checkpoint from any device; return False, since there is no replay buffer.
 
         Only tensors, numbers and names are read (``weights_only``).
         """
@@ -199,7 +200,7 @@ class BatchPPO:
 
 @dataclass(frozen=True, eq=False)
 class _Batch:
-    """A rollout's steps, one row each, and the deviations that they were drawn with."""
+    """The steps of a rollout, one row each, and the standard deviations of their actions."""
 
     seen: Seen
     actions: Float[Tensor, "m a"]

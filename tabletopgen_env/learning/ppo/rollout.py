@@ -1,4 +1,4 @@
-"""What a batch of worlds went through between two updates, and what it was worth."""
+"""A rollout of a batch of worlds, and its advantages."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ class Rollout:
     """``t`` steps of ``n`` worlds.
 
     Attributes:
-        seen: what was seen before each step, by parts.
-        actions: as they were drawn, before any clipping.
-        means: of the distributions they were drawn from.
+        seen: observations before each step, by parts.
+        actions: sampled actions, before clipping.
+        means: means of the action distributions.
         log_probs: log densities of the actions.
-        values: the critic's estimates of what was seen.
-        rewards: of the steps, scaled as the critic's values are. Where a time limit cut an episode,
-            the discounted value of what was seen last is part of them.
-        over: where an episode ended with the step.
-        solved: where it ended with success.
-        after: the critic's estimates of what is seen after the last step.
+        values: the critic's estimates for ``seen``.
+        rewards: rewards of the steps, scaled like the critic's values. At a time limit they include
+            the discounted value of the episode's last observation.
+        over: whether the step ended an episode.
+        solved: whether the step ended an episode with success.
+        after: the critic's estimates after the last step.
     """
 
     seen: Seen
@@ -40,7 +40,7 @@ class Rollout:
 
     @classmethod
     def like(cls, seen: Seen, actions: int, steps: int) -> Rollout:
-        """Return one of ``steps`` steps to be filled, for worlds that show ``seen``."""
+        """Allocate a rollout of ``steps`` steps for worlds with observations like ``seen``."""
         first = next(iter(seen.values()))
         n = len(first)
 
@@ -63,11 +63,11 @@ def advantages(
     gamma: float,
     gae_lambda: float,
 ) -> Float[Tensor, "t n"]:
-    """Return generalised advantage estimates (Schulman et al. 2016, eq. 16), cut where ``over``.
+    """Compute generalised advantage estimates (Schulman et al. 2016, eq. 16), cut at ``over``.
 
-    ``last`` is the value of what is seen after the last step. The advantage of step k is
-    delta_k + gamma * lambda * advantage_(k + 1), with delta_k = r_k + gamma * V_(k + 1) - V_k;
-    nothing follows a step that ended an episode.
+    ``last`` is the value after the last step. The advantage of step k is delta_k + gamma * lambda *
+    advantage_(k + 1), with delta_k = r_k + gamma * V_(k + 1) - V_k; after the last step of an
+    episode the following terms are 0.
     """
     found = torch.empty_like(rewards)
     ahead, value = torch.zeros_like(last), last

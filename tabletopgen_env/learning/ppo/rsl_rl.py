@@ -1,12 +1,12 @@
-"""A vector environment as ``rsl_rl`` (rsl-rl-lib 5) steps it.
+"""Adapter from vector environments to ``rsl_rl`` (rsl-rl-lib 5).
 
     from rsl_rl.runners import OnPolicyRunner
 
     runner = OnPolicyRunner(RslRlWorlds(env, limit), settings, log_dir)
     runner.learn(1000)
 
-Of observations with parts each part is a group of its name, without parts the group is "policy";
-``obs_groups`` of the runner's settings says which of them actor and critic see.
+Each part of a dict observation is a group of the same name; other observations are the group
+"policy". The runner's setting ``obs_groups`` selects the groups for actor and critic.
 """
 
 from __future__ import annotations
@@ -29,19 +29,19 @@ GROUP = "policy"
 
 
 class RslRlWorlds:
-    """Worlds with what ``rsl_rl.env.VecEnv`` has; its runners ask for no more.
+    """A vector environment with the part of ``rsl_rl.env.VecEnv``'s interface that its runners use.
 
-    Actions are clipped to [-1, 1]. ``rsl_rl`` bootstraps at time limits with the value of what was
-    seen before the last step, so what was seen last is not passed on.
+    Actions are clipped to [-1, 1]. ``rsl_rl`` bootstraps at time limits with the value of the
+    observation before the last step, so final observations are not passed on.
 
     Args:
-        env: any vector environment ``TensorWorlds`` takes.
-        limit: its time limit, in steps. The worlds count for themselves: ``learn`` is to be called
-            with ``init_at_random_ep_len=False``.
-        seed: of the first episodes.
+        env: any vector environment that ``TensorWorlds`` accepts.
+        limit: its time limit, in steps. The adapter counts the steps itself: call ``learn`` with
+            ``init_at_random_ep_len=False``.
+        seed: seed of the first episodes.
 
     Raises:
-        InputError: tensordict is not installed, or the environment resets itself otherwise.
+        InputError: tensordict is not installed, or the environment has another autoreset mode.
     """
 
     def __init__(self, env: VectorEnv[Any, Any, Any], limit: int, seed: int = 0) -> None:
@@ -55,24 +55,26 @@ class RslRlWorlds:
 
     @property
     def episode_length_buf(self) -> Tensor:
-        """Steps of each world's episode so far."""
+        """The number of steps of each world's current episode."""
         return self._lengths
 
     @episode_length_buf.setter
     def episode_length_buf(self, lengths: Tensor) -> None:
-        raise InputError("Worlds count their steps themselves; pass init_at_random_ep_len=False.")
+        raise InputError(
+            "The step counter is read-only; pass init_at_random_ep_len=False to learn."
+        )
 
     def get_observations(self) -> Any:
-        """Return what the worlds show now, a ``TensorDict``."""
+        """Return the current observations as a ``TensorDict``."""
         return _groups(self._seen, self.num_envs)
 
     def step(
         self, actions: Float[Tensor, "n a"]
     ) -> tuple[Any, Float[Tensor, "n"], Bool[Tensor, "n"], dict[str, Any]]:
-        """Step every world; return what they show, their rewards, whose episode is over, and more.
+        """Step all worlds; return observations, rewards, done flags and extras.
 
-        "time_outs" are the worlds cut by the time limit, "log" has the share of the episodes over
-        that ended with success.
+        The extra "time_outs" marks the worlds truncated by the time limit; "log" holds the success
+        rate of the ended episodes.
         """
         step = self.worlds.step(actions.clamp(-1, 1))
         self._lengths = (self._lengths + 1) * ~step.over

@@ -1,4 +1,4 @@
-"""Training a recipe with PPO on a batch of worlds."""
+"""Training of a recipe with PPO on a batch of worlds."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ from .worlds import Seen, TensorWorlds
 
 
 def learn_in_batches(tracker: Tracker, scenes: SceneSource) -> int:
-    """Train on a batch of worlds; return the steps there are now.
+    """Train on a batch of worlds; return the total number of steps.
 
-    All worlds are reset after each evaluation, with seeds that the steps alone decide, so that a
-    run resumed from there learns what an uninterrupted one does.
+    All worlds are reset after each evaluation, with seeds that depend only on the number of steps,
+    so that a resumed run equals an uninterrupted one.
     """
     run, seed = tracker.run, tracker.plan.seed
     config = batch_config(run.recipe)
@@ -58,10 +58,10 @@ def learn_in_batches(tracker: Tracker, scenes: SceneSource) -> int:
 
 
 def ppo_config(recipe: Recipe) -> PPOConfig:
-    """Return a recipe's settings of PPO.
+    """Return a recipe's PPO settings.
 
     Raises:
-        InputError: an unknown one, or one out of range.
+        InputError: a setting is unknown or out of range.
     """
     known = {f.name for f in fields(PPOConfig)}
     for key in recipe.options:
@@ -69,19 +69,19 @@ def ppo_config(recipe: Recipe) -> PPOConfig:
     config = PPOConfig(**recipe.options)
     if recipe.envs * config.rollout < config.minibatches:
         raise InputError(
-            f"{recipe.name}: {recipe.envs * config.rollout} steps a rollout cannot be "
-            f"{config.minibatches} minibatches."
+            f"{recipe.name}: {recipe.envs * config.rollout} steps per rollout cannot be split "
+            f"into {config.minibatches} minibatches."
         )
     return config
 
 
 def new_ppo(recipe: Recipe, like: Any, seed: int, worlds: TensorWorlds | None = None) -> BatchPPO:
-    """Return an untrained learner for what an environment, single or vector, sees and does.
+    """Create an untrained learner for the spaces of a single or vector environment.
 
-    It learns on the device of ``worlds``, without them on the CPU.
+    It trains on the device of ``worlds``, on the CPU if that is None.
 
     Raises:
-        InputError: the recipe has no such option, or observations are pictures or points.
+        InputError: the recipe has an unknown option, or the observations are pictures or points.
     """
     seen = getattr(like, "single_observation_space", like.observation_space)
     acts = getattr(like, "single_action_space", like.action_space)
@@ -93,7 +93,7 @@ def new_ppo(recipe: Recipe, like: Any, seed: int, worlds: TensorWorlds | None = 
 
 
 def _reset(worlds: TensorWorlds, seed: int, steps: int) -> Seen:
-    """Begin episodes that a run's seed and its steps so far decide."""
+    """Reset the worlds with seeds derived from the run's seed and its steps so far."""
     state = np.random.SeedSequence((seed, steps, 6)).generate_state(worlds.count)
     seeds = [int(s) % 2**31 for s in state]
     return worlds.reset(seeds[0] if isinstance(worlds.env, TabletopBatchEnv) else seeds)

@@ -1,4 +1,4 @@
-"""A vector environment as torch sees it, whether its arrays are NumPy's or tensors on a device."""
+"""Vector environments with torch tensors, converted from NumPy arrays if necessary."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from torch import Tensor
 from generator.errors import InputError
 
 Seen = dict[str, Tensor]
-"""Observations by the names of their parts, a row a world; "" names one that has no parts."""
+"""Observations by part, one row per world; the name "" stands for observations without parts."""
 
 
 @dataclass(frozen=True, eq=False)
 class WorldsStep:
-    """What a step of ``n`` worlds gave; all of it lies on the worlds' device.
+    """The result of a step of ``n`` worlds, on the worlds' device.
 
     Attributes:
-        seen: what the worlds show now, those whose episode ended their new one.
-        rewards: of the step.
-        terminated: whose episode ended by itself.
-        truncated: whose episode was cut by its time limit or since its world had failed, and did
-            not end by itself.
-        cut: the numbers of the truncated worlds.
-        last: what those showed last, a row each.
-        success: which worlds reached their goal with this step.
+        seen: current observations; for worlds whose episode ended, those of the new episode.
+        rewards: rewards of the step.
+        terminated: whether the episode terminated.
+        truncated: whether the episode was cut, by its time limit or because its world failed,
+            without terminating.
+        cut: indices of the truncated worlds.
+        last: the final observations of the truncated worlds, one row each.
+        success: whether the world reached its goal in this step.
     """
 
     seen: Seen
@@ -43,29 +43,31 @@ class WorldsStep:
 
     @property
     def over(self) -> Bool[Tensor, "n"]:
-        """Whose episode is over."""
+        """Whether each episode ended."""
         return self.terminated | self.truncated
 
 
 class TensorWorlds:
-    """Steps a vector environment with tensors.
+    """A vector environment with tensor observations and actions.
 
-    Arrays become tensors without a copy where they lie in the CPU's memory or are tensors already.
+    Arrays in CPU memory become tensors without a copy; tensors are passed through.
 
     Args:
-        env: any vector environment that resets itself within a step. With tensors, it says on which
-            ``device`` they are, and its ``infos["final_obs"]`` has a row for each world.
+        env: any vector environment that resets itself within a step. An environment with tensors
+            must have an attribute ``device``, and its ``infos["final_obs"]`` must have a row for
+            each world.
 
     Raises:
-        InputError: the environment resets itself otherwise.
+        InputError: the environment has another autoreset mode.
     """
 
     def __init__(self, env: VectorEnv[Any, Any, Any]) -> None:
         mode = env.metadata.get("autoreset_mode")
         if mode is not AutoresetMode.SAME_STEP:
             raise InputError(
-                "PPO needs worlds that reset within the step that ends an episode: make them with "
-                f"autoreset_mode='SameStep', not {getattr(mode, 'value', mode)!r}."
+                "PPO needs worlds that reset in the step that ends an episode: create the "
+                "vector environment with autoreset_mode='SameStep', not "
+                f"{getattr(mode, 'value', mode)!r}."
             )
         self.env, self.count = env, env.num_envs
         given = getattr(env, "device", None)
@@ -73,11 +75,11 @@ class TensorWorlds:
         self._tensors = given is not None
 
     def reset(self, seed: int | Sequence[int] | None = None) -> Seen:
-        """Begin an episode in every world; seeds are as ``VectorEnv.reset`` has them."""
+        """Reset all worlds; seeds are as in ``VectorEnv.reset``."""
         return self._observe(self.env.reset(seed=seed)[0])  # pyright: ignore[reportArgumentType]
 
     def step(self, actions: Float[Tensor, "n a"]) -> WorldsStep:
-        """Step every world."""
+        """Step all worlds."""
         given = actions if self._tensors else actions.numpy()
         seen, rewards, terminated, truncated, infos = self.env.step(given)
         terminated, truncated = self._tensor(terminated), self._tensor(truncated)
@@ -99,7 +101,7 @@ class TensorWorlds:
         return {name: self._tensor(part).float() for name, part in parts.items()}
 
     def _last(self, final: Any, cut: Int[Tensor, "k"]) -> Seen:
-        """Return what cut worlds saw last, of rows, of parts with rows, or of one object each."""
+        """Return the final observations of truncated worlds, from rows, parts or object arrays."""
         if isinstance(final, Mapping):
             return {name: self._tensor(part)[cut].float() for name, part in final.items()}
         if isinstance(final, np.ndarray) and final.dtype == object:
@@ -110,7 +112,7 @@ class TensorWorlds:
         return {"": self._tensor(final)[cut].float()}
 
     def _successes(self, infos: Mapping[str, Any], over: Bool[Tensor, "n"]) -> Bool[Tensor, "n"]:
-        """Return which worlds reached their goal; without a word of it, none."""
+        """Return which worlds reached their goal; none if the infos do not say."""
         found = infos.get("success")
         now = torch.zeros_like(over) if found is None else self._tensor(found).bool()
         final = infos.get("final_info", {}).get("success")

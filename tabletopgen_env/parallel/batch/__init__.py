@@ -1,1 +1,1 @@
-"""Thousands of worlds at once, a different table in each, on MuJoCo Warp."""
+"""Batches of thousands of worlds on MuJoCo Warp, with a different table in each."""

@@ -1,4 +1,4 @@
-"""Scenes prepared for a batch: one union model, and for each scene one row of all that differs."""
+"""Banks of scenes for a batch: one union model, and one row of varying fields per scene."""
 
 from __future__ import annotations
 
@@ -19,13 +19,14 @@ from .union.simplification import MOST_PARTS, cap_world
 from .union.slot_union import MODEL_FIELDS, START_FIELDS, Row, SlotUnion
 
 MOST_OBJECTS = 8
-"""Objects that a scene may have unless said otherwise: every world has room for the most that any
-scene has, and pays for it in time and memory."""
+"""Default maximum number of objects per scene. Every world has room for the largest scene, at the
+cost of time and memory.
+"""
 
 
 @dataclass(frozen=True)
 class LeftOut:
-    """A scene that is not in a bank: its place among those given, its name, and why."""
+    """A scene excluded from a bank: its index in the input, its name and the reason."""
 
     source: int
     name: str
@@ -42,35 +43,35 @@ class _Placed:
 
 
 class SceneBank:
-    """Scenes that a ``BatchWorld`` can load, each in its own robot's base frame.
+    """Scenes that a ``BatchWorld`` can load, each in the frame of its own robot's base.
 
-    The first axis of every array is the scene (n), the second of those of objects the slot (s).
-    The worlds are read, and neither changed nor kept.
+    The first axis of every array is the scene (n); the second axis of per-object arrays is the slot
+    (s). The worlds are only read, and no reference to them is kept.
 
     Attributes:
-        union: the model that all scenes fit.
-        scenes: their names.
-        sources: the place of each among the worlds given.
-        left_out: those that are not here, and why.
-        objects: the name of each slot's object, None where the slot is empty.
+        union: the model that fits all scenes.
+        scenes: names of the scenes.
+        sources: index of each scene in ``worlds``.
+        left_out: the excluded scenes, with reasons.
+        objects: name of each slot's object, None for an empty slot.
         rows: the batched fields; see ``slot_union.Row``.
-        filled: which slots hold an object.
-        half_extent: half the box of each slot's object, zeros where there is none, metres.
-        table: the top's height over the base, and half the extents of its outline, the longer
+        filled: whether each slot holds an object.
+        half_extent: half extents of the box of each slot's object, zeros for an empty slot, metres.
+        table: height of the table top above the base, and half extents of its outline, the longer
             first, metres.
-        yaw: the turn of the base in the scene's world frame, radians.
-        looks: the model that draws the scenes, None without pictures.
+        yaw: yaw of the base in the scene's world frame, radians.
+        looks: the model for rendering, None without pictures.
 
     Args:
-        worlds: scenes as they were compiled.
+        worlds: compiled scenes.
         max_objects: scenes with more objects are left out.
-        max_parts: convex parts that an object may have. Where one has more they are merged, and the
-            scene is gated anew, which takes about a second, and left out if it fails. None keeps
-            all parts.
-        shape: the room there is, that of a bank which this one is to take the place of; scenes that
-            do not fit are left out. None makes room for all.
+        max_parts: maximum number of convex parts per object. Parts of objects with more are merged,
+            and the gate runs on the scene again, which takes about a second; a scene that fails is
+            left out. None keeps all parts.
+        shape: shape of the union model, that of a bank which this bank will replace; scenes that do
+            not fit are left out. None fits all scenes.
         robot: the robot of the worlds; None for ``Panda()``.
-        pictures: whether the scenes are to be drawn.
+        pictures: whether to prepare the scenes for rendering.
 
     Raises:
         InputError: no scene is left, a limit is out of range, or a world has another robot.
@@ -122,14 +123,14 @@ class SceneBank:
 
     @property
     def slots(self) -> int:
-        """How many slots every world has."""
+        """The number of slots of every world."""
         return len(self.union.shape.slots)
 
     def slot(self, scene: int, name: str) -> int:
-        """Return the slot of the object ``name`` in the scene of that number.
+        """Return the slot of the object ``name`` in the scene with index ``scene``.
 
         Raises:
-            InputError: there is no such object.
+            InputError: the scene has no such object.
         """
         there = [o for o in self.objects[scene] if o is not None]
         require_known(name, there, f"Scene {self.scenes[scene]!r} has no object")
@@ -139,13 +140,13 @@ class SceneBank:
 def _read(
     worlds: Iterable[World], most_objects: int, most_parts: int | None, robot: Panda, looks: bool
 ) -> tuple[dict[int, SceneContent], list[LeftOut]]:
-    """Return the scenes within the limits, by their places among the worlds, and the others."""
+    """Return the scenes within the limits, by index in ``worlds``, and the excluded scenes."""
     contents: dict[int, SceneContent] = {}
     left_out: list[LeftOut] = []
     for k, world in enumerate(worlds):
         name, count = world.scene.name, len(world.names)
         if count > most_objects:
-            reason = f"it has {count} objects and max_objects is {most_objects}"
+            reason = f"it has {count} objects, but max_objects is {most_objects}"
             left_out.append(LeftOut(k, name, reason))
             continue
         try:
@@ -158,7 +159,7 @@ def _read(
 
 
 def _unfit(contents: dict[int, SceneContent], placed: list[_Placed]) -> list[LeftOut]:
-    """Return the scenes that were not placed."""
+    """Return the scenes that do not fit the given shape."""
     reason = "it has more objects or collision parts than the given shape has room for"
     unfit = contents.keys() - {scene.source for scene in placed}
     return [LeftOut(k, contents[k].name, reason) for k in unfit]
@@ -179,7 +180,7 @@ def _names(scene: _Placed, slots: int) -> tuple[str | None, ...]:
 
 
 def _stack(rows: list[Row]) -> Row:
-    """Return the rows as arrays with the scene as first axis, in MuJoCo Warp's precision."""
+    """Stack the rows into arrays with the scene as first axis, in MuJoCo Warp's precision."""
     stacked = {}
     for field in (*MODEL_FIELDS, *START_FIELDS):
         array = np.stack([row[field] for row in rows])
@@ -193,6 +194,6 @@ def _nothing_left(left_out: tuple[LeftOut, ...]) -> str:
     some = "; ".join(f"{scene.name!r}: {scene.reason}" for scene in left_out[:3])
     more = f"; and {len(left_out) - 3} more" if len(left_out) > 3 else ""
     return (
-        f"No scene is left for the bank of the {len(left_out)} given ({some}{more}). Give scenes "
-        "with fewer objects, or raise max_objects."
+        f"None of the {len(left_out)} scenes fits the bank ({some}{more}). Use scenes with "
+        "fewer objects, or raise max_objects."
     )

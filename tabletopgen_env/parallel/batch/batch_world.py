@@ -1,4 +1,4 @@
-"""Many worlds stepped together, a different table in each: what ``World`` is for one."""
+"""Many worlds stepped together, with a different table in each: the batched ``World``."""
 
 from __future__ import annotations
 
@@ -20,40 +20,42 @@ from .union.contacts import TouchReader
 from .union.slot_union import START_FIELDS
 
 DIVERGED = 1e10
-"""Positions and velocities beyond this have diverged; it is MuJoCo's own bound (mjMAXVAL)."""
+"""Positions and velocities beyond this value have diverged; the bound is MuJoCo's mjMAXVAL."""
 
 SPOILING = ("NEFC", "NJMAX_NNZ", "BROADPHASE", "NARROWPHASE", "CCD")
-"""Overflows, by MuJoCo Warp's names, after which contacts or constraints are missing. The others
-say that a solver stopped early."""
+"""Overflow bits, by MuJoCo Warp's names, after which contacts or constraints are missing. The other
+bits report that a solver stopped early.
+"""
 
 Indices = Sequence[int] | Int[Tensor, "k"]
 
 
 class BatchWorld:
-    """Scenes of a bank with a robot at each, simulated together.
+    """Scenes of a bank, each with a robot, simulated together.
 
-    It simulates what ``World`` does: the same steps, servos and contacts, in single precision and
-    without sleeping. At first world k holds scene k of the bank, modulo their number. Equal calls
-    on the CPU give equal bytes; on a GPU sums are taken in any order.
+    It simulates as ``World`` does, with the same steps, servos and contacts, but in single
+    precision and without sleeping. Initially world k holds scene k of the bank, modulo the number
+    of scenes. On the CPU, equal calls give identical bytes; on a GPU the order of sums varies.
 
     Attributes:
         bank: the scenes.
-        num_worlds: how many worlds there are.
-        device: where they are.
-        limits: what there is room for.
-        state: the worlds as tensors; see ``BatchState``.
-        bad: which worlds overflowed or diverged in the last step. What such a world holds means
-            nothing until it is loaded again; the others are not affected.
+        num_worlds: number of worlds.
+        device: device of the worlds.
+        limits: limits on contacts and constraints.
+        state: the state of the worlds as tensors; see ``BatchState``.
+        bad: which worlds overflowed or diverged in the last step. The state of such a world is
+            meaningless until it is loaded again; other worlds are not affected.
 
     Args:
         bank: the scenes.
-        num_worlds: how many worlds.
+        num_worlds: number of worlds.
         device: "cuda", "cuda:<number>" or "cpu".
-        limits: what there is room for; None for ``BatchLimits.of(bank)``.
+        limits: limits on contacts and constraints; None for ``BatchLimits.of(bank)``.
 
     Raises:
-        InputError: no such device, not enough memory (the message says how many worlds fit), the
-            extra ``gpu`` is missing or of another version than MuJoCo, or fewer than one world.
+        InputError: the device does not exist, memory is insufficient (the message says how many
+            worlds fit), the extra ``gpu`` is missing or does not match the version of MuJoCo, or
+            ``num_worlds`` is below 1.
     """
 
     def __init__(
@@ -83,26 +85,27 @@ class BatchWorld:
 
     @property
     def overflows(self) -> int:
-        """How often a world has needed more contacts or rows than there is room for."""
+        """The number of times a world needed more contacts or rows than available."""
         return int(self._counts[0])
 
     @property
     def divergences(self) -> int:
-        """How often a world has diverged without an overflow."""
+        """The number of times a world has diverged without an overflow."""
         return int(self._counts[1])
 
     def swap(self, bank: SceneBank) -> None:
-        """Take a bank of the same shape in place of the present one; nothing is compiled.
+        """Replace the bank with one of the same shape, without recompilation.
 
-        Every world begins anew, world k with scene k modulo their number. ``state`` stays valid.
+        Every world restarts, world k with scene k modulo the number of scenes. ``state`` stays
+        valid.
 
         Raises:
-            InputError: the bank has another shape; make it with ``shape=``.
+            InputError: the bank has another shape; create it with ``shape=``.
         """
         if bank.union.shape != self.bank.union.shape:
             raise InputError(
-                "The new bank has another shape than the one it is to take the place of. Make it "
-                "with SceneBank(worlds, shape=old.union.shape)."
+                "The new bank differs in shape from the current one. Create it with "
+                "SceneBank(worlds, shape=old.union.shape)."
             )
         self._simulator.exchange(bank.union.model)
         self._take(bank)
@@ -115,18 +118,18 @@ class BatchWorld:
         qpos: Float[Tensor, "k nq"] | None = None,
         ctrl: Float[Tensor, "k 8"] | None = None,
     ) -> None:
-        """Put a scene of the bank into each of some worlds, at rest. The others stay bit-equal.
+        """Load a scene of the bank, at rest, into each of some worlds. Other worlds do not change.
 
-        Indices on a GPU are not checked, for that would wait for it.
+        Indices on a GPU are not checked, since that would force a synchronisation.
 
         Args:
-            worlds: which worlds, none twice.
-            scenes: the number of each one's scene.
-            qpos: where everything is; None for the scenes' own poses and the robot at home.
-            ctrl: the commands; None for those that hold the robot at home.
+            worlds: indices of the worlds, without duplicates.
+            scenes: index of each world's scene.
+            qpos: initial joint positions; None for the scenes' poses and the robot at home.
+            ctrl: initial commands; None to hold the robot at home.
 
         Raises:
-            InputError: there is no such world or scene, or as many of both.
+            InputError: an index is out of range, or ``worlds`` and ``scenes`` differ in length.
         """
         at = self._indices("worlds", worlds, self.num_worlds)
         of = self._indices("scenes", scenes, len(self.bank))
@@ -151,11 +154,11 @@ class BatchWorld:
     def step(self, ctrl: Float[Tensor, "w 8"], substeps: int) -> Bool[Tensor, "w"]:
         """Simulate ``substeps`` steps of ``TIMESTEP`` seconds in every world; return ``bad``.
 
-        The arm's servo commands move evenly from the last call's to ``ctrl``, as ``World.step``
-        says; the gripper's is there at once.
+        The arm's servo commands are interpolated from the last call's to ``ctrl``, as in
+        ``World.step``; the gripper's command changes at once.
 
         Raises:
-            InputError: ``ctrl`` is not eight commands for each world; ``substeps`` is below 1.
+            InputError: ``ctrl`` is not eight commands per world, or ``substeps`` is below 1.
         """
         require_number("step needs substeps", substeps, minimum=1, integer=True)
         if tuple(ctrl.shape) != (self.num_worlds, 8):
@@ -179,7 +182,7 @@ class BatchWorld:
     # -------------------------------------------------------------------------------------- parts
 
     def _take(self, bank: SceneBank) -> None:
-        """Load a bank's scenes, one after the other, into all worlds."""
+        """Load a bank's scenes, in order and repeatedly, into all worlds."""
         self.bank = bank
         shapes = {**self._arrays, **self._simulator.fields}
         self._rows = {
@@ -190,15 +193,15 @@ class BatchWorld:
         self.load(range(self.num_worlds), [k % len(bank) for k in range(self.num_worlds)])
 
     def _indices(self, name: str, given: Indices, count: int) -> Int[Tensor, "k"]:
-        """Return indices on the device; those that are not there yet are checked."""
+        """Return indices on the device, checked if they come from the host."""
         at = torch.as_tensor(given, dtype=torch.long)
         if at.device.type == "cpu" and len(at) and not 0 <= at.min() <= at.max() < count:
             wrong = sorted({k for k in at.tolist() if not 0 <= k < count})
-            raise InputError(f"There are {name} 0 to {count - 1}, got {wrong[:5]}.")
+            raise InputError(f"Valid {name} are 0 to {count - 1}, got {wrong[:5]}.")
         return at.to(self.device)
 
     def _update_poses(self, at: Int[Tensor, "k"]) -> None:
-        """Let poses follow the joints in some worlds; those of the others are kept."""
+        """Update the poses of some worlds from their joints; poses of other worlds are kept."""
         before = {name: self._arrays[name].clone() for name in POSES}
         self._simulator.update_poses()
         for name, array in before.items():
@@ -206,15 +209,15 @@ class BatchWorld:
             self._arrays[name].copy_(array)
 
     def _feel(self) -> None:
-        """Note what the robot touches."""
+        """Update which objects the robot touches."""
         contacts = [self._arrays[name] for name in ("contact.geom", "contact.worldid", "nacon")]
         self.state.touches.copy_(self._touching.read(contacts[0], contacts[1], contacts[2]))
 
     def _judge(self) -> None:
-        """Note which worlds overflowed or diverged in the last step."""
+        """Mark the worlds that overflowed or diverged in the last step."""
         overflowed = (self._arrays["overflow"] & self._spoiling) != 0
         sound = torch.ones_like(self.bad)
         for name in ("qpos", "qvel"):
-            sound &= (self._arrays[name].abs() < DIVERGED).all(1)  # False where not a number
+            sound &= (self._arrays[name].abs() < DIVERGED).all(1)  # False for NaN
         torch.logical_or(overflowed, ~sound, out=self.bad)
         self._counts += torch.stack([overflowed.sum(), (self.bad & ~overflowed).sum()])

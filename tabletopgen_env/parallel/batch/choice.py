@@ -1,4 +1,4 @@
-"""Which of a deck's episodes come next: all equally likely, or by a curriculum."""
+"""The choice of the next episodes of a deck: uniform, or by a curriculum."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from ...scenes.lookup import graded_of
 
 
 class EpisodeChoice:
-    """Draws episodes of a deck, on the host, and remembers which world plays which.
+    """Draws episodes of a deck on the host and records which world plays which.
 
-    A bin of difficulty is drawn by ``sampler``, which knows how many episodes the deck has of each,
-    then one of its episodes, all equally likely. What episodes came to stays with the sampler when
-    another deck is held.
+    ``sampler`` draws a bin of difficulty, weighted by the deck's number of episodes per bin; then
+    one of the bin's episodes is drawn uniformly. Success rates stay with the sampler when the deck
+    changes.
 
     Args:
-        sampler: the success rates by difficulty; one with a single bin draws uniformly.
-        worlds: how many worlds play.
-        seed: of the draws, until ``restart``.
+        sampler: success rates by difficulty; a sampler with a single bin draws uniformly.
+        worlds: number of worlds.
+        seed: seed of the draws, until ``restart``.
     """
 
     def __init__(self, sampler: DifficultySampler, worlds: int, seed: int) -> None:
@@ -30,18 +30,18 @@ class EpisodeChoice:
         self.restart(seed)
 
     def restart(self, seed: int) -> None:
-        """Draw by a seed from now on; the success rates stay."""
+        """Reseed the draws; the success rates are kept."""
         self._rng = np.random.default_rng((seed, 9))
 
     def hold(self, difficulties: Float[np.ndarray, "e"]) -> None:
-        """Draw among episodes of these difficulties; no world plays one of them yet."""
+        """Draw from episodes of these difficulties from now on; no world plays one of them yet."""
         self._bins = self.sampler.bins(difficulties)
         self._by_bin = np.argsort(self._bins, kind="stable")
         self._counts = np.bincount(self._bins, minlength=len(self.sampler.counts))
         self._playing[:] = -1
 
     def draw(self, worlds: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:
-        """Draw an episode for each of some worlds; return their rows in the deck."""
+        """Draw an episode for each of some worlds; return the rows in the deck."""
         bins = self.sampler.sample(self._rng, len(worlds), self._counts)
         within = (self._rng.random(len(worlds)) * self._counts[bins]).astype(int)
         rows = self._by_bin[(np.cumsum(self._counts) - self._counts)[bins] + within]
@@ -49,17 +49,17 @@ class EpisodeChoice:
         return rows
 
     def forget(self, worlds: Int[np.ndarray, "k"]) -> None:
-        """Let some worlds play what was not drawn: how they end is not recorded."""
+        """Mark worlds as playing an episode that was not drawn, whose result is not recorded."""
         self._playing[worlds] = -1
 
     def record(self, ended: Bool[np.ndarray, "w"], successes: ArrayLike) -> None:
-        """Take the ends of episodes into account, in the worlds of which one has ended."""
+        """Record the results of episodes, in the worlds whose episode has ended."""
         told = np.asarray(ended, bool) & (self._playing >= 0)
         self.sampler.record(self._bins[self._playing[told]], np.asarray(successes)[told])
 
 
 def sampler_of(scenes: SceneChoice) -> DifficultySampler:
-    """Return the sampler that ``scenes`` mean, the curriculum's own; a single bin without one."""
+    """Return the sampler of a curriculum; for other scenes, one with a single bin."""
     if isinstance(scenes, CurriculumScenes):
         return scenes.sampler
     if isinstance(scenes, str) and graded_of(scenes) is not None:

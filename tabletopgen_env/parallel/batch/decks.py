@@ -1,4 +1,4 @@
-"""A bank of scenes with episodes drawn for them, made here or in the background."""
+"""Decks: a bank of scenes with its drawn episodes, built here or in the background."""
 
 from __future__ import annotations
 
@@ -28,24 +28,25 @@ from .union.shape import UnionShape
 from .union.simplification import MOST_PARTS
 
 SCENES = 64
-"""Scenes that are drawn from a source that makes them, unless said otherwise."""
+"""Default number of scenes drawn from a source that generates them."""
 
 
 @dataclass(frozen=True)
 class DeckConfig:
-    """How many scenes and episodes there are, and of what size.
+    """Number of scenes and episodes, and limits on their size.
 
     Args:
-        scenes: how many scenes are drawn from a source that makes them; None for ``SCENES``, and
-            for all of fixed ones.
-        episodes: how many episodes of each scene are drawn.
-        max_parts: convex parts of an object beyond that number are merged; None for none.
-        seed: of all draws.
-        workers: processes that make fresh scenes; the deck does not depend on them.
-        ray: address of a Ray cluster whose processes these are, None for this machine.
+        scenes: number of scenes drawn from a source that generates them; None for ``SCENES``, or
+            for all scenes of a fixed source.
+        episodes: number of episodes drawn per scene.
+        max_parts: maximum number of convex parts per object; further parts are merged. None for no
+            limit.
+        seed: seed of all draws.
+        workers: number of processes that generate fresh scenes; the deck does not depend on it.
+        ray: address of a Ray cluster for these processes, None for this machine.
 
     Raises:
-        InputError: a number out of range.
+        InputError: a number is out of range.
     """
 
     scenes: int | None = None
@@ -68,9 +69,10 @@ class DeckConfig:
 
 @dataclass(frozen=True, eq=False)
 class Deck:
-    """A bank, and the episodes of each world that it was made of.
+    """A bank, and the episodes of each of its source worlds.
 
-    ``idle`` are the scenes that offer nothing to do; those that the bank left out it names itself.
+    ``idle`` lists the scenes without a valid task; ``bank.left_out`` lists the scenes excluded from
+    the bank.
     """
 
     bank: SceneBank
@@ -80,10 +82,10 @@ class Deck:
 
 @dataclass(frozen=True, eq=False)
 class DeckPlan:
-    """What decks are made of: see ``TabletopBatchEnv``, whose arguments these are.
+    """Settings of decks: see ``TabletopBatchEnv``, which has the same arguments.
 
     Raises:
-        InputError: a setting is wrong, or not for batches.
+        InputError: a setting is invalid, or not available for batches.
     """
 
     scenes: SceneChoice
@@ -95,31 +97,30 @@ class DeckPlan:
     def __post_init__(self) -> None:
         config = read_settings(self.settings)
         if config.render.mode is not None:
-            raise InputError("A batch does not render; leave render_mode out.")
+            raise InputError("A batch cannot render; remove render_mode.")
         chosen = randomization.resolve(config.randomization)
         if on := [switch for switch in SWITCHES if switch != "start" and chosen.is_on(switch)]:
-            raise InputError(
-                f"A batch randomises the start alone (randomization='starts'), not {', '.join(on)}."
-            )
+            raise InputError(f"A batch supports only randomization='starts', not {', '.join(on)}.")
         check_core(config, "A batch", ("state", "goal", "pixels", "pixels+state"))
         if self.draws:
             _check_views(config.observation)
 
     @property
     def draws(self) -> bool:
-        """Whether observations have pictures."""
+        """Whether observations include pictures."""
         return read_settings(self.settings).observation.mode.startswith("pixels")
 
     def make(self, seed: int, shape: UnionShape | None = None) -> Deck:
-        """Draw scenes and episodes; ``shape`` is the room that scenes have to fit into.
+        """Draw scenes and episodes; ``shape`` is the shape that scenes must fit.
 
         Raises:
             InputError: no scene is left.
-            BundleError: no bundle fits, or one is damaged.
-            BackendError: no Ray.
-            SceneError: a fresh scene cannot be made, or a process has ended abruptly.
+            BundleError: no bundle matches, or one is damaged.
+            BackendError: Ray is not available.
+            SceneError: a fresh scene cannot be generated, or a process ended unexpectedly.
         """
-        seen = {"observation", *(f.name for f in fields(ObservationConfig))}  # not looked at here
+        # observations are not used here
+        seen = {"observation", *(f.name for f in fields(ObservationConfig))}
         settings = {name: value for name, value in self.settings.items() if name not in seen}
         env = TabletopEnv(task=self.task, scenes=self.task.scenes, **settings)
         draw = EpisodeDraw(env, self.config.episodes, seed)
@@ -137,9 +138,10 @@ class DeckPlan:
         return Deck(bank, draw.episodes, tuple(draw.left_out))
 
     def _refs(self, seed: int) -> Generator[SceneRef, None, None]:
-        """Yield fixed scenes, or as many as are wanted that are drawn.
+        """Yield all scenes of a fixed source, or the requested number of drawn scenes.
 
-        Those of a curriculum come from its source: which are played next is the batch's choice.
+        The scenes of a curriculum come from its source; the batch chooses which of them to play
+        next.
         """
         source, config = resolve(self.scenes, self.task.needs, self.task.scenes), self.config
         drawing = source.scenes if isinstance(source, CurriculumScenes) else source
@@ -159,12 +161,12 @@ class DeckPlan:
 
 
 class DeckOrder:
-    """A deck that a process of its own makes.
+    """A deck being built in a separate process.
 
     Args:
-        plan: of what.
-        seed: of its draws.
-        shape: the room that its scenes have to fit into.
+        plan: settings of the deck.
+        seed: seed of its draws.
+        shape: the shape that its scenes must fit.
     """
 
     def __init__(self, plan: DeckPlan, seed: int, shape: UnionShape) -> None:
@@ -173,14 +175,14 @@ class DeckOrder:
 
     @property
     def ready(self) -> bool:
-        """Whether it is made, or has failed."""
+        """Whether the deck is complete, or has failed."""
         return self._made.done()
 
     def result(self) -> Deck:
-        """Return the deck, once it is made; the process ends.
+        """Wait for the deck and return it; the process ends.
 
         Raises:
-            SceneError: the process has ended abruptly.
+            SceneError: the process ended unexpectedly.
             InputError, BundleError: as ``DeckPlan.make``.
         """
         try:
@@ -189,18 +191,18 @@ class DeckOrder:
             self.close()
 
     def close(self) -> None:
-        """End the process, whether it is done or not."""
+        """End the process, even if it is not done."""
         self._pool.close()
 
 
 def _check_views(views: ObservationConfig) -> None:
-    """Check that a batch can draw what is asked for."""
+    """Check that a batch can render the requested observations."""
     if tuple(views.kinds) != ("rgb",):
-        raise InputError("A batch's pictures have colours alone; leave kinds out, or ['rgb'].")
+        raise InputError("A batch's pictures are RGB only; remove kinds, or set it to ['rgb'].")
     if len(set(views.sizes.values())) > 1:
-        raise InputError("A batch's pictures are all of one size; give image_size one number.")
+        raise InputError("A batch's pictures all have the same size; set image_size to one number.")
     if views.instruction != "none" or views.target_mark != "none" or views.calibration:
         raise InputError(
-            "A batch shows neither instructions nor marks nor calibrations; leave instruction, "
-            "target_mark and calibration out."
+            "A batch does not support instructions, target marks or calibrations; remove "
+            "instruction, target_mark and calibration."
         )

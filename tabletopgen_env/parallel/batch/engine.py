@@ -1,4 +1,4 @@
-"""MuJoCo Warp as a batch uses it: found or asked for, its version, devices and their memory."""
+"""MuJoCo Warp for batches: import, version check, devices and their memory."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _PACKAGES = ("mujoco-warp", "warp-lang")
 
 @dataclass(frozen=True)
 class Engine:
-    """The modules ``warp`` and ``mujoco_warp``. They are imported here and nowhere else.
+    """The modules ``warp`` and ``mujoco_warp``. They are imported only here.
 
-    Warp compiles its kernels on first use, which takes a minute, and keeps them in a folder of the
-    user's cache, or in ``$WARP_CACHE_PATH``.
+    Warp compiles its kernels on first use, which takes a minute, and caches them in a folder of the
+    user's cache or in ``$WARP_CACHE_PATH``.
     """
 
     warp: ModuleType
@@ -33,10 +33,10 @@ class Engine:
 
     @classmethod
     def load(cls) -> Engine:
-        """Import them, with Warp's reports of what it compiles turned off.
+        """Import the modules, with Warp's compilation messages disabled.
 
         Raises:
-            InputError: the extra ``gpu`` is not installed, or not for this version of MuJoCo.
+            InputError: the extra ``gpu`` is not installed, or does not match the version of MuJoCo.
         """
         _check_versions()
         try:
@@ -48,17 +48,17 @@ class Engine:
 
 
 def _check_versions() -> None:
-    """Check that MuJoCo Warp is there, and made for the MuJoCo that is."""
+    """Check that MuJoCo Warp is installed and matches the version of MuJoCo."""
     found = {name: _version(name) for name in ("mujoco", *_PACKAGES)}
     if missing := [name for name in _PACKAGES if found[name] is None]:
         raise InputError(
-            f"Batched worlds run on MuJoCo Warp, and {' and '.join(missing)} "
+            f"Batched worlds need MuJoCo Warp, but {' and '.join(missing)} "
             f"{'is' if len(missing) == 1 else 'are'} not installed: {PIP}."
         )
     if found["mujoco"] != found["mujoco-warp"]:
         raise InputError(
-            f"mujoco {found['mujoco']} and mujoco-warp {found['mujoco-warp']} are installed, and "
-            f"they have to be of one version: {PIP}."
+            f"mujoco {found['mujoco']} and mujoco-warp {found['mujoco-warp']} are installed, "
+            f"but their versions must be equal: {PIP}."
         )
 
 
@@ -70,10 +70,10 @@ def _version(package: str) -> str | None:
 
 
 def find_device(name: str | torch.device) -> torch.device:
-    """Return the device ``name``: "cuda", "cuda:1", or "cpu".
+    """Return the device ``name``: "cuda", "cuda:1" or "cpu".
 
     Raises:
-        InputError: there is no such device here.
+        InputError: the device does not exist.
     """
     try:
         device = torch.device(name)
@@ -84,29 +84,29 @@ def find_device(name: str | torch.device) -> torch.device:
     if device.type == "cpu":
         return torch.device("cpu")
     if device.type != "cuda":
-        raise InputError(f"Worlds are simulated on 'cuda' or 'cpu', not on {str(device)!r}.")
+        raise InputError(f"Worlds can be simulated on 'cuda' or 'cpu', not on {str(device)!r}.")
     count = torch.cuda.device_count() if torch.cuda.is_available() else 0
     number = device.index or 0
     if number >= count:
         here = f"only {count} CUDA devices" if count else "no CUDA device that torch can use"
         raise InputError(
-            f"device={str(device)!r} was asked for, and there is {here}: install a CUDA build of "
-            "torch and a driver, or take device='cpu' (slow, for tests)."
+            f"device={str(device)!r} is not available, there is {here}: install a CUDA build "
+            "of torch and a driver, or use device='cpu' (slow, for tests)."
         )
     return torch.device("cuda", number)
 
 
 def to_device(array: np.ndarray, device: torch.device) -> Tensor:
-    """Return an array on a device, floats in single precision."""
+    """Return an array as a tensor on a device, floats in single precision."""
     made = torch.as_tensor(array, device=device)
     return made.float() if made.is_floating_point() else made
 
 
 def free_bytes(device: torch.device) -> int:
-    """Return how much memory of a device is free, bytes."""
+    """Return the free memory of a device, bytes."""
     if device.type == "cuda":
         return torch.cuda.mem_get_info(device)[0]
     told = Path("/proc/meminfo")
     if told.exists() and (found := re.search(r"MemAvailable:\s+(\d+) kB", told.read_text())):
-        return int(found[1]) * 1024  # with what the page cache gives back
+        return int(found[1]) * 1024  # including reclaimable page cache
     return os.sysconf("SC_AVPHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")

@@ -1,4 +1,4 @@
-"""Many worlds as one Gymnasium vector environment on torch tensors, a different table in each."""
+"""A Gymnasium vector environment of many worlds on torch tensors, each with a different table."""
 
 from __future__ import annotations
 
@@ -41,51 +41,53 @@ _DECK = DeckConfig()
 
 
 class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
-    """``num_envs`` worlds, each with a generated table of its own, stepped together on one device.
+    """A vector environment of ``num_envs`` worlds with generated tables, stepped on one device.
 
-    What ``TabletopVectorEnv`` is for a CPU's cores, for a GPU: observations, rewards and flags are
-    torch tensors on ``device``, and an episode that ends is followed by another one, at another
-    table, within the same step (``AutoresetMode.SAME_STEP``): ``infos["final_obs"]`` is what was
-    seen before, for the worlds of ``infos["_final_obs"]``. Every ``reset`` draws among
-    ``deck.episodes`` episodes of each scene, which ``TabletopEnv`` drew beforehand.
+    It is the GPU counterpart of ``TabletopVectorEnv``. Observations, rewards and flags are torch
+    tensors on ``device``. When an episode ends, another one starts at another table within the same
+    step (``AutoresetMode.SAME_STEP``): ``infos["final_obs"]`` holds the last observations for the
+    worlds of ``infos["_final_obs"]``. Every ``reset`` draws from ``deck.episodes`` episodes per
+    scene, which ``TabletopEnv`` drew in advance.
 
-    ``infos`` holds, as tensors with one row a world, "reward_terms" by name, "success" (and
-    "is_success"), "goals" (the active goal's index, and how many there are), "episode_row" (its row
-    in ``episodes``), and "failed": worlds that overflowed or diverged. Such a world's episode is
-    truncated with the least reward, counted (``failures``) and followed by another; the others go
-    on. In a step that ends episodes, "final_info" holds the same of these, all else is of those
-    that have begun.
+    ``infos`` holds tensors with one row per world: "reward_terms" by name, "success" (and
+    "is_success"), "goals" (index of the active goal, and number of goals), "episode_row" (row in
+    ``episodes``), and "failed" (worlds that overflowed or diverged). The episode of a failed world
+    is truncated with the minimum reward, counted in ``failures`` and followed by another one; other
+    worlds continue. In a step that ends episodes, "final_info" holds the infos of the ended
+    episodes, and the other entries those of the new ones.
 
-    A world simulates in single precision and without sleeping; otherwise it is ``TabletopEnv``'s.
+    Worlds are simulated in single precision and without sleeping; otherwise they equal those of
+    ``TabletopEnv``.
 
     Args:
-        num_envs: how many worlds.
-        scenes: where tables come from, as for ``env.make_env``. Of a curriculum the deck is drawn
-            from the source that it is one of, and episodes by their difficulty and by how others
-            have ended (``sampler``).
-        task: what to do; see ``env.make_env``.
+        num_envs: number of worlds.
+        scenes: source of the tables, as in ``env.make_env``. For a curriculum, the deck is drawn
+            from the curriculum's own source, and episodes by difficulty and by earlier results
+            (``sampler``).
+        task: the task; see ``env.make_env``.
         device: "cuda", "cuda:<number>" or "cpu" (slow, for tests).
-        max_objects: scenes with more objects are left out; ``bank.left_out`` names them.
-        deck: how many scenes and episodes are drawn beforehand.
-        limits: how many contacts there is room for; None for ``BatchLimits.of`` the bank.
+        max_objects: scenes with more objects are left out and listed in ``bank.left_out``.
+        deck: number of scenes and episodes drawn in advance.
+        limits: limits on contacts; None for ``BatchLimits.of`` the bank.
         max_episode_steps: the time limit; None for the task's.
-        settings: those of ``TabletopEnv``, with ``observation`` "state", "goal", "pixels" or
-            "pixels+state" without a hint, ``kinds`` ("rgb",), and ``randomization`` None or one of
-            the start alone.
+        settings: settings of ``TabletopEnv``, with ``observation`` "state", "goal", "pixels" or
+            "pixels+state" without a hint, ``kinds`` ("rgb",), and ``randomization`` None or of the
+            start only.
 
     Attributes:
-        world: the simulated worlds, ``world.state`` as tensors.
+        world: the simulated worlds, with ``world.state`` as tensors.
         episodes: the episodes that resets draw from.
-        sampler: success rates by difficulty, the curriculum's own if ``scenes`` is one, else of a
-            single bin. Every episode that was drawn and has run to its time limit counts; a
-            ``reset`` or a ``swap`` keeps the counts.
-        idle: scenes that offer nothing to do.
-        failures: how many episodes have failed.
+        sampler: success rates by difficulty: the curriculum's own if ``scenes`` is one, otherwise
+            with a single bin. Every drawn episode that reaches its time limit counts; ``reset`` and
+            ``swap`` keep the counts.
+        idle: scenes without a valid task.
+        failures: number of failed episodes.
 
     Raises:
-        InputError: a setting is wrong or not for batches, no device, too little memory, the extra
-            ``gpu`` is missing or of another version, or no scene is left.
-        BundleError: no bundle fits ``scenes``.
+        InputError: a setting is invalid or not available for batches, the device does not exist,
+            memory is insufficient, the extra ``gpu`` is missing or of another version, or no scene
+            is left.
+        BundleError: no bundle matches ``scenes``.
     """
 
     def __init__(
@@ -141,23 +143,24 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         seed: int | list[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Any, dict[str, Any]]:
-        """Start an episode in every world, or in those of the option "reset_mask".
+        """Start an episode in every world, or in the worlds of the option "reset_mask".
 
         Args:
-            seed: of the episodes drawn from now on; one for all worlds.
-            options: "reset_mask", a tensor or an array of bools; "episodes", the rows of
-                ``episodes`` to play, one a world; "steps", how many steps of its time limit each
-                world is to have had already, so that they do not all end at once. Of worlds that
-                are not reset the last two are not looked at.
+            seed: seed of the following draws, one for all worlds.
+            options: "reset_mask", a tensor or array of bools; "episodes", the rows of ``episodes``
+                to play, one per world; "steps", the number of elapsed steps that each world starts
+                with, so that episodes do not all end at once. Entries of the last two are ignored
+                for worlds that are not reset.
 
         Raises:
-            InputError: an unknown option, one of a wrong shape, type or range, several seeds, or
-                some worlds before all have been reset. Nothing has changed then.
+            InputError: an option is unknown or has the wrong shape, type or range, there are
+                several seeds, or ``reset_mask`` is used before all worlds have been reset. The
+                environment is then unchanged.
         """
         options = dict(options or {})
         mask = check_mask(options.pop("reset_mask", None), self.num_envs)
         if self._commands is None and not mask.all():
-            raise InputError("Reset all worlds before some of them.")
+            raise InputError("Reset all worlds once before using reset_mask.")
         rows = check_numbers("episodes", options.pop("episodes", None), mask, len(self.episodes))
         steps = check_numbers("steps", options.pop("steps", None), mask, self._limit)
         for name in options:
@@ -176,13 +179,14 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
     def step(
         self, actions: Float[Tensor, "n a"] | np.ndarray
     ) -> tuple[Any, Float[Tensor, "n"], Bool[Tensor, "n"], Bool[Tensor, "n"], dict[str, Any]]:
-        """Act in every world for 50 ms, or what ``control_hz`` makes of it.
+        """Step every world for 50 ms, or the period set by ``control_hz``.
 
-        A world that fails gets the least reward, and its ``final_obs`` is what it showed before.
+        A world that fails gets the minimum reward, and its ``final_obs`` is its previous
+        observation.
 
         Raises:
-            InputError: actions of a wrong shape or with NaN (the message names the worlds); no
-                ``reset`` before.
+            InputError: the actions have the wrong shape or contain NaN (the message names the
+                worlds), or ``reset`` was not called before.
         """
         if self._commands is None:
             raise InputError("Call reset() before stepping a batch.")
@@ -220,7 +224,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         return observation, reward, torch.zeros_like(truncated), truncated, infos
 
     def close_extras(self, **kwargs: Any) -> None:
-        """End the process that makes other scenes, if there is one."""
+        """End the process that prepares other scenes, if there is one."""
         del kwargs
         if (order := getattr(self, "_coming", None)) is not None:
             order.close()
@@ -230,30 +234,29 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
 
     @property
     def bank(self) -> SceneBank:
-        """The scenes; ``bank.left_out`` names those that are not there."""
+        """The bank of scenes; ``bank.left_out`` lists the excluded ones."""
         return self.world.bank
 
     def prepare(self, seed: int) -> None:
-        """Have a process make other scenes and episodes of the same kind; ``seed`` is of its draws.
+        """Start preparing other scenes and episodes in a background process, drawn with ``seed``.
 
-        Scenes for which this batch has no room are left out. Those that were in the making are
-        given up.
+        Scenes that do not fit this batch are left out. A preparation in progress is cancelled.
         """
         require_seed(seed)
         self.close_extras()
         self._coming = DeckOrder(self._plan, seed, self.bank.union.shape)
 
     def swap(self, wait: bool = False) -> bool:
-        """Take the scenes that were prepared, if they are ready, and tell whether that was done.
+        """Switch to the prepared scenes if they are ready; return whether that was done.
 
-        Nothing is compiled. Every episode is over: call ``reset``.
+        Nothing is recompiled. All episodes are over: call ``reset``.
 
         Args:
-            wait: wait for them.
+            wait: wait until the scenes are ready.
 
         Raises:
-            InputError: nothing was prepared, or none of it fits.
-            SceneError: the process has ended abruptly.
+            InputError: nothing was prepared, or no prepared scene fits.
+            SceneError: the process ended unexpectedly.
         """
         if self._coming is None:
             raise InputError("Call prepare() before swap().")
@@ -279,7 +282,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
     def _begin(self, mask: Bool[Tensor, "n"], rows: Int[Tensor, "n"] | None = None) -> None:
         """Start episodes in some worlds: drawn ones, or ``rows`` of ``episodes``.
 
-        Both are on the host, so that nothing waits for the device but what made it.
+        Both arguments are on the host, to avoid device synchronisation.
         """
         here = torch.nonzero(mask)[:, 0]
         table = self.episodes
@@ -291,7 +294,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         worlds, drawn = here.to(self.device), drawn.to(self.device)
         self._row[worlds] = drawn
         begun = table.take_goals(drawn)
-        for f in fields(begun):  # in place: they are read several times a step, and large
+        for f in fields(begun):  # in place, since they are large and read several times per step
             getattr(self._goals, f.name)[worlds] = getattr(begun, f.name)
         self._steps[worlds], self._active[worlds] = 0, -1
         self.world.load(worlds, table.scene[drawn], qpos=table.qpos[drawn], ctrl=table.ctrl[drawn])
@@ -301,7 +304,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self._commands = restart(before, joints, mask.to(self.device))
 
     def _look(self) -> tuple[Readings, Agreement]:
-        """Return readings and how the goals agree; slots are ordered where a goal became active."""
+        """Return readings and agreement of goals; reorder slots where a goal became active."""
         goals, state = self._goals, self.world.state
         touched = take_rows(state.touches, goals.target)
         seen = Readings(
@@ -335,7 +338,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         bare = mode == "goal"
         extents = self.world.state.half_extent
         states = flat_states(self._goals, seen, self._active, self._order, extents, bare)
-        states = states.nan_to_num(0.0, 0.0, 0.0)  # of a world that has failed
+        states = states.nan_to_num(0.0, 0.0, 0.0)  # for a failed world
         if not bare:
             return {**pictures, "state": states} if pictures else states
         achieved, desired = (v.nan_to_num(0.0, 0.0, 0.0) for v in self._vectors)
@@ -358,17 +361,17 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
 
 
 def _choose(mask: Bool[Tensor, "n"], one: Any, other: Any) -> Any:
-    """Return observations with the rows of ``one`` where ``mask`` says so, else of ``other``."""
+    """Return observations with the rows of ``one`` where ``mask`` is true, else of ``other``."""
     if isinstance(other, dict):
         return {name: _choose(mask, one[name], part) for name, part in other.items()}
     return torch.where(mask.view(-1, *[1] * (other.dim() - 1)), one, other)
 
 
 def time_limit(task: Task) -> int:
-    """Return the time limit that a task, or the one that it is made from, is registered with.
+    """Return the registered time limit of a task, or of the task it is derived from.
 
     Raises:
-        InputError: there is none.
+        InputError: no time limit is registered.
     """
     from ... import STEPS
 

@@ -1,6 +1,6 @@
-"""Episodes drawn beforehand: what a world of a batch is started with.
+"""Episodes drawn in advance, as initial states of a batch's worlds.
 
-They are drawn by ``TabletopEnv`` itself, so targets, goals, certificates and starts are those of
+They are drawn by ``TabletopEnv``, so targets, goals, certificates and initial states equal those of
 the single environment.
 """
 
@@ -28,13 +28,13 @@ from .engine import to_device
 
 @dataclass(frozen=True, eq=False)
 class DrawnEpisode:
-    """One episode of a scene, objects in the scene's own order.
+    """One episode of a scene, with objects in the scene's order.
 
-    ``seed`` draws the same one by ``TabletopEnv.reset``; ``goals`` is one row; ``arm`` are the
-    joints (rad), ``ctrl`` the commands, ``poses`` the objects' positions and quaternions in the
-    base frame, ``spot`` what the first goal marks (base frame, below the floor where it marks
-    nothing), ``instruction`` what is asked for, ``difficulty`` how hard the scene is to work at,
-    with the things that are to be moved (``scenes.difficulty``).
+    ``TabletopEnv.reset`` with ``seed`` draws the same episode. ``goals`` has one row; ``arm`` holds
+    the joints (rad), ``ctrl`` the commands, ``poses`` the objects' positions and quaternions in the
+    base frame, ``spot`` the position of the first goal's marker (base frame; below the floor if
+    there is no marker), ``instruction`` the text, and ``difficulty`` the scene's difficulty with
+    the episode's targets (``scenes.difficulty``).
     """
 
     seed: int
@@ -49,16 +49,16 @@ class DrawnEpisode:
 
 
 class EpisodeDraw:
-    """Draws episodes of scenes, and keeps them by the scene's place among those drawn.
+    """Draws episodes of scenes and stores them by the scenes' indices.
 
     Args:
-        env: whose task, settings and certificates decide.
-        per_scene: episodes of each scene.
-        seed: of all draws.
+        env: environment whose task, settings and certificates are used.
+        per_scene: number of episodes per scene.
+        seed: seed of all draws.
 
     Attributes:
-        episodes: of each scene that offers something to do, in order.
-        left_out: the scenes that do not.
+        episodes: episodes of each scene with a valid task, in order.
+        left_out: the other scenes.
     """
 
     def __init__(self, env: TabletopEnv, per_scene: int, seed: int) -> None:
@@ -70,7 +70,7 @@ class EpisodeDraw:
         self._known: dict[str | None, float] = {}
 
     def worlds(self, refs: Iterable[SceneRef]) -> Iterator[World]:
-        """Yield the world of each scene after its episodes are drawn."""
+        """Yield the world of each scene after drawing its episodes."""
         for number, ref in enumerate(refs):
             scene = ref.load()
             seeds = self._seeds.integers(2**31, size=self._per_scene)
@@ -83,12 +83,14 @@ class EpisodeDraw:
             yield self._env.world
 
     def explain(self, error: InputError) -> InputError:
-        """Return the error of a bank that has no scene, with why scenes offer nothing to do."""
+        """Add to a bank's error the reason why scenes have no valid task."""
         if not self.left_out:
             return error
         first = self.left_out[0]
         count = len(self.left_out)
-        return InputError(f"{error} {count} offered nothing to do, {first.name!r}: {first.reason}")
+        return InputError(
+            f"{error} {count} had no valid task, for example {first.name!r}: {first.reason}"
+        )
 
     def _draw(self, seed: int, ref: SceneRef) -> DrawnEpisode:
         env = self._env
@@ -113,7 +115,7 @@ class EpisodeDraw:
         )
 
     def _rate(self, scene: Scene, target: str | None) -> float:
-        """Return how hard a scene is with a target, each found out once."""
+        """Return the difficulty of a scene with a target, cached per target."""
         if self._scene is not scene:
             self._scene, self._known = scene, {}
         if target not in self._known:
@@ -123,17 +125,17 @@ class EpisodeDraw:
 
 @dataclass(frozen=True, eq=False)
 class EpisodeTable:
-    """Episodes of a bank's scenes on a device, a row each (e); float32.
+    """Episodes of a bank's scenes on a device, one row each (e); float32.
 
     Attributes:
-        scene: number of the scene in the bank.
-        qpos: everything at the start, as the union model orders it.
-        ctrl: the commands at the start.
-        goals: with slots in place of rows of objects.
-        spot: what the first goal marks, base frame, metres.
-        instructions: what is asked for.
-        seeds: of ``TabletopEnv.reset`` that draw the same episodes at the same scenes.
-        difficulty: how hard each is, in [0, 1], on the host.
+        scene: index of the scene in the bank.
+        qpos: initial joint positions, in the order of the union model.
+        ctrl: initial commands.
+        goals: goals, with slots in place of object rows.
+        spot: position of the first goal's marker, base frame, metres.
+        instructions: texts of the instructions.
+        seeds: seeds with which ``TabletopEnv.reset`` draws the same episodes on the same scenes.
+        difficulty: difficulty of each episode in [0, 1], on the host.
     """
 
     scene: Int[Tensor, "e"]
@@ -149,7 +151,7 @@ class EpisodeTable:
     def of(
         cls, bank: SceneBank, episodes: Sequence[Sequence[DrawnEpisode]], device: torch.device
     ) -> EpisodeTable:
-        """Return the episodes of a bank's scenes among those of all worlds it was made of."""
+        """Select the episodes of a bank's scenes from those of all its source worlds."""
         pairs = [(k, one) for k, source in enumerate(bank.sources) for one in episodes[source]]
         blank = GoalRows.blank(len(pairs), pairs[0][1].goals.kind.shape[1], np.float32)
         scene = np.array([k for k, _ in pairs])

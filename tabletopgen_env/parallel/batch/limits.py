@@ -1,4 +1,4 @@
-"""How much each world of a batch may touch at once, and the memory that this takes."""
+"""Limits on the contacts of a batch's worlds, and the memory that they take."""
 
 from __future__ import annotations
 
@@ -17,27 +17,28 @@ from .union.slot_union import MODEL_FIELDS
 if TYPE_CHECKING:
     import mujoco
 
-# What one world takes in which everything has got into everything else: shipped scenes whose
-# objects were all put at one point had up to 500 contacts and 300 pairs.
+# What one world takes if all objects overlap: shipped scenes with all objects at one point had up
+# to 500 contacts and 300 pairs.
 _SPARE_CONTACTS, _SPARE_DEPTHS = 1024, 512
-_EPA_FACES, _EPA_HORIZON = 5, 24  # of MuJoCo Warp's search for the depth of an overlap
-_PER_ROW = 40  # bytes of the solver's work for a constraint row
+_EPA_FACES, _EPA_HORIZON = 5, 24  # of MuJoCo Warp's penetration depth search
+_PER_ROW = 40  # bytes of solver memory per constraint row
 
 
 @dataclass(frozen=True)
 class BatchLimits:
-    """What there is room for.
+    """Limits on contacts and constraints.
 
     Args:
-        contacts: contacts, and pairs of geoms that come near, a world. All worlds share them, so
-            this is what they have on average; a single one may have far more. Where all together
-            have too many, all overflow: it is not known whose contacts are missing.
-        depths: overlaps of convex geoms a world whose depth is searched for, shared likewise.
-        rows: constraint rows of each world, four or six for a contact. A world that needs more
-            overflows.
+        contacts: average number of contacts, and of nearby geom pairs, per world. All worlds share
+            one pool, so a single world can have far more. If the pool overflows, all worlds are
+            marked, since it is unknown whose contacts are missing.
+        depths: average number per world of overlapping convex geoms whose depth is computed, also
+            pooled.
+        rows: maximum number of constraint rows of each world, four or six per contact. A world that
+            needs more overflows.
 
     Raises:
-        InputError: a number is no integer, or less than 1; more depths than contacts.
+        InputError: a number is not an integer or less than 1, or depths exceed contacts.
     """
 
     contacts: int = 128
@@ -55,23 +56,23 @@ class BatchLimits:
     def of(cls, bank: SceneBank) -> BatchLimits:
         """Return limits that suit a bank.
 
-        The shipped scenes of up to 6 objects, all of them dropped by 5 mm at once, have 72
-        contacts and 12 depths on average and 593 rows at most; one of 9 objects has 1,042 rows.
+        The shipped scenes of up to 6 objects, with all objects dropped from 5 mm at once, have 72
+        contacts and 12 depths on average and at most 593 rows; a scene of 9 objects has 1,042 rows.
         """
         return cls() if bank.slots <= 6 else cls(contacts=256, depths=64, rows=1100)
 
     def pools(self, worlds: int) -> tuple[int, int]:
-        """Return how many contacts and depths all worlds share.
+        """Return the number of contacts and depths shared by all worlds.
 
-        Some are spare, so that the others do not lack what one world takes that has broken down.
+        The pools include spare entries, so that one diverging world does not exhaust them.
         """
         return worlds * self.contacts + _SPARE_CONTACTS, worlds * self.depths + _SPARE_DEPTHS
 
 
 def bytes_per_world(bank: SceneBank, limits: BatchLimits) -> int:
-    """Return about how much memory each world of a batch takes, bytes.
+    """Estimate the memory of each world of a batch, bytes.
 
-    It is the state, the batched part of the model, and what a step works with.
+    It includes the state, the batched part of the model, and the working memory of a step.
     """
     model = bank.union.model
     rows = sum(bank.rows[field][0].nbytes for field in MODEL_FIELDS)
@@ -81,22 +82,22 @@ def bytes_per_world(bank: SceneBank, limits: BatchLimits) -> int:
 
 
 def check_memory(bank: SceneBank, limits: BatchLimits, worlds: int, device: torch.device) -> None:
-    """Check that so many worlds fit into the memory of a device.
+    """Check that the worlds fit into the memory of a device.
 
     Raises:
-        InputError: they do not; the message says how many do.
+        InputError: they do not fit; the message says how many do.
     """
     each, free = bytes_per_world(bank, limits), free_bytes(device)
     if worlds * each > free:
         raise InputError(
-            f"{worlds} worlds take about {worlds * each / 2**30:.1f} GiB, and {str(device)!r} has "
-            f"{free / 2**30:.1f} GiB free: at most {free // each} fit. Ask for fewer, or lower "
-            "BatchLimits."
+            f"{worlds} worlds take about {worlds * each / 2**30:.1f} GiB, and {str(device)!r} "
+            f"has {free / 2**30:.1f} GiB free: at most {free // each} fit. Use fewer worlds, "
+            "or lower BatchLimits."
         )
 
 
 def _state_bytes(model: mujoco.MjModel, limits: BatchLimits) -> int:
-    """Return what MuJoCo Warp's data grow by with each world."""
+    """Return the growth of MuJoCo Warp's data per world, bytes."""
     engine = Engine.load()
     with engine.warp.ScopedDevice("cpu"):
         one, two = (
@@ -112,7 +113,7 @@ def _state_bytes(model: mujoco.MjModel, limits: BatchLimits) -> int:
 
 
 def _array_bytes(engine: Engine, values: Any) -> int:
-    """Return the size of all arrays of a dataclass and of those in it."""
+    """Return the size of all arrays of a dataclass, including nested ones."""
     fields = (getattr(values, field.name) for field in dataclasses.fields(values))
     return sum(
         (field.capacity or 0) if isinstance(field, engine.warp.array)
@@ -123,9 +124,9 @@ def _array_bytes(engine: Engine, values: Any) -> int:
 
 
 def _depth_bytes(bank: SceneBank) -> int:
-    """Return what the search for one depth works with: a polytope, and two faces that are clipped.
+    """Return the working memory of one depth search: a polytope and two clipped faces.
 
-    After the arrays that ``mujoco_warp._src.collision_convex`` allocates.
+    The sizes are those of the arrays that ``mujoco_warp._src.collision_convex`` allocates.
     """
     model = bank.union.model
     steps = int(model.opt.ccd_iterations)

@@ -1,4 +1,4 @@
-"""What the cameras of a batch show, drawn for all worlds at once by MuJoCo Warp's ray tracer."""
+"""Camera pictures of a batch, rendered for all worlds at once by MuJoCo Warp's ray tracer."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ from .union.look_union import LookRows, LookUnion
 
 
 class BatchPictures:
-    """Draws worlds of a bank as ``TabletopEnv`` does for learning: without shadows, in haze.
+    """Renders the worlds of a bank like ``TabletopEnv`` for learning: without shadows, with haze.
 
-    Glass is opaque, and so is the goal's marker, which marks what the episode's first goal does.
+    Glass is opaque, and so is the goal marker, which marks the episode's first goal.
 
     Args:
-        union: what is drawn of each scene.
-        config: which cameras, and the size of their pictures.
-        worlds: how many worlds.
-        device: where they are.
-        task: whose marker is shown.
+        union: the model of pictures.
+        config: cameras and picture size.
+        worlds: number of worlds.
+        device: device of the worlds.
+        task: the task whose marker is shown.
     """
 
     def __init__(
@@ -77,7 +77,7 @@ class BatchPictures:
         self._haze = to_device(255 * np.array(HAZE), device)
 
     def draw(self, state: BatchState) -> dict[str, UInt8[Tensor, "w h v 3"]]:
-        """Return what each camera shows, by the key of ``ObservationConfig.key``, 0 to 255."""
+        """Render each camera; return pictures with values 0 to 255 by ``ObservationConfig.key``."""
         self._place(state)
         warp, physics = self._engine.warp, self._engine.physics
         with warp.ScopedDevice(self._device):
@@ -90,7 +90,7 @@ class BatchPictures:
         return {key: pictures[:, k] for k, key in enumerate(self._keys)}
 
     def _place(self, state: BatchState) -> None:
-        """Put everything where the worlds have it."""
+        """Update all poses from the worlds."""
         scene = state.scene
         row = {name: values[scene] for name, values in self._rows.items()}
         for name, source in (("geom_size", "size"), ("geom_dataid", "data"),
@@ -109,7 +109,7 @@ class BatchPictures:
         self._placed["light_xdir"].copy_(row["sun"][:, 1:])
 
     def _tensor(self, array: Any) -> Tensor:
-        """Return an array of Warp's as a tensor that shares its memory; packed colours as int32."""
+        """Return a Warp array as a tensor that shares its memory; packed colours become int32."""
         warp = self._engine.warp
         found = array.view(warp.int32) if getattr(array, "dtype", None) is warp.uint32 else array
         return warp.to_torch(found)

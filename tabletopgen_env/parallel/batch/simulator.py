@@ -20,21 +20,21 @@ if TYPE_CHECKING:
 class Simulator:
     """Steps many worlds at once.
 
-    Each program (a simulation step, a reset, the kinematics) is recorded once as a graph: launching
-    it again costs next to nothing, where MuJoCo Warp itself takes some hundred launches of kernels
-    for a step. On a GPU it is a CUDA graph, on the CPU a list that Warp runs through in C++.
+    Each program (a simulation step, a reset, the kinematics) is recorded once as a graph. Launching
+    the graph costs next to nothing, while a step of MuJoCo Warp itself takes some hundred kernel
+    launches. On a GPU it is a CUDA graph, on the CPU a list that Warp executes in C++.
 
     Arrays are torch tensors that share memory with Warp's; the first axis is the world.
 
     Args:
         model: MuJoCo's model.
-        worlds: how many there are.
-        limits: what there is room for.
+        worlds: number of worlds.
+        limits: limits on contacts and constraints.
         device: "cpu" or a CUDA device.
 
     Attributes:
         fields: the batched fields of the model, by ``MODEL_FIELDS``.
-        chosen: the worlds that ``reset`` resets.
+        chosen: mask of the worlds that ``reset`` resets.
     """
 
     def __init__(
@@ -53,13 +53,13 @@ class Simulator:
         self.exchange(model)
 
     def exchange(self, model: mujoco.MjModel) -> None:
-        """Take another model of the same shape: nothing is compiled, every field is to be set."""
+        """Replace the model by one of the same shape, without compilation; then set all fields."""
         warp, physics = self._engine.warp, self._engine.physics
-        # A mesh may be absent only where the field has room for more than one world.
+        # A field can mark a mesh as absent only if it has entries for more than one world.
         sizes = dict.fromkeys(MODEL_FIELDS, max(2, self._worlds))
         with warp.ScopedDevice(self._device):
             self._model = made = physics.put_model(model, batch_sizes=sizes)
-            made.opt.warn_overflow = 0  # they are read, not printed
+            made.opt.warn_overflow = 0  # overflows are read from the data instead of printed
             made.opt.graph_conditional &= (
                 self._device.is_cpu or warp.is_conditional_graph_supported()
             )
@@ -79,7 +79,7 @@ class Simulator:
         return self._engine.warp.to_torch(values)
 
     def overflow_bits(self, names: Iterable[str]) -> int:
-        """Return the bits that overflows of these names set in the array "overflow"."""
+        """Return the bits that the named overflows set in the array "overflow"."""
         kinds = self._engine.physics.OverflowType
         return sum(int(kinds[name]) for name in names)
 
@@ -88,24 +88,24 @@ class Simulator:
         self._launch(self._step)
 
     def reset(self, worlds: Int[Tensor, "k"]) -> None:
-        """Put some worlds at rest, without contacts, forces or a memory of the solver's."""
+        """Put some worlds at rest, without contacts, forces or solver warm start."""
         self.chosen.zero_()
         self.chosen[worlds] = True
         self._launch(self._reset)
 
     def update_poses(self) -> None:
-        """Let poses of bodies, geoms and sites follow the joints, in every world."""
+        """Update the poses of bodies, geoms and sites from the joints, in every world."""
         self._launch(self._kinematics)
 
     def _record(self, work: Callable[[], Any]) -> Any:
-        """Do some work once, which compiles its kernels, and record it."""
+        """Run a function once, which compiles its kernels, and record it."""
         work()
         with self._engine.warp.ScopedCapture(device=self._device) as capture:
             work()
         return capture.graph
 
     def _launch(self, graph: Any) -> None:
-        """Run a graph after what torch has queued and before what it queues next."""
+        """Launch a graph, in order with torch's queued work."""
         warp = self._engine.warp
         stream = None if self._device.is_cpu else warp.stream_from_torch(self._torch_device)
         warp.capture_launch(graph, stream=stream)

@@ -12,7 +12,7 @@ from torch import Tensor
 from .union.template import Addresses
 
 POSES = ("xpos", "xquat", "xmat", "site_xpos", "site_xmat")
-"""Arrays that follow the joints."""
+"""Arrays computed from the joints."""
 
 ARRAYS = (
     *POSES, "qpos", "qvel", "ctrl", "mocap_pos", "geom_xpos", "geom_xmat", "overflow", "nacon",
@@ -21,33 +21,33 @@ ARRAYS = (
 """The simulator's arrays that a batch reads and writes."""
 
 FACTS = ("filled", "half_extent", "table", "yaw")
-"""What a ``SceneBank`` tells of each scene."""
+"""Arrays of a ``SceneBank`` per scene."""
 
 
 @dataclass(frozen=True, eq=False)
 class BatchState:
-    """What the worlds hold now, in the base frame; metres, radians, seconds, float32.
+    """The current state of the worlds, in the base frame; metres, radians, seconds, float32.
 
-    The first axis is the world (w), s are the slots. All but the last group are views of the
-    simulator's own arrays: a step changes them, and writing ``qpos``, ``qvel`` or ``marker``
-    changes the worlds. Poses (of bodies, sites, slots and tool) follow ``qpos`` one simulation step
-    later, as MuJoCo's do after ``mj_step``; right after ``BatchWorld.load`` they agree. Empty slots
-    are parked out of reach.
+    The first axis is the world (w); s is the slot. All but the last group are views of the
+    simulator's arrays: a step changes them, and writing ``qpos``, ``qvel`` or ``marker`` changes
+    the worlds. Poses (of bodies, sites, slots and tool) lag ``qpos`` by one simulation step, as
+    MuJoCo's do after ``mj_step``; right after ``BatchWorld.load`` they agree. Empty slots are
+    parked out of reach.
 
     Attributes:
-        qpos, qvel: everything, as the union model orders it.
+        qpos, qvel: positions and velocities of all joints, in the order of the union model.
         xpos, xmat: position and rotation of every body; site_xpos, site_xmat: of every site.
         ctrl: commands of seven servos (rad) and of the gripper (0 closed, 255 open).
         arm_qpos, arm_qvel: the seven joints.
         finger_qpos: the two finger slides.
         slot_qpos: position and quaternion (wxyz) of each object.
-        slot_qvel: its linear velocity, and its angular velocity in its own frame.
-        slot_pos, slot_mat: the centre of its box and its rotation, body to base.
+        slot_qvel: linear velocity of each object, and angular velocity in its own frame.
+        slot_pos, slot_mat: centre of each object's box, and rotation from body to base.
         tcp_pos, tcp_mat: the tool centre point, and the hand's rotation.
-        marker: where the goal's marker is, which is only drawn; a load hides it.
-        touches: whether the left finger, the right finger, any part of the robot touches each
-            object; of the last step, False after a load.
-        scene: the number of each world's scene in the bank.
+        marker: position of the goal marker, which is only rendered; a load hides it.
+        touches: whether the left finger, the right finger, or any part of the robot touches each
+            object in the last step; False after a load.
+        scene: index of each world's scene in the bank.
         filled, half_extent, table, yaw: see ``SceneBank``.
     """
 
@@ -77,7 +77,7 @@ class BatchState:
 
     @classmethod
     def of(cls, arrays: Mapping[str, Tensor], at: Addresses, worlds: int) -> BatchState:
-        """Return the state in a simulator's arrays; what a bank tells is yet to be filled in."""
+        """Return views of a simulator's arrays as state; the bank's arrays are not filled in."""
         qpos, qvel = arrays["qpos"], arrays["qvel"]
         slots = at.slot_bodies.stop - at.slot_bodies.start
 

@@ -1,18 +1,18 @@
-"""The environment's numbers for many worlds at once, on NumPy arrays or on torch tensors.
+"""Batched computations of the environment, on NumPy arrays or torch tensors.
 
-What ``tasks``, ``goals``, ``observations`` and ``actions`` compute of one world is computed here of
-n worlds, by the same formulas, on whatever device the arrays are: with NumPy for the slots of one
-process, with torch for worlds on a GPU. Arrays are of the array API standard, each function takes
-its namespace from what it is given. Float arrays are of one type; float64 gives the numbers of the
-single environment to rounding, float32 to about 1e-6.
+This package computes for n worlds what ``tasks``, ``goals``, ``observations`` and ``actions``
+compute for one world, with the same formulas, on the device of the arrays: NumPy for the slots of
+one process, torch for worlds on a GPU. Arrays follow the array API standard; each function takes
+its namespace from its arguments. All floats have one type: float64 agrees with the single
+environment to rounding, float32 to about 1e-6.
 
 ===============  =================================================================================
-``readings``     what is read of n worlds after a step
-``goal_rows``    the goals of n episodes as arrays of parameters; regions, states, goal vectors
-``vectors``      how goal vectors agree, and the reward's terms that follow from them
-``rewards``      all terms, and the reward
+``readings``     quantities read from n worlds after a step
+``goal_rows``    the goals of n episodes as parameter arrays; regions, states, goal vectors
+``vectors``      agreement of goal vectors, and the reward terms that depend on it
+``rewards``      all reward terms, and the reward
 ``flat_states``  the flat state and the order of its slots
-``arms``         kinematics of n arms and their inverse
+``arms``         forward and inverse kinematics of n arms
 ``controls``     the action modes
 ===============  =================================================================================
 """

@@ -1,4 +1,4 @@
-"""Arrays of NumPy or torch: their namespace, and what the array API standard lacks."""
+"""Helpers for NumPy and torch arrays: namespaces, and functions the array API standard lacks."""
 
 from __future__ import annotations
 
@@ -14,34 +14,34 @@ Array = Any
 
 
 def namespace(array: Array) -> Any:
-    """Return the array API namespace of an array; NumPy's own, whose wrapper takes its time."""
+    """Return the array API namespace of an array; NumPy is returned directly, for speed."""
     return np if isinstance(array, np.ndarray) else array_namespace(array)
 
 
 def like(values: Float[np.ndarray, "..."], other: Array) -> Array:
-    """Return numbers as an array of another's kind and type, on its device."""
+    """Convert numbers to an array with another's namespace, dtype and device."""
     return namespace(other).asarray(np.array(values), dtype=other.dtype, device=device(other))
 
 
 def take_rows(values: Array, index: Array) -> Array:
-    """Return ``values[w, index[w, g]]``: of (n, k, ...) and (n, g) the (n, g, ...)."""
+    """Gather ``values[w, index[w, g]]``: from (n, k, ...) and (n, g) to (n, g, ...)."""
     xp = namespace(values)
     worlds = xp.arange(values.shape[0], device=device(values))
     return values[worlds[:, None], index]
 
 
 def apply(matrices: Array, vectors: Array) -> Array:
-    """Return the products of (..., 3, 3) matrices with (..., 3) vectors."""
+    """Multiply (..., 3, 3) matrices with (..., 3) vectors."""
     return (matrices @ vectors[..., None])[..., 0]
 
 
 def wrap(angles: Array) -> Array:
-    """Return angles (radians) wrapped to [-pi, pi)."""
+    """Wrap angles (radians) to [-pi, pi)."""
     return (angles + math.pi) % (2 * math.pi) - math.pi
 
 
 def yaw_of(rotations: Array) -> Array:
-    """Return the bearings about +z of rotations' x axes, radians in [-pi, pi]."""
+    """Return the bearings about +z of the rotations' x axes, radians in [-pi, pi]."""
     return namespace(rotations).atan2(rotations[..., 1, 0], rotations[..., 0, 0])
 
 

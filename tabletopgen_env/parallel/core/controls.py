@@ -1,4 +1,4 @@
-"""The action modes of n robots; what they do says ``actions``."""
+"""The action modes of n robots; see ``actions`` for their definitions."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ from .arrays import Array, like, namespace, squares, wrap, yaw_of
 
 @dataclass(frozen=True, eq=False)
 class Commands:
-    """What n robots are commanded.
+    """The commands of n robots.
 
     Attributes:
-        joints: of the arms, rad.
-        point: where the tool centre points have to go, base frame, metres.
-        yaw: of the hands, rad.
-        hand: their rotations, where they may tilt.
+        joints: arm joints, rad.
+        point: target positions of the tool centre points, base frame, metres.
+        yaw: target yaw of the hands, rad.
+        hand: target rotations of the hands, for modes in which they can tilt.
     """
 
     joints: Float[Array, "n 7"]
@@ -47,7 +47,7 @@ class Commands:
 
 @dataclass(frozen=True, eq=False)
 class RobotPose:
-    """Where n robots are: joints (rad), tool centre point (m) and rotation of the hand."""
+    """The poses of n robots: joints (rad), tool centre point (m) and rotation of the hand."""
 
     joints: Float[Array, "n 7"]
     tool: Float[Array, "n 3"]
@@ -55,13 +55,13 @@ class RobotPose:
 
 
 def start_commands(joints: Float[Array, "n 7"]) -> Commands:
-    """Return the commands that keep robots where their joints are."""
+    """Return commands that hold the robots at their current joints."""
     arms = arms_at(joints)
     return Commands(joints, arms.tool, yaw_of(arms.hand), arms.hand)
 
 
 def restart(commands: Commands, joints: Float[Array, "n 7"], rows: Bool[Array, "n"]) -> Commands:
-    """Return commands of which some ``rows`` start from ``joints`` again."""
+    """Return commands with some ``rows`` reset to ``joints``."""
     fresh, xp = start_commands(joints), namespace(joints)
 
     def pick(new: Array, old: Array) -> Array:
@@ -78,9 +78,9 @@ def advance(
     pose: RobotPose,
     actions: Float[Array, "n a"],
 ) -> tuple[Commands, Float[Array, "n 8"]]:
-    """Return the commands after ``actions`` in [-1, 1], and what the servos are set to.
+    """Apply ``actions`` in [-1, 1]; return the new commands and the servo commands.
 
-    Servo commands are joints (rad) and the gripper's 0 to 255, as ``Servos.command`` writes them.
+    Servo commands are joints (rad) and the gripper's 0 to 255, as written by ``Servos.command``.
     """
     xp = namespace(actions)
     after = _MODES[mode](servos, before, pose, actions)
@@ -94,7 +94,7 @@ def advance(
 
 
 def _move(servos: Servos, before: Commands, pose: RobotPose, action: Array) -> Commands:
-    """Advance the commanded points by x, y, z of actions."""
+    """Move the commanded points by the x, y, z entries of actions."""
     xp = namespace(action)
     leash = EE_LEASH * servos.slack
     ahead = before.point + EE_STEP * servos.share * action - pose.tool
@@ -104,7 +104,7 @@ def _move(servos: Servos, before: Commands, pose: RobotPose, action: Array) -> C
 
 
 def _follow(servos: Servos, commands: Commands, rotation: Array) -> Commands:
-    """Command the joints after the commanded points and ``rotation``."""
+    """Solve for joints that follow the commanded points and ``rotation``."""
     xp = namespace(rotation)
     before, joints = commands.joints, commands.joints
     pull = PULL * min(1.0, servos.share)

@@ -1,4 +1,4 @@
-"""The flat states of n worlds; what their entries are says ``observations.modes``."""
+"""The flat states of n worlds; see ``observations.modes`` for their entries."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ def slot_orders(
 ) -> Int[Array, "n slots"]:
     """Return the objects' rows in slot order, -1 for empty slots.
 
-    Target, the goal's object, then the nearest; only those that are ``present`` are shown.
+    The order is target, the goal's object, then the nearest objects; only objects that are
+    ``present`` have slots.
     """
     xp = namespace(seen.positions)
     count = present.shape[1]
@@ -50,7 +51,7 @@ def flat_states(
 ) -> Float[Array, "n entries"]:
     """Return the flat states, ``float32``, without hints and noise.
 
-    ``half_extents`` are of the objects, metres; ``bare`` leaves out all but entries 0-267.
+    ``half_extents`` are those of the objects, metres; ``bare`` limits the result to entries 0-267.
     """
     xp = namespace(seen.positions)
     bounds = like(BOUNDS[False, bare], seen.tool)

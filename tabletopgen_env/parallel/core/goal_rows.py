@@ -1,4 +1,4 @@
-"""The goals of n episodes as arrays: a kind and its parameters in place of ``goals.goal``.
+"""The goals of n episodes as arrays: a kind and its parameters for each ``goals.goal``.
 
 Everything is in the base frame of each world's robot.
 """
@@ -32,33 +32,37 @@ from .arrays import Array, apply, namespace, squares, take_rows, wrap, yaw_of
 from .readings import Readings
 
 KINDS: tuple[type[Goal], ...] = (Reached, Raised, Pushed, OnSpot, Into, OnTop)
-"""The kinds of goals by their number."""
+"""The goal classes; the index of a class is its kind."""
 
 REACHED, RAISED, PUSHED, ON_SPOT, INTO, ON_TOP = range(len(KINDS))
 
 POINTS = 512
-"""Points that stand for a target's collision shape, padded; convex hulls hardly ever have more."""
+"""Number of points that represent a target's collision shape, padded; convex hulls rarely have
+more.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class GoalRows:
-    """The goals of n episodes, g each; those beyond an episode's own are padding.
+    """The goals of n episodes, g each; unused goals are padding.
 
     Attributes:
         kind: index in ``KINDS``.
-        target: row of the object to bring somewhere, -1 for the tool; of padding too.
-        reference: row of the object that carries the region, else -1.
-        used: which goals are no padding.
-        center: of the region, or its place in the reference's frame, metres.
+        target: row of the object to move, -1 for the tool and for padding.
+        reference: row of the object that carries the region, otherwise -1.
+        used: which goals are not padding.
+        center: centre of the region, or its position in the reference's frame, metres.
         semi: semi-axes x', y', z of the region, metres.
-        yaw: of regions that nothing carries, and of those on an object's top, rad.
-        rest: how much higher than that place the region of "on top" is, metres.
-        up: the world's up at the start, in the frame of the target ("push") or of the reference.
-        floor, rim: heights in a reference's frame between which the lowest point may lie, metres.
-        start: height of the target's centre at the start, metres.
-        points: points of the target's collision shape in its own frame, the lowest is one of them.
+        yaw: yaw of regions that are not carried by an object or are on top of one, rad.
+        rest: height of the "on top" region above that position, metres.
+        up: the world's up direction at the start, in the frame of the target ("push") or of the
+            reference.
+        floor, rim: heights in the reference's frame that bound the target's lowest point, metres.
+        start: initial height of the target's centre, metres.
+        points: points of the target's collision shape in its own frame; its lowest point is always
+            one of them.
         mount_yaw: bearing of the robot's x axis in the world frame, rad.
-        table: height of the top, half its length and width, metres.
+        table: height of the top, and its half length and half width, metres.
     """
 
     kind: Int[Array, "n g"]
@@ -79,7 +83,7 @@ class GoalRows:
 
     @classmethod
     def blank(cls, worlds: int, goals: int, kind: type = np.float64) -> GoalRows:
-        """Return NumPy rows of padding, to be filled by ``write``; ``kind`` is of its floats."""
+        """Return NumPy rows of padding for ``write``; ``kind`` is the dtype of the floats."""
         shapes = {"center": (3,), "semi": (3,), "up": (3,), "points": (POINTS, 3)}
         found = {
             f.name: np.zeros((worlds, goals, *shapes.get(f.name, ())), kind) for f in fields(cls)
@@ -89,10 +93,10 @@ class GoalRows:
         return cls(**{**found, **numbers, "used": np.zeros((worlds, goals), bool)})
 
     def write(self, row: int, world: World, episode: Episode) -> None:
-        """Take over a world's episode into a row of NumPy arrays.
+        """Write the goals of a world's episode into a row of NumPy arrays.
 
         Raises:
-            TypeError: a goal is of none of ``KINDS``.
+            TypeError: a goal is not an instance of ``KINDS``.
         """
         for array in (self.kind, self.target, self.reference):
             array[row] = -1
@@ -106,7 +110,7 @@ class GoalRows:
 
     def _write_goal(self, at: tuple[int, int], world: World, goal: Goal) -> None:
         if type(goal) not in KINDS:
-            raise TypeError(f"Goals of many worlds are of {KINDS}, got {type(goal)}.")
+            raise TypeError(f"Batched goals must be instances of {KINDS}, got {type(goal)}.")
         self.kind[at] = KINDS.index(type(goal))
         self.used[at] = True
         region = goal.region(world)
@@ -138,7 +142,7 @@ def _outer_points(world: World, name: str) -> Float[np.ndarray, "p 3"]:
 
 
 def regions(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n g 3"], Float[Array, "n g"]]:
-    """Return where the regions' centres are now, and their yaw as goal vectors have it."""
+    """Return the current centres of the regions, and their yaw as in goal vectors."""
     xp = namespace(rows.center)
     turned = take_rows(seen.rotations, rows.reference)
     center = take_rows(seen.positions, rows.reference) + apply(turned, rows.center)
@@ -150,14 +154,14 @@ def regions(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n g 3"], Floa
 
 
 def targets(rows: GoalRows, seen: Readings) -> Float[Array, "n g 3"]:
-    """Return where what the goals are about is: an object's centre or the tool centre point."""
+    """Return the positions of the goals' targets: an object's centre or the tool centre point."""
     xp = namespace(rows.center)
     there = take_rows(seen.positions, rows.target)
     return xp.where((rows.target >= 0)[..., None], there, seen.tool[:, None])
 
 
 def are_settled(rows: GoalRows, seen: Readings) -> Bool[Array, "n g"]:
-    """Return whether targets are in the state asked for, wherever they are."""
+    """Return whether targets are in the required state, regardless of their position."""
     xp = namespace(rows.center)
     kind, turned = rows.kind, take_rows(seen.rotations, rows.reference)
     own = take_rows(seen.rotations, rows.target)
@@ -179,7 +183,7 @@ def are_settled(rows: GoalRows, seen: Readings) -> Bool[Array, "n g"]:
 
 
 def goal_vectors(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n v"], Float[Array, "n v"]]:
-    """Return achieved and desired goal vectors, ``float32``; their entries says ``tasks.task``."""
+    """Return achieved and desired goal vectors, ``float32``, with the entries of ``tasks.task``."""
     xp = namespace(rows.center)
     center, yaw = regions(rows, seen)
     shared = [rows.semi[..., :2], yaw[..., None], rows.semi[..., 2:]]
@@ -194,5 +198,5 @@ def goal_vectors(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n v"], F
 
 
 def _upright(rotations: Array, up: Array) -> Array:
-    """Return whether ``up``, of bodies' frames, still points up."""
+    """Return whether ``up``, in bodies' frames, points up."""
     return namespace(up).sum(rotations[..., 2, :] * up, axis=-1) >= UPRIGHT

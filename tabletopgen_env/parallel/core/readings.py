@@ -1,4 +1,4 @@
-"""Readings of n worlds after a step, gathered from MuJoCo one by one."""
+"""Readings of n worlds after a step, collected from their MuJoCo data."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .arrays import Array
 
 
 class WorldRows:
-    """Copies the states of n worlds into rows, and carries all of them into their base frames.
+    """Copies the states of n worlds into rows, and transforms all of them to their base frames.
 
     Args:
-        worlds: how many rows.
-        objects: the most objects of a world.
-        goals: the most goals of an episode.
+        worlds: number of rows.
+        objects: maximum number of objects per world.
+        goals: maximum number of goals per episode.
     """
 
     def __init__(self, worlds: int, objects: int, goals: int) -> None:
@@ -34,7 +34,7 @@ class WorldRows:
         self._base, self._turn = np.zeros((worlds, 3)), np.tile(np.eye(3), (worlds, 1, 1))
 
     def copy(self, row: int, world: World, goals: Sequence[Goal]) -> None:
-        """Copy what a world's state is now; ``goals`` are those of its episode."""
+        """Copy a world's current state; ``goals`` are those of its episode."""
         state, count = world.state, len(world.names)
         self._joints[row] = state.joints
         self._joint_velocities[row] = state.joint_velocities
@@ -50,7 +50,7 @@ class WorldRows:
             self._touched[row, k] = goal.target is not None and world.touches(goal.target)
 
     def read(self) -> Readings:
-        """Return the readings of all rows; those without an object hold anything finite."""
+        """Return the readings of all rows; rows without an object hold arbitrary finite values."""
         turn, back = self._turn, self._turn.transpose(0, 2, 1)
         return Readings(
             joints=self._joints.copy(),
@@ -72,18 +72,18 @@ class WorldRows:
 class Readings:
     """The robot and the objects of n worlds, each in its own base frame (see ``world``).
 
-    Rows of objects that a world has not may hold anything finite.
+    Rows without an object may hold arbitrary finite values.
 
     Attributes:
         joints, joint_velocities: of the arm, rad and rad/s.
-        opening: of the gripper, metres.
+        opening: opening of the gripper, metres.
         servos: commands of the arm, rad.
         gripper: command of the gripper, 0 closed, 255 open.
         tool, hand: the tool centre point, and the rotation of the hand.
         positions, rotations: centres of the objects' boxes, metres, and their rotations.
         linear, angular: velocities of the objects, base frame (m/s) and body frame (rad/s).
-        touched: whether the left finger, the right finger, any part of the robot touches the
-            target of each goal; false where it is the tool.
+        touched: whether the left finger, the right finger, or any part of the robot touches the
+            target of each goal; false if the target is the tool.
     """
 
     joints: Float[Array, "n 7"]

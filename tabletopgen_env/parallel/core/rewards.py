@@ -1,4 +1,4 @@
-"""Terms and reward of n worlds; what they are says ``tasks.task``."""
+"""Reward terms and rewards of n worlds; see ``tasks.task`` for their definitions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def terms(
 ) -> dict[str, Float[Array, "n"]]:
     """Return every reward term by name, each in [0, 1].
 
-    ``found`` is the agreement of the goal vectors, ``aside`` that of ``tasks.task.Task``.
+    ``found`` is the agreement of the goal vectors; ``aside`` is as in ``tasks.task.Task``.
     """
     xp = namespace(found.across)
     shared = goal_terms(found, aside)
@@ -60,7 +60,7 @@ def _hand(rows: GoalRows, seen: Readings, found: Agreement) -> dict[str, Float[A
 def weigh(
     found: Mapping[str, Float[Array, "n"]], weights: Mapping[str, float], sparse: bool
 ) -> Float[Array, "n"]:
-    """Return the rewards of terms: their weighted sum, or success minus 1 if it is ``sparse``."""
+    """Return the rewards: the weighted sum of the terms, or success minus 1 if ``sparse``."""
     if sparse:
         return found["success"] - 1.0
     total = 0.0

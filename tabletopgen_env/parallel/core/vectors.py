@@ -1,6 +1,6 @@
-"""Goal vectors of n worlds: how achieved ones agree with desired ones, and the terms of it.
+"""Goal vectors of n worlds: agreement of achieved with desired ones, and the resulting terms.
 
-The same formulas as ``tasks.task`` has for one world; see its table for the entries and the terms.
+The formulas are those of ``tasks.task`` for one world; see its table for the entries and the terms.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from jaxtyping import Bool, Float, Int
 from ...tasks.task import ENTRIES, PLACE_SCALE
 from .arrays import Array, namespace
 
-_LEAST = 1e-6  # metres; what the semi-axes of padding are taken for
+_LEAST = 1e-6  # metres; minimum semi-axis, for padding
 
 
 @dataclass(frozen=True, eq=False)
 class Agreement:
-    """How achieved goal vectors agree with desired ones, goal by goal.
+    """Agreement of achieved with desired goal vectors, per goal.
 
-    across, up: how far outside its region each target is, horizontally and vertically, metres;
-    met: whether each goal is met (padding is); used: which goals are no padding.
+    across, up: horizontal and vertical distance of each target from its region, metres; met:
+    whether each goal is met (padding counts as met); used: which goals are not padding.
     """
 
     across: Float[Array, "n g"]
@@ -31,7 +31,7 @@ class Agreement:
 
     @property
     def active(self) -> Int[Array, "n"]:
-        """The index of the first goal that is not met; of the last one, if all are."""
+        """The index of the first goal that is not met, or of the last goal if all are met."""
         xp = namespace(self.met)
         first = xp.argmax(xp.astype(~self.met, xp.int8), axis=-1)
         last = xp.sum(xp.astype(self.used, xp.int64), axis=-1) - 1
@@ -41,7 +41,7 @@ class Agreement:
 def agreement(
     achieved: Float[Array, "n v"], desired: Float[Array, "n v"], aside: Mapping[int, int]
 ) -> Agreement:
-    """Return how goal vectors agree; ``aside`` is that of ``tasks.task.Task``."""
+    """Compare goal vectors; ``aside`` is as in ``tasks.task.Task``."""
     xp = namespace(achieved)
     a, d = (xp.reshape(v, (v.shape[0], -1, ENTRIES)) for v in (achieved, desired))
     x, y, z = (a[..., k] - d[..., k] for k in range(3))
@@ -58,7 +58,7 @@ def agreement(
 
 
 def goal_terms(found: Agreement, aside: Mapping[int, int]) -> dict[str, Float[Array, "n"]]:
-    """Return the terms that follow from the goal vectors: place, met, success."""
+    """Return the terms that depend on the goal vectors only: place, met, success."""
     xp = namespace(found.across)
     kind = found.across.dtype
     used, met = xp.astype(found.used, kind), xp.astype(found.met, kind)

@@ -1,4 +1,4 @@
-"""What slots are told and what they show, a row a slot, in arrays that processes can share."""
+"""Actions, observations and flags of slots, one row each, in arrays that processes can share."""
 
 from __future__ import annotations
 
@@ -15,22 +15,24 @@ from jaxtyping import Bool, Float
 from numpy.typing import DTypeLike
 
 Take = Callable[[tuple[int, ...], DTypeLike], np.ndarray]
-"""Returns an array of a shape and a type, all zeros: ``numpy.zeros``, or ``SharedBlock.take``."""
+"""A function that returns a zero array of a shape and a dtype: ``numpy.zeros`` or
+``SharedBlock.take``.
+"""
 
-_LINE = 64  # bytes of a cache line, at which each array begins
+_LINE = 64  # bytes of a cache line, the alignment of each array
 
 
 @dataclass(frozen=True, eq=False)
 class SlotArrays:
-    """Rows of n slots.
+    """The rows of n slots.
 
     Attributes:
-        actions: what they are to do next; sound, clipped to their space.
-        observations: what they saw last: an array, or a dict of them as their space; of texts an
-            array of type "U".
-        rewards, terminated, truncated: what their last step gave.
-        playing: whether they have an episode.
-        over: whether their episode is over, so that they are to be reset.
+        actions: next actions, validated and clipped to their space.
+        observations: last observations: an array, or a dict of arrays as in their space; texts are
+            arrays of type "U".
+        rewards, terminated, truncated: results of the last step.
+        playing: whether each slot has an episode.
+        over: whether the slot's episode is over, so that it must be reset.
     """
 
     actions: Float[np.ndarray, "n a"]
@@ -42,11 +44,11 @@ class SlotArrays:
     over: Bool[np.ndarray, "n"]
 
     def rows(self, part: slice) -> SlotArrays:
-        """Return the rows of some slots; they are the same memory."""
+        """Return the rows of some slots as views."""
         return SlotArrays(*(_each(lambda a: a[part], getattr(self, f.name)) for f in fields(self)))
 
     def show(self, k: int, observation: Any) -> None:
-        """Write down what slot ``k`` sees."""
+        """Write the observation of slot ``k``."""
         if isinstance(self.observations, dict):
             for key, array in self.observations.items():
                 array[k] = observation[key]
@@ -54,22 +56,22 @@ class SlotArrays:
             self.observations[k] = observation
 
     def observe(self) -> Any:
-        """Return what all slots see, as new arrays; texts as a tuple."""
+        """Return the observations of all slots as new arrays; texts as a tuple."""
         return _each(_copy, self.observations)
 
 
 def lay_out(take: Take, count: int, observation: spaces.Space, action: spaces.Box) -> SlotArrays:
-    """Return the arrays of ``count`` slots, whose spaces these are.
+    """Allocate the arrays of ``count`` slots with these spaces.
 
     Raises:
-        TypeError: an observation that is neither a ``Box`` nor a ``Text``, nor a ``Dict`` of them.
+        TypeError: an observation is neither a ``Box`` nor a ``Text``, nor a ``Dict`` of them.
     """
 
     def take_part(space: spaces.Space) -> np.ndarray:
         if isinstance(space, spaces.Text):
             return take((count,), f"U{space.max_length}")
         if not isinstance(space, spaces.Box):
-            raise TypeError(f"Observations are boxes and texts, or dicts of them, not {space}.")
+            raise TypeError(f"Observations must be boxes and texts, or dicts of them, not {space}.")
         return take((count, *space.shape), space.dtype)
 
     parts = observation.spaces if isinstance(observation, spaces.Dict) else observation
@@ -85,19 +87,20 @@ def _copy(array: np.ndarray) -> Any:
 
 
 def _each(work: Callable[[Any], Any], part: Any) -> Any:
-    """Return what ``work`` returns of an array, or of each of a dict of them."""
+    """Apply ``work`` to an array, or to each array of a dict."""
     return {k: work(v) for k, v in part.items()} if isinstance(part, dict) else work(part)
 
 
 class SharedBlock:
-    """Memory for arrays that several processes write to, by an open file without a name.
+    """Memory for arrays shared by several processes, in an open file without a name.
 
-    Nothing of it is left behind, however the processes end, and ``/dev/shm``, small in containers,
-    has no part in it. Who takes the same arrays in the same order has the same memory.
+    The memory is released however the processes end, and ``/dev/shm``, which is small in
+    containers, is not used. Processes that take the same arrays in the same order share their
+    memory.
 
     Args:
-        file: the open file, of zeros; it may be closed afterwards.
-        size: bytes.
+        file: the open file, filled with zeros; it may be closed afterwards.
+        size: size of the file, bytes.
     """
 
     def __init__(self, file: int, size: int) -> None:
@@ -112,7 +115,7 @@ class SharedBlock:
 
 
 def open_memory(size: int) -> int:
-    """Return an open file without a name, of ``size`` zeros; in memory where the system can."""
+    """Open a nameless file of ``size`` zero bytes, in memory if the system supports it."""
     if hasattr(os, "memfd_create"):
         file = os.memfd_create("tabletopgen")
     else:
@@ -123,5 +126,5 @@ def open_memory(size: int) -> int:
 
 
 def pad(size: int) -> int:
-    """Return the bytes that an array of ``size`` bytes takes up in a block."""
+    """Return the number of bytes that an array of ``size`` bytes occupies in a block."""
     return -(-size // _LINE) * _LINE

@@ -1,4 +1,4 @@
-"""What callers pass to a vector environment, checked."""
+"""Validation of the arguments of a vector environment."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from .slots import name_slot
 
 
 def check_actions(actions: Any, count: int, space: spaces.Box) -> Float[np.ndarray, "n a"]:
-    """Return the actions of ``count`` slots as ``actions.check_action`` does each.
+    """Validate the actions of ``count`` slots, each as in ``actions.check_action``.
 
     Raises:
-        InputError: a wrong number of them, or one is wrong; a note says of which slot.
+        InputError: the number of actions is wrong, or an action is invalid; a note names the slot.
     """
     if (given := _length(actions)) != count:
-        raise InputError(f"{count} slots need as many actions, got {given}.")
+        raise InputError(f"{count} slots need one action each, got {given}.")
     if isinstance(actions, np.ndarray) and actions.dtype.kind in "fiu":
         array = actions.astype(np.float64)
         if array.shape == (count, *space.shape) and np.isfinite(array).all():
@@ -38,10 +38,10 @@ def check_actions(actions: Any, count: int, space: spaces.Box) -> Float[np.ndarr
 
 
 def read_mode(mode: str | AutoresetMode) -> AutoresetMode:
-    """Return what follows an episode's end, of a mode's value ("NextStep") or name ("NEXT_STEP").
+    """Return the autoreset mode with a value ("NextStep") or name ("NEXT_STEP").
 
     Raises:
-        InputError: there is no such mode.
+        InputError: the mode does not exist.
     """
     if isinstance(mode, str) and mode in AutoresetMode.__members__:
         return AutoresetMode[mode]
@@ -51,10 +51,10 @@ def read_mode(mode: str | AutoresetMode) -> AutoresetMode:
 
 
 def read_seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int | None]:
-    """Return the seeds of all slots: of one seed, that and the next ones.
+    """Return the seeds of all slots; a single seed is followed by consecutive ones.
 
     Raises:
-        InputError: it is no seed, or there are more or fewer than slots.
+        InputError: a seed is invalid, or their number differs from the number of slots.
     """
     if seed is None:
         return [None] * count
@@ -62,28 +62,31 @@ def read_seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int 
         require_seed(seed)
         return [int(seed) + k for k in range(count)]
     if (given := _length(seed)) != count:
-        raise InputError(f"{count} slots need one seed or {count}, got {given}.")
+        raise InputError(
+            f"{count} slots need a single seed or a list of {count} seeds, got {given}."
+        )
     return list(seed)
 
 
 def read_mask(mask: Any, count: int) -> Bool[np.ndarray, "n"]:
-    """Return which slots to reset; all, where ``mask`` is None.
+    """Return the slots to reset as a mask; None selects all.
 
     Raises:
-        InputError: it is no array of as many bools as slots, or none of them is True.
+        InputError: the mask is not an array of one bool per slot, or no entry is True.
     """
     if mask is None:
         return np.ones(count, bool)
     mask = np.asarray(mask)
     if mask.shape != (count,) or mask.dtype != bool or not mask.any():
         raise InputError(
-            f"reset_mask must be an array of {count} bools, one of them True, got {mask.tolist()}."
+            f"reset_mask must be an array of {count} bools, at least one of them True, got "
+            f"{mask.tolist()}."
         )
     return mask
 
 
 def _length(given: Any) -> int | str:
-    """Return how many were given, or, of what has no length, how it reads."""
+    """Return the length of a value for messages, or its text if it has no length."""
     try:
         return len(given)
     except TypeError:

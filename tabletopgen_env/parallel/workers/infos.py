@@ -1,8 +1,8 @@
-"""Infos of many slots in Gymnasium's vector format, and how they travel between processes.
+"""Infos of many slots in Gymnasium's vector format, and their transfer between processes.
 
-An info is a nest of dicts whose *leaves* are numbers and other things, mostly texts. The numbers of
-slot k, in the order of its leaves, are column k of a shared array. Its leaves and the other things
-are sent when they have changed, which between steps is seldom.
+An info is a nested dict whose *leaves* are numbers and other values, mostly texts. The numbers of
+slot k, in the order of its leaves, are column k of a shared array. The list of leaves and the other
+values are sent only when they have changed, which is rare between steps.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from gymnasium.vector import VectorEnv
 from jaxtyping import Float
 
 NUMBERS = 64
-"""Numbers of a slot's info that are in the array; any further ones are sent with each step."""
+"""Maximum count of numbers per slot in the array; further numbers are sent with each step."""
 
 _KINDS: Mapping[type, type] = {float: float, np.float64: float, int: int, bool: bool}
-_FIXED = (str, bytes, type(None), np.generic, *_KINDS)  # types whose values cannot change
-_LARGEST = 2**53  # up to here floats are exact for whole numbers
+_FIXED = (str, bytes, type(None), np.generic, *_KINDS)  # types with immutable values
+_LARGEST = 2**53  # floats represent integers exactly up to here
 
 Leaf = tuple[tuple[str, ...], type | None]
-"""Where in its info a leaf is, and what kind of number; None for other things."""
+"""The path of a leaf in its info, and the type of its number; None for other values."""
 
 
 @dataclass(frozen=True, eq=False)
 class InfoChange:
-    """What is new in a slot's info besides its numbers: all its leaves and other things."""
+    """Changes of a slot's info besides its numbers: all its leaves and other values."""
 
     slot: int
     leaves: tuple[Leaf, ...]
@@ -36,7 +36,7 @@ class InfoChange:
 
 
 def merge(count: int, infos: Iterable[tuple[int, dict[str, Any]]]) -> dict[str, Any]:
-    """Return the infos of some of ``count`` slots as one, as Gymnasium's vectors have it."""
+    """Merge the infos of some of ``count`` slots into Gymnasium's vector format."""
     vector: VectorEnv = VectorEnv()
     vector.num_envs = count
     merged: dict[str, Any] = {}
@@ -46,7 +46,7 @@ def merge(count: int, infos: Iterable[tuple[int, dict[str, Any]]]) -> dict[str, 
 
 
 class InfoWriter:
-    """Writes infos to columns of ``numbers``; ``first`` is the slot of the first column here."""
+    """Writes infos to columns of ``numbers``; ``first`` is the slot of the first column."""
 
     def __init__(self, numbers: Float[np.ndarray, "m n"], first: int) -> None:
         self._numbers = numbers
@@ -54,7 +54,7 @@ class InfoWriter:
         self._sent: list[InfoChange | None] = [None] * numbers.shape[1]
 
     def write(self, k: int, info: dict[str, Any]) -> InfoChange | None:
-        """Write the info of column ``k``; return what is to be sent besides."""
+        """Write the info of column ``k``; return the changes to be sent, if any."""
         leaves: list[Leaf] = []
         numbers: list[float] = []
         others: list[Any] = []
@@ -68,7 +68,7 @@ class InfoWriter:
 
 
 class InfoReader:
-    """Reads what writers have written, and sent."""
+    """Reads the infos that writers have written and sent."""
 
     def __init__(self, numbers: Float[np.ndarray, "m n"]) -> None:
         self._numbers = numbers
@@ -76,17 +76,17 @@ class InfoReader:
         self._form: dict[str, Any] | None = None
 
     def take(self, changes: Iterable[InfoChange]) -> None:
-        """Learn what has changed."""
+        """Apply changes."""
         for change in changes:
             self._known[change.slot] = change
             self._form = None
 
     def read(self, slots: Iterable[int]) -> dict[str, Any]:
-        """Return the infos of some slots as one."""
+        """Return the merged infos of some slots."""
         return merge(len(self._known), ((k, self._read_one(k)) for k in slots))
 
     def read_all(self) -> dict[str, Any]:
-        """Return the infos of all slots as one."""
+        """Return the merged infos of all slots."""
         if self._form is None:
             infos = self.read(range(len(self._known)))
             alike = len({change and change.leaves for change in self._known}) == 1
@@ -107,7 +107,7 @@ class InfoReader:
         return info
 
     def _form_of(self, infos: dict[str, Any]) -> dict[str, Any]:
-        """Return infos with, for each array of numbers, its row and type."""
+        """Return infos with each array of numbers replaced by its row and type."""
         change = self._known[0]
         assert change is not None
         numbers = [(path, kind) for path, kind in change.leaves if kind is not None]
@@ -123,7 +123,7 @@ def _take_apart(
     numbers: list[float],
     others: list[Any],
 ) -> None:
-    """Add the leaves of an info below ``path``, its numbers and the other things to lists."""
+    """Append the leaves of an info below ``path``, its numbers and its other values to lists."""
     for key, value in info.items():
         kind = _KINDS.get(type(value))
         exact = kind is not int or abs(value) <= _LARGEST
@@ -139,14 +139,14 @@ def _take_apart(
 
 
 def _inner(info: dict[str, Any], path: Sequence[str]) -> dict[str, Any]:
-    """Return the dict that holds the leaf at a path; it is made if it is not there."""
+    """Return the dict that holds the leaf at a path, creating it if it is missing."""
     for key in path[:-1]:
         info = info.setdefault(key, {})
     return info
 
 
 def _same(before: Sequence[Any], after: Sequence[Any]) -> bool:
-    """Tell whether things are surely the same, not changed in place either."""
+    """Return whether values are certainly equal and cannot have been changed in place."""
     return len(before) == len(after) and all(map(_equal, before, after))
 
 
@@ -159,7 +159,7 @@ def _equal(a: Any, b: Any) -> bool:
 
 
 def _fill(form: dict[str, Any], numbers: Float[np.ndarray, "m n"]) -> dict[str, Any]:
-    """Return a form as new arrays, with the numbers as they are now."""
+    """Return the infos of a form as new arrays with the current numbers."""
     filled: dict[str, Any] = {}
     for key, part in form.items():
         if isinstance(part, dict):

@@ -1,4 +1,4 @@
-"""The environments of some slots, stepped together by one pass of the batched core."""
+"""The environments of some slots, stepped together in one pass of the batched core."""
 
 from __future__ import annotations
 
@@ -27,30 +27,30 @@ from .slots import SlotSet, attempt
 
 Slots = Int[np.ndarray, "k"]
 
-_OBJECTS = 12  # that there is room for at first
+_OBJECTS = 12  # initial capacity
 
 
 def check_joint(config: EnvConfig) -> None:
     """Check that environments of a config can be stepped together.
 
     Raises:
-        InputError: they see or do what the batched core does not have.
+        InputError: the observation or action mode is not supported by the batched core.
     """
     check_core(config, "An environment that is stepped together with others")
     if config.render.mode == "human":
-        raise InputError("Slots that are stepped together cannot have render_mode='human'.")
+        raise InputError("Slots that are stepped together do not support render_mode='human'.")
 
 
 class JointSlots(SlotSet):
-    """Slots whose robots are steered, and whose readings are judged, all in one pass.
+    """Slots whose control, observations and rewards are computed in one pass.
 
-    What a slot does agrees with ``SlotSet`` to rounding, not to the bit.
+    Results agree with ``SlotSet`` to rounding, not to the bit.
 
     Args:
         envs: unwrapped environments of one task and one config.
-        mode: how they are reset after an episode.
+        mode: the autoreset mode.
         rows: their rows.
-        limit: the time limit, steps; None for none.
+        limit: the time limit in steps; None for no limit.
     """
 
     def __init__(
@@ -93,7 +93,7 @@ class JointSlots(SlotSet):
         return info
 
     def _reserve(self, objects: int) -> None:
-        """Make room for worlds of so many objects."""
+        """Reserve rows for worlds with this number of objects."""
         self._gathered = WorldRows(len(self.envs), objects, self._task.most)
         self._half: Float[np.ndarray, "n k 3"] = np.zeros((len(self.envs), objects, 3))
         for k, env in enumerate(self._inner):
@@ -103,7 +103,7 @@ class JointSlots(SlotSet):
         self._seen = self._gathered.read()
 
     def _take_order(self, k: int) -> None:
-        """Take over the slot's objects in the order that its active goal has them."""
+        """Store the order of the slot's objects for its active goal."""
         env = self._inner[k]
         order = [env.world.index(name) for name in env.order]
         self._order[k], self._order[k, : len(order)] = -1, order
@@ -111,7 +111,7 @@ class JointSlots(SlotSet):
         self._active[k] = env.active
 
     def _advance(self, playing: Slots) -> dict[int, dict[str, Any]]:
-        """Step some slots; show what they see, and return their infos by slot."""
+        """Step some slots; write their observations, and return their infos by slot."""
         one, task = self._inner[0], self._task
         self._steer(playing)
         for k in playing:
@@ -136,7 +136,7 @@ class JointSlots(SlotSet):
         return infos
 
     def _steer(self, playing: Slots) -> None:
-        """Write the servo commands of actions."""
+        """Compute and write the servo commands of actions."""
         one = self._inner[0]
         if self._begun.any():
             self._seen = self._read(np.flatnonzero(self._begun))
@@ -154,7 +154,7 @@ class JointSlots(SlotSet):
             state.servos[:], state.gripper[0] = ctrl[k, :7], ctrl[k, 7]
 
     def _finish(self, k: int, info: dict[str, Any]) -> dict[str, Any]:
-        """Show what slot ``k`` sees, or reset it if its episode is over; return its info."""
+        """Write the observation of slot ``k``, or reset it after its episode; return its info."""
         rows, ended = self._rows, self._limit is not None and self._steps[k] >= self._limit
         seen, reward = self._observe(k), float(rows.rewards[k])
         rows.over[k] = ended
@@ -173,7 +173,7 @@ class JointSlots(SlotSet):
                 "desired_goal": desired[k]}  # fmt: skip
 
     def _read(self, slots: Slots) -> Readings:
-        """Return the readings, those of some slots anew."""
+        """Return the readings, refreshed for some slots."""
         for k in slots:
             env = self._inner[k]
             self._gathered.copy(int(k), env.world, env.episode.goals)

@@ -13,24 +13,25 @@ from generator.errors import InputError, TabletopError
 
 
 def pack(things: Any, what: str) -> bytes:
-    """Return things as bytes for another process; functions and classes of a script too.
+    """Pickle values for another process, including functions and classes of a script.
 
     Raises:
-        InputError: they cannot be sent; ``what`` begins the message, "The scenes and settings".
+        InputError: the values cannot be sent; ``what`` begins the message, as in "The scenes and
+            settings".
     """
     try:
         return cloudpickle.dumps(things)
-    except Exception as error:  # whatever the things do as they are packed
+    except Exception as error:  # pickling may raise any exception
         raise InputError(
             f"{what} cannot be sent between processes: {type(error).__name__}: {error}. Use "
-            "processes=None, which keeps the slots in this process, or things that can be pickled."
+            "processes=None, which keeps the slots in this process, or picklable values."
         ) from error
 
 
 def make_portable(error: Exception) -> Exception:
-    """Return an error that can be sent, its traceback noted if it is none of the project's.
+    """Return an error that can be sent; foreign errors get their traceback as a note.
 
-    Where it cannot be sent itself, it is a RuntimeError that says the same.
+    An error that cannot be pickled becomes a RuntimeError with the same message.
     """
     if not isinstance(error, TabletopError):
         error.add_note("".join(traceback.format_exception(error)))
@@ -45,12 +46,12 @@ def make_portable(error: Exception) -> Exception:
 
 
 def render(env: gym.Env) -> Any:
-    """Return what the environment draws."""
+    """Return the rendered frame of the environment."""
     return env.render()
 
 
 def call(env: gym.Env, name: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> Any:
-    """Return what a method returns, or an attribute."""
+    """Return an attribute, or the result of a method."""
     found = get(env, name)
     return found(*args, **kwargs) if callable(found) else found
 
@@ -61,5 +62,5 @@ def get(env: gym.Env, name: str) -> Any:
 
 
 def put(env: gym.Env, name: str, value: Any) -> None:
-    """Set an attribute of the environment or of the wrapper that has it."""
+    """Set an attribute of the environment, or of the wrapper that has it."""
     env.set_wrapper_attr(name, value)

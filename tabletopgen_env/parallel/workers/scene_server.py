@@ -1,8 +1,8 @@
-"""One scene source for the slots of several processes: it is asked for each scene.
+"""A single scene source that serves the slots of several processes.
 
-A source whose draws depend on the generator alone (``FixedScenes``, ``FreshScenes``) is copied to
-each process. Any other stays where the vector environment is, so that it is renewed, or made
-harder, for all slots together: a process sends it the slot's generator, and is sent the reference.
+A source whose draws depend only on the generator (``FixedScenes``, ``FreshScenes``) is copied to
+each process. Any other source stays with the vector environment, so that its pool or curriculum is
+common to all slots: a process sends it the slot's generator and receives a scene reference.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ from ...scenes import (
 from ...scenes.source import HeldRef, Remembered, record
 from .pickling import make_portable
 
-_KEPT = 4096  # references that are lent; each slot has one at a time
+_KEPT = 4096  # lent references; each slot has one at a time
 
 
 @dataclass(frozen=True)
 class Wish:
-    """What a process wants of the source: a scene, drawn with ``rng``, or that it records.
+    """A request to the source: to draw a scene with ``rng``, or to record a result.
 
-    ``key`` is of the scene whose episode ended, with ``success`` or without.
+    ``key`` identifies the scene whose episode ended; ``success`` is its result.
     """
 
     rng: np.random.Generator | None = None
@@ -48,20 +48,20 @@ class Wish:
 
 
 def is_lent(source: object) -> bool:
-    """Tell whether a source is to stay in one place: its draws depend on more than a generator."""
+    """Return whether a source must stay in one process: its draws depend on more than ``rng``."""
     return isinstance(source, SceneSource) and type(source) not in (FixedScenes, FreshScenes)
 
 
 def shared_scene(
     scene: SceneChoice, needs: Needs, start: SceneChoice, processes: bool
 ) -> SceneChoice:
-    """Return the option "scene" of a reset as all slots may be given it.
+    """Return the option "scene" of a reset in a form that all slots can use.
 
-    A source that has to stay in one place is drawn from by one slot at a time.
+    Slots draw one at a time from a source that must stay in one place.
 
     Raises:
-        InputError: it is such a source, or means one, and the slots are in several processes.
-        BundleError: no bundle fits.
+        InputError: the scene is such a source or names one, and the slots are in several processes.
+        BundleError: no bundle matches.
     """
     source = resolve(scene, needs, start)
     if not is_lent(source):
@@ -69,23 +69,23 @@ def shared_scene(
     if processes:
         raise InputError(
             f"The option 'scene' cannot be a {type(source).__name__} for slots in several "
-            "processes, each of which would have its own. Pass it as scenes= when the vector "
-            "environment is made, or name fixed scenes."
+            "processes, since each process would have its own copy. Pass it as scenes= when "
+            "creating the vector environment, or use fixed scenes."
         )
     return SharedScenes(source)
 
 
 class AskedScenes:
-    """The scenes of a source in another process; ``connect`` says how it is asked.
+    """The scenes of a source in another process; ``connect`` sets the function that requests them.
 
-    A copy has to be connected first.
+    A copy must be connected before use.
     """
 
     def __init__(self) -> None:
         self._ask: Callable[[Wish], Any] | None = None
 
     def connect(self, ask: Callable[[Wish], Any]) -> None:
-        """Ask by a function, which returns the answer or raises its error."""
+        """Set the function that sends a request and returns the answer or raises its error."""
         self._ask = ask
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
@@ -96,7 +96,7 @@ class AskedScenes:
         return ref
 
     def record(self, ref: SceneRef, success: bool) -> None:
-        """Pass on how an episode at a scene ended."""
+        """Forward the result of an episode."""
         assert self._ask is not None
         self._ask(Wish(key=ref.key, success=success))
 
@@ -105,7 +105,7 @@ class AskedScenes:
 
 
 class LentScenes:
-    """A source as it is lent to other processes."""
+    """A source lent to other processes."""
 
     def __init__(self, source: SceneSource) -> None:
         self._source = source
@@ -114,7 +114,7 @@ class LentScenes:
         self._lent: OrderedDict[str, SceneRef] = OrderedDict()
 
     def fulfil(self, wish: Wish) -> bytes:
-        """Return the packed answer: whether it went well, and what ``AskedScenes`` wants."""
+        """Return the pickled answer to a request: whether it succeeded, and its value or error."""
         try:
             if wish.rng is None:
                 if (lent := self._lent.get(wish.key)) is not None:
@@ -126,12 +126,12 @@ class LentScenes:
             return cloudpickle.dumps((False, make_portable(error)))
 
     def _pack(self, ref: SceneRef, state: Any) -> bytes:
-        """Pack a reference; a scene in memory, or that only this process can load, goes along."""
+        """Pickle a reference; include the scene if other processes cannot load it."""
         if not isinstance(ref, HeldRef):
             self._keep(ref.key, ref)
             try:
                 return cloudpickle.dumps((True, (ref, state)))
-            except Exception:  # whatever its function holds on to
+            except Exception:  # pickling may raise any exception
                 sent = SceneRef(ref.key, _Sent(ref.load()), ref.difficulty)
         else:
             key = self._names.of(ref, lambda _: f"lent:{next(self._numbers)}")
@@ -140,7 +140,7 @@ class LentScenes:
         return cloudpickle.dumps((True, (sent, state)))
 
     def _keep(self, key: str, ref: SceneRef) -> None:
-        """Keep a reference until its episode has ended; the oldest of very many is forgotten."""
+        """Keep a reference until its episode has ended; beyond a limit, drop the oldest one."""
         self._lent[key] = ref
         self._lent.move_to_end(key)
         while len(self._lent) > _KEPT:
@@ -149,7 +149,7 @@ class LentScenes:
 
 @dataclass(frozen=True, eq=False)
 class _Sent:
-    """Loads a scene that was sent along."""
+    """Returns the scene that was sent with the reference."""
 
     scene: Scene
 

@@ -1,8 +1,8 @@
-"""A shard: some slots of a vector environment in a process of their own.
+"""A shard: some slots of a vector environment in a separate process.
 
-It reads requests from its channel and answers each, its slots' rows written to the shared arrays.
-The request to step is one byte, and so is the answer if there is nothing to tell. While it is at a
-request it may ask for a scene (``scene_server``).
+It reads requests from its channel and answers each after writing its slots' rows to the shared
+arrays. The step request is one byte, and so is the answer if all results are in the arrays. While
+handling a request the shard can request a scene (``scene_server``).
 """
 
 from __future__ import annotations
@@ -26,15 +26,15 @@ from .scene_server import AskedScenes, Wish
 from .slots import Job, SlotSet, attempt
 
 STEP, DONE = b"s", b"."
-"""The request to step, and the answer if all is in the arrays."""
+"""The step request, and the answer if all results are in the arrays."""
 
 
 @dataclass(frozen=True)
 class ShardEnvs:
-    """What a shard is made of.
+    """Environments and settings of a shard.
 
-    ``envs`` are its environments, ``joint`` makes a ``JointSlots`` of them with ``limit``, and
-    ``asked`` is what of them asks for scenes, if anything.
+    ``envs`` are its environments; with ``joint`` they run as ``JointSlots`` with the time limit
+    ``limit``. ``asked`` is the environments' scene source if the scenes come from another process.
     """
 
     envs: Sequence[gym.Env]
@@ -44,7 +44,7 @@ class ShardEnvs:
     limit: int | None = None
 
     def make(self, rows: SlotArrays) -> SlotSet:
-        """Return the slots, whose rows these are."""
+        """Create the slots with their rows."""
         if self.joint:
             return JointSlots(self.envs, self.mode, rows, self.limit)
         return SlotSet(self.envs, self.mode, rows)
@@ -52,14 +52,14 @@ class ShardEnvs:
 
 @dataclass(frozen=True)
 class ShardPlace:
-    """Where a shard is among the others, and its open files.
+    """Position of a shard among the others, and its open files.
 
     Attributes:
-        number: which of the shards it is.
+        number: index of the shard.
         first: its first slot.
-        count: slots of all shards.
-        channels: the ends of all shards' channels that are the shards'.
-        memory, size: the file of the shared arrays, and its bytes.
+        count: number of slots of all shards.
+        channels: the shards' ends of all channels.
+        memory, size: the file of the shared arrays, and its size in bytes.
     """
 
     number: int
@@ -72,7 +72,7 @@ class ShardPlace:
 
 @dataclass(frozen=True)
 class ShardAnswer:
-    """What a request came to: what changed in infos, and a value or the first slot's error."""
+    """The answer to a request: changes of infos, and a value or the first slot's error."""
 
     changes: tuple[InfoChange, ...] = ()
     value: Any = None
@@ -80,12 +80,12 @@ class ShardAnswer:
 
     @property
     def empty(self) -> bool:
-        """Whether there is nothing to tell."""
+        """Whether there is nothing to send."""
         return not self.changes and self.value is None and self.error is None
 
 
 def serve(place: ShardPlace, packed: bytes) -> None:
-    """Be a shard until the channel ends; ``packed`` is its ``ShardEnvs``."""
+    """Run a shard until its channel closes; ``packed`` is its pickled ``ShardEnvs``."""
     for channel in place.channels:
         if channel != place.channels[place.number]:
             os.close(channel)
@@ -99,12 +99,12 @@ def serve(place: ShardPlace, packed: bytes) -> None:
         try:
             while True:
                 _send(channel, shard.answer(channel.recv_bytes()))
-        except (EOFError, OSError):  # the vector environment is closed, or gone
+        except (EOFError, OSError):  # the vector environment was closed or has ended
             shard.close()
 
 
 class _Shard:
-    """The slots, the columns of their infos, and what is asked of them."""
+    """The slots, the columns of their infos, and the handlers of requests."""
 
     def __init__(self, channel: Connection, place: ShardPlace, own: ShardEnvs) -> None:
         block, sample = SharedBlock(place.memory, place.size), own.envs[0]
@@ -120,12 +120,12 @@ class _Shard:
             own.asked.connect(self._ask)
 
     def answer(self, request: bytes) -> ShardAnswer:
-        """Do what a request says."""
+        """Handle a request."""
         if request == STEP:
             return self._tell(range(len(self._own.envs)), self._slots.step_all(self._first))
         try:
             what, given = pickle.loads(request)
-        except Exception as error:  # something in it cannot be made here
+        except Exception as error:  # unpickling may raise any exception
             return ShardAnswer(error=make_portable(error))
         return getattr(self, f"_{what}")(*given)
 
@@ -145,21 +145,21 @@ class _Shard:
         return ShardAnswer(value=None if error else done, error=error)
 
     def _copy(self) -> ShardAnswer:
-        """Answer with a packed copy of the environments, none of which has an episode."""
+        """Return a pickled copy of the environments, none of which has an episode."""
         return ShardAnswer(value=pack(self._own, "The slots' environments"))
 
     def _each(self, work: Callable[[int], Any], slots: Iterable[int]) -> list[Any]:
         return [attempt(work, k, self._first) for k in slots]
 
     def _tell(self, slots: Iterable[int], infos: Iterable[Any]) -> ShardAnswer:
-        """Write infos; errors among them are no infos."""
+        """Write infos and return their changes with the first error."""
         infos = list(infos)
         pairs = [(k, i) for k, i in zip(slots, infos, strict=True) if isinstance(i, dict)]
         changes = [change for k, i in pairs if (change := self._infos.write(k, i)) is not None]
         return ShardAnswer(tuple(changes), error=_first_error(infos))
 
     def _ask(self, wish: Wish) -> Any:
-        """Ask for a scene, or have the source record."""
+        """Request a scene, or have the source record a result."""
         self._channel.send_bytes(cloudpickle.dumps(wish))
         well, value = pickle.loads(self._channel.recv_bytes())
         if not well:
@@ -178,6 +178,6 @@ def _send(channel: Connection, answer: ShardAnswer) -> None:
         return
     try:
         packed = pack(answer, "What the slots return")
-    except Exception as error:  # the values; what changed in infos has to arrive
+    except Exception as error:  # the values are dropped, but the changes of infos have been applied
         packed = pack(ShardAnswer(error=error), "An error")
     channel.send_bytes(packed)

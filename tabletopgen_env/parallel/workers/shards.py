@@ -1,8 +1,8 @@
-"""Slots in several processes, some in each, that share arrays with this one.
+"""Slots in several processes that share arrays with this one.
 
-A step writes the actions into the arrays, wakes each shard by one byte, and waits for one byte of
-each. The processes are workers of a pool (``generator.jobs.workers``): new Python processes, which
-need no main guard in a script, and which end with this process, however that ends.
+A step writes the actions into the arrays, wakes each shard with one byte, and waits for one byte
+from each. The processes are workers of a pool (``generator.jobs.workers``): fresh Python processes,
+which need no main guard in a script and end with this process, however it ends.
 """
 
 from __future__ import annotations
@@ -34,18 +34,18 @@ from .scene_server import AskedScenes, LentScenes, Wish
 from .shard import DONE, STEP, ShardAnswer, ShardEnvs, ShardPlace, serve
 from .slots import Job
 
-_PATIENCE = 5.0  # seconds that shards have to close their environments
+_PATIENCE = 5.0  # seconds for shards to close their environments
 
 
 @dataclass(frozen=True)
 class ShardParts:
-    """What shards are made of.
+    """The parts from which shards are created.
 
     Attributes:
-        packed: of each its ``ShardEnvs``, packed.
-        sizes: how many slots each has.
+        packed: the pickled ``ShardEnvs`` of each shard.
+        sizes: number of slots of each shard.
         observation, action: the spaces of a slot.
-        source: where their scenes come from, if they ask for them.
+        source: the scene source, if the shards request their scenes.
     """
 
     packed: tuple[bytes, ...]
@@ -64,10 +64,10 @@ def split_slots(
     joint: bool,
     limit: int | None,
 ) -> ShardParts:
-    """Return the parts of as many shards as there are processes; slots are split evenly, in order.
+    """Split slots evenly, in order, into one shard per process.
 
-    ``asked`` is what the environments draw from, if ``source`` is to stay here; ``joint`` and
-    ``limit`` as ``ShardEnvs`` has them.
+    ``asked`` is the environments' scene source if ``source`` stays in this process; ``joint`` and
+    ``limit`` are as in ``ShardEnvs``.
 
     Raises:
         InputError: an environment cannot be sent to another process.
@@ -83,11 +83,11 @@ def split_slots(
 
 
 class ShardSlots:
-    """Slots in processes; a copy has processes of its own, with copies of the environments.
+    """Slots in processes; a copy has its own processes with copies of the environments.
 
     Raises:
         WorkerDied: a process could not be started.
-        InputError: what was sent could not be unpacked there.
+        InputError: the environments could not be unpickled there.
     """
 
     def __init__(self, parts: ShardParts) -> None:
@@ -97,7 +97,8 @@ class ShardSlots:
         self._owing: set[int] = set()
         self._selector = selectors.DefaultSelector()
         self._reader = InfoReader(self._start(parts))
-        self._parts = replace(parts, packed=())  # which are large, and where they are needed now
+        # the pickled environments are large and no longer needed
+        self._parts = replace(parts, packed=())
         self.pids = self._begin()
 
     def step(self) -> dict[str, Any]:
@@ -114,9 +115,9 @@ class ShardSlots:
         return self._reader.read(seeds)
 
     def visit(self, jobs: Mapping[int, Job]) -> list[Any]:
-        """Do a job with each of some environments; what it takes and gives is sent."""
+        """Run a job on each of some environments; jobs and results are pickled."""
         answers = self._request({
-            shard: pack(("visit", (of,)), "What the slots are to do")
+            shard: pack(("visit", (of,)), "The functions for the slots")
             for shard, of in self._share(jobs).items()
         })  # fmt: skip
         values = [value for shard in sorted(answers) for value in answers[shard].value]
@@ -124,7 +125,7 @@ class ShardSlots:
         return [done[k] for k in jobs]
 
     def close(self) -> None:
-        """Close the environments and end the processes; may be called twice."""
+        """Close the environments and end the processes; repeated calls are allowed."""
         self.live = False
         self._selector.close()
         for channel in self._channels:
@@ -136,7 +137,7 @@ class ShardSlots:
     # --------------------------------------------------------------------------------- processes
 
     def _start(self, parts: ShardParts) -> Float[np.ndarray, "m n"]:
-        """Start the processes, which share the arrays; return the numbers of their infos."""
+        """Start the processes and share the arrays; return the array of infos' numbers."""
         count: int = self._firsts[-1]
 
         def take(shape: tuple[int, ...], dtype: Any) -> np.ndarray:
@@ -187,7 +188,7 @@ class ShardSlots:
     # ----------------------------------------------------------------------------------- talking
 
     def _share(self, told: Mapping[int, Any]) -> dict[int, dict[int, Any]]:
-        """Return what each shard is told of its slots, which it counts from 0."""
+        """Split values per slot by shard, with slots counted from the shard's first."""
         shares: dict[int, dict[int, Any]] = {}
         for k in sorted(told):
             shard = int(np.searchsorted(self._firsts, k, "right")) - 1
@@ -196,7 +197,7 @@ class ShardSlots:
 
     def _request(self, requests: Mapping[int, bytes]) -> dict[int, ShardAnswer]:
         """Send requests to shards; return their answers, or raise the first slot's error."""
-        if self._owing:  # a call before was interrupted
+        if self._owing:  # an earlier call was interrupted
             self._gather()
         for shard, request in requests.items():
             with self._talking(shard):
@@ -205,7 +206,7 @@ class ShardSlots:
         return self._finish()
 
     def _finish(self) -> dict[int, ShardAnswer]:
-        """Return the answers of all shards that owe one, or raise the first slot's error."""
+        """Return the pending answers of all shards, or raise the first slot's error."""
         answers = self._gather()
         for shard in sorted(answers):
             if (error := answers[shard].error) is not None:
@@ -213,7 +214,7 @@ class ShardSlots:
         return answers
 
     def _gather(self) -> dict[int, ShardAnswer]:
-        """Return the answers of all shards that owe one; meanwhile draw the scenes they want."""
+        """Return the pending answers of all shards, serving their scene requests meanwhile."""
         answers: dict[int, ShardAnswer] = {}
         while self._owing:
             for key, _ in self._selector.select():
@@ -222,7 +223,7 @@ class ShardSlots:
         return answers
 
     def _hear(self, shard: int, answers: dict[int, ShardAnswer]) -> None:
-        """Receive a shard's answer, or fulfil its wish."""
+        """Receive a shard's answer, or serve its scene request."""
         packed = self._channels[shard].recv_bytes()
         message: ShardAnswer | Wish = ShardAnswer() if packed == DONE else pickle.loads(packed)
         if isinstance(message, Wish):
@@ -235,7 +236,7 @@ class ShardSlots:
 
     @contextlib.contextmanager
     def _talking(self, shard: int) -> Iterator[None]:
-        """Close all shards where what is said does not get through whole, and answered."""
+        """Close all shards if a message is not fully exchanged."""
         try:
             yield
         except (EOFError, OSError):
@@ -247,7 +248,7 @@ class ShardSlots:
             raise
 
     def _explain(self, shard: int) -> WorkerDied:
-        """Return the error that says how a shard ended."""
+        """Return an error that reports how a shard ended."""
         try:
             self._futures[shard].result(_PATIENCE)
             how = "hung up"
@@ -257,9 +258,9 @@ class ShardSlots:
             how = f"failed ({type(error).__name__}: {error})"
         first, last = self._firsts[shard], self._firsts[shard + 1] - 1
         died = WorkerDied(
-            f"The process of shard {shard} of {len(self._channels)} (slots {first} to {last} of "
-            f"the vector environment) {how}. The other shards are closed, too: make a new vector "
-            "environment, with fewer processes, or a smaller cache, if memory is short."
+            f"The process of shard {shard} of {len(self._channels)} (slots {first} to {last} "
+            f"of the vector environment) {how}. The other shards are closed, too: create a new "
+            "vector environment, with fewer processes or a smaller cache if memory is short."
         )
         died.how = how
         return died

@@ -11,13 +11,13 @@ from gymnasium.vector import AutoresetMode
 from .arrays import SlotArrays
 
 Job = Callable[[gym.Env], Any]
-"""What may be asked of a slot: a function of its environment."""
+"""A job of a slot: a function of its environment."""
 
 
 class SlotRunner(Protocol):
-    """All slots of a vector environment, wherever they are stepped.
+    """Interface of all slots of a vector environment, on threads or in processes.
 
-    An error is raised once all slots are done, that of the first slot that has one.
+    If slots raise errors, the first slot's error is raised after all slots are done.
     """
 
     @property
@@ -27,19 +27,19 @@ class SlotRunner(Protocol):
 
     @property
     def live(self) -> bool:
-        """Whether it is not closed."""
+        """Whether the slots are open."""
         ...
 
     def step(self) -> dict[str, Any]:
-        """Step every slot by its row of ``actions``, or reset it; return their infos."""
+        """Step every slot with its row of ``actions``, or reset it; return their infos."""
         ...
 
     def reset(self, seeds: Mapping[int, int | None], options: dict[str, Any]) -> dict[str, Any]:
-        """Reset the slots that have a seed, or None, in ``seeds``; return their infos."""
+        """Reset the slots that are keys of ``seeds``, with a seed or None; return their infos."""
         ...
 
     def visit(self, jobs: Mapping[int, Job]) -> list[Any]:
-        """Return what each slot's job returns of its environment."""
+        """Run each slot's job on its environment; return the results."""
         ...
 
     def close(self) -> None:
@@ -48,9 +48,9 @@ class SlotRunner(Protocol):
 
 
 class SlotSet:
-    """Environments, the way that they are reset after an episode, and their rows.
+    """Environments, their autoreset mode and their rows.
 
-    What is told of slot k of this set is in row k. No two threads may work on the same slot.
+    Slot k of this set uses row k. No two threads may work on the same slot.
     """
 
     def __init__(self, envs: Sequence[gym.Env], mode: AutoresetMode, rows: SlotArrays) -> None:
@@ -59,11 +59,11 @@ class SlotSet:
         self._rows = rows
 
     def step_all(self, first: int) -> list[Any]:
-        """Step or reset every slot; return their infos or errors. ``first`` is slot 0's number."""
+        """Step or reset every slot; return infos or errors. ``first`` is the number of slot 0."""
         return [attempt(self.step, k, first) for k in range(len(self.envs))]
 
     def step(self, k: int) -> dict[str, Any]:
-        """Step slot ``k`` by its action, or reset it if its episode is over; return its info."""
+        """Step slot ``k`` with its action, or reset it if its episode is over; return its info."""
         if self._rows.over[k]:
             info = self.reset(k)
             self._end(k, 0.0, False, False)
@@ -79,9 +79,9 @@ class SlotSet:
         return info
 
     def reset(self, k: int, **given: Any) -> dict[str, Any]:
-        """Reset slot ``k``, which has no episode until that is done; return its info.
+        """Reset slot ``k``, which has no episode until this succeeds; return its info.
 
-        An episode that is not over is given up: no curriculum hears of it.
+        An unfinished episode is discarded; curricula do not record it.
         """
         rows = self._rows
         if rows.playing[k] and not rows.over[k]:
@@ -93,13 +93,13 @@ class SlotSet:
         return info
 
     def _end(self, k: int, reward: float, terminated: bool, truncated: bool) -> None:
-        """Write down what a step gave."""
+        """Store the results of a step."""
         rows = self._rows
         rows.rewards[k], rows.terminated[k], rows.truncated[k] = reward, terminated, truncated
 
 
 def attempt(work: Callable[[int], Any], k: int, first: int = 0) -> Any:
-    """Return what ``work`` returns of slot ``k``, or the error it raises, which names the slot."""
+    """Return the result of ``work`` for slot ``k``, or the error it raises with the slot noted."""
     try:
         return work(k)
     except Exception as error:
@@ -107,6 +107,6 @@ def attempt(work: Callable[[int], Any], k: int, first: int = 0) -> Any:
 
 
 def name_slot(error: Exception, k: int) -> Exception:
-    """Return an error with a note of its slot."""
+    """Add a note with the slot to an error."""
     error.add_note(f"(in slot {k} of the vector environment)")
     return error

@@ -16,9 +16,9 @@ from .slots import Job, SlotSet, attempt
 
 
 class ThreadSlots:
-    """Slots on ``threads`` threads; each keeps to one of them, as OpenGL contexts have to.
+    """Slots on ``threads`` threads; each slot stays on one thread, as OpenGL contexts require.
 
-    A copy has copies of the environments, and threads of its own.
+    A copy has copies of the environments, and its own threads.
     """
 
     def __init__(self, envs: Sequence[gym.Env], mode: AutoresetMode, threads: int) -> None:
@@ -43,11 +43,11 @@ class ThreadSlots:
         return merge(len(self.slots.envs), zip(seeds, self._each(start, seeds), strict=True))
 
     def visit(self, jobs: Mapping[int, Job]) -> list[Any]:
-        """Do a job with each of some environments."""
+        """Run a job on each of some environments."""
         return self._each(lambda k: jobs[k](self.slots.envs[k]), jobs)
 
     def close(self) -> None:
-        """Close the environments and end the threads; may be called twice."""
+        """Close the environments and end the threads; repeated calls are allowed."""
         if not self.live:
             return
         self.live = False
@@ -58,7 +58,7 @@ class ThreadSlots:
                 worker.shutdown()
 
     def _each(self, work: Callable[[int], Any], slots: Iterable[int]) -> list[Any]:
-        """Do each slot's work in its thread; raise the first slot's error once all are done."""
+        """Run each slot's work in its thread; raise the first slot's error once all are done."""
         slots, count = list(slots), len(self._workers)
 
         def work_off(mine: list[int]) -> dict[int, Any]:

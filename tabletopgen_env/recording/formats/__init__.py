@@ -1,4 +1,4 @@
-"""The formats of a dataset: what writes episodes into a place, one after the other."""
+"""The formats of a dataset, each with a writer that receives episodes one by one."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ..episodes import RecordedEpisode
 __all__ = ["RESUMABLE", "Writer", "check_installed", "writer"]
 
 RESUMABLE: tuple[Format, ...] = ("lerobot",)
-"""The formats whose recordings can be resumed."""
+"""Formats whose recordings can be resumed."""
 
 _PACKAGES: Mapping[Format, tuple[str, ...]] = MappingProxyType(
     {
@@ -31,26 +31,26 @@ _PACKAGES: Mapping[Format, tuple[str, ...]] = MappingProxyType(
 
 
 class Writer(Protocol):
-    """Writes episodes; the dataset is whole once it is finished.
+    """Writes episodes; the dataset is complete after ``finish``.
 
     Attributes:
-        kept: How many episodes are written.
-        resumed_at: The number of the episode that is to be played first.
+        kept: Number of written episodes.
+        resumed_at: Number of the first episode to be played.
     """
 
     kept: int
     resumed_at: int
 
     def add(self, episode: RecordedEpisode) -> None:
-        """Write one more."""
+        """Write one more episode."""
         ...
 
     def finish(self) -> None:
-        """Write what is known once all episodes are there."""
+        """Write the dataset's entries after the last episode."""
         ...
 
     def close(self) -> None:
-        """Free what is open, whether the dataset is finished or not."""
+        """Release open resources, whether or not the dataset is finished."""
         ...
 
 
@@ -61,7 +61,7 @@ def writer(
     env: gym.Env[Any, Any],
     lerobot: LeRobotConfig,
 ) -> Writer:
-    """Return what writes a dataset of a format to ``place``, which is in a folder of its own."""
+    """Return the writer of a format for the dataset ``place``, in its own folder."""
     if format == "minari":
         from .minari_writer import MinariWriter
 
@@ -84,10 +84,10 @@ def writer(
 
 
 def check_installed(format: Format, lerobot: LeRobotConfig) -> None:
-    """Check that the packages of a format are there, and the codecs that it needs.
+    """Check that the packages and codecs of a format are installed.
 
     Raises:
-        InputError: one is missing.
+        InputError: a package or codec is missing.
     """
     extra = "lerobot" if format == "lerobot" else "record"
     for needed in _PACKAGES[format]:
@@ -98,7 +98,8 @@ def check_installed(format: Format, lerobot: LeRobotConfig) -> None:
         except ImportError as error:
             raise InputError(
                 f"The format {format!r} needs the package {needed}, which is not installed: "
-                f"pip install 'tabletopgen[{extra}]'. The format 'npz' needs none."
+                f"pip install 'tabletopgen[{extra}]'. The format 'npz' needs no further "
+                "package."
             ) from error
     if format == "lerobot" and lerobot.video != "none":
         from ..lerobot.videos import check_codec

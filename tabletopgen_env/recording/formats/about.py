@@ -1,4 +1,4 @@
-"""What a dataset says of itself."""
+"""The metadata of a dataset."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from generator.scene.provenance import versions
 from ..config import EXPERT, RecordConfig
 
 _VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "numpy")
-_OF_EXPERT = ("episodes", "noise", "keep_failures")  # settings that another player does not heed
+_OF_EXPERT = ("episodes", "noise", "keep_failures")  # settings ignored by other players
 
 
 def describe_dataset(config: RecordConfig, env: gym.Env[Any, Any]) -> dict[str, Any]:
-    """Return environment, player, settings, control rate and versions, as JSON values.
+    """Return environment, player, settings, control rate and versions as JSON values.
 
-    The settings are those that had a meaning, and of ``env`` as it is where ``config`` would have
-    made another.
+    Only the settings that had an effect are included; settings of ``env`` override those of
+    ``config``.
     """
     assert env.spec is not None
     meaningless = {"player"} if config.player == EXPERT else {"player", *_OF_EXPERT}

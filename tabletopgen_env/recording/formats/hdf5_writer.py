@@ -1,4 +1,4 @@
-"""A dataset as one HDF5 file."""
+"""Datasets as one HDF5 file."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from .about import describe_dataset
 if TYPE_CHECKING:
     import h5py
 
-_PICTURE_BYTES = 1024  # a row as large as this is read, and packed, on its own
+_PICTURE_BYTES = 1024  # rows of at least this size form their own compressed chunks
 
 
 class Hdf5Writer:
-    """One HDF5 file, which is not there yet; see the package's page."""
+    """Writes one new HDF5 file; see the package docstring."""
 
     resumed_at = 0
 
@@ -54,7 +54,7 @@ class Hdf5Writer:
 
 @contextmanager
 def whole_group(parent: h5py.Group, name: str) -> Iterator[h5py.Group]:
-    """Give a new group, which goes again if it cannot be filled."""
+    """Yield a new group, which is deleted again if it cannot be filled."""
     try:
         yield parent.create_group(name)
     except BaseException:
@@ -63,7 +63,7 @@ def whole_group(parent: h5py.Group, name: str) -> Iterator[h5py.Group]:
 
 
 def fill_group(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
-    """Write arrays, lists of texts or numbers and what is nested into a group."""
+    """Write arrays, lists of texts or numbers, and nested groups into a group."""
     import h5py
 
     for name, value in arrays.items():
@@ -74,6 +74,7 @@ def fill_group(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
         if isinstance(value, list):
             if isinstance(value[0], str):
                 how = {"dtype": h5py.string_dtype()}
-        elif value.ndim > 2 and value[0].nbytes >= _PICTURE_BYTES:  # to be read one by one
+        # so that they can be read one by one
+        elif value.ndim > 2 and value[0].nbytes >= _PICTURE_BYTES:
             how = {"chunks": (1, *value.shape[1:]), "compression": "gzip"}
         group.create_dataset(name, data=value, **how)

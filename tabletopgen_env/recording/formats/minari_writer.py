@@ -1,4 +1,4 @@
-"""A dataset of Minari."""
+"""Minari datasets."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class MinariWriter:
-    """A Minari dataset in a folder of its id's name, which is not there yet."""
+    """Writes a new Minari dataset in a folder named after its id."""
 
     resumed_at = 0
 
@@ -45,23 +45,23 @@ class MinariWriter:
         self._summaries.add(episode.summaries())
 
     def finish(self) -> None:
-        """Write what is known of all episodes."""
+        """Write the metadata of all episodes."""
         assert self._dataset is not None
         about = describe_dataset(self._config, self._env)
         about["statistics"] = self._summaries.figures()
         self._dataset.storage.update_metadata({"tabletopgen": about})
 
     def close(self) -> None:
-        """Nothing is open: every episode is written when it is added."""
+        """Do nothing: every episode is complete when it is added."""
 
     def _begin(self, first: Any) -> MinariDataset:
-        """Return the dataset of the first episode."""
+        """Create the dataset with the first episode."""
         import minari
 
         about = describe_dataset(self._config, self._env)
         used = about["versions"]
         with _minari_root(self._place.parent), warnings.catch_warnings():
-            # Authors, a link to code and the like are for who publishes the dataset.
+            # The publisher of the dataset adds authors, a link to code and the like.
             warnings.filterwarnings("ignore", category=UserWarning, module="minari")
             return minari.create_dataset_from_buffers(
                 dataset_id=self._place.name,
@@ -71,13 +71,13 @@ class MinariWriter:
                 description=f"{self._config.player} in {about['environment']['id']}.",
                 requirements=[f"{name}=={used[name]}" for name in ("tabletopgen", "mujoco")],
                 data_format="hdf5",
-                jpeg_encoding=False,  # it is lossy
+                jpeg_encoding=False,  # lossy otherwise
             )
 
 
 @contextmanager
 def _minari_root(folder: Path) -> Iterator[None]:
-    """Have Minari make datasets in a folder: it takes the place from the environment alone."""
+    """Have Minari create datasets in a folder, which it only reads from the environment."""
     before = os.environ.get("MINARI_DATASETS_PATH")
     os.environ["MINARI_DATASETS_PATH"] = str(folder)
     try:

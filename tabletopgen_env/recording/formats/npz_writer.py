@@ -1,4 +1,4 @@
-"""A dataset as a folder of NumPy files."""
+"""Datasets as a folder of NumPy files."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .about import describe_dataset
 
 
 class NpzWriter:
-    """A folder of NumPy files, which is not there yet; see the package's page."""
+    """Writes a new folder of NumPy files; see the package docstring."""
 
     resumed_at = 0
 
@@ -41,17 +41,17 @@ class NpzWriter:
         self._summaries.add(episode.summaries())
 
     def finish(self) -> None:
-        """Write what is known of all episodes."""
+        """Write the metadata of all episodes."""
         about = self._about | {"statistics": self._summaries.figures(), "episodes": self._facts}
         text = json.dumps(about, indent=1)
         (self._place / "dataset.json").write_text(text + "\n", encoding="utf-8")
 
     def close(self) -> None:
-        """Nothing is open."""
+        """Do nothing: no file stays open."""
 
 
 def _flat(arrays: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield arrays by their nested names joined with slashes."""
+    """Yield arrays with their nested names joined by slashes."""
     for name, value in arrays.items():
         if isinstance(value, Mapping):
             yield from _flat(value, f"{before}{name}/")

@@ -1,4 +1,4 @@
-"""A dataset in the layout of robomimic: one HDF5 file with a group for each demonstration.
+"""Datasets in robomimic's layout: one HDF5 file with a group per demonstration.
 
 The layout is https://robomimic.github.io/docs/datasets/overview.html.
 """
@@ -20,12 +20,12 @@ from ..summaries import Summaries
 from .about import describe_dataset
 from .hdf5_writer import fill_group, whole_group
 
-_GYM_TYPE = 2  # of robomimic's EnvType
-_VALID_EVERY = 10  # of so many demonstrations the last is for validation
+_GYM_TYPE = 2  # value of robomimic's EnvType
+_VALID_EVERY = 10  # every tenth demonstration is for validation
 
 
 class RobomimicWriter:
-    """One HDF5 file, which is not there yet; see the package's page."""
+    """Writes one new HDF5 file; see the package docstring."""
 
     resumed_at = 0
 
@@ -81,12 +81,12 @@ class RobomimicWriter:
 
 
 def _observations(episode: RecordedEpisode) -> dict[str, np.ndarray]:
-    """Return what robomimic calls observations, a row more than there are steps."""
+    """Return robomimic's observations, one row more than there are steps."""
     found = {"proprio": episode.proprio}
     if episode.state is not None:
         found["state"] = episode.state
     for name, pictures in episode.pictures.items():
-        if pictures.ndim == 3:  # depth or labels: robomimic wants a channel
+        if pictures.ndim == 3:  # depth or labels: robomimic needs a channel axis
             found[name] = pictures[..., None]
         else:
             found[f"{name}_image"] = pictures

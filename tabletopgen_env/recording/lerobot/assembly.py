@@ -1,4 +1,4 @@
-"""A dataset put together from its episodes."""
+"""Assembly of a dataset from its episodes."""
 
 from __future__ import annotations
 
@@ -20,24 +20,25 @@ if TYPE_CHECKING:
     import pyarrow.parquet as pq
 
 VERSION = "v3.0"
-"""Of the format."""
+"""Version of the format."""
 
 _FILE = "chunk-{chunk_index:03d}/file-{file_index:03d}"
 _DATA_PATH = f"data/{_FILE}.parquet"
 _VIDEO_PATH = f"videos/{{video_key}}/{_FILE}.mp4"
 _EPISODES_PATH = f"meta/episodes/{_FILE}.parquet"
-_PLACE = ("meta/episodes/chunk_index", "meta/episodes/file_index")  # of an episode's own row
-_EPISODES_A_GROUP = 64  # rows of a row group
+# columns of an episode's own row
+_PLACE = ("meta/episodes/chunk_index", "meta/episodes/file_index")
+_EPISODES_A_GROUP = 64  # episodes per row group
 
 
 @dataclass(frozen=True)
 class Limits:
-    """How large files and folders become.
+    """Maximum size of files and folders.
 
     Attributes:
-        data_mb: of a table, 2^20 bytes.
-        video_mb: of a video, 2^20 bytes.
-        files: in a folder ("chunk").
+        data_mb: size of a table, 2^20 bytes.
+        video_mb: size of a video, 2^20 bytes.
+        files: number of files in a folder ("chunk").
     """
 
     data_mb: float = 100
@@ -46,7 +47,7 @@ class Limits:
 
 
 class _Rollover:
-    """The file that what comes next goes into: a new one where the last would become too large."""
+    """The current file, replaced by a new one when it would become too large."""
 
     def __init__(self, most_mb: float, files: int) -> None:
         self._most, self._files = most_mb * 2**20, files
@@ -62,7 +63,7 @@ class _Rollover:
 
 
 class _Tables:
-    """Tables with the same columns, a row group each, one after the other into files."""
+    """Writes tables with the same columns to files, each table as a row group."""
 
     def __init__(self, root: Path, pattern: str) -> None:
         self._root, self._pattern = root, pattern
@@ -82,7 +83,7 @@ class _Tables:
         self._writer.write_table(table, row_group_size=max(len(table), 1))
 
     def close(self) -> None:
-        """Finish the file."""
+        """Close the current file."""
         if self._writer is not None:
             self._writer.close()
             self._writer = None
@@ -95,10 +96,10 @@ def assemble(
     info: Mapping[str, Any],
     limits: Limits,
 ) -> None:
-    """Write the dataset of episodes to a folder; ``info`` is what ``meta/info.json`` says besides.
+    """Write the dataset of episodes to a folder; ``info`` extends ``meta/info.json``.
 
     Raises:
-        OSError: the disk refused.
+        OSError: a file cannot be written.
     """
     place.mkdir()
     videos = [name for name, feature in features.items() if feature["dtype"] == "video"]
@@ -132,7 +133,7 @@ def assemble(
 
 
 class _Rows:
-    """The tables of steps and of episodes, as they grow, and where the videos go."""
+    """The tables of steps and episodes during assembly, and the positions of the videos."""
 
     def __init__(
         self,
@@ -146,7 +147,7 @@ class _Rows:
         self._data = _Tables(place, _DATA_PATH), _Rollover(limits.data_mb, limits.files)
         self._meta = _Tables(place, _EPISODES_PATH), _Rollover(limits.data_mb, limits.files)
         self._files = {name: _Rollover(limits.video_mb, limits.files) for name in videos}
-        self._shown: dict[tuple[str, int, int], int] = {}  # frames that a video has so far
+        self._shown: dict[tuple[str, int, int], int] = {}  # frames in a video so far
         self._waiting: list[dict[str, Any]] = []
         self.parts: dict[str, dict[tuple[int, int], list[Path]]] = {name: {} for name in videos}
         self.tasks: dict[str, int] = {}
@@ -183,7 +184,7 @@ class _Rows:
         self.frames += segment.length
 
     def close(self) -> None:
-        """Finish the files."""
+        """Close all files."""
         self._write_episodes()
         self._data[0].close()
         self._meta[0].close()
@@ -212,7 +213,7 @@ class _Rows:
         self._waiting.append(row)
 
     def _write_episodes(self) -> None:
-        """Write the rows of episodes that wait, which are all of one file."""
+        """Write the pending rows of episodes, which all belong to one file."""
         import pyarrow as pa
 
         if self._waiting:
@@ -232,7 +233,7 @@ def _write_videos(
 
 
 def _shape(figures: Mapping[str, Any], feature: Mapping[str, Any]) -> dict[str, Any]:
-    """Return figures in the shape that LeRobot gives them: (channels, 1, 1) of pictures."""
+    """Return statistics in LeRobot's shape: (channels, 1, 1) for pictures."""
     if feature["dtype"] not in ("image", "video"):
         return dict(figures)
     return {

@@ -1,4 +1,4 @@
-"""What a dataset holds of each step: the features of ``meta/info.json``."""
+"""The features of a dataset in ``meta/info.json``, and their values at each step."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .depth import DEPTH_INFO
 from .videos import CODECS, DEPTH_CODEC, GOP, Codec
 
 PICTURES = "observation.images."
-"""What the names of picture features begin with."""
+"""Prefix of the names of picture features."""
 
 _XYZ = ("x", "y", "z")
 _JOINTS = [f"joint_{k}" for k in range(1, 8)]
@@ -31,10 +31,10 @@ PROPRIO_NAMES = (
     "gripper.command",
     "gripper.velocity",
 )
-"""The entries of ``observation.state``, the robot's own, in order."""
+"""Entries of ``observation.state``, the robot's proprioception, in order."""
 
 ACTION_NAMES = ("tool.x", "tool.y", "tool.z", "hand.yaw", "gripper")
-"""The entries of an action in the mode "ee_delta"."""
+"""Entries of an action in the mode "ee_delta"."""
 
 _SLOT = (
     *(f"center.{k}" for k in _XYZ),
@@ -54,7 +54,7 @@ STATE_NAMES = (
     *(f"goal.{k}" for k in ("semi_axis_x", "semi_axis_y", "yaw", "semi_axis_z")),
     *(f"goal_from_target.{k}" for k in _XYZ),
 )
-"""The entries of ``observation.environment_state``: the flat state's after the robot's own."""
+"""Entries of ``observation.environment_state``: those of the flat state after the robot's."""
 
 HINT_NAMES = (
     *(f"grasp_hint.from_tool.{k}" for k in _XYZ),
@@ -76,9 +76,9 @@ _COUNTERS: Mapping[str, str] = MappingProxyType(
 def step_values(
     episode: RecordedEpisode, privileged: bool
 ) -> dict[str, Shaped[np.ndarray, "t *d"]]:
-    """Return what a dataset's tables hold of each step, by feature, but for counters and pictures.
+    """Return the tables' values of each step, by feature, without counters and pictures.
 
-    An observation is the one before the step; what comes of the step begins with ``next.``.
+    Observations are those before the step; results of the step begin with ``next.``.
     """
     steps = len(episode.rewards)
     last = np.arange(1, steps + 1) == steps
@@ -126,13 +126,14 @@ def features_of(
 
 
 def is_depth(rows: Shaped[np.ndarray, "t h w *c"]) -> bool:
-    """Return whether pictures are of depth."""
+    """Return whether pictures contain depth."""
     return rows.dtype == np.float32
 
 
 def codec_of(rows: Shaped[np.ndarray, "t h w *c"], config: LeRobotConfig) -> Codec | None:
-    """Return the codec of a camera's video; None where its pictures go into the tables."""
-    if config.video == "none" or (rows.dtype == np.uint8 and rows.ndim == 3):  # labels: never lossy
+    """Return the codec of a camera's video; None if its pictures are stored in the tables."""
+    # labels: always lossless
+    if config.video == "none" or (rows.dtype == np.uint8 and rows.ndim == 3):
         return None
     return DEPTH_CODEC if is_depth(rows) else CODECS[config.video]
 

@@ -1,4 +1,4 @@
-"""Episodes on disk before the dataset is put together: a folder each, there as a whole or not."""
+"""Completed episodes on disk before assembly, one folder each, published atomically."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from generator.io.bounded import is_count, parse_object, read_regular
 from ..summaries import RowSummary
 
 DATA, ABOUT = "data.parquet", "episode.json"
-"""The files of a segment beside its videos: the table of its steps, and what is known of it."""
+"""The files of a segment beside its videos: the table of its steps, and its metadata."""
 
-_MOST_BYTES = 1 << 24  # of what is known of an episode
+_MOST_BYTES = 1 << 24  # of a metadata file
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,12 +27,12 @@ class Segment:
     """An episode on disk.
 
     Attributes:
-        folder: where its files are.
-        number: of the episode among those that were played.
-        length: steps.
+        folder: folder of its files.
+        number: number of the episode among those played.
+        length: number of steps.
         task: the instruction.
         facts: further columns of the table of episodes.
-        summaries: of its features, by name.
+        summaries: summaries of its features, by name.
     """
 
     folder: Path
@@ -48,12 +48,12 @@ class Segment:
 
 
 class SegmentStore:
-    """The segments in a folder, which is made if it is missing.
+    """The segments in a folder, which is created if it is missing.
 
-    What a process that was killed left half written is removed.
+    Incomplete segments of a killed process are removed.
 
     Raises:
-        OSError: the disk refused.
+        OSError: a file cannot be written.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -66,7 +66,7 @@ class SegmentStore:
         """Yield the segments in order.
 
         Raises:
-            StorageError: one is damaged.
+            StorageError: a segment is damaged.
         """
         for place in map(self._place, count()):
             if not place.is_dir():
@@ -77,11 +77,11 @@ class SegmentStore:
         return self._folder / f"episode-{number:06d}"
 
     def begin(self) -> Path:
-        """Return a new folder for the files of one more segment."""
+        """Return a new folder for the files of a segment."""
         return Path(tempfile.mkdtemp(prefix="new-", dir=self._folder))
 
     def publish(self, segment: Segment, index: int) -> None:
-        """Keep a segment, whose files are in a folder that ``begin`` gave, as the ``index``-th."""
+        """Publish a segment, whose files are in a folder from ``begin``, as the ``index``-th."""
         about = {
             "number": segment.number,
             "length": segment.length,
@@ -94,10 +94,10 @@ class SegmentStore:
 
 
 def _read(folder: Path) -> Segment:
-    """Return the segment in a folder.
+    """Read the segment in a folder.
 
     Raises:
-        StorageError: it is damaged.
+        StorageError: the segment is damaged.
     """
     what = "The recorded episode"
     raw = read_regular(folder / ABOUT, what, StorageError, max_bytes=_MOST_BYTES)
@@ -111,5 +111,5 @@ def _read(folder: Path) -> Segment:
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise StorageError(
             f"{what} {folder} is damaged ({error!r}). Remove {folder.parent.parent} and record "
-            "anew."
+            "again."
         ) from error

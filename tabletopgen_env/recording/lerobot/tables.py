@@ -1,4 +1,4 @@
-"""The tables of a dataset: Parquet by pyarrow."""
+"""The Parquet tables of a dataset, written with pyarrow."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def _column(values: Shaped[np.ndarray, "t *d"] | Sequence[bytes]) -> pa.Array:
 
 
 def _for_datasets(features: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
-    """Return features as the library "datasets" writes them down."""
+    """Return features in the notation of the library "datasets"."""
     found: dict[str, Any] = {}
     for name, feature in features.items():
         kind = feature["dtype"]
@@ -63,7 +63,7 @@ def _for_datasets(features: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
 
 
 def encode_picture(picture: Shaped[np.ndarray, "h w *c"]) -> bytes:
-    """Return a picture as PNG, or depth as TIFF, to the bit."""
+    """Encode a picture as PNG, or depth as TIFF, without loss."""
     if picture.dtype != np.float32:
         return encode_png(picture)
     from PIL import Image
@@ -74,10 +74,10 @@ def encode_picture(picture: Shaped[np.ndarray, "h w *c"]) -> bytes:
 
 
 def write_tasks(tasks: Sequence[str], path: Path) -> None:
-    """Write the table of tasks, whose index, as pandas reads it, is the task's text.
+    """Write the table of tasks, whose index in pandas is the task's text.
 
     Raises:
-        OSError: the disk refused.
+        OSError: the file cannot be written.
     """
     import pyarrow as pa
     import pyarrow.parquet as pq

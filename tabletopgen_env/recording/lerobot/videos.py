@@ -1,4 +1,4 @@
-"""Videos: pictures of an episode encoded alone, and joined without encoding them again."""
+"""Videos: encoding of an episode's pictures, and concatenation without re-encoding."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ if TYPE_CHECKING:
     import av
 
 GOP = 2
-"""Pictures from one that is whole to the next: as in LeRobot, any is found quickly."""
+"""Interval between key frames: as in LeRobot, for fast seeking."""
 _NONE: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
 class Codec:
-    """How pictures are encoded: the same pictures give the same bytes on any number of cores.
+    """Settings of an encoder, deterministic on any number of cores.
 
     Attributes:
-        name: of the format, as a reader says.
-        encoder: of the library that encodes.
-        pixels: format of the pixels.
-        quality: constant rate factor unless told; None for a codec that loses nothing.
-        options: of the encoder.
+        name: name of the format, as reported by decoders.
+        encoder: name of the encoder in the library.
+        pixels: pixel format.
+        quality: default constant rate factor; None for a lossless codec.
+        options: options of the encoder.
     """
 
     name: str
@@ -45,7 +45,7 @@ class Codec:
     options: Mapping[str, str] = field(default_factory=lambda: _NONE)
 
 
-# Open groups of pictures would lose the first pictures after a joint to who seeks there.
+# With open GOPs, seeking would lose the first pictures after a joint.
 _X265 = "pools=none:frame-threads=1:bframes=0:open-gop=0:log-level=error"
 CODECS: Mapping[str, Codec] = MappingProxyType(
     {
@@ -62,20 +62,20 @@ CODECS: Mapping[str, Codec] = MappingProxyType(
         ),
     }
 )
-"""The codecs of colour pictures by their name in ``LeRobotConfig``."""
+"""The codecs of colour pictures, by their name in ``LeRobotConfig``."""
 
 DEPTH_CODEC = Codec(
     "hevc", "libx265", "gray12le", None,
     {"preset": "superfast", "x265-params": _X265 + ":lossless=1"},
 )  # fmt: skip
-"""The codec of depth pictures of 12 bits."""
+"""The codec of 12-bit depth pictures."""
 
 
 def check_codec(video: VideoCodec) -> None:
-    """Check that the installed PyAV can encode a codec.
+    """Check that the installed PyAV supports a codec.
 
     Raises:
-        InputError: it cannot.
+        InputError: it does not.
     """
     import av.codec
 
@@ -85,7 +85,7 @@ def check_codec(video: VideoCodec) -> None:
         there = ", ".join(sorted(available)) or "none of the codecs"
         raise InputError(
             f"The installed av {av.__version__} has no {wanted.encoder}, which video={video!r} "
-            f"needs; it has {there}. Choose one with --video, or --video none for PNG."
+            f"needs; available: {there}. Choose one with --video, or --video none for PNG."
         )
 
 
@@ -102,10 +102,10 @@ def encode(
     codec: Codec,
     quality: int | None = None,
 ) -> None:
-    """Write pictures of equal size, in even numbers of pixels, as an MP4 file.
+    """Write pictures of equal, even size as an MP4 file.
 
     Raises:
-        OSError: the disk refused.
+        OSError: the file cannot be written.
     """
     import av
 
@@ -124,14 +124,14 @@ def encode(
             frame = _frame(picture, codec)
             frame.pts, frame.time_base = number, Fraction(1, fps)
             _mux(file, stream.encode(frame), fps)
-            if number == 0:  # which opened the encoder
+            if number == 0:  # the first frame opens the encoder
                 _keep_schedule(schedule)
         _mux(file, stream.encode(), fps)
 
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Have the AV1 encoder print errors alone: it takes that from the environment."""
+    """Make the AV1 encoder print errors only, a setting that it reads from the environment."""
     before = os.environ.get("SVT_LOG")
     os.environ["SVT_LOG"] = before or "1"
     try:
@@ -142,14 +142,14 @@ def _quiet() -> Iterator[None]:
 
 
 def _schedule() -> Any:
-    """Return how this thread is scheduled, where the system tells."""
+    """Return the scheduling policy of this thread, if the system provides it."""
     if not hasattr(os, "sched_getscheduler"):
         return None
     return os.sched_getscheduler(0), os.sched_getparam(0)
 
 
 def _keep_schedule(schedule: Any) -> None:
-    """Schedule this thread as before: the AV1 encoder makes it a real-time one where it may."""
+    """Restore this thread's scheduling: the AV1 encoder makes it real-time if it is allowed to."""
     if schedule is not None and schedule != _schedule():
         os.sched_setscheduler(0, *schedule)
 
@@ -162,17 +162,17 @@ def _frame(picture: np.ndarray, codec: Codec) -> av.VideoFrame:
 
 
 def _mux(file: Any, packets: Sequence[Any], fps: int) -> None:
-    """Write packets; each lasts one frame, the last of a file too."""
+    """Write packets, each with a duration of one frame, including the last one of a file."""
     for packet in packets:
         packet.duration = round(1 / (fps * packet.time_base))
         file.mux(packet)
 
 
 def join(parts: Sequence[Path], path: Path, fps: int) -> None:
-    """Write videos of equal settings as one, one after the other.
+    """Concatenate videos with equal settings.
 
     Raises:
-        OSError: the disk refused.
+        OSError: a file cannot be read or written.
     """
     import av
 
@@ -189,7 +189,8 @@ def join(parts: Sequence[Path], path: Path, fps: int) -> None:
                     if packet.dts is None:  # the end
                         continue
                     lasts = round(1 / (fps * packet.time_base))
-                    packet.pts = packet.dts = shown * lasts  # decoded and shown in one order
+                    # decoding and display order are the same
+                    packet.pts = packet.dts = shown * lasts
                     packet.stream = stream
                     file.mux(packet)
                     shown += 1
@@ -199,7 +200,7 @@ def decode(path: Path, pixels: str = "rgb24") -> Iterator[np.ndarray]:
     """Yield the pictures of a video.
 
     Raises:
-        OSError: it cannot be read.
+        OSError: the file cannot be read.
     """
     import av
 

@@ -1,4 +1,4 @@
-"""What writes a LeRobot dataset, an episode at a time."""
+"""The writer of LeRobot datasets, which stores one episode at a time."""
 
 from __future__ import annotations
 
@@ -29,20 +29,20 @@ from .tables import encode_picture, step_table
 from .videos import encode
 
 LIMITS = Limits()
-"""How large the files become."""
+"""Maximum file sizes."""
 
 _ROBOT = "panda"
-_FEATURES = "features.json"  # beside the first episode
-_MOST_BYTES = 1 << 20  # of the features
+_FEATURES = "features.json"  # files beside the first episode
+_MOST_BYTES = 1 << 20  # for the features
 
 
 class LeRobotWriter:
-    """A folder that is not there yet; episodes are kept beside it and are found again.
+    """Writes a new folder; completed episodes are stored beside it and found on resuming.
 
     Raises:
-        InputError: pictures have an odd number of pixels a side, which a video cannot have.
-        StorageError: an episode that was kept is damaged.
-        OSError: the disk refused.
+        InputError: pictures have an odd size, which videos do not support.
+        StorageError: a stored episode is damaged.
+        OSError: a file cannot be written.
     """
 
     def __init__(
@@ -56,12 +56,12 @@ class LeRobotWriter:
         self._privileged = len(parts) == 1 if lerobot.privileged is None else lerobot.privileged
         if self._privileged and "state" not in parts:
             raise InputError(
-                "privileged needs the flat state, which observation='pixels+proprio' has not; use "
-                "'pixels+state'."
+                "privileged needs the flat state, which observation='pixels+proprio' does not "
+                "include; use 'pixels+state'."
             )
         if lerobot.video != "none":
             _check_sizes(parts)
-        if place.is_dir():  # a process was killed while it put the dataset together
+        if place.is_dir():  # a process was killed during assembly
             shutil.rmtree(place)
         self._segments = SegmentStore(place.parent / "episodes")
         self._tasks: dict[str, int] = {}
@@ -71,7 +71,7 @@ class LeRobotWriter:
             self.resumed_at = segment.number + 1
 
     def add(self, episode: RecordedEpisode) -> None:
-        """Encode and keep one more episode."""
+        """Encode and store one more episode."""
         folder = self._segments.begin()
         try:
             segment = self._write(episode, folder)
@@ -100,7 +100,7 @@ class LeRobotWriter:
         return Segment(folder, episode.number, length, task, facts, summaries)
 
     def finish(self) -> None:
-        """Put the dataset together."""
+        """Assemble the dataset."""
         path, what = next(iter(self._segments)).folder / _FEATURES, "The recording's list"
         raw = read_regular(path, what, StorageError, max_bytes=_MOST_BYTES)
         features = parse_object(raw, f"{what} {str(path)!r}", StorageError)
@@ -111,7 +111,7 @@ class LeRobotWriter:
         (self._place / "meta" / "tabletopgen.json").write_text(text, encoding="utf-8")
 
     def close(self) -> None:
-        """Nothing is open: every episode is written when it is added."""
+        """Do nothing: every episode is complete when it is added."""
 
     def _count(self, segment: Segment) -> None:
         self._tasks.setdefault(segment.task, len(self._tasks))
@@ -119,7 +119,7 @@ class LeRobotWriter:
         self.kept += 1
 
     def _counters(self, steps: int, task: str) -> dict[str, Shaped[np.ndarray, "t"]]:
-        """Return the columns that every LeRobot dataset has."""
+        """Return the columns of every LeRobot dataset."""
         frames = np.arange(steps, dtype=np.int64)
         known = self._tasks.get(task, len(self._tasks))
         return {
@@ -133,7 +133,7 @@ class LeRobotWriter:
     def _write_pictures(
         self, pictures: Mapping[str, Shaped[np.ndarray, "t h w *c"]], folder: Path
     ) -> dict[str, list[bytes]]:
-        """Write the videos; return the columns of pictures that are in none."""
+        """Write the videos; return the columns of pictures that are not in a video."""
         columns: dict[str, list[bytes]] = {}
         for name, rows in pictures.items():
             codec = codec_of(rows, self._lerobot)
@@ -151,8 +151,8 @@ def _check_sizes(parts: Mapping[str, spaces.Space[Any]]) -> None:
         shape = part.shape or ()
         if len(shape) > 1 and (shape[0] % 2 or shape[1] % 2):
             raise InputError(
-                f"A video needs even numbers of pixels, and {name!r} has {shape[0]} x {shape[1]}. "
-                "Choose another image_size, or --video none."
+                f"A video needs an even width and height, but {name!r} has {shape[0]} x "
+                f"{shape[1]}. Choose another image_size, or --video none."
             )
 
 
@@ -163,7 +163,7 @@ def _summarize_pictures(rows: Shaped[np.ndarray, "t h w *c"]) -> RowSummary:
 
 
 def _episode_columns(episode: RecordedEpisode) -> dict[str, Any]:
-    """Return the further columns of an episode in the table of episodes."""
+    """Return an episode's further columns in the table of episodes."""
     facts = {n: v for n, v in episode.facts.items() if n not in ("instruction", "steps")}
     views = {
         f"cameras/{camera}/intrinsics": views["intrinsics"][0].reshape(-1).tolist()

@@ -1,1 +1,1 @@
-"""Fresh tables, made in processes of their own."""
+"""Generation of fresh tables in separate processes."""

@@ -1,4 +1,4 @@
-"""Scenes that worker processes make in the background; only ``next_end`` waits for them."""
+"""Generation of scenes by background processes; only ``next_end`` waits for them."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from ..difficulty import difficulty
 from .recipe import SceneRecipe
 
 TIMEOUT = 1800.0
-"""Seconds after which a scene that is not done is given up."""
+"""Time limit for the generation of a scene, seconds."""
 
 LONGEST_REST = 300.0
-"""Longest pause after failures in a row, seconds."""
+"""Maximum pause after consecutive failures, seconds."""
 
 NICENESS = 10
-"""How far the processes step back for others."""
+"""Nice value of the processes."""
 
 
 @dataclass(frozen=True)
 class MadeScene:
-    """A scene that is done: its bundle, alone in a folder of its own, and how hard it is."""
+    """A completed scene: its bundle in a separate folder, and its difficulty."""
 
     recipe: SceneRecipe
     bundle: Path
@@ -39,20 +39,20 @@ class MadeScene:
 
 @dataclass(frozen=True)
 class FailedScene:
-    """A scene that cannot be had, and why."""
+    """A scene that could not be generated, and the reason."""
 
     recipe: SceneRecipe
     reason: str
 
 
 class Background:
-    """Scenes in the making, ``count`` at a time, each in a process, in a temporary folder.
+    """Generates scenes in ``count`` processes at a time, in a temporary folder.
 
-    ``rest`` is the pause after a failure, seconds, which doubles with each further one in a row;
-    after ``timeout`` seconds a scene that is not done is given up.
+    ``rest`` is the pause after a failure in seconds, doubled for each further consecutive one;
+    scenes that take longer than ``timeout`` seconds are cancelled.
 
     Raises:
-        StorageError: there is no place for temporary files.
+        StorageError: no temporary folder can be created.
     """
 
     def __init__(self, count: int, *, rest: float = 0.5, timeout: float = TIMEOUT) -> None:
@@ -60,7 +60,8 @@ class Background:
             self.folder = Path(tempfile.mkdtemp(prefix="tabletopgen-"))
         except OSError as error:
             raise StorageError(
-                f"No temporary folder for new scenes: {error.strerror or error}. Set TMPDIR."
+                f"Cannot create a temporary folder for new scenes: {error.strerror or error}. "
+                "Set TMPDIR."
             ) from error
         self._workers = WorkerPool(count, begin=_step_back, folder=self.folder)
         self._waiting: deque[SceneRecipe] = deque()
@@ -70,25 +71,25 @@ class Background:
 
     @property
     def pids(self) -> tuple[int, ...]:
-        """The ids of the processes that run."""
+        """The ids of the running processes."""
         return self._workers.pids
 
     @property
     def width(self) -> int:
-        """How many scenes are made at a time."""
+        """The number of scenes generated at a time."""
         return self._workers.width
 
     @property
     def open(self) -> int:
-        """How many scenes are ordered and not done."""
+        """The number of pending orders."""
         return len(self._waiting) + len(self._pending)
 
     def order(self, recipe: SceneRecipe) -> None:
-        """Have a scene made, in its turn."""
+        """Queue the generation of a scene."""
         self._waiting.append(recipe)
 
     def collect(self) -> list[MadeScene | FailedScene]:
-        """Return what has ended since the last call, and hand out what waits."""
+        """Return the results since the last call, and start queued orders."""
         ended = [self._result(future) for future in list(self._pending) if future.done()]
         for end in ended:
             self._failures = self._failures + 1 if isinstance(end, FailedScene) else 0
@@ -100,19 +101,19 @@ class Background:
         return ended
 
     def hand_out(self) -> None:
-        """Start what waits, as far as there are processes for it."""
+        """Start queued orders on free processes."""
         while self._waiting and len(self._pending) < self.width:
             self._start(self._waiting.popleft())
 
     def next_end(self) -> MadeScene | FailedScene:
-        """Return what has come of the earliest order that is open, once it has ended."""
+        """Return the result of the earliest pending order, once it is complete."""
         self.hand_out()
         future = next(iter(self._pending))
         wait([future])
         return self._result(future)
 
     def close(self) -> None:
-        """End the processes and remove what they have made. May be called twice."""
+        """End the processes and remove their files. Repeated calls are allowed."""
         self._waiting.clear()
         self._workers.close()
 
@@ -138,7 +139,7 @@ def _step_back() -> None:
 
 
 def _make(recipe: SceneRecipe, folder: Path) -> MadeScene:
-    """Make a scene and save it as a bundle in a folder."""
+    """Generate a scene and save it as a bundle in a folder."""
     scene = recipe.make()
-    path = save(scene, folder, allow_failed=True)  # recipes judge what needs judging
+    path = save(scene, folder, allow_failed=True)  # recipes run the gate where it is necessary
     return MadeScene(recipe, path, difficulty(scene))

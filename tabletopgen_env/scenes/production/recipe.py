@@ -1,4 +1,4 @@
-"""What decides a scene that is made on demand, and the making."""
+"""Recipes of scenes generated on demand, and their generation."""
 
 from __future__ import annotations
 
@@ -20,26 +20,26 @@ from ..splits import SplitRule, kinds_of, scene_kinds
 COMPOSE, GENERATE = "compose", "generate"
 
 ATTEMPTS = 3
-"""Seeds tried until a scene can be made."""
+"""Maximum number of seeds tried for a scene."""
 
 MOST_SEEDS = 2**30
-"""Seeds of recipes are below this; those of further attempts are above it."""
+"""Exclusive upper bound of recipes' seeds; further attempts use seeds above it."""
 
 Maker = Callable[[str | ScenePlan, int], Scene]
-"""Makes a scene of a text or plan, and a seed."""
+"""A function that generates a scene from a text or plan, and a seed."""
 
 
 @dataclass(frozen=True)
 class SceneRecipe:
-    """What decides a scene that is made on demand: the same recipe makes the same scene.
+    """All inputs of a scene generated on demand: equal recipes generate equal scenes.
 
     Attributes:
-        what: a text, or the distribution that its plan is drawn from.
-        seed: of the plan and of everything after it, in [0, 2^30).
+        what: a text, or the distribution that the plan is drawn from.
+        seed: seed of the plan and of all later stages, in [0, 2^30).
         making: "compose" (text to plan to layout, about a second), "generate" (all stages of the
-            paper, with the embedded backends) or "module:function" for a function of your own
-            that takes a text or ``ScenePlan``, and a seed, and returns a ``Scene``.
-        rules: what the scene must be.
+            paper, with the embedded backends) or "module:function" for your own function, which
+            takes a text or ``ScenePlan``, and a seed, and returns a ``Scene``.
+        rules: rules that the scene must satisfy.
     """
 
     what: str | SceneDistribution
@@ -49,7 +49,7 @@ class SceneRecipe:
 
     @property
     def identity(self) -> str:
-        """What tells the scene from all others, the same in every process."""
+        """The identity of the scene, the same in every process."""
         what = self.what if isinstance(self.what, str) else json.dumps(_facts(self.what))
         making = "fresh" if self.making == COMPOSE else f"fresh by {self.making}"
         return f"{making}:{self.seed}:{what}"
@@ -57,17 +57,17 @@ class SceneRecipe:
     @property
     def key(self) -> str:
         """The key of the scene's reference."""
-        if self.making == COMPOSE:  # what is planned is what is made, whatever the rules
+        if self.making == COMPOSE:  # a planned scene is generated as planned, whatever the rules
             return self.identity
         return " ".join([self.identity, *(str(r) for r in self.rules if r.by == "category")])
 
     @property
     def planned(self) -> bool:
-        """Whether ``plan`` says what the scene will hold."""
+        """Whether ``plan`` lists the content of the scene."""
         return self.making in (COMPOSE, GENERATE) or not isinstance(self.what, str)
 
     def plan(self) -> ScenePlan:
-        """Return what will be on the table, without making it.
+        """Return the planned objects of the table, without generating it.
 
         Raises:
             InputError: the text cannot be planned.
@@ -79,7 +79,7 @@ class SceneRecipe:
         return self.what.plan(np.random.default_rng(self.seed))
 
     def admitted(self) -> bool:
-        """Tell whether the rules admit the scene, as far as can be told before it is made."""
+        """Return whether the rules admit the scene, as far as known before its generation."""
         return all(
             rule.admits(lambda: self.identity, self._kinds)
             for rule in self.rules
@@ -90,11 +90,11 @@ class SceneRecipe:
         return kinds_of((o.category, o.noun) for o in self.plan().objects)
 
     def make(self) -> Scene:
-        """Make the scene.
+        """Generate the scene.
 
         Raises:
-            InputError: the text cannot be planned, or there is no such way of making.
-            SceneError: no sound scene of the right side came of any attempt.
+            InputError: the text cannot be planned, or ``making`` is unknown.
+            SceneError: no attempt gave a valid scene that the rules admit.
         """
         make = maker(self.making)
         text = isinstance(self.what, str) and self.making != COMPOSE
@@ -111,16 +111,16 @@ class SceneRecipe:
         )
 
     def _check(self, scene: Scene) -> Scene:
-        """Return the scene if it is what the rules ask for; what is planned may turn out else."""
+        """Return the scene if the rules admit it; it may differ from the plan."""
         found = scene_kinds(scene)
         for rule in self.rules:
             if rule.by == "category" and not rule.admits(lambda: "", lambda: found):
-                raise SceneError(f"Scene {scene.name!r} is not for {rule}.")
+                raise SceneError(f"Scene {scene.name!r} does not belong to {rule}.")
         return scene
 
 
 def _facts(distribution: SceneDistribution) -> dict[str, Any]:
-    """Return a distribution as plain JSON values; without needs as before there were any."""
+    """Return a distribution as JSON values; empty needs are omitted, to keep old keys valid."""
     facts = dataclasses.asdict(distribution)
     return {k: v for k, v in facts.items() if k != "needs" or v}
 
@@ -129,7 +129,7 @@ def maker(making: str) -> Maker:
     """Return the function that ``SceneRecipe.making`` names.
 
     Raises:
-        InputError: there is none.
+        InputError: the function does not exist.
     """
     if making == COMPOSE:
         from generator.composition import compose
@@ -140,15 +140,15 @@ def maker(making: str) -> Maker:
     module, colon, name = making.partition(":")
     if not colon:
         raise InputError(
-            f"Scenes cannot be made by {making!r}."
+            f"Scenes cannot be generated by {making!r}."
             + choices(making, (COMPOSE, GENERATE, "module:function"))
         )
     try:
         return getattr(importlib.import_module(module), name)
     except (ImportError, AttributeError, ValueError) as error:
         raise InputError(
-            f"Scenes cannot be made by {making!r}: {error}. Name a module that can be imported "
-            "and a function in it."
+            f"Scenes cannot be generated by {making!r}: {error}. Give an importable module and "
+            "a function in it."
         ) from error
 
 
@@ -158,6 +158,6 @@ def _generate(what: str | ScenePlan, seed: int) -> Scene:
 
     scene = generate(what, seed=seed).scene
     if scene.report is None or not scene.report.passed:
-        failures = scene.report.failure_text if scene.report else "it was not judged"
-        raise SceneError(f"A generated scene is not sound: {failures}.")
+        failures = scene.report.failure_text if scene.report else "the gate did not run"
+        raise SceneError(f"A generated scene failed its gate: {failures}.")
     return scene

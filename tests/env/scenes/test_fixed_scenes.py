@@ -125,7 +125,7 @@ def test_a_vanished_bundle_is_passed_over_with_one_warning(store) -> None:
     gone = assets_cache.find("desk_1")[0]
     kept = gone.rename(store / ".elsewhere")
     with pytest.warns(
-        RuntimeWarning, match="desk_1-.* is gone.*2 of 3 scenes that are left"
+        RuntimeWarning, match="desk_1-.* no longer exists.*2 of 3 remaining scenes"
     ) as said:
         assert set(draws(source, 30)) == {"desk_0", "desk_2"}
     assert len(said) == 1
@@ -148,9 +148,9 @@ def test_an_emptied_store_is_an_error_that_names_a_bundle(store) -> None:
     assert one.reset(seed=0)[1]["scene"] == "desk_0"
     three.reset(seed=0)
     assert assets_cache.clear() == 3
-    with pytest.raises(BundleError, match=r"desk_0-[0-9a-f]{12} is gone .*Put it back"):
+    with pytest.raises(BundleError, match=r"desk_0-[0-9a-f]{12} no longer exists.*Restore it"):
         one.reset()
-    with pytest.raises(BundleError, match=r"desk_.* is gone .*so are the other 2"):
+    with pytest.raises(BundleError, match=r"desk_.* no longer exists.*nor do the other 2"):
         three.reset()
     assets_cache.add(toy_scene(toy_objects()[:4], name="desk_0"), allow_failed=True)
     assert one.reset()[1]["scene"] == "desk_0"

@@ -129,9 +129,9 @@ def test_scenes_are_generated_by_the_whole_pipeline(monkeypatch) -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"prompts": ()}, "at least one prompt"),
-        ({"prompts": ["a desk", " "]}, "at least one prompt, not empty"),
-        ({"prompts": [5]}, "at least one prompt"),
+        ({"prompts": ()}, "one or more non-empty prompts"),
+        ({"prompts": ["a desk", " "]}, "one or more non-empty prompts"),
+        ({"prompts": [5]}, "one or more non-empty prompts"),
         ({"variants": 0}, "from 1 to 2"),
         ({"variants": 2**30 + 1}, "from 1 to 2"),
         ({"making": "composed"}, "Did you mean 'compose'"),

@@ -131,7 +131,9 @@ def test_a_renewal_that_fails_leaves_the_pool_and_warns_once() -> None:
         FreshScenes("x", making="makers:failing"), size=3, every_resets=1, synchronous=True,
         initial=initial(), seed=0,
     )  # fmt: skip
-    with pytest.warns(RuntimeWarning, match="not renewed: .*nothing stands.*only counted") as said:
+    with pytest.warns(
+        RuntimeWarning, match="not be renewed: .*nothing stands.*only counted"
+    ) as said:
         seen = drawn(source)
     assert len(said) == 1 and source.failures == 19 and source.renewals == 0
     assert set(seen) == {ref.key for ref in source.refs} and len(source.refs) == 3
@@ -142,7 +144,10 @@ def test_a_first_pool_that_cannot_be_made_is_an_error() -> None:
         source = RefreshingScenes(
             FreshScenes("x", making="makers:failing"), every_resets=1, synchronous=synchronous
         )
-        with pytest.raises(SceneError, match=r"No first pool: 5 scenes in a row.*nothing stands"):
+        with pytest.raises(
+            SceneError,
+            match=r"The first pool could not be generated: 5 consecutive scenes.*nothing stands",
+        ):
             source.draw(np.random.default_rng(0))
         assert not source.pids
 
@@ -167,12 +172,12 @@ def test_what_is_due() -> None:
         ({"seed": -1}, "A seed has to be a whole number from 0"),
         ({"per_minute": 0.0}, "positive number"),
         ({"per_minute": float("nan")}, "positive number"),
-        ({"every_resets": 0}, "from 1 up"),
-        ({"per_minute": 1.0, "every_resets": 1}, "either per_minute or every_resets"),
-        ({"synchronous": True}, "either per_minute or every_resets.*synchronous"),
-        ({"synchronous": True, "per_minute": 1.0}, "no fixed count"),
-        ({"initial": 5}, "scenes is of type int"),
-        ({"initial": "fresh:a desk"}, "'fresh:a desk' is no fixed scene"),
+        ({"every_resets": 0}, "must be at least 1"),
+        ({"per_minute": 1.0, "every_resets": 1}, "exactly one of per_minute and every_resets"),
+        ({"synchronous": True}, "exactly one of per_minute and every_resets.*synchronous"),
+        ({"synchronous": True, "per_minute": 1.0}, "needs every_resets"),
+        ({"initial": 5}, "scenes has type int"),
+        ({"initial": "fresh:a desk"}, "'fresh:a desk' is not a fixed scene"),
     ],
 )
 def test_wrong_settings_are_explained(settings, message) -> None:
@@ -254,7 +259,7 @@ def test_scenes_in_step_that_fail_leave_the_pool_as_it_is(pool) -> None:
     first = initial()
     source = pool("failing", initial=first, every_resets=1, per_minute=None)
     rng = np.random.default_rng(0)
-    with pytest.warns(RuntimeWarning, match="is not renewed"):
+    with pytest.warns(RuntimeWarning, match="could not be renewed"):
         keys = [source.draw(rng).key for _ in range(4)]
     assert {*keys} <= {ref.key for ref in first.refs}
     assert (source.failures, source.renewals) == (3, 0)
@@ -294,7 +299,7 @@ def test_a_killed_process_is_replaced(pool) -> None:
 )
 def test_whatever_goes_wrong_is_told_once_and_counted(pool, making, reason) -> None:
     source = pool(making)
-    with pytest.warns(RuntimeWarning, match=f"not renewed: .*{reason}") as said:
+    with pytest.warns(RuntimeWarning, match=f"not be renewed: .*{reason}") as said:
         draw_until(source, np.random.default_rng(0), lambda _: source.failures >= 2)
     assert len(said) == 1 and source.renewals == 0
     assert {ref.key for ref in source.refs} == {ref.key for ref in source.initial.refs}
@@ -355,7 +360,9 @@ def test_what_cannot_be_ordered_is_not_looked_for_at_every_draw(pool) -> None:
     neither = (SplitRule("train"), SplitRule("held_out"))
     fresh = FreshScenes("x", making="makers:toy", rules=neither)
     source, rng = RefreshingScenes(fresh, size=9, initial=initial()), np.random.default_rng(0)
-    with pytest.warns(RuntimeWarning, match="None of 1000 drawn scenes is for 'train'.*'held_out'"):
+    with pytest.warns(
+        RuntimeWarning, match="None of 1000 drawn scenes belongs to 'train'.*'held_out'"
+    ):
         for _ in range(20):
             source.draw(rng)
     assert source.failures == 1 and not source.pids

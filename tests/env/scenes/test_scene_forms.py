@@ -112,9 +112,9 @@ def test_one_scene_in_memory_is_one_scene() -> None:
 @pytest.mark.parametrize(
     ("scenes", "message"),
     [
-        ("startr", "did you mean scenes='starter'"),
-        ("Fresh", "did you mean scenes='fresh'"),
-        ("refresh", "did you mean scenes='(fresh|refreshing)'"),
+        ("startr", "Did you mean scenes='starter'"),
+        ("Fresh", "Did you mean scenes='fresh'"),
+        ("refresh", "Did you mean scenes='(fresh|refreshing)'"),
         ("starter:heldout", "Did you mean 'starter:held_out'"),
         ("starter:trian", "Did you mean 'starter:train'"),
         ("frsh:a desk", "Did you mean 'fresh:PROMPT'"),
@@ -125,11 +125,11 @@ def test_one_scene_in_memory_is_one_scene() -> None:
         ("refreshing: ", "lacks a prompt"),
         ("fresh:42", "no words"),
         ("refreshing:ein Tisch mit einer Tasse und einem Buch", "English"),
-        (["fresh:a desk"], "'fresh:a desk' is no fixed scene, and cannot be one of a list"),
-        (["starter", "refreshing"], "'refreshing' is no fixed scene"),
+        (["fresh:a desk"], "'fresh:a desk' is not a fixed scene and cannot be part of a list"),
+        (["starter", "refreshing"], "'refreshing' is not a fixed scene"),
         ([], "list is empty"),
-        (5, "scenes is of type int; pass .*'starter:train'"),
-        ([5], "holds a int"),
+        (5, "scenes has type int; pass .*'starter:train'"),
+        ([5], "cannot hold an item of type int"),
     ],
 )
 def test_what_is_no_scene_is_explained(scenes, message) -> None:

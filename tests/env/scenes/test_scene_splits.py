@@ -136,7 +136,7 @@ def test_a_side_that_has_nothing_is_an_error_after_bounded_draws() -> None:
             assert len(keys(split(one, side))) == 1
         except SceneError as error:
             errors += 1
-            assert "None of 1000 drawn scenes is for" in str(error)
+            assert "None of 1000 drawn scenes belongs to" in str(error)
             assert "more variants than 1" in str(error)
     assert errors == 1
 
@@ -189,7 +189,7 @@ def test_what_no_plan_tells_is_judged_when_it_is_made() -> None:
     fresh = FreshScenes("x", making="makers:categories")
     odd = next(r for k in range(9) if (r := fresh.recipe(np.random.default_rng(k))).seed % 2)
     mugless = SplitRule("train", "category", categories=("mug",))
-    with pytest.raises(SceneError, match=r"mug_1_.* is not for 'train' by category"):
+    with pytest.raises(SceneError, match=r"mug_1_.* does not belong to 'train' by category"):
         type(odd)(odd.what, odd.seed, odd.making, (mugless,)).make()
     mugs = SplitRule("held_out", "category", categories=("mug",))
     assert type(odd)(odd.what, odd.seed, odd.making, (mugs,)).make().name.startswith("mug_1")
@@ -258,7 +258,9 @@ def test_any_other_source_is_split_by_looking_at_its_scenes() -> None:
     books.record(books.draw(np.random.default_rng(0)), True)  # type: ignore[attr-defined]
     books.close()  # type: ignore[attr-defined]
     assert own.told == [True] and own.closed == 1
-    with pytest.raises(SceneError, match="None of 200 drawn scenes is for 'held_out' by category"):
+    with pytest.raises(
+        SceneError, match="None of 200 drawn scenes belongs to 'held_out' by category"
+    ):
         keys(split(own, "held_out", by="category", categories=("violin",)))
 
 
@@ -306,11 +308,15 @@ def test_scenes_are_looked_at_once_and_a_copy_looks_for_itself() -> None:
         ("train", {"by": "colour"}, "no by 'colour'. Available: category, digest"),
         ("train", {"share": 0.0}, r"in \(0, 1\), got 0"),
         ("train", {"share": 20}, r"in \(0, 1\), got 20"),
-        ("train", {"by": "category"}, "Name the held-out categories"),
-        ("train", {"categories": ("mug",)}, "with by='category', and only then"),
-        ("train", {"by": "category", "categories": ("mugg",)}, "no category 'mugg'.*'mug'"),
-        ("held_out", {"by": "category", "categories": ("clavichord",)}, "no category 'clavichord'"),
-        ("held_out", {"by": "category", "categories": ("mug",)}, "None of the 2 scenes is for"),
+        ("train", {"by": "category"}, "require each other"),
+        ("train", {"categories": ("mug",)}, "by='category' require each other"),
+        ("train", {"by": "category", "categories": ("mugg",)}, "Unknown category 'mugg'.*'mug'"),
+        (
+            "held_out",
+            {"by": "category", "categories": ("clavichord",)},
+            "Unknown category 'clavichord'",
+        ),
+        ("held_out", {"by": "category", "categories": ("mug",)}, "None of the 2 scenes belongs to"),
     ],
 )
 def test_wrong_settings_are_explained(side, settings, message) -> None:

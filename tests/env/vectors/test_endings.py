@@ -99,7 +99,7 @@ def test_a_shard_that_is_killed_ends_all_with_one_error(when: str) -> None:
     told = str(caught.value)
     assert isinstance(caught.value, SceneError)
     assert "shard 1 of 2 (slots 2 to 2 of the vector environment) was killed (SIGKILL)." in told
-    assert "make a new vector environment, with fewer processes" in told
+    assert "create a new vector environment, with fewer processes" in told
     assert gone(pids) and envs.closed
     for call in (lambda: envs.step(STILL), envs.reset, envs.render):
         with pytest.raises(InputError, match="closed"):

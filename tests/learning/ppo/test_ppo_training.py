@@ -72,14 +72,14 @@ def test_options_are_those_of_ppo(small) -> None:
         ({"n_steps": 5}, "ppo-batch has no option 'n_steps'"),
         ({"gama": 0.5}, "Did you mean 'gamma'"),
         ({"clip": "wide"}, "clip to be a number > 0"),
-        ({"rollout": 1, "minibatches": 64}, "cannot be 64 minibatches"),
+        ({"rollout": 1, "minibatches": 64}, "cannot be split into 64 minibatches"),
     ):
         with pytest.raises(InputError, match=why):
             ppo_config(small("ppo-batch", options=wrong))
 
 
 def test_it_writes_no_zips(small, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="ppo-batch writes no zips"):
+    with pytest.raises(InputError, match="ppo-batch does not write zip files"):
         load_zip(tmp_path / "model.zip", small("ppo-batch"))
 
 
@@ -91,5 +91,5 @@ def test_a_damaged_checkpoint_is_refused(small, folder: Path) -> None:
     assert kept is not None and {p.name for p in kept.iterdir()} == {"learner.pt", "counts.json"}
     content = (kept / "learner.pt").read_bytes()
     (kept / "learner.pt").write_bytes(content[:900])
-    with pytest.raises(InputError, match="no checkpoint of small-ppo-batch"):
+    with pytest.raises(InputError, match="not a valid checkpoint of small-ppo-batch"):
         train(small("ppo-batch", steps=64), folder, plan, True, quiet)

@@ -1,1 +1,1 @@
-"""One model that any of many scenes fits into, and a scene as one row of what differs in it."""
+"""A single model that fits many scenes, and each scene as a row of its varying fields."""

@@ -1,4 +1,4 @@
-"""Which objects the robot touches, read from the contacts of all worlds."""
+"""Detection of the objects that the robot touches, from the contacts of all worlds."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ LEFT, RIGHT = 2, 3
 
 
 class TouchReader:
-    """Tells from contacts which objects the robot touches.
+    """Computes from contacts which objects the robot touches.
 
     Args:
         union: the model whose geoms make contact.
-        worlds: how many worlds there are.
-        device: where the contacts are.
+        worlds: number of worlds.
+        device: device of the contacts.
     """
 
     def __init__(self, union: SlotUnion, worlds: int, device: torch.device) -> None:
@@ -30,11 +30,11 @@ class TouchReader:
     def read(
         self, geoms: Int[Tensor, "c 2"], worlds: Int[Tensor, "c"], count: Int[Tensor, "1"]
     ) -> Bool[Tensor, "w s 3"]:
-        """Return whether the left finger, the right finger, any part of the robot touches each.
+        """Return whether left finger, right finger and any part of the robot touch each object.
 
-        ``geoms`` and ``worlds`` are those of the contacts, of which the first ``count`` count.
+        ``geoms`` and ``worlds`` describe the contacts, of which the first ``count`` are valid.
         """
-        spare = self._shape[0] * self._shape[1]  # takes what is no such contact
+        spare = self._shape[0] * self._shape[1]  # collects all other contacts
         flags = torch.zeros(spare + 1, 3, dtype=torch.bool, device=geoms.device)
         real = torch.arange(len(geoms), device=geoms.device) < count
         for pair in (geoms, geoms.flip(1)):

@@ -1,7 +1,7 @@
-"""What one compiled world holds, in the robot's base frame: the material of a bank's row.
+"""The content of a compiled world in the robot's base frame, from which a bank's row is built.
 
-Numbers are gathered from the model that the environment compiles of the scene alone, so offsets of
-meshes, bounds and inverse weights are the same floats there and in a batch.
+Numbers are copied from the model that the environment compiles for the scene alone, so that mesh
+offsets, bounds and inverse weights are identical floats in both.
 """
 
 from __future__ import annotations
@@ -28,26 +28,26 @@ if TYPE_CHECKING:
     import mujoco
 
 GeomKind = tuple[int, int]
-"""Type (``mjtGeom``) and dimension of contacts of a geom: what no batched field can change."""
+"""Type (``mjtGeom``) and contact dimension of a geom, which batched fields cannot change."""
 
 GEOM_FIELDS = (
     "geom_size", "geom_aabb", "geom_rbound", "geom_pos", "geom_quat", "geom_friction",
     "geom_solref", "geom_solimp", "geom_solmix",
 )  # fmt: skip
-"""Fields of a model that a scene fills for each of its geoms."""
+"""Fields of a model that a scene sets for each of its geoms."""
 
 BODY_FIELDS = (
     "body_mass", "body_inertia", "body_ipos", "body_iquat", "body_invweight0", "body_subtreemass",
 )  # fmt: skip
-"""Fields of a model that a scene fills for each of its objects."""
+"""Fields of a model that a scene sets for each of its objects."""
 
 
 @dataclass(frozen=True, eq=False)
 class BodyGeoms:
     """The colliding geoms of a body.
 
-    ``kinds`` and ``hulls`` (names of meshes, None for primitives) have one entry a geom, and each
-    array of ``fields``, by ``GEOM_FIELDS``, one row.
+    ``kinds`` and ``hulls`` (mesh names, None for primitives) have one entry per geom, and each
+    array of ``fields``, by ``GEOM_FIELDS``, has one row per geom.
     """
 
     kinds: tuple[GeomKind, ...]
@@ -56,16 +56,16 @@ class BodyGeoms:
 
     @cached_property
     def need(self) -> Counter[GeomKind]:
-        """How many geoms of each kind these are."""
+        """The number of geoms of each kind."""
         return Counter(self.kinds)
 
 
 @dataclass(frozen=True, eq=False)
 class ObjectContent:
-    """One object: its geoms, its inertia by ``BODY_FIELDS``, and how it starts.
+    """An object: its geoms, its inertia by ``BODY_FIELDS``, and its initial pose.
 
-    ``pose`` is its position and quaternion in the base frame, ``half_extent`` half its box
-    (metres), ``dof_invweight0`` MuJoCo's inverse weights of its six degrees of freedom.
+    ``pose`` holds position and quaternion in the base frame, ``half_extent`` the half extents of
+    its box (metres), ``dof_invweight0`` MuJoCo's inverse weights of its six degrees of freedom.
     """
 
     name: str
@@ -78,12 +78,12 @@ class ObjectContent:
 
 @dataclass(frozen=True, eq=False)
 class SceneContent:
-    """One scene. What stands still (``fixed``) is table and pedestal, at ``fixed_pos``/``_mat``.
+    """A scene; ``fixed`` are the geoms of table and pedestal, at ``fixed_pos`` and ``fixed_mat``.
 
-    ``table`` is the height of the top over the base and half the extents of its outline, the longer
-    first; ``floor`` the height of the floor; ``yaw`` the turn of the base in the world; metres and
-    radians. ``hulls`` are the vertices of the convex meshes by name, ``robot`` ``robot_numbers``,
-    ``look`` what is drawn of it, None where there are no pictures.
+    ``table`` is the height of the top above the base and the half extents of its outline, the
+    longer first; ``floor`` the height of the floor; ``yaw`` the yaw of the base in the world;
+    metres and radians. ``hulls`` holds the vertices of the convex meshes by name, ``robot`` the
+    ``robot_numbers``, and ``look`` the appearance of the scene, None without pictures.
     """
 
     name: str
@@ -100,7 +100,7 @@ class SceneContent:
 
     @classmethod
     def of(cls, world: World, looks: bool = False) -> SceneContent:
-        """Read a world, which stays as it is. Its scene's poses are the start."""
+        """Read a world without changing it; the scene's poses are the initial ones."""
         import mujoco
 
         model, scene = world.model, world.scene
@@ -125,7 +125,7 @@ class SceneContent:
 
 
 def robot_numbers(model: mujoco.MjModel) -> Float[np.ndarray, "_r"]:
-    """Return what makes the robot of a model move as it does, to tell two robots apart."""
+    """Return the numbers that determine the motion of a model's robot, to compare two robots."""
     bodies = np.flatnonzero(gripper_sides(model))
     geoms = np.isin(model.geom_bodyid, bodies) & (model.geom_contype > 0)
     numbers = [getattr(model, field)[bodies] for field in ("body_mass", "body_inertia")]
@@ -160,7 +160,7 @@ def _geoms(model: mujoco.MjModel, geoms: list[int]) -> BodyGeoms:
 
 
 def _colliding(model: mujoco.MjModel, body: int) -> list[int]:
-    """Return the geoms of a body that can touch something."""
+    """Return the geoms of a body that can collide."""
     first = model.body_geomadr[body]
     geoms = range(first, first + model.body_geomnum[body])
     return [g for g in geoms if model.geom_contype[g]]

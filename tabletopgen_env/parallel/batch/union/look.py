@@ -1,4 +1,4 @@
-"""What one compiled world looks like, in the robot's base frame: the material of its pictures."""
+"""The appearance of a compiled world in the robot's base frame, for rendering."""
 
 from __future__ import annotations
 
@@ -22,30 +22,30 @@ if TYPE_CHECKING:
     import mujoco
 
 LOOKING = (FRONT_CAMERA, TOP_CAMERA, SIDE_CAMERA, WRIST_CAMERA)
-"""The cameras of a look, by the model's names; the last one is the hand's."""
+"""Names of the cameras in the model; the last one is on the hand."""
 
 _DRAWN_GROUPS = (0, 1, 2)
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnPose:
-    """A position (metres) and a rotation matrix in some frame."""
+    """A position (metres) and a rotation matrix, relative to a parent frame."""
 
     position: Float[np.ndarray, "3"]
     rotation: Float[np.ndarray, "3 3"]
 
     def of(self, other: DrawnPose) -> DrawnPose:
-        """Return in this frame's parent what is given in this frame."""
+        """Transform a position and rotation from this frame to its parent."""
         at = self.position + self.rotation @ other.position
         return DrawnPose(at, self.rotation @ other.rotation)
 
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """A mesh with its material, as MuJoCo compiled them; equal ``name``, equal skin.
+    """A mesh with its material, as compiled by MuJoCo; skins with equal ``name`` are equal.
 
-    ``arrays`` are MjSpec's of a mesh (vertices, faces, normals, texture coordinates), ``material``
-    the numbers of its material, ``texture`` its picture, None where it has one colour.
+    ``arrays`` are MjSpec's mesh arrays (vertices, faces, normals, texture coordinates),
+    ``material`` the numbers of its material, ``texture`` its picture, None for a uniform colour.
     """
 
     name: str
@@ -56,7 +56,7 @@ class Skin:
 
 @dataclass(frozen=True, eq=False)
 class DrawnPart:
-    """A skin on a body (by name; empty for what stands still, then in the base frame)."""
+    """A skin on a named body; an empty name means a static part in the base frame."""
 
     skin: Skin
     body: str
@@ -65,16 +65,17 @@ class DrawnPart:
 
 @dataclass(frozen=True, eq=False)
 class SceneLook:
-    """What is drawn of a scene.
+    """The appearance of a scene.
 
     Attributes:
-        table: the table, and ``objects`` in the scene's order, each on its own body.
+        table: the table; ``objects``: the objects in the scene's order, each on its own body.
         robot: the arm's parts on the arm's bodies.
         floor: pose of the floor's plane.
-        columns: poses of the pedestal's cylinders, ``column_sizes`` and ``column_colors`` theirs.
+        columns: poses of the pedestal's cylinders, with their ``column_sizes`` and
+            ``column_colors``.
         cameras: poses of ``LOOKING``, the last one on the body ``hand``; ``fovy`` in degrees.
         sun: position and direction of the light.
-        haze: where it begins and where nothing else is seen, metres before the camera.
+        haze: start and end distance of the haze, metres from the camera.
     """
 
     table: DrawnPart
@@ -92,7 +93,7 @@ class SceneLook:
 
     @classmethod
     def of(cls, world: World) -> SceneLook:
-        """Read a world, which stays as it is. Its scene's poses are the start."""
+        """Read a world without changing it; the scene's poses are the initial ones."""
         import mujoco
 
         model = world.model
@@ -135,7 +136,7 @@ class SceneLook:
 
 
 def drawn_geoms(model: mujoco.MjModel, body: int) -> list[int]:
-    """Return the geoms of a body that pictures show."""
+    """Return the geoms of a body that are visible in pictures."""
     first = int(model.body_geomadr[body])
     geoms = range(first, first + int(model.body_geomnum[body]))
     return [g for g in geoms if model.geom_group[g] in _DRAWN_GROUPS]
@@ -158,7 +159,7 @@ def _parts(model: mujoco.MjModel, body: int) -> list[DrawnPart]:
 
 
 def local_pose(position: np.ndarray, quaternion: np.ndarray) -> DrawnPose:
-    """Return the pose of a position, metres, and a unit wxyz quaternion."""
+    """Return the pose from a position in metres and a unit wxyz quaternion."""
     import mujoco
 
     rotation = np.zeros(9)

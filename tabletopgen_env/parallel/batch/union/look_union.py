@@ -1,7 +1,7 @@
-"""One model that draws any of many scenes, and a scene as one row of what differs in it.
+"""One model that renders any of many scenes, and each scene as a row of its varying fields.
 
-Nothing moves by itself in it: poses of geoms, cameras and the sun are written for each world, from
-the bodies of the simulated union.
+The model is never simulated: poses of geoms, cameras and sun are written for each world from the
+bodies of the simulated union.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
     import mujoco
 
 _FLOOR, _TABLE = "floor", "table"
-_AWAY = np.array([0.0, 0.0, -1000.0])  # metres: what is not there
+_AWAY = np.array([0.0, 0.0, -1000.0])  # metres: position of absent geoms
 
 
 @dataclass(frozen=True, eq=False)
 class LookRows:
-    """What differs from scene to scene (n), of geoms (g) and cameras (c), on their bodies.
+    """Fields that vary between scenes (n), of geoms (g) and cameras (c), relative to their bodies.
 
-    ``data`` and ``material`` are numbers of meshes and materials, -1 for none.
+    ``data`` and ``material`` are indices of meshes and materials, -1 for none.
     """
 
     pos: Float[np.ndarray, "n g 3"]
@@ -48,19 +48,19 @@ class LookRows:
 
 
 class LookUnion:
-    """The model of pictures of a bank's scenes.
+    """The model of pictures for a bank's scenes.
 
     Attributes:
-        model: MuJoCo's model: floor, pedestal, marker, table, a mesh a slot, and the robot.
-        bodies: the simulated union's body that each geom is on, 0 for what stands still.
-        camera_bodies: likewise of each camera of ``look.LOOKING``.
-        marker: which geom marks a spot.
-        rows: what differs.
+        model: MuJoCo's model: floor, pedestal, marker, table, one mesh per slot, and the robot.
+        bodies: the simulated union's body of each geom, 0 for static geoms.
+        camera_bodies: the body of each camera of ``look.LOOKING``.
+        marker: index of the marker geom.
+        rows: the varying fields.
 
     Args:
-        union: the model that is simulated.
-        looks: the scenes.
-        slots: the slot of each object of each scene.
+        union: the simulated model.
+        looks: the appearances of the scenes.
+        slots: slot of each object of each scene.
     """
 
     def __init__(
@@ -99,7 +99,7 @@ class LookUnion:
         def wear(geom: int, part: DrawnPart) -> None:
             mesh = int(model.mesh(part.skin.name).id)
             data[geom], material[geom] = mesh, int(model.mat(part.skin.name).id)
-            frame = local_pose(model.mesh_pos[mesh], model.mesh_quat[mesh])  # as it was compiled
+            frame = local_pose(model.mesh_pos[mesh], model.mesh_quat[mesh])  # as compiled
             put(geom, part.pose.of(frame))
 
         put(0, look.floor)
@@ -122,7 +122,7 @@ def _all_parts(look: SceneLook) -> tuple[DrawnPart, ...]:
 
 
 def _spec(look: SceneLook, skins: dict[str, Skin], slots: int) -> mujoco.MjSpec:
-    """Return the specification: geoms in the order of ``LookUnion.bodies``, all on the world."""
+    """Build the specification; all geoms are on the world, in the order of ``LookUnion.bodies``."""
     import mujoco
 
     spec, kinds = mujoco.MjSpec(), mujoco.mjtGeom
@@ -191,7 +191,7 @@ def _paint(material: mujoco.MjsMaterial, texture: str) -> None:
 
 
 def _shell() -> mujoco.mjtMeshInertia:
-    """Return an inertia that any surface has, open ones too."""
+    """Set the mesh inertia to that of a shell, which is valid for open surfaces too."""
     import mujoco
 
     return mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL

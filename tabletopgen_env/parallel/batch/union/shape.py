@@ -1,4 +1,4 @@
-"""How many bodies and geoms a union model has room for, and which object goes where."""
+"""The number of bodies and geoms of a union model, and the assignment of objects to slots."""
 
 from __future__ import annotations
 
@@ -13,28 +13,28 @@ import numpy as np
 from .content import GeomKind, SceneContent
 
 Room = Mapping[GeomKind, int]
-"""How many geoms of each kind a body has room for."""
+"""Number of geoms of each kind that a body has."""
 
 
 @dataclass(frozen=True)
 class UnionShape:
-    """Room of each slot, a free body that takes one object, and of what stands still (``fixed``).
+    """Geoms of each slot (a free body for one object) and of the static body (``fixed``).
 
-    Models of one shape differ in nothing that kernels are compiled for.
+    Models of equal shape use the same compiled kernels.
     """
 
     slots: tuple[Room, ...]
     fixed: Room
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Return what a copy in another process is made of; read-only mappings cannot be sent."""
+        """Support pickling, since read-only mappings cannot be pickled."""
         return _shape_of, ([dict(room) for room in self.slots], dict(self.fixed))
 
     @classmethod
     def around(cls, contents: Sequence[SceneContent]) -> UnionShape:
-        """Return a shape that every scene fits, with little room that stays empty.
+        """Return a small shape that fits every scene.
 
-        Scenes come in turn, the one with the most geoms first: each puts its objects into slots so
+        Scenes are added in order of decreasing geom count; each assigns its objects to slots so
         that the fewest geoms have to be added.
         """
         slots = [Counter[GeomKind]() for _ in range(max(len(c.objects) for c in contents))]
@@ -68,12 +68,12 @@ def _geom_count(content: SceneContent) -> int:
 
 
 def _lack(need: Counter[GeomKind], room: Room) -> int:
-    """Return how many geoms a body has too few."""
+    """Return the number of geoms that a body lacks."""
     return sum(max(0, count - room.get(kind, 0)) for kind, count in need.items())
 
 
 def _cheapest(content: SceneContent, slots: Sequence[Room]) -> tuple[int, ...]:
-    """Return different slots for the objects so that the fewest geoms are lacking."""
+    """Assign objects to distinct slots so that the fewest geoms are lacking."""
     from scipy.optimize import linear_sum_assignment
 
     lack = [[_lack(thing.geoms.need, room) for room in slots] for thing in content.objects]

@@ -1,4 +1,4 @@
-"""Merge convex parts of objects until a batch has room for them."""
+"""Merging of convex parts, to limit their number per object."""
 
 from __future__ import annotations
 
@@ -19,35 +19,36 @@ from ....robot.panda import Panda
 from ....world.world import World
 
 MOST_PARTS = 12
-"""Convex parts that an object has unless said otherwise; catalogue objects have up to 46."""
+"""Default maximum number of convex parts per object; catalogue objects have up to 46."""
 
 
 def cap_world(world: World, most: int, robot: Panda) -> World:
     """Return a world whose objects have at most ``most`` convex parts, with the same mount.
 
-    Where any has more, parts are merged, and the scene is gated and
-    compiled anew.
+    If an object has more, parts are merged, and the scene passes the gate and is compiled again.
 
     Raises:
-        SceneError: the scene does not pass its physical gate with merged parts.
+        SceneError: the scene with merged parts fails its physical gate.
     """
     capped = cap_parts(world.scene, most)
     if capped is world.scene:
         return world
     if failures := judge(capped).failures:
         some = "; ".join(map(str, failures[:2]))
-        raise SceneError(f"with {most} parts an object it fails its physical gate ({some})")
+        raise SceneError(
+            f"with at most {most} parts per object it fails its physical gate ({some})"
+        )
     return World(capped, robot, world.mount)
 
 
-_GAP = 1e-3  # metres between neighbours, at most
+_GAP = 1e-3  # maximum distance of neighbours, metres
 
 
 def cap_parts(scene: Scene, most: int) -> Scene:
     """Return the scene with at most ``most`` convex parts for each object.
 
-    Poses, masses and inertias stay, as does what has no more parts. Shapes that were merged are
-    somewhat larger than before: the gate has to judge whether the scene still holds.
+    Poses, masses and inertias are unchanged, and so are objects within the limit. Merged shapes are
+    slightly larger: run the gate on the scene again.
 
     Raises:
         InputError: ``most`` is below 1.
@@ -67,12 +68,12 @@ class _Piece:
     volume: float
 
     def near(self, other: _Piece) -> bool:
-        """Return whether the boxes of two parts come within ``_GAP``."""
+        """Return whether the boxes of two parts are within ``_GAP`` of each other."""
         (low, high), (lowest, highest) = self.part.bounds, other.part.bounds
         return bool((low <= highest + _GAP).all() and (lowest <= high + _GAP).all())
 
     def fill(self, other: _Piece) -> float:
-        """Return the volume that merging two parts adds."""
+        """Return the volume added by merging two parts."""
         return _volume(self._points(other)) - self.volume - other.volume
 
     def merge(self, other: _Piece) -> _Piece:
@@ -85,7 +86,7 @@ class _Piece:
 
 
 def merge_parts(parts: Sequence[ConvexPart], most: int) -> tuple[ConvexPart, ...]:
-    """Return at most ``most`` convex parts that cover all that ``parts`` cover."""
+    """Merge parts into at most ``most`` convex parts that cover them."""
     left = {k: _Piece(part, _volume(part.vertices)) for k, part in enumerate(parts)}
     fill = {
         (a, b): left[a].fill(left[b]) for a, b in combinations(left, 2) if left[a].near(left[b])
@@ -104,7 +105,7 @@ def merge_parts(parts: Sequence[ConvexPart], most: int) -> tuple[ConvexPart, ...
 
 
 def _volume(points: Float[np.ndarray, "n 3"]) -> float:
-    """Return the volume of the convex hull of points, cubic metres; flat ones have none."""
+    """Return the volume of the convex hull of points in cubic metres, 0 for flat ones."""
     try:
         return float(ConvexHull(points).volume)
     except QhullError:

@@ -1,17 +1,17 @@
-"""One model that any of many scenes fits into: a robot and slots of free bodies.
+"""A single model that fits many scenes: a robot and slots of free bodies.
 
-MuJoCo Warp steps one model in many worlds. Where a field is *batched* the worlds may differ:
-which mesh a geom has, sizes, offsets, masses. Body tree, types of geoms and dimensions of contacts
-are the same in all. So here every slot is a free body with as many geoms of each kind as any scene
-needs there. In a world that needs fewer
+MuJoCo Warp steps one model in many worlds. *Batched* fields can differ between worlds: the mesh of
+a geom, sizes, offsets, masses. The body tree, geom types and contact dimensions are shared. Every
+slot is therefore a free body with as many geoms of each kind as any scene needs there. In a world
+that needs fewer
 
-- absent meshes have ``geom_dataid`` -1, which MuJoCo Warp leaves out of collisions;
+- absent meshes have ``geom_dataid`` -1, which excludes them from collisions;
 - absent primitives are a micrometre in size and a kilometre away;
-- absent bodies are parked 50 m off, without weight, and stay there to the bit.
+- absent bodies are parked 50 m away, without gravity, and never move.
 
-The world frame is the robot's base frame: tables are put around the robot, and what is read needs
-no transform. Nothing but this file and ``template`` knows of absent geoms, so that another way to
-have different scenes in one model can take their place.
+The world frame is the robot's base frame: tables are placed relative to the robot, and readings
+need no transform. Only this module and ``template`` know of absent geoms, so the scheme can be
+replaced.
 """
 
 from __future__ import annotations
@@ -32,30 +32,32 @@ from .shape import UnionShape
 from .template import FIXED, FLOOR_HALF, TINY, Addresses, places, slot_name, union_spec
 
 MODEL_FIELDS = (*GEOM_FIELDS, "geom_dataid", *BODY_FIELDS, "body_gravcomp", "dof_invweight0")
-"""Fields of the model that differ from world to world."""
+"""Fields of the model that differ between worlds."""
 
 START_FIELDS = ("qpos", "geom_xpos", "geom_xmat")
-"""Fields of the state that a scene sets: its start, and where fixed geoms are, which MuJoCo Warp
-takes from the state and not from the model."""
+"""Fields of the state that a scene sets: its initial state, and the poses of fixed geoms, which
+MuJoCo Warp reads from the state and not from the model.
+"""
 
 Row = Mapping[str, np.ndarray]
 """One scene's ``MODEL_FIELDS`` and ``START_FIELDS``, in the shapes of MuJoCo's model and data."""
 
-_FAR, _FAR_APART = 1000.0, 10.0  # metres: absent geoms of a body, and of the next
+# metres: distance of absent geoms, and between those of successive bodies
+_FAR, _FAR_APART = 1000.0, 10.0
 
 
 class SlotUnion:
     """The union model of a shape.
 
     Attributes:
-        shape: its room.
-        model: MuJoCo's model. Every slot is empty in it.
-        addresses: where joints, slots and the tool centre point are.
-        sides: of each body 0 not the robot's, 1 robot, 2 left finger, 3 right finger.
-        slot_of: of each geom its slot, -1 for what is not an object's.
+        shape: the shape.
+        model: MuJoCo's model, with every slot empty.
+        addresses: addresses of joints, slots and the tool centre point.
+        sides: for each body, 0 not the robot's, 1 robot, 2 left finger, 3 right finger.
+        slot_of: slot of each geom, -1 for geoms that are not an object's.
 
     Args:
-        shape: room for each body.
+        shape: number of geoms of each body.
         hulls: vertices of the convex meshes of all scenes by name, metres.
         robot: the robot.
     """
@@ -80,15 +82,15 @@ class SlotUnion:
         self._empty = self._empty_row()
 
     def row(self, content: SceneContent, slots: tuple[int, ...]) -> Row:
-        """Return the row of a scene whose objects go into ``slots`` (``UnionShape.assign``).
+        """Build the row of a scene whose objects go into ``slots`` (``UnionShape.assign``).
 
         Raises:
             InputError: the scene was compiled with another robot.
         """
         if not np.array_equal(content.robot, self._robot):
             raise InputError(
-                f"The world of {content.name!r} has another robot than the bank: compile it with "
-                "the same Panda, and leave its model as it was compiled."
+                f"The world of {content.name!r} has another robot than the bank: compile it "
+                "with the same Panda, and do not modify its model."
             )
         row = {field: array.copy() for field, array in self._empty.items()}
         row["geom_xpos"][self._floor, 2] = content.floor - FLOOR_HALF[2]
@@ -99,11 +101,11 @@ class SlotUnion:
         return row
 
     def _all_geoms(self, place: int) -> list[int]:
-        """Return the geoms of what stands still (place 0), or of the slot before ``place``."""
+        """Return the static geoms (place 0), or those of slot ``place - 1``."""
         return [geom for geoms in self._geoms[place].values() for geom in geoms]
 
     def _empty_row(self) -> dict[str, np.ndarray]:
-        """Return the row of no scene at all: only robot and floor are there."""
+        """Build the row of an empty scene with only robot and floor."""
         import mujoco
 
         model = self.model
@@ -125,7 +127,7 @@ class SlotUnion:
         return row
 
     def _fill(self, row: dict[str, np.ndarray], place: int, geoms: BodyGeoms) -> list[int]:
-        """Write a body's geoms into the row; return which of the model's geoms they are."""
+        """Write a body's geoms into the row; return their indices in the model."""
         left: dict[object, Iterator[int]] = {k: iter(g) for k, g in self._geoms[place].items()}
         used = [next(left[kind]) for kind in geoms.kinds]
         for field, values in geoms.fields.items():

@@ -1,4 +1,4 @@
-"""The specification of a union model, and where things are in what it compiles to."""
+"""The specification of a union model, and the addresses in the compiled model."""
 
 from __future__ import annotations
 
@@ -22,25 +22,27 @@ if TYPE_CHECKING:
     import mujoco
 
 FIXED = "fixed"
-"""Name of the body that has the geoms of table and pedestal."""
+"""Name of the body with the geoms of table and pedestal."""
 
 FLOOR_HALF = (20.0, 20.0, 0.1)
-"""Half the extents of the floor, metres. It is a box: nothing may be a kilometre below a plane."""
+"""Half extents of the floor, metres. The floor is a box, since nothing may be a kilometre below a
+plane.
+"""
 
 PARKED, PARKED_APART = 50.0, 3.0
-"""Where absent bodies are, and how far from the next, metres."""
+"""Position of absent bodies, and their spacing, metres."""
 
 TINY = 1e-6
 """Size of absent geoms, metres."""
 
 _FILLER = "filler"
 _TETRAHEDRON = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], np.float32) / 100
-# Metres. At MuJoCo's 1e-6, which single precision does not resolve on a table top, the search for
-# how deep a cylinder is in a box ends with decimetres in 35 cases of a million, and shoots it off;
-# at 1e-5 in none of 600,000, and depths are as exact.
+# Metres. At MuJoCo's default of 1e-6, which single precision does not resolve at table height, the
+# depth of a cylinder in a box comes out as decimetres in 35 of a million cases, and the cylinder is
+# ejected; at 1e-5 this happens in none of 600,000, with equally accurate depths.
 _CCD_TOLERANCE = 1e-5
-# A body whose inertia is aligned with its frame is compiled to a diagonal block of the mass matrix,
-# which then has no room for the bodies that are not. This one fits both.
+# A body whose inertia is aligned with its frame compiles to a diagonal block of the mass matrix,
+# with no room for bodies with other inertias. This inertia fits both.
 _SKEW = {
     "mass": 1.0,
     "ipos": [0.01, 0.02, 0.03],
@@ -50,12 +52,12 @@ _SKEW = {
 
 @dataclass(frozen=True)
 class Addresses:
-    """Where things are in the model's arrays. Slots are in order everywhere.
+    """Addresses in the model's arrays. Slots are in order everywhere.
 
     ``arm_qpos`` and ``arm_dof`` are the seven joints, ``finger_qpos`` the two slides,
-    ``slot_bodies`` a body a slot, ``slot_qpos`` 7 entries a slot (position and quaternion),
-    ``slot_dof`` 6 (linear velocity in the base frame, angular in the body's); ``tcp`` is the tool
-    centre point's site.
+    ``slot_bodies`` one body per slot, ``slot_qpos`` 7 entries per slot (position and quaternion),
+    ``slot_dof`` 6 (linear velocity in the base frame, angular in the body's); ``tcp`` is the site
+    of the tool centre point.
     """
 
     arm_qpos: slice
@@ -68,7 +70,7 @@ class Addresses:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, slots: Sequence[int]) -> Addresses:
-        """Return those of a model; ``slots`` are its bodies for objects."""
+        """Return the addresses in a model; ``slots`` are the names of its bodies for objects."""
         arm = [model.joint(PREFIX + name) for name in ARM_JOINTS]
         fingers = [model.joint(PREFIX + name) for name in FINGER_JOINTS]
         joints = model.body_jntadr[slots]
@@ -91,9 +93,9 @@ def slot_name(slot: int) -> str:
 def union_spec(
     shape: UnionShape, hulls: Mapping[str, Float[np.ndarray, "_v 3"]], robot: Panda
 ) -> mujoco.MjSpec:
-    """Return the specification of a model with room for ``shape``, its world the base frame.
+    """Build the specification of a model with room for ``shape``, in the base frame.
 
-    It simulates as ``World`` does, but without sleeping, and has nothing that is only drawn.
+    It simulates as ``World`` does, but without sleeping, and has no visual-only geoms.
     """
     import mujoco
 
@@ -124,7 +126,7 @@ def union_spec(
 
 
 def places(model: mujoco.MjModel, body: int, room: Room) -> dict[GeomKind, list[int]]:
-    """Return which geoms of a body of ``union_spec`` are of which kind."""
+    """Return the kind of each geom of a body of ``union_spec``."""
     first, found = int(model.body_geomadr[body]), {}
     for kind, count in room.items():
         found[kind] = list(range(first, first + count))
@@ -133,7 +135,7 @@ def places(model: mujoco.MjModel, body: int, room: Room) -> dict[GeomKind, list[
 
 
 def _undress(arm: mujoco.MjSpec) -> mujoco.MjSpec:
-    """Take away what is only drawn of a robot."""
+    """Remove the visual-only geoms of a robot."""
     for geom in arm.geoms:
         if not (geom.contype or geom.conaffinity):
             arm.delete(geom)
