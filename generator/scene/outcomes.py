@@ -1,4 +1,4 @@
-"""What a settled scene keeps of its plan: relations and supports, as the report found them."""
+"""Relations and supports of a plan that hold in the settled scene, according to its report."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from .result import Object, Scene
 
 
 def held_relations(scene: Scene, name: str) -> tuple[Relation, ...]:
-    """Return the plan's relations of a thing that hold in the settled scene.
+    """Return the planned relations of an object that hold in the settled scene.
 
-    A report without outcomes tells nothing: then all of the plan's are returned.
+    If the report records no relation outcomes, all planned relations of the object are returned.
     """
     planned = scene.plan.objects if scene.plan else ()
     asked = next((o.relations for o in planned if o.name == name), ())
@@ -23,10 +23,10 @@ def held_relations(scene: Scene, name: str) -> tuple[Relation, ...]:
 
 
 def hold_supports(scene: Scene) -> Scene:
-    """Return the scene without supports that its report denies.
+    """Return the scene with supports that contradict its report reset to the table.
 
-    A thing that does not rest on, or in, what its placement says stands on the table, for all that
-    is known. The same scene is returned where nothing is denied.
+    An object that does not rest on, or in, the support named in its placement is assigned to the
+    table. The same scene is returned if nothing changes.
     """
     outcomes = scene.report.relations if scene.report else ()
     denied = {(o.name, o.kind, o.target) for o in outcomes if not o.holds}
