@@ -88,7 +88,10 @@ def test_a_strange_thing_has_the_family_of_its_kind(text: str, family: str) -> N
     ("text", "warning"),
     [
         ("a mandarin", "The catalogue has no 'mandarin'; it is shown as 'orange'."),
-        ("a clavichord on a desk", "The catalogue has no 'clavichord'; a plain shape"),
+        (
+            "a clavichord on a desk",
+            "The catalogue has no 'clavichord'; it is shown as a plain shape",
+        ),
         ("2 moniters and a keybord", "Read 'moniters' as 'monitors'."),
     ],
 )
