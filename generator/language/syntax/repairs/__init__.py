@@ -1,1 +1,1 @@
-"""What a text takes back, and what it only tells."""
+"""Corrections in a text, and talk without a meaning for the plan."""
