@@ -173,7 +173,7 @@ def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
     heights, areas = triangles[level].mean(1)[order, 2], areas[level][order]
     sums = np.append(0.0, np.cumsum(areas))
     first = np.searchsorted(heights, heights - _EVEN)
-    near = sums[1:] - sums[first]  # area from just below each triangle up to it
+    near = sums[1:] - sums[first]  # area between just below each triangle and the triangle
     if near.max(initial=0.0) < _MIN_TOP:
         raise InputError(
             f"{what} has no level surface of at least {1e4 * _MIN_TOP:.0f} square centimetres."

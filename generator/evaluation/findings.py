@@ -28,7 +28,7 @@ class DefectLimits:
     """Limits above which a deviation is a defect.
 
     overlap: depth in metres. ``rule``: rule for standing still.
-    usual_size: ratio of an object's size and the usual one.
+    usual_size: ratio of an object's size to the usual one.
     gain: improvement of the fit to the object's mask by another yaw or size (IoU).
     yaw: radians, against a truth. ``scale``: ratio, against a truth.
     place: fraction of the table's width, against a truth.

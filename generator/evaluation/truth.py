@@ -50,7 +50,7 @@ class TruthErrors:
     extra: tuple[str, ...]
 
     def facts(self) -> dict[str, Any]:
-        """Return the errors as JSON values; means are over matched objects, None without any."""
+        """Return the errors as JSON values; means over no objects are None."""
         found = self.objects
 
         def middle(values: list[float]) -> float | None:

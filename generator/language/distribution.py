@@ -14,7 +14,7 @@ from ..scene import OutlineKind, ScenePlan
 Needs = tuple[tuple[str, ...], ...]
 """Required objects of a table: one of the listed objects for each entry."""
 
-_MOST = 24  # maximum number of objects of a table
+_MAX_OBJECTS = 24  # maximum number of objects of a table
 PLAIN = "plain"
 """Style without stylisation."""
 
@@ -63,10 +63,10 @@ class SceneDistribution:
                 f"{self.objects}."
             )
         low, high = self.objects
-        if not 1 <= low <= high <= _MOST:
+        if not 1 <= low <= high <= _MAX_OBJECTS:
             raise InputError(
-                f"SceneDistribution.objects must be from 1 to {_MOST}, minimum first, got ({low}, "
-                f"{high})."
+                f"SceneDistribution.objects must be from 1 to {_MAX_OBJECTS}, minimum first, got "
+                f"({low}, {high})."
             )
         object.__setattr__(self, "objects", (low, high))
         self._check_needs()

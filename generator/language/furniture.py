@@ -65,7 +65,9 @@ def _limit_side(
     side, least, most = limits
     length = float(np.clip(asked, least, most))
     if length != asked:
-        reading.warnings.append(f"A table cannot be {asked:g} m {side}; it is {length:g} m {side}.")
+        reading.warnings.append(
+            f"A table cannot be {asked:g} m {side}; {length:g} m is used instead."
+        )
     return length
 
 

@@ -16,7 +16,7 @@ from ..scene import OutlineKind
 
 @dataclass(frozen=True)
 class Theme:
-    """One kind of table: its names, its usual tables (size in metres), its objects."""
+    """One kind of table: its names, its usual tables (size in metres), and its objects."""
 
     words: tuple[str, ...]
     outlines: tuple[OutlineKind, ...]
@@ -276,4 +276,4 @@ DEFAULT_TABLES: Mapping[str, str] = MappingProxyType(
      "worktop": "kitchen", "workstation": "office", "workspace": "office", "desktop": "office",
      "worktable": "workbench", "tabletop": "coffee", "sideboard": "dining"}
 )  # fmt: skip
-"""Objects of a table that a text names without any object or theme."""
+"""Objects on a table if the text names neither an object nor a theme."""

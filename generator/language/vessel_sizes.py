@@ -262,7 +262,7 @@ def cut_category(category: str, vessel: str, number: int) -> str:
     ``number`` is the index among the vessel's contents.
     """
     if open_category(vessel) == "empty_vase":
-        if category == "vase":  # also used for flowers
+        if category == "vase":  # also the category of "flowers"
             return _FLOWERS[number % len(_FLOWERS)]
         return "posy" if category == "bouquet" else category
     if category in _POTTED and open_category(vessel) == "plant_pot":

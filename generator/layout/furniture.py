@@ -38,7 +38,7 @@ from .vessels.holders import (
 _FILLING: Mapping[Density, float] = {"sparse": 0.25, "normal": 0.42, "dense": 0.62}
 """Maximum fraction of a tabletop covered by objects with their margins."""
 
-_LARGEST = 1.5  # maximum length of a table relative to the plan
+_MAX_GROWTH = 1.5  # maximum length of a table relative to the planned length
 _ROOM = 0.035  # margin around each object, metres
 
 
@@ -162,13 +162,13 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
     taken = _FILLING[plan.density] * x * y * share
     factor = max(1.0, float(np.sqrt(area / taken)), (widest + 0.1) / x)
     stretch = max(_chain(standing, models, axis) / (x, y)[axis] for axis in (0, 1))
-    factor = max(factor, min(stretch, _LARGEST)) * growth
-    if factor > max(_LARGEST, 2.4 / x):
+    factor = max(factor, min(stretch, _MAX_GROWTH)) * growth
+    if factor > max(_MAX_GROWTH, 2.4 / x):
         large = sorted(standing, key=lambda o: -models[o.name].size[:2].prod())[:3]
         raise SceneError(
             f"{len(standing)} objects do not fit on one {plan.table.outline} table of at most "
-            f"{x * _LARGEST:.1f} m; the largest are {', '.join(o.name for o in large)}. Use fewer "
-            "or smaller objects."
+            f"{x * _MAX_GROWTH:.1f} m; the largest are {', '.join(o.name for o in large)}. Use "
+            "fewer or smaller objects."
         )
     return replace(plan.table, size=(round(x * factor, 3), round(y * factor, 3), z))
 
@@ -186,7 +186,7 @@ def _chain(standing: Sequence[PlannedObject], models: Mapping[str, Model], axis:
         if r.target in half and r.kind in SIDES and SIDES[r.kind][2][axis]
     ]
     reach = {(name, sign): room for name, room in half.items() for sign in (-1.0, 1.0)}
-    for _ in standing[1:]:  # as many iterations as the longest possible chain
+    for _ in standing[1:]:  # one iteration per link of the longest possible chain
         for name, target, sign in beside:
             further = half[target] + _ROOM + half[name] + reach[name, sign]
             reach[target, sign] = max(reach[target, sign], further)

@@ -54,7 +54,7 @@ def _at_plate(planned: PlannedObject, plan: ScenePlan) -> bool:
     return any(r.kind in ("left_of", "right_of") and r.target in served for r in planned.relations)
 
 
-_THIN = 0.8  # maximum ratio of depth to width and height of objects that fall on their back or face
+_THIN = 0.8  # maximum ratio of depth to width and to height for lying on the back or face
 _STRIP = 0.2  # width of the strip under a lying round object, in widths of the object
 
 

@@ -40,8 +40,8 @@ NEAR = 0.15
 """Maximum gap between objects that are next to each other, metres."""
 
 _TOUCH = 1e-3  # maximum distance of touching objects, metres
-_EDGE = 0.12  # maximum distance from the rim to be at the edge, metres
-_CLEAR = 0.01  # minimum offset to be on a side, metres
+_EDGE = 0.12  # maximum distance from the rim to count as at the edge, metres
+_CLEAR = 0.01  # minimum offset to count as on a side, metres
 _FOOT = 0.1  # height of an object's foot, as a fraction of its height
 _RIM = 0.04  # maximum height of a contained object's centre above the rim, metres
 

@@ -74,7 +74,7 @@ def put_on(
     below = [placed_triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
     model = models[planned.name]
-    if not inside:  # roughly aligned with the object below
+    if not inside:  # an object on another one is roughly aligned with it
         shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
     shape = shapes[planned.name]
     ground = state.fields.get(support) or field_of(models[support], base)
@@ -168,8 +168,8 @@ def _resting_cost(
     slack = 1.5 * float(shape.half.min()) if slender else 0.0  # stems may lean past each other
     for place in siblings:
         both = 2 * float(shape.half.min() + shapes[place.name].half.min())
-        full = both > mouth and shape.height < shape.half.min()  # such as folded shirts in a case
-        if not full:  # otherwise it lies on the other object
+        full = both > mouth and shape.height < shape.half.min()  # like shirts in a suitcase
+        if not full:  # otherwise one lies on top of the other
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
             room = room + slack
             cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
@@ -328,7 +328,7 @@ def placed_triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m
 def surface(
     corners: Float[np.ndarray, "m 3 3"], points: Float[np.ndarray, "p 2"], *, upper: bool
 ) -> Float[np.ndarray, "p"]:
-    """Return the highest (or lowest) z of triangles at each point; -inf (inf) outside of all."""
+    """Return the highest (or lowest) z of triangles at each point; -inf (inf) if there is none."""
     none = -np.inf if upper else np.inf
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])

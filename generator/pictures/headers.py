@@ -31,8 +31,8 @@ _SIGNATURES: tuple[tuple[Format, re.Pattern[bytes]], ...] = (
 
 _HEIC = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"hevm", b"hevs", b"mif1", b"msf1")
 
-_SEGMENTS = 20_000  # of a JPEG; valid files have hundreds
-_CHUNKS = 1000, 256  # maximum number of chunks: a constant, plus one per so many bytes
+_SEGMENTS = 20_000  # maximum number of segments of a JPEG; valid files have hundreds
+_CHUNKS = 1000, 256  # maximum number of chunks: a constant, plus one per this many bytes
 _IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # end of the data of a scan
 _MARKER = re.compile(rb"\xff([^\x00\xff])")  # without "+", which takes quadratic time
 _SOS, _EOI = 0xDA, 0xD9
@@ -41,7 +41,7 @@ _BARE = frozenset((0x01, 0xD8, *range(0xD0, 0xD8)))  # markers without a length
 
 _TIFF_TYPES = MappingProxyType({3: "H", 4: "I", 16: "Q"})  # numeric types of a size
 _WIDTH, _HEIGHT = 256, 257
-_IFDS = 100_000  # maximum number followed
+_IFDS = 100_000  # maximum number of linked frames
 
 
 class DamagedHeader(ValueError):
@@ -188,7 +188,7 @@ def _gif(raw: bytes) -> PictureHeader:
             at += 11 + _palette(flags)
         elif kind == 0x21:
             at += 2
-        else:  # skipped by decoders
+        else:  # unknown bytes, skipped by decoders
             at, left = at + 1, left - 1
             continue
         while at < len(raw) and left > 0 and (size := raw[at]):

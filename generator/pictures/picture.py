@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 if TYPE_CHECKING:
-    from jaxtyping import Shaped  # imports as slowly as NumPy in a child process
+    from jaxtyping import Shaped  # takes as long to import as NumPy
 
 Form = Literal["upright", "rgb", "rgba", "stored"]
 """Form of the returned pixels: "upright" is sRGB on white, rotated by the EXIF orientation; "rgb"
@@ -24,8 +24,8 @@ class DecodedPicture:
     Attributes:
         pixels: the array, uint8 unless the form is "stored".
         mode: Pillow mode of the file: "RGB", "P", "I;16".
-        width: width of the picture in the file, before rotation or shrinking, pixels.
-            height: height likewise.
+        width: width of the picture in the file, before rotation or shrinking, pixels. height:
+            height of the picture in the file, pixels.
         orientation: EXIF orientation; 1 if the picture is upright or has none, or for forms other
             than "upright".
     """

@@ -47,7 +47,7 @@ def decode_pixels(
         InputError: The picture is damaged or exceeds a limit.
     """
     with open_picture(raw, what, limits) as picture:
-        if form != "rgb":  # decodes JPEGs at a reduced resolution
+        if form != "rgb":  # without load, "rgb" JPEGs are decoded at low resolution
             picture.load()
         mode, (width, height), orientation = picture.mode, picture.size, 1
         if form == "upright":

@@ -17,7 +17,7 @@ from .soft import SoftImages
 
 _RIDGE = 0.02  # regularisation towards uniform light, as a fraction of the pixels' weight
 _SHADE = (0.3, 2.0)  # minimum and maximum of the fitted light
-_GAIN = (0.75, 1.3333)  # of one colour channel relative to the others
+_GAIN = (0.75, 1.3333)  # range of the gain of one colour channel relative to the others
 _TINY = 1e-6
 
 

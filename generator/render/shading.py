@@ -11,8 +11,8 @@ from ..scene import frozen_array
 from ..scene.triangles import scaled_normals, weld_index
 
 _CREASE = np.cos(np.deg2rad(40.0))
-_MOST_PAIRS = 64  # corners per position, averaged over corners; solids have about 6
-_PIECE = 1 << 20  # such pairs processed at once
+_MAX_PAIRS = 64  # maximum number of corners per position, averaged; solids have about 6
+_PIECE = 1 << 20  # pairs of corners processed at once
 
 
 def _unit(v: np.ndarray) -> np.ndarray:
@@ -61,7 +61,7 @@ def corner_normals(
     starts = np.cumsum(counts) - counts
     repeats = counts[corner]
     pairs = np.cumsum(repeats)
-    if pairs[-1] > _MOST_PAIRS * len(corner):
+    if pairs[-1] > _MAX_PAIRS * len(corner):
         return np.repeat(flat[:, None], 3, axis=1)
     cuts = np.searchsorted(pairs, np.arange(_PIECE, pairs[-1], _PIECE))
     total = np.empty((len(corner), 3))

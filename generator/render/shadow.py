@@ -19,7 +19,7 @@ _TAPS = tuple(
 
 _TILE = 4  # map cells along the side of a tile
 _SIZE = 1024  # map cells along the side of the map
-_RIM = 4  # of them empty at each end
+_RIM = 4  # empty map cells at each end of a side
 
 
 class Shadow:

@@ -14,12 +14,12 @@ def held_relations(scene: Scene, name: str) -> tuple[Relation, ...]:
     If the report records no relation outcomes, all planned relations of the object are returned.
     """
     planned = scene.plan.objects if scene.plan else ()
-    asked = next((o.relations for o in planned if o.name == name), ())
+    requested = next((o.relations for o in planned if o.name == name), ())
     outcomes = scene.report.relations if scene.report else ()
     if not outcomes:
-        return asked
+        return requested
     held = {(o.kind, o.target) for o in outcomes if o.name == name and o.holds}
-    return tuple(r for r in asked if (r.kind, r.target) in held)
+    return tuple(r for r in requested if (r.kind, r.target) in held)
 
 
 def hold_supports(scene: Scene) -> Scene:

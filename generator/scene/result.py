@@ -18,8 +18,8 @@ from .picture import USUAL_VIEW, View
 from .plan import TABLE, ScenePlan
 from .report import Report
 
-_MIN_MASS = 1e-9  # kg, of an object; MuJoCo's own limit is a millionth of it
-_MIN_TOP = 1e-6  # of a tabletop, square metres
+_MIN_MASS = 1e-9  # kg; MuJoCo's own limit is a millionth of it
+_MIN_TOP = 1e-6  # area of a tabletop, square metres
 _MAX_TURN = 1e4  # radians
 
 
@@ -263,7 +263,7 @@ class Scene:
         doubles = sorted({n for n in names if names.count(n) > 1})
         if doubles or TABLE in names:
             raise InputError(f"Object names must be unique and not {TABLE!r}; repeated: {doubles}.")
-        for name in names:  # MuJoCo body names; environments prefix with a slash
+        for name in names:  # also MuJoCo body names; slashes separate prefixes
             printable(name, "An object name", InputError)
             if not name or name == "world" or "/" in name:
                 raise InputError(

@@ -25,7 +25,7 @@ THRESHOLD = 5e-4
 """Maximum depth of a contact, metres; deeper overlaps are collisions."""
 
 _TOLERANCE, _SHARE = 2e-5, 0.02  # absolute and relative tolerance of depths
-_MOST = 30_000  # pieces of triangles examined per iteration
+_MAX_PIECES = 30_000  # pieces of triangles examined per iteration
 _CORES, _LENGTHS = 48, (5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 1.6e-2)
 
 Body = tuple[SurfaceShell, ...]
@@ -172,7 +172,7 @@ def _surface_depth(
         far = [np.linalg.norm(c - nearest_on_triangles(c, facing)[0], axis=1) for c in corners]
         bound[open_] = np.minimum(bound[open_], np.max(far, axis=0, initial=0.0))
         kept = np.flatnonzero(bound > goal)
-        kept = kept[np.argsort(-bound[kept], kind="stable")[:_MOST]]
+        kept = kept[np.argsort(-bound[kept], kind="stable")[:_MAX_PIECES]]
         pieces = bisect(pieces[kept])
     return best
 

@@ -72,7 +72,7 @@ def _fit(
     if not shape.any() or (shape & free).sum() < _MIN_SHOWN * shape.sum():
         return None
     whole = _overlap(shape, mask, free)
-    own = order(thing.model.mesh, thing.scale, prints=False)  # colours do not show in a silhouette
+    own = order(thing.model.mesh, thing.scale, prints=False)  # colours do not show
     tested = [turn for turn in TURNS if yaw_error(turn, 0.0, own) > _SAME]
     turned = [(_overlap(_silhouette(thing, camera, turn=t), mask, free), t) for t in tested]
     scaled = [(_overlap(_silhouette(thing, camera, factor=f), mask, free), f) for f in FACTORS]

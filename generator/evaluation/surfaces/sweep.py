@@ -77,7 +77,7 @@ class Metric(Protocol):
 
     @property
     def higher_is_better(self) -> bool:
-        """Whether a larger value means more similar."""
+        """Whether larger values mean greater similarity."""
         ...
 
     def score(

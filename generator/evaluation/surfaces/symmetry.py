@@ -15,7 +15,7 @@ from ...scene import Mesh
 ORDERS = (8, 6, 5, 4, 3, 2)
 """Tested finite orders, highest first."""
 
-_ANY_ANGLE = np.deg2rad([13.0, 37.0, 71.0, 101.0, 158.0, 223.0])  # angles of no low-order symmetry
+_ANY_ANGLE = np.deg2rad([13.0, 37.0, 71.0, 101.0, 158.0, 223.0])  # angles of no symmetry
 _MISFIT = 0.015  # maximum fraction of the surface that may differ
 _NEAR = 1.6  # maximum distance of a turned point from the surface, in point spacings
 _SHADE = 0.15  # minimum relevant difference of colours in [0, 1]
@@ -61,12 +61,12 @@ def cloud(mesh: Mesh, size: Float[np.ndarray, "3"], count: int = _POINTS) -> Clo
 def _smooth(
     position: Float[np.ndarray, "n 3"],
     color: Float[np.ndarray, "n 3"],
-    asked: Float[np.ndarray, "m 3"],
+    queries: Float[np.ndarray, "m 3"],
     around: int,
 ) -> Float[np.ndarray, "m 3"]:
     """Return the mean colour of the nearest points for each query position."""
-    near = KDTree(position).query(asked, k=min(around, len(position)))[1]
-    return color[near.reshape(len(asked), -1)].mean(1)
+    near = KDTree(position).query(queries, k=min(around, len(position)))[1]
+    return color[near.reshape(len(queries), -1)].mean(1)
 
 
 def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"]:

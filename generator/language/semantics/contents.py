@@ -48,7 +48,7 @@ def labels(owner: Noun, inner: Noun) -> bool:
         return False
     package = head in PACKAGES
     if inner.category == owner.category is not None:
-        return True  # a vase of tulips
+        return True  # "a vase of tulips"
     if inner.category is None:
         return package or not inner.plural or owner.category is not None
     vessel = CATEGORIES[owner.category] if owner.category else None
@@ -70,7 +70,7 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
     if item.kind == "collective" and not item.determined and holds_things(owner.category):
         return item.head.split()[-1] in ("food", "foods", "snacks")
     if item.category in LOOSE and owner.category not in _VESSELS:
-        return False  # crisps in a bowl are loose
+        return False  # crisps in a bowl are separate objects
     packed = bool(PACKAGES & set(owner.head.split()[-1:]))
     holds = owner.category in _VESSELS or packed or holds_things(owner.category)
     vessel = item.category is None or holds

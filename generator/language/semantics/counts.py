@@ -65,9 +65,9 @@ class CountReader(Relater, ABC):
         return [d for group in split[-1:] for d in group if not d.told and d not in alone]
 
     def _count_claimed(self, claimed: Group, count: int) -> Group | None:
-        """Return as many of "all mugs" as the text states after them.
+        """Return the group of "all mugs" with the count that the text states after them.
 
-        None if it names other objects, or one of several with positions.
+        None if the text names other objects, or a single one while the group has positions already.
         """
         group = self._uncounted
         if not claimed or claimed[0] not in group:

@@ -38,7 +38,7 @@ class Interpreter(SeatReader):
 
     _named: int = 0
     _alone: bool = False
-    _latest: Group | None = None  # subject of the last clause of this sentence with one
+    _latest: Group | None = None  # subject of the last clause with a subject in this sentence
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
         """Interpret all sentences.
@@ -71,7 +71,7 @@ class Interpreter(SeatReader):
             self._people(clause)
             return
         lead = self._resolve(clause.lead, []) if clause.lead else None
-        if clause.lead is not None and lead is None:  # the position is unknown
+        if clause.lead is not None and lead is None:  # the target is unknown
             known = [noun for noun in clause.subjects if noun.category or noun.family]
             clause = replace(clause, subjects=known, lead=None)
         self._said = clause.predicate

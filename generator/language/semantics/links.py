@@ -11,7 +11,7 @@ from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
 
 SIDES = ("left_of", "right_of", "in_front_of", "behind")
-_FEW = 3  # up to this number of targets, an object is beside all
+_FEW = 3  # maximum number of targets that an object can be beside
 
 _OF_BOTH = ("between",)
 _BESIDE: dict[str, str] = dict.fromkeys(("against", "opposite", "beside", "at", "laid"), "next_to")
@@ -75,7 +75,7 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
             targets = [topmost(target) for target in targets]
         chosen = [targets[i // share]] if paired else list(targets if everyone else targets[:1])
         if any(to is other for _, to in draft.relations for other in group):
-            continue  # stacked with the others
+            continue  # already stacked with the others
         if kind == "between" and len(group) == 1 and len(chosen) == 2:
             _put_beside(draft, chosen)
         for target in chosen:

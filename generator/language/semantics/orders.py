@@ -1,4 +1,4 @@
-"""Orders of objects by size or colour, and sizes for ordered objects without any."""
+"""Orders of objects by size or colour, and sizes for ordered objects that have none."""
 
 from __future__ import annotations
 

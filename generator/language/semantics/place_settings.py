@@ -119,7 +119,7 @@ _FIRST = frozenset(["plate", "bowl", "saucer", "placemat", "paper_plate"])
 
 
 def _is_one_each(noun: Noun) -> bool:
-    """Return whether each person may get one of these: a plate, not a plate of cookies."""
+    """Return whether an item is laid once per person: a plate, but not a plate of cookies."""
     filled = any(isinstance(post, Carry) for post in noun.post)
     return _is_central(noun) or (not filled and noun.count in (None, 1))
 

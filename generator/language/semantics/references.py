@@ -44,7 +44,7 @@ class Context:
 def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     """Return the antecedent of a pronoun as the target of a relation; None if there is none."""
     several = pronoun.plural
-    if pronoun.head == "that":  # the last one named
+    if pronoun.head == "that":  # the last object named
         latest = [g for g in reversed(context.mentioned) if not _overlaps(g, context.subject)]
         return next((g for g in latest if may_carry(g[0], kind)), latest[0] if latest else None)
     if context.owner == TABLE and kind in ("on", "in", "at", "center", "edge") and not several:

@@ -47,7 +47,7 @@ class Relater(ABC):
     _context: Context = field(default_factory=Context)
     _side: tuple[str, Target] | None = None  # last "left of X" of this sentence
     _local: bool = False  # whether a previous clause of this sentence was interpreted
-    _earlier_side: tuple[str, Target] | None = None  # likewise, of the previous sentence
+    _earlier_side: tuple[str, Target] | None = None  # ``_side`` of the previous sentence
     _guests: int = 0  # number of people for whom the table is laid; 0 if not stated
     _read: set[Span] = field(default_factory=set)  # spans of the interpreted noun phrases
     _seated: int | None = None  # first object of the current place setting
@@ -105,7 +105,7 @@ class Relater(ABC):
                 f"The {group[0].noun} cannot lean against the {target[0].noun}; it is placed next "
                 "to it."
             )
-        if kind == "laid" and group[0].category in _SIDES:  # cutlery at a plate
+        if kind == "laid" and group[0].category in _SIDES:  # cutlery beside a plate
             kind = _SIDES[group[0].category]
         if kind == "flank":
             flank(group, target, self.reading)

@@ -37,7 +37,7 @@ class NounEntry:
 
     @property
     def is_thing(self) -> bool:
-        """Whether it can stand on a table."""
+        """Whether the noun is an object that can stand on a table."""
         return self.family not in ("", "place", "person")
 
 

@@ -104,7 +104,7 @@ def _candidates() -> tuple[str, ...]:
 
 
 def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> str | None:
-    """Return the word of which another word is a misspelling, or None."""
+    """Return the word that was probably intended by a misspelt word, or None."""
     plural = word.endswith("s") and not word.endswith("ss")
     before = {a.text for a, b in itertools.pairwise(words) if b.text == word}
     ranked = []

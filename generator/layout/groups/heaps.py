@@ -13,7 +13,7 @@ from ..footprint import Footprint
 
 _GAP = 0.002  # gap between neighbours in a layer, metres
 _ROUND = 1.4  # maximum ratio of length to width for a lattice
-_SHARE = 4  # of this many objects, one lies on others
+_SHARE = 4  # one in this many objects lies on others
 
 
 @dataclass(frozen=True, eq=False)

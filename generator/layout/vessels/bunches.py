@@ -23,7 +23,7 @@ _SLICES = 18
 _POINTS = 40  # places compared along an object's axis
 _CLEAR = 6e-4  # minimum distance of objects from each other and from the wall, metres
 _HEAD = 1.25  # minimum ratio of a head's radius to its stem's
-_MANY = 7  # from this number of objects on, some stand inside the others
+_MANY = 7  # minimum number of objects for an inner ring
 _TILT = np.deg2rad(58.0)  # maximum lean
 
 Rotation = Float[np.ndarray, "3 3"]
@@ -207,7 +207,7 @@ def _proposals(
     feet = _at(cavity, ring.angle + turn + np.pi - twist, low, cavity.floor, stem.core)
     cost = 0.35 * np.abs(turn) + 1.5 * np.abs(high - ring.share)
     cost += 0.4 * np.abs(low - ring.share) + 0.2 * np.abs(twist - ring.twist)
-    if straight:  # above its foot, anywhere on the floor
+    if straight:  # the top is directly above the foot, anywhere on the floor
         tops = np.concatenate([feet + np.array([0, 0, cavity.depth]), tops])
         best = 0.15 if ring.count == 1 else 0.7 if ring.count < _MANY else ring.share
         cost = np.concatenate([0.05 * np.abs(turn) + 0.3 * np.abs(low - best), 3.0 + cost])

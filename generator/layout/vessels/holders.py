@@ -16,10 +16,10 @@ from ...scene.quarter_turns import Steps, turn
 from .bunches import Stance, Stem, arrange_bunch, measure_stem
 from .cavities import SECTORS, Cavity, find_cavity
 
-_LEAN = np.deg2rad(9.0)  # towards the end
-_SQUARE = 1.2  # ratio of the distances of corners and sides of a box from its middle
+_LEAN = np.deg2rad(9.0)  # tilt towards the end of the row
+_SQUARE = 1.2  # minimum ratio of corner distance to side distance of a box
 _FLAT = 0.22  # maximum ratio of thickness to width of filed objects
-_LEAST = 0.1  # minimum width of filed objects, metres
+_MIN_WIDTH = 0.1  # minimum width of filed objects, metres
 _GAP = 8e-4  # gap between objects, metres
 
 
@@ -45,7 +45,7 @@ def _boxes(cavity: Cavity) -> list[_Box]:
 def is_flat(model: Model) -> bool:
     """Return whether a lying object is flat and wide like a book or a record."""
     x, y, z = (float(v) for v in model.size)
-    return z < _FLAT * min(x, y) and min(x, y) > _LEAST
+    return z < _FLAT * min(x, y) and min(x, y) > _MIN_WIDTH
 
 
 def file_away(
@@ -107,7 +107,7 @@ def _row(
 
 def _on_edge(model: Model, side: int) -> Float[np.ndarray, "3 3"]:
     """Return the rotation that stands a lying object on edge, ``side`` upright and facing +x."""
-    face = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x, x down
+    face = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x, x to -z
     if (model.size[0] <= model.size[1]) == (side == 1):
         return face
     return face @ np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
@@ -118,9 +118,9 @@ LIES = 0.95
 
 _SLENDER = 1.9  # minimum ratio of height to width of objects that lean in a vessel
 _WIDER = 1.1  # minimum ratio of the widths of an object's head and its other end
-_BLOSSOM = 4.0  # minimum ratio of head to stem for objects whose head should be visible
-_SHOWN = 0.56  # maximum fraction of the length of such an object inside a vessel
-_FEW = 4  # above this number of objects standing together, lengths vary
+_BLOSSOM = 4.0  # minimum ratio of head to stem for objects with a visible head
+_SHOWN = 0.56  # maximum fraction of the length of such objects inside a vessel
+_FEW = 4  # maximum number of objects of equal length in a vessel
 _LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # relative lengths of flowers standing together
 _LARGER = (1.0, 1.12, 1.25, 1.4, 1.55)  # growth factors of a vessel, tried until all objects fit
 
@@ -221,7 +221,7 @@ def leans(model: Model, cavity: Cavity) -> bool:
 def file_in_box(
     vessel: Model, flat: Mapping[str, Model], cavity: Cavity
 ) -> tuple[Model, dict[str, Model]] | None:
-    """Return a box with slots for flat objects on edge, and their models; None without room."""
+    """Return a box with slots for flat objects on edge, and their models; None if too small."""
     turned = file_away(flat, cavity)
     if turned is None:
         return None

@@ -203,7 +203,7 @@ class BracketReader(PlaceReader):
         return "size" if small else "size down"
 
     def _aside(self) -> bool:
-        """Skip a bracket of which nothing is understood."""
+        """Skip a bracket that is not understood."""
         if self._tag() != "open":
             return False
         end = next((k for k in range(1, 12) if self._tag(k) in ("close", *ENDS)), 0)

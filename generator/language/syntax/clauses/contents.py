@@ -1,4 +1,4 @@
-"""What an object contains, brings along, lacks or is for."""
+"""Objects that a noun phrase contains, carries or lacks, and its purpose."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class HoldingReader(BracketReader):
                 break
             self.i += 1
         if self._text() in ("there", "here"):
-            self.i += 1  # there may be some elsewhere
+            self.i += 1  # the object may be elsewhere
             return True
         out.append(Lack(tuple(items)))
         return bool(items)

@@ -34,13 +34,13 @@ class Cursor(ABC):
         self.tokens = list(tokens)
         self.i = 0
         self.skipped: list[Token] = []
-        self.lost: list[str] = []  # parsed phrases without a meaning for the plan
+        self.lost: list[str] = []  # parsed phrases that do not affect the plan
         self._heading: Location | None = None
         self._pending: list[Clause] = []  # clauses parsed together with the previous one
         self._task = ""  # verb of the robot task in this sentence
         self._guests = 0  # number of people, if nothing else is stated
         self._ordered = False  # whether a list goes from left to right
-        self._each_count = 0.0  # count per item of a list
+        self._each_count = 0.0  # count for each item of a list
         self._seats = False  # whether the number of people is known
 
     def _starts_noun(self, ahead: int, *, determined: bool = False) -> bool:

@@ -213,9 +213,9 @@ class ListReader(PostReader):
 
 
 def _describe_before(items: list[Noun]) -> list[Noun]:
-    """Return a list where "a vase, tall and slim, and a candle" has two items."""
+    """Return a list in which "a vase, tall and slim, and a candle" has two items."""
     out: list[Noun] = []
-    open_to = False  # whether the next item describes this one
+    open_to = False  # whether the following item describes this one
     for noun in items:
         before = out[-1] if out else None
         open_to = "comma" in noun.joint or open_to

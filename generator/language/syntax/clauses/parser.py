@@ -43,7 +43,7 @@ class Parser(OpeningReader):
             "colon", "dash") else ""  # fmt: skip
         self.i += 2 * bool(self._task)
         if not stated:
-            self._task = ""  # a sole goal describes the scene
+            self._task = ""  # a goal without a task describes the scene
         while not self._ended():
             before = self.i
             clause = self._clause()
@@ -176,7 +176,7 @@ class Parser(OpeningReader):
         if (_is_title(first) or named) and self._starts_noun(1):
             first.kind = "title"
             if not first.post:
-                return  # followed by a clause of its own
+                return  # a separate clause follows
         roles = CATEGORIES[first.category].roles if first.category else ()
         if {"container", "support"} & {*roles} and not first.plural and self._starts_noun(1):
             self.i += 1

@@ -250,7 +250,7 @@ class PlaceReader(Cursor):
         return noun
 
     def _brings_back(self) -> bool:
-        """Return whether "with tongs in it" comes next, which belongs to the topic."""
+        """Return whether "with tongs in it" comes next, whose "it" is the topic of the sentence."""
         self.i += 1
         back = self._returns()
         self.i -= 1

@@ -108,7 +108,7 @@ class PostReader(HoldingReader):
         return bool(carries) and closed and self._starts_noun(1, determined=True)
 
     def _places_on(self, ahead: int) -> bool:
-        """Return whether a place that ends at the dash, or contents, come next."""
+        """Return whether contents, or a place up to the closing dash, come next."""
         if self._tag(ahead) == "carry" and self._value_at(ahead) == "hold":
             return True
         before = self.i
@@ -207,7 +207,7 @@ class PostReader(HoldingReader):
         return each
 
     def _told(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Skip phrases without a meaning: "that is", "sorted by the robot", "like soldiers"."""
+        """Skip irrelevant phrases: "that is", "sorted by the robot", "like soldiers"."""
         if self._text() in fw.HANDLED and self._text(1) == "by" and self._starts_noun(2):
             self.i = read_noun(self.tokens, self.i + 2)[1]
             return True
@@ -255,7 +255,7 @@ class PostReader(HoldingReader):
         return True
 
     def _ellipsis(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Parse what one of several has, without a verb: "the third two doughnuts"."""
+        """Parse a verbless clause about one of several objects: "the third two doughnuts"."""
         told = noun is not None and noun.kind == "member" and (noun.ordinal or noun.other)
         if not told or out or not self._starts_noun(0, determined=True):
             return False
@@ -263,7 +263,7 @@ class PostReader(HoldingReader):
         return True
 
     def _is_participle(self) -> bool:
-        """Return whether a participle without a meaning comes next: "parked in front"."""
+        """Return whether an irrelevant participle comes next: "parked in front"."""
         word = self._text()
         placed = self._tag(1) in ("relation", "here", "arranged") or (
             read_zone(self.tokens, self.i + 1) is not None

@@ -180,7 +180,7 @@ class Noun:
 
     @property
     def determined(self) -> bool:
-        """Whether it has an article, a number or a vague amount."""
+        """Whether the phrase has an article, a number or a vague amount."""
         return self.definite or self.count is not None or self.amount is not None or self.each
 
 

@@ -1,1 +1,1 @@
-"""Corrections in a text, and talk without a meaning for the plan."""
+"""Corrections in a text, and talk that does not affect the plan."""

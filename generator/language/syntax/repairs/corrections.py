@@ -194,7 +194,7 @@ def _swap(
 
 
 def _drop_pause(tokens: list[Token], *, first: bool = False) -> list[Token]:
-    """Remove the dash or bracket that closes an aside, the next one or only the first token."""
+    """Remove the dash or bracket that closes an aside; ``first`` checks only the first token."""
     for k, token in enumerate(tokens):
         if token.tag in ENDS or (first and k):
             break

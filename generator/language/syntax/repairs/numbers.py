@@ -29,7 +29,7 @@ from ..text.figures import WrittenNumber, written_numbers
 from ..text.numbers import SPELT
 from ..text.tokens import Token
 
-_TIMES = (10, 12, 20, 100, 1000)  # units counted by fractions
+_TIMES = (10, 12, 20, 100, 1000)  # possible units of a fraction
 _SPELT = re.compile(rf"(?i)(?<![\w-])(?:{'|'.join(SPELT)})(?![\w-])")
 _UNCOUNTED = ("part", "setting")
 _NO_QUANTITY = ("title", "abstract")
@@ -67,7 +67,7 @@ def check_numbers(
         objects: number of objects on it; larger counts are not used.
     """
     quantities = _quantities(sentences, people, objects)
-    withdrawn = _places_of(spelt) - _places_of(said)  # retracted, or talk
+    withdrawn = _places_of(spelt) - _places_of(said)  # retracted by the text, or part of talk
     numbers = [
         number
         for number in written_numbers(text)

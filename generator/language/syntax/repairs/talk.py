@@ -124,7 +124,7 @@ _ADVERBS = frozenset(
     ["obviously", "naturally", "clearly", "preferably", "ideally", "basically", "literally",
      "maybe", "perhaps", "possibly", "certainly", "surely", "hopefully"]
 )  # fmt: skip
-"""Adverbs without a meaning for the plan."""
+"""Adverbs that do not affect the plan."""
 
 _PICTURES = frozenset(["picture", "photo", "image", "shot", "render", "scene"])
 

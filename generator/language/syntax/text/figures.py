@@ -249,7 +249,7 @@ def _role(text: str, found: re.Match[str], unit: str) -> tuple[Role, str | None]
 
 
 def _is_fraction(digits: str) -> bool:
-    """Return whether digits are only a fraction; halves are states of objects ("1/2 a lemon")."""
+    """Return whether digits are just a fraction; halves are states of objects ("1/2 a lemon")."""
     alone = re.fullmatch(rf"\d+/\d+|[{FRACTIONS}]", digits) is not None
     return alone and digits not in ("1/2", "½")
 

@@ -345,7 +345,7 @@ PARTICIPLES = _words(
     "conveniently politely flat turned flipped somewhere far further slightly close very quite "
     "rather so too only even both all alone usually always normally going guard proudly"
 )
-"""Words between a noun and its place without a meaning."""
+"""Words between a noun and its place that do not affect the plan."""
 
 STARTERS = _words(
     "make create generate show draw give build design render want need like please imagine shows "

@@ -139,7 +139,7 @@ def is_name(text: str, found: re.Match[str]) -> bool:
     if AGE.match(after) or YEAR.fullmatch(digits) or re.match(r"[A-Za-z]*[A-Z]|up\b", after):
         return True  # "5-year-old", "1990", "7up"
     if re.match(r"[.)](?:\s|$)", after) and _ITEM.search(before) and "(" not in before[-2:]:
-        return after[0] == ")" or not before.rpartition("\n")[2].strip()  # in a list
+        return after[0] == ")" or not before.rpartition("\n")[2].strip()  # number of a list item
     sentence = re.split(r"[.!?\n]\s*", before)[-1].strip()
     named = _NAMED.search(before)
     return named is not None and named.group().strip() != sentence

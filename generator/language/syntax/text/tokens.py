@@ -62,7 +62,7 @@ def _phrases() -> Mapping[tuple[str, ...], tuple[str, str]]:
 
 
 def _forms() -> dict[tuple[str, ...], tuple[str, str]]:
-    """Return "in a straight line", "forming one circle" and similar phrases with their meanings."""
+    """Return arrangement phrases such as "in a straight line" and "forming one circle"."""
     return {
         (*verb, *article, noun): ("arranged", fw.GROUPS[noun])
         for verb in map(tuple, map(str.split, fw.FORMING))
