@@ -132,7 +132,7 @@ def test_what_is_neither_text_nor_picture_is_refused(source: Any) -> None:
 
 def test_no_other_program_is_started_to_read_a_picture() -> None:
     postscript = b"%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 100 100\n%%EndComments\nshowpage\n"
-    with pytest.raises(InputError, match="known format"):
+    with pytest.raises(InputError, match="format is not supported"):
         read_image(postscript)
 
 

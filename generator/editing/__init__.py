@@ -1,13 +1,13 @@
-"""Finished scenes changed in one place (Sec. 4.4, Fig. 7): swap, add, remove, move, restyle.
+"""Local changes to finished scenes (Sec. 4.4, Fig. 7): swap, add, remove, move, restyle.
 
-Only what an edit names is made again. Every other thing keeps its mesh, texture, collision parts
-and mass to the byte. What is new or elsewhere settles, with what touches it, and in turn with what
-touches a thing that this moves; all other things keep their poses to the bit. The scene is judged
-again; its provenance names what it was edited from, and the edit.
+Only the objects that an edit names are rebuilt. All other objects keep identical meshes, textures,
+collision parts and masses. New or displaced objects settle, together with objects that touch them,
+and in turn objects that touch any object displaced by settling; all others keep bitwise identical
+poses. The gate checks the scene again; its provenance names the edited bundle and the edit.
 
-What stands on or in a thing: it goes where the thing is moved; it is set down on what takes the
-thing's place, if that holds it, else the edit is refused; where a thing is removed, what is in it
-goes with it, and what stood on it stands on what that stood on.
+Objects on or in an edited object: they move with an object that is moved; they are set down on the
+replacement in a swap, or the edit fails if it cannot hold them; when an object is removed, its
+contents are removed too, and objects on it are set down on its own support.
 """
 
 from .actions import add as add

@@ -1,4 +1,4 @@
-"""The five edits of a finished scene; each opens a bundle and returns what to publish."""
+"""The five edits of a finished scene; each reads a bundle and returns the edited scene."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ from .placement import beneath, loads, moved_by, moved_to, place_by_relations, p
 from .request import Planner, as_planned, understand, whereabouts
 
 ATTEMPTS = 4
-"""Places tried until one holds."""
+"""Number of positions tried."""
 
 ASIDE = 0.02
-"""From this distance on, metres, it is said that something could not take the very place."""
+"""Displacement, metres, above which a warning reports that the exact position was not free."""
 
 LONG = 1.3
-"""From this ratio of length to width on, one sees which way a thing lies."""
+"""Ratio of length to width above which an object has a visible lengthwise direction."""
 
 
 def swap(
@@ -52,18 +52,18 @@ def swap(
     backends: Backends | None = None,
     config: Config | None = None,
 ) -> Edited:
-    """Put another thing in the place of one (Fig. 7): ``swap(bundle, "ukulele_1", "a banjo")``.
+    """Replace an object by another one (Fig. 7): ``swap(bundle, "ukulele_1", "a banjo")``.
 
-    It has its own usual size, and lies as the other did if both are long. Where it finds no room
-    there, it stands at the nearest free place, which a warning says. What stood on or in the other
-    is set down on or in it. ``backends`` draw and model it; with None it is the catalogue's. The
-    same bundle, edit and seed give the same scene.
+    The new object has its usual size, and the yaw of the old one if both are long. If there is no
+    room for it there, it stands at the nearest free position, with a warning. Objects on or in the
+    old object are set down on or in the new one. ``backends`` draw and model the new object; with
+    None it comes from the catalogue. The same bundle, edit and seed give the same scene.
 
     Raises:
-        InputError: no such thing in the scene, or nothing to put there.
-        BackendError: a backend could not answer.
-        SceneError: no room, something is left without support, or the gate fails.
-        BundleError: the bundle is damaged.
+        InputError: The scene has no such object, or the text does not name a known object.
+        BackendError: A backend failed.
+        SceneError: There is no room, an object loses its support, or the gate fails.
+        BundleError: The bundle is damaged.
     """
     require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
@@ -71,8 +71,8 @@ def swap(
     asked = understand(scene, text, _planner(backends), seed)
     if asked.planned.relations:
         raise InputError(
-            f"{text!r} says a place, but what is swapped in takes {name}'s. Name the thing alone, "
-            "and move it afterwards."
+            f"{text!r} has a position, but a swapped object takes the position of {name}. "
+            "Name the object only, and move it afterwards."
         )
     support = old.placement.on
     kind = "in" if old.placement.inside else "on"
@@ -82,8 +82,8 @@ def swap(
     inside = [o.name for o in scene.objects if o.placement.on == name and o.placement.inside]
     if inside and not made.model.container:
         raise SceneError(
-            f"{name} holds {', '.join(inside)}, and {asked.planned.noun} holds nothing. Move or "
-            "remove that first, or choose a vessel."
+            f"{name} contains {', '.join(inside)}, but {asked.planned.noun} cannot hold objects. "
+            "Move or remove the contents first, or choose a vessel."
         )
     yaw = _facing(old, made.model.size, made.yaw)
     new = _body(planned.name, made.model, old, yaw)
@@ -93,7 +93,7 @@ def swap(
     took = replace(asked.planned, relations=held_relations(scene, name))
     done = plans.swap_in_plan(done, name, took)
     edit = _edit(opened, "swap", (name, new.name), text, seed, backends, config)
-    messages = (f"{new.name} was put in the place of {name}.", *_aside(wanted, done, new.name))
+    messages = (f"{new.name} replaces {name}.", *_aside(wanted, done, new.name))
     return Edited.of(opened, done, edit, asked.warnings + messages)
 
 
@@ -104,14 +104,15 @@ def add(
     backends: Backends | None = None,
     config: Config | None = None,
 ) -> Edited:
-    """Put one more thing on the table: ``add(bundle, "a red mug left of the laptop")``.
+    """Add an object to the table: ``add(bundle, "a red mug left of the laptop")``.
 
-    The text says where it goes, if that is not left open; things of the scene are meant by their
-    words, or by their names where several are alike. Seed and backends are as for ``swap``.
+    The text may include a position. It refers to objects of the scene by their nouns, or by their
+    names if several are alike. Seed and backends are as for ``swap``.
 
     Raises:
-        InputError: nothing to put there, or a place beside what is not on the table.
-        BackendError, SceneError, BundleError: as for ``swap``.
+        InputError: The text does not name a known object, or refers to one that is not in the
+            scene.
+        BackendError, SceneError, BundleError: As for ``swap``.
     """
     require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
@@ -132,19 +133,19 @@ def add(
 
 
 def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edited:
-    """Take a thing off the table: what is in it goes along, what stood on it is set down.
+    """Remove an object with its contents; objects on it are set down on its support.
 
     Raises:
-        InputError: no such thing in the scene.
-        SceneError: it is the last one, or what is left fails the gate.
-        BundleError: the bundle is damaged.
+        InputError: The scene has no such object.
+        SceneError: It is the last object, or the remaining scene fails the gate.
+        BundleError: The bundle is damaged.
     """
     opened, config = Opened.read(bundle), config or Config()
     scene = opened.scene
     opened.thing(name)
     left = {p.name: p for p in without([o.placement for o in scene.objects], name)}
     if not left:
-        raise SceneError(f"{name} is the last thing on the table; a scene needs at least one.")
+        raise SceneError(f"{name} is the last object on the table; a scene needs at least one.")
     gone = tuple(o.name for o in scene.objects if o.name not in left)
     loose = [o.name for o in scene.objects if o.name in left and o.placement.on in gone]
     kept = [replace(o, placement=left[o.name]) for o in scene.objects if o.name in left]
@@ -152,7 +153,7 @@ def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edite
     done = settle_again(scene, wanted, set_down(wanted, loose), (), config, loose)
     done = plans.remove_from_plan(done, gone)
     messages = tuple(f"{n} was removed with {name}." for n in gone if n != name)
-    messages += tuple(f"{n} was set down as {name} was removed." for n in loose)
+    messages += tuple(f"{n} was set down because {name} was removed." for n in loose)
     edit = _edit(opened, "remove", (name, *(n for n in gone if n != name)), name, 0, None, config)
     return Edited.of(opened, done, edit, messages)
 
@@ -166,18 +167,18 @@ def move(
     backends: Backends | None = None,
     config: Config | None = None,
 ) -> Edited:
-    """Put a thing elsewhere, with what stands on and in it.
+    """Move an object, together with the objects on and in it.
 
-    ``where`` is words ("left of the laptop", "on book_2"), or x and y of its centre in metres from
-    the table's, +x right and +y away; None turns it where it stands. ``turn`` is in radians,
-    counter-clockwise seen from above. The reasoner of ``backends``, or the embedded one, reads
-    words; ``seed`` chooses among places.
+    ``where`` is a text ("left of the laptop", "on book_2"), or x and y of its centre in metres
+    relative to the table's centre, +x right and +y away; None turns the object in place. ``turn``
+    is in radians, counter-clockwise seen from above. The reasoner of ``backends``, or the embedded
+    one, interprets the text; ``seed`` selects among positions.
 
     Raises:
-        InputError: no such thing, or no place.
-        BackendError: a backend could not answer.
-        SceneError: the place is taken or off the table, or the gate fails.
-        BundleError: the bundle is damaged.
+        InputError: The scene has no such object, or there is no valid position.
+        BackendError: A backend failed.
+        SceneError: The position is occupied or off the table, or the gate fails.
+        BundleError: The bundle is damaged.
     """
     require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
@@ -191,7 +192,7 @@ def move(
     above = loads(scene, name)
     under = sorted({r.target for r in planned.relations} & {name, *above})
     if under:
-        raise InputError(f"{name} cannot be put relative to {under[0]}, which moves with it.")
+        raise InputError(f"{name} cannot be placed relative to {under[0]}, which moves with it.")
 
     def place(attempt: int) -> Scene:
         if not isinstance(where, str):
@@ -217,14 +218,14 @@ def restyle(
     backends: Backends | None = None,
     config: Config | None = None,
 ) -> Edited:
-    """Make things, or all of them, again in another style, as large as they are and where they are.
+    """Rebuild some or all objects in another style, with the same sizes and positions.
 
-    A style is "plain", "cartoon" or "low-poly"; with backends, any word that they understand. The
-    table stays as it is. Seed and backends are as for ``swap``.
+    The style is "plain", "cartoon" or "low-poly"; with backends, any word that they understand. The
+    table is unchanged. Seed and backends are as for ``swap``.
 
     Raises:
-        InputError: no such style or thing, or a thing that the catalogue does not know.
-        BackendError, SceneError, BundleError: as for ``swap``.
+        InputError: The style or an object does not exist, or the catalogue lacks an object.
+        BackendError, SceneError, BundleError: As for ``swap``.
     """
     require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
@@ -268,7 +269,7 @@ def _edit(
 
 
 def _body(name: str, model: Model, old: Object, yaw: float) -> Object:
-    """Return a model as a body where ``old`` rests, on or in the same thing, upright."""
+    """Return a model as an upright body at the position and on the support of ``old``."""
     x, y, z = old.pose.position
     bottom = z - old.scale[2] / 2
     center = np.array([x, y, bottom + model.size[2] / 2])
@@ -277,7 +278,7 @@ def _body(name: str, model: Model, old: Object, yaw: float) -> Object:
 
 
 def _facing(old: Object, size: np.ndarray, natural: float) -> float:
-    """Return the yaw of what takes a thing's place: as that lay if both are long, else its own."""
+    """Return the yaw of a replacement: that of ``old`` if both are long, else its natural one."""
     was, now = np.log(old.scale[0] / old.scale[1]), np.log(size[0] / size[1])
     if min(abs(was), abs(now)) < np.log(LONG):
         return natural
@@ -286,7 +287,7 @@ def _facing(old: Object, size: np.ndarray, natural: float) -> float:
 
 
 def _exchange(scene: Scene, name: str, new: Object) -> Scene:
-    """Return the scene with another thing in the place of one, with what stood on or in that."""
+    """Return the scene with one object replaced, and the objects on or in it reassigned."""
 
     def exchange(thing: Object) -> Object:
         if thing.name == name:
@@ -296,7 +297,7 @@ def _exchange(scene: Scene, name: str, new: Object) -> Scene:
         there = replace(thing.placement, on=new.name)
         if not there.inside:
             return replace(thing, placement=there)
-        middle = np.array([*new.pose.position[:2], thing.pose.position[2]])  # it starts upright
+        middle = np.array([*new.pose.position[:2], thing.pose.position[2]])  # starts upright
         return pose(thing, replace(there, translation=middle))
 
     return scene.replace(objects=tuple(map(exchange, scene.objects)))
@@ -305,16 +306,18 @@ def _exchange(scene: Scene, name: str, new: Object) -> Scene:
 def _check_move(where: object, turn: float) -> None:
     place = () if where is None or isinstance(where, str) else np.asarray(where, float)
     if len(place) not in (0, 2) or not np.isfinite([*place, turn]).all():
-        raise InputError(f"A place is x and y in finite metres, or words; got {where!r}, {turn!r}.")
+        raise InputError(
+            f"A position must be finite x and y in metres, or a text; got {where!r}, {turn!r}."
+        )
     if where is None and turn == 0:
-        raise InputError("Say where it goes, in words or metres, or by how much it turns.")
+        raise InputError("Give a position as a text or in metres, or an angle to turn by.")
 
 
 def _aside(wanted: Scene, done: Scene, name: str) -> tuple[str, ...]:
-    """Return a warning if something stands elsewhere than it was to."""
+    """Return a warning if an object is not where it was supposed to be."""
     places = [s.object(name).pose.position[:2] for s in (wanted, done)]
     aside = float(np.linalg.norm(places[1] - places[0]))
-    message = f"{name} stands {100 * aside:.0f} cm aside, where there is room for it."
+    message = f"{name} was placed {100 * aside:.0f} cm away, where there is room for it."
     return (message,) if aside >= ASIDE else ()
 
 

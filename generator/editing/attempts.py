@@ -1,4 +1,4 @@
-"""Settle an edited scene at one placement after the other until it passes the gate."""
+"""Settle an edited scene at successive positions until it passes the gate."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ def settle_again(
     config: Config,
     loose: Collection[str] = (),
 ) -> Scene:
-    """Settle and judge the scene again; check that what is new or was moved holds where it is.
+    """Settle the edited scene, run the gate, and check that edited objects stay on their supports.
 
-    ``before`` is the scene that is edited, at rest; ``wanted`` has everything where it was asked to
-    be, ``arranged`` everything on or just above what it stands on, free of overlaps. Objects that
-    the edit does not disturb keep their poses to the bit.
+    ``before`` is the scene at rest before the edit. ``wanted`` has all objects at their requested
+    poses; ``arranged`` has them on or just above their supports, without overlaps. Objects that the
+    edit does not disturb keep bitwise identical poses.
     """
     done = _settle(before, wanted, arranged, fresh, config.assembly)
     touched = [*fresh, *loose]
@@ -39,11 +39,11 @@ def settle_again(
 def _settle(
     before: Scene, wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig
 ) -> Scene:
-    """Settle what is new or elsewhere and what touches it, in turn what touches what that moved.
+    """Settle new and displaced objects, those touching them, and those they disturb in turn.
 
-    All other objects are fixed meanwhile. The gate then judges the scene with everything free; if
-    it fails, what is connected with the edit by touching may be settled further. Gravity leans as
-    when ``before`` was judged.
+    All other objects are fixed meanwhile. The gate then checks the scene with all objects free; if
+    it fails, objects in indirect contact with edited ones may settle further. The tilt of gravity
+    is the one recorded for ``before``.
     """
     config = with_lean_of(before, config)
     gap = config.limits.gap
@@ -72,15 +72,15 @@ def try_places(
     loose: Sequence[str] = (),
     attempts: int = 1,
 ) -> Scene:
-    """Return the first scene to pass its gate of those with ``name`` placed so or so.
+    """Try positions for ``name`` and return the first scene that passes the gate.
 
-    ``before`` is the scene that is edited. ``placed`` gives the scene with the thing at its place,
-    by the number of the attempt. ``fresh`` is what is new, ``loose`` what is not new, but
-    elsewhere.
+    ``before`` is the scene before the edit. ``placed`` returns the scene with the object at its
+    position, given the number of the attempt. ``fresh`` names new objects, ``loose`` displaced
+    ones.
 
     Raises:
-        SceneError: none of the places is free, or holds the thing. Where they do, but no scene
-            passes, the last one is returned.
+        SceneError: No position is free, or the object does not stay on its support. If only the
+            gate fails, the last scene is returned instead.
     """
     error: SceneError | None = None
     done = None
@@ -97,7 +97,7 @@ def try_places(
         if done.report is not None and done.report.passed:
             return done
     if done is None:
-        raise error or SceneError(f"No place was tried for {name}.")
+        raise error or SceneError(f"No position was tried for {name}.")
     return done
 
 
@@ -105,7 +105,8 @@ def _check_free(scene: Scene, names: Sequence[str]) -> None:
     for name in names:
         if overlapping(scene, name):
             raise SceneError(
-                f"{name} would overlap another thing. Choose another place, or move that first."
+                f"{name} would overlap another object. Choose another position, or move that "
+                "object first."
             )
 
 
@@ -113,10 +114,10 @@ Pairs = frozenset[tuple[str, str]]
 
 
 def find_disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
-    """Return the names of objects that are new or elsewhere, or touch or touched one that is.
+    """Return the names of new or displaced objects and of those in contact with them.
 
-    ``before`` is the scene at rest before the edit. What was removed counts as elsewhere. Objects
-    touch within ``gap`` metres, or where one stands on or in the other.
+    ``before`` is the scene at rest before the edit. Removed objects count as displaced. Objects are
+    in contact within ``gap`` metres, or if one stands on or in the other, before or after the edit.
     """
     old, new = ({o.name: o for o in scene.objects} for scene in (before, now))
     changed = {n for n in {*old, *new} if not _unchanged(old.get(n), new.get(n))}
@@ -125,15 +126,15 @@ def find_disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
 
 
 def find_connected(before: Scene, now: Scene, names: Collection[str], gap: float) -> frozenset[str]:
-    """Return the names of objects that are connected with some by touching, before or now."""
-    pairs, found = _touching(before, gap) | _touching(now, gap), {*names}
-    while more := {n for pair in pairs if found & {*pair} for n in pair} - found:
-        found |= more
-    return frozenset(found & {o.name for o in now.objects})
+    """Return the names of objects connected to ``names`` by chains of contacts, before or now."""
+    pairs, reached = _touching(before, gap) | _touching(now, gap), {*names}
+    while more := {n for pair in pairs if reached & {*pair} for n in pair} - reached:
+        reached |= more
+    return frozenset(reached & {o.name for o in now.objects})
 
 
 def _unchanged(old: Object | None, new: Object | None) -> bool:
-    """Whether an object has the same body at the same pose, to the bit."""
+    """Return whether an object has the same body at a bitwise identical pose."""
     if old is None or new is None:
         return False
     pairs: Iterable[tuple[np.ndarray, np.ndarray]] = (

@@ -1,4 +1,4 @@
-"""A bundle opened to be edited, and what it becomes."""
+"""A bundle opened for editing, and the edited result."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..scene import TABLE, Edit, Object, Scene
 
 @dataclass(frozen=True, eq=False)
 class Opened:
-    """A bundle's scene, the sha256 of its ``scene.json``, and what it keeps beside the scene."""
+    """A bundle's scene, the sha256 of its ``scene.json``, and its other contents."""
 
     scene: Scene
     sha256: str
@@ -24,30 +24,30 @@ class Opened:
 
     @classmethod
     def read(cls, bundle: str | Path) -> Opened:
-        """Read a bundle, every file checked.
+        """Read a bundle and check every file.
 
         Raises:
-            BundleError: there is none, or it is damaged.
+            BundleError: The bundle does not exist or is damaged.
         """
         pictures = load_pictures(bundle)
         return cls(load(bundle), load_fingerprint(bundle), pictures, load_segments(bundle))
 
     def thing(self, name: str) -> Object:
-        """Return the thing called ``name``.
+        """Return the object with this name.
 
         Raises:
-            InputError: there is none, or it is the table.
+            InputError: There is no such object, or it is the table.
         """
         if name == TABLE:
-            raise InputError("The table cannot be edited, only what is on it.")
+            raise InputError("The table cannot be edited, only the objects on it.")
         return self.scene.object(name)
 
 
 @dataclass(frozen=True, eq=False)
 class Edited:
-    """An edited scene, which passed its gate, and what goes with it into its bundle.
+    """An edited scene that passed the gate, with the pictures and segments of its bundle.
 
-    The pictures of the bundle that was edited are kept; they show it as it was.
+    The pictures of the original bundle are kept; they show the scene before the edit.
     """
 
     scene: Scene
@@ -56,20 +56,20 @@ class Edited:
 
     @classmethod
     def of(cls, opened: Opened, scene: Scene, edit: Edit, warnings: tuple[str, ...]) -> Edited:
-        """Return a settled and judged scene with the edit written into its provenance.
+        """Return a settled and checked scene with the edit recorded in its provenance.
 
-        Of a composed scene the report says again which of its plan's relations hold.
+        For a composed scene, the relation outcomes in the report are updated.
 
         Raises:
-            SceneError: it failed its gate.
+            SceneError: The scene failed the gate.
         """
         if scene.report is None or not scene.report.passed:
             failures = "" if scene.report is None else scene.report.failure_text
             raise SceneError(
-                f"Edited so, {scene.name!r} fails its physical gate: {failures}. "
-                "Nothing was published. Try another seed, or make room first."
+                f"After this edit, {scene.name!r} fails its physical gate: {failures}. Nothing was "
+                "published. Try another seed, or make room first."
             )
-        if scene.provenance.kind == "compose":  # names of its plan are names of its things
+        if scene.provenance.kind == "compose":  # plan and scene share object names
             scene = record_relations(scene)
             warnings = (*warnings, *_list_broken(opened.scene, scene))
         past = scene.provenance
@@ -82,14 +82,14 @@ class Edited:
         """Publish the scene as a bundle under ``folder``; return the bundle's path.
 
         Raises:
-            StorageError: the folder cannot be written, or the disk is full.
+            StorageError: The folder cannot be written, or the disk is full.
         """
         images = {**self.pictures, "preview": preview(self.scene)}
         return save(self.scene, folder, images=images, segments=self.segments)
 
 
 def _list_broken(before: Scene, after: Scene) -> list[str]:
-    """Return a warning for each of the plan's relations that an edit broke."""
+    """Return a warning for each relation of the plan that an edit broke."""
     known = {(o.name, o.kind, o.target) for o in list_unmet(before)}
     return [
         describe_unmet(o, after)

@@ -1,4 +1,4 @@
-"""Edits as people put them: an action, a few words, for a move maybe a place or an angle."""
+"""Edits as data: an action, its words, and for a move an optional position or angle."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WORDS: dict[EditKind, tuple[int, int]] = {
     "move": (1, 2),
     "restyle": (1, 99),
 }
-"""The fewest and the most words that each action is given."""
+"""Minimum and maximum number of words per action."""
 
 
 @dataclass(frozen=True)
@@ -27,11 +27,12 @@ class WordedEdit:
     """One edit of a scene.
 
     Attributes:
-        action: what is done.
-        words: swap: a thing's name, and what takes its place; add: what is added, and where;
-            remove: a name; move: a name, and maybe where to; restyle: a style, then names.
-        to: with move, x and y of the thing's centre in metres from the table's.
-        turn: with move, degrees it turns, counter-clockwise seen from above.
+        action: the kind of edit.
+        words: swap: an object's name, and its replacement; add: the object to add, with an optional
+            position; remove: a name; move: a name, with an optional position; restyle: a style,
+            then names.
+        to: for move, x and y of the object's centre in metres relative to the table's centre.
+        turn: for move, the rotation in degrees, counter-clockwise seen from above.
         seed: the same bundle, edit and seed give the same scene.
     """
 
@@ -43,7 +44,7 @@ class WordedEdit:
 
     @property
     def is_complete(self) -> bool:
-        """Whether the action has what it needs, and nothing that it does not take."""
+        """Whether the action has all required values, and no others."""
         fewest, most = WORDS[self.action]
         fits = fewest <= len(self.words) <= most
         if self.action != "move":
@@ -52,13 +53,13 @@ class WordedEdit:
         return fits and (ways == 1 or (ways == 0 and self.turn is not None))
 
     def apply(self, bundle: str | Path, backends: Backends | None = None) -> Edited:
-        """Return the edited scene; ``backends`` draw and model what is new, None: the catalogue.
+        """Return the edited scene; ``backends`` make new objects, None uses the catalogue.
 
         Raises:
-            InputError: no such thing in the scene, or nothing to put there.
-            BackendError: a backend could not answer.
-            SceneError: no room, something is left without support, or the gate fails.
-            BundleError: the bundle is damaged.
+            InputError: The scene has no such object, or the text does not name a known object.
+            BackendError: A backend failed.
+            SceneError: There is no room, an object loses its support, or the gate fails.
+            BundleError: The bundle is damaged.
         """
         words, seed = self.words, self.seed
         if self.action == "swap":

@@ -1,8 +1,8 @@
-"""The model of a thing that an edit asks for: from the catalogue, or drawn and modelled (Fig. 7).
+"""The model of an object requested by an edit: from the catalogue, or drawn and modelled (Fig. 7).
 
-Without backends things come from the catalogue, as those of composed scenes do. With backends the
-thing is made as the paper has it: drawn by itself, cut out, modelled, turned upright, and its yaw
-in the drawing found.
+Without backends, objects come from the catalogue, as in composed scenes. With backends, the object
+is made as in the paper: drawn by itself, cut out, modelled, turned upright, and its yaw in the
+drawing estimated.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from ..method.rotation import estimate_rotations
 from ..scene import TABLE, Instance, Model, PlannedObject, PlannedTable, Reference, Scene, ScenePlan
 
 EASEL = PlannedTable(size=(0.5, 0.4, 0.74))
-"""The table on which a new thing is drawn: small, so that the thing is large in the drawing."""
+"""Table on which a new object is drawn: small, so that the object is large in the drawing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,12 +44,12 @@ def make(
     config: Config,
     seed: int,
 ) -> MadeModel:
-    """Make the model of a planned thing; ``supports`` are those that its relations name.
+    """Make the model of a planned object; ``supports`` are the targets of its relations.
 
     Raises:
-        InputError: the catalogue has no such thing.
-        BackendError: a backend could not answer.
-        SceneError: the thing does not show in its drawing.
+        InputError: The catalogue has no such object.
+        BackendError: A backend failed.
+        SceneError: The object is not visible in its drawing.
     """
     if backends is not None:
         return _draw(planned, style, backends, config, seed)
@@ -61,25 +61,25 @@ def make(
 
 
 def check_known(planned: PlannedObject) -> None:
-    """Check that the catalogue can make a thing.
+    """Check that the catalogue contains an object.
 
     Raises:
-        InputError: it cannot.
+        InputError: It does not.
     """
     if planned.category not in CATEGORIES:
         nouns = {c.noun for c in CATEGORIES.values()}
         near = choices(planned.noun, nouns).split(" Available:")[0]
         raise InputError(
-            f"The catalogue has no {planned.noun!r}, so there is nothing to put there.{near} It "
-            f"has {len(nouns)} kinds of things; backends that draw and model can make others."
+            f"The catalogue has no {planned.noun!r}.{near} It has {len(nouns)} kinds of objects; "
+            "use backends that draw and model to make others."
         )
 
 
 def check_style(style: str) -> None:
-    """Check that the catalogue can draw in a style.
+    """Check that the catalogue has a style.
 
     Raises:
-        InputError: it cannot.
+        InputError: It does not.
     """
     if style not in ("plain", *STYLES):
         raise InputError(f"Unknown style {style!r}." + choices(style, ("plain", *STYLES)))
@@ -93,12 +93,12 @@ def remodel(
     config: Config,
     seed: int,
 ) -> Model:
-    """Make the model of a thing of the scene again, in a style, as large as it is.
+    """Make the model of an object of the scene again, in another style, with the same size.
 
-    A thing of a composed scene keeps its look apart from that.
+    An object of a composed scene keeps its other attributes.
 
     Raises:
-        InputError, BackendError, SceneError: as ``make``.
+        InputError, BackendError, SceneError: As for ``make``.
     """
     thing = scene.object(planned.name)
     model = _same_look(scene, planned, style) if backends is None else None
@@ -108,7 +108,7 @@ def remodel(
 
 
 def _same_look(scene: Scene, planned: PlannedObject, style: str) -> Model | None:
-    """Return the restyled thing if the scene's plan and seed build the thing as it was."""
+    """Return the restyled model if the scene's plan and seed reproduce the current one."""
     plan, seed = scene.plan, scene.provenance.seed
     if plan is None or scene.provenance.kind != "compose":
         return None
@@ -124,7 +124,7 @@ def _same_look(scene: Scene, planned: PlannedObject, style: str) -> Model | None
 def _draw(
     planned: PlannedObject, style: str, backends: Backends, config: Config, seed: int
 ) -> MadeModel:
-    """Draw a thing alone on a small table, and make its model of that (Secs. 3 to 3.3)."""
+    """Draw an object alone on a small table and reconstruct its model (Secs. 3 to 3.3)."""
     b = backends
     alone = replace(planned, relations=())
     plan = ScenePlan(_phrase(alone, style), EASEL, (alone,), style)
@@ -145,7 +145,7 @@ def _draw(
 
 
 def _pick(found: Sequence[Instance], planned: PlannedObject) -> Instance:
-    """Return which of the instances is the thing: by its word, then the largest."""
+    """Return the instance of the object: the one with its noun, preferring the largest."""
     named = [i for i in found if i.label == planned.noun and i.name != TABLE]
     return max(named or found, key=lambda i: int(i.mask.sum()))
 

@@ -1,4 +1,4 @@
-"""Placement of edited objects: at a spot, beside, on or in another object."""
+"""Placement of edited objects: at a position, or beside, on or in another object."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from .request import as_planned
 
 
 def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, turn: float) -> Scene:
-    """Return the scene with a thing, and its load, at a place on the table, or turned."""
+    """Return the scene with an object and its load moved to a position on the table, or turned."""
     if where is None or thing.placement.on == TABLE:
         x, y, z = thing.pose.position
         position = np.array([*((x, y) if where is None else where), z])
@@ -51,7 +51,7 @@ def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, tur
 
 
 def moved_by(scene: Scene, thing: Object, place: Placement) -> Scene:
-    """Return the scene with a thing, and its load, at a placement found by relations."""
+    """Return the scene with an object and its load moved to a placement found by relations."""
     turn = place.yaw - thing.placement.yaw
     if place.on == TABLE == thing.placement.on:
         position = np.array([*place.translation[:2], thing.pose.position[2]])
@@ -68,7 +68,10 @@ def _with(scene: Scene, thing: Object) -> Scene:
 
 
 def _check_place(scene: Scene, name: str) -> None:
-    """Refuse a place that is taken or off the table, and name the nearest free one."""
+    """Check that an object's position is free and on the table.
+
+    The error names the nearest free position.
+    """
     thing = scene.object(name)
     if thing.placement.on != TABLE:
         return
@@ -79,26 +82,26 @@ def _check_place(scene: Scene, name: str) -> None:
     x, y = thing.pose.position[:2]
     tail = "Remove or move something first."
     if free is not None:
-        tail = f"The nearest free place is at {free.position[0]:.3f} {free.position[1]:.3f}."
-    why = "it would be off the table" if off else "something is in the way"
-    raise SceneError(f"{name} cannot stand at {x:.3f} {y:.3f} (metres): {why}. {tail}")
+        tail = f"The nearest free position is {free.position[0]:.3f} {free.position[1]:.3f}."
+    why = "that is off the table" if off else "another object is in the way"
+    raise SceneError(f"{name} cannot stand at {x:.3f} {y:.3f} m: {why}. {tail}")
 
 
-_TOUCH = 1e-3  # metres: things nearer than this touch
+_TOUCH = 1e-3  # metres: maximum distance of touching objects
 
 
 def loads(scene: Scene, name: str) -> tuple[str, ...]:
-    """Return what stands on or in a thing, and on that, lowest first."""
+    """Return the names of all objects on or in an object, directly or indirectly, lowest first."""
     chains = sorted(ancestry(scene.objects), key=len)
     names = [[scene.objects[k].name for k in chain] for chain in chains]
     return tuple(chain[0] for chain in names if name in chain[1:])
 
 
 def set_down(scene: Scene, names: Sequence[str]) -> Scene:
-    """Set things down, with what stands on and in them, at the free places nearest to theirs.
+    """Set objects and their loads down at the nearest free positions.
 
     Raises:
-        SceneError: there is no room for one, or something does not go into what it is to be in.
+        SceneError: There is no room for an object, or it does not fit into its vessel.
     """
     for name in names:
         thing = scene.object(name)
@@ -124,13 +127,13 @@ def set_down(scene: Scene, names: Sequence[str]) -> Scene:
 def place_by_relations(
     scene: Scene, planned: PlannedObject, model: Model, yaw: float, away: Sequence[str], seed: int
 ) -> Placement:
-    """Return a free place for a thing by its relations to things of the scene.
+    """Return a free placement for an object by its relations to objects of the scene.
 
-    ``model`` is at its size, ``yaw`` is which way it faces on the table, radians; things ``away``
-    are in hand and not minded.
+    ``model`` has its final size; ``yaw`` is its yaw on the table, radians; objects ``away`` are
+    being moved and are ignored.
 
     Raises:
-        SceneError: there is no room where it was asked for.
+        SceneError: There is no room at the requested position.
     """
     there = [o for o in scene.objects if o.name not in away]
     placed = {o.name: replace(o.placement, translation=o.pose.position) for o in there}
@@ -139,9 +142,9 @@ def place_by_relations(
     things = (planned, *beneath(scene, planned, away))
     plan = ScenePlan(planned.noun, PlannedTable(), things, "plain")
     layout = arrange_more(plan, placed, models, table, seed, {planned.name: yaw})
-    advice = "Remove or move something first, or ask for another place."
+    advice = "Remove or move something first, or choose another position."
     if layout.warnings or not layout.placements:
-        reasons = layout.warnings or (f"{planned.name} finds no free place on the table.",)
+        reasons = layout.warnings or (f"There is no free place on the table for {planned.name}.",)
         raise SceneError(f"{' '.join(reasons).split(';')[0].rstrip('.')}. {advice}")
     (placement,) = layout.placements
     wrong = unmet_relations(planned, placement, placed, models, table)
@@ -154,7 +157,7 @@ def place_by_relations(
 def beneath(
     scene: Scene, planned: PlannedObject, away: Sequence[str] = ()
 ) -> tuple[PlannedObject, ...]:
-    """Return the things a planned one is related to, and what is on or in these already."""
+    """Return the targets of an object's relations, and the objects already on or in them."""
     targets = {r.target: r for r in planned.relations if r.target != TABLE}
     found = []
     for thing in scene.objects:
@@ -167,13 +170,13 @@ def beneath(
 
 
 def pose(thing: Object, placement: Placement) -> Object:
-    """Return an object upright at a placement."""
+    """Return an object placed upright at a placement."""
     pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
     return replace(thing, placement=placement, pose=pose)
 
 
 def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
-    """Put a thing at a pose, turned by ``turn`` (radians) from its own; its load goes along."""
+    """Move an object and its load to a pose, turned by ``turn`` (radians) from its own."""
     start = scene.object(name).pose.position
     above = {*loads(scene, name)}
 
@@ -191,10 +194,10 @@ def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
 
 
 def check_held(scene: Scene, names: Sequence[str]) -> None:
-    """Check that things rest on what they were set on.
+    """Check that objects still rest on their supports.
 
     Raises:
-        SceneError: one fell off.
+        SceneError: An object fell off its support.
     """
     simulation = Simulation(scene)
     simulation.place([o.pose for o in scene.objects])
@@ -208,8 +211,8 @@ def check_held(scene: Scene, names: Sequence[str]) -> None:
         beside = {index[o.name] for o in scene.objects if o.placement.on == below}
         if not near & {index[below], *beside}:
             raise SceneError(
-                f"{name} does not stay on {below}. Move or remove it first, or choose another "
-                "thing or place."
+                f"{name} does not stay on {below}. Move or remove {below} first, or choose another "
+                "object or position."
             )
 
 
@@ -222,6 +225,6 @@ def _check_inside(scene: Scene, thing: Object) -> None:
     middle = thing.pose.position + np.array([0.0, 0.0, lowest(thing) + thing.scale[2] / 2])
     if not sunk(replace(thing.placement, translation=middle), rim, heaped=heaped):
         raise SceneError(
-            f"{thing.name} does not fit into {vessel.name}. Move or remove it first, or choose "
-            "another thing."
+            f"{thing.name} does not fit into {vessel.name}. Move or remove one of them first, or "
+            "choose another object."
         )

@@ -1,4 +1,4 @@
-"""A scene's plan after an edit: what it says of things is used to name them, and to size them."""
+"""Updates of a scene's plan after an edit; the plan determines names and sizes of objects."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from ..scene import TABLE, PlannedGroup, PlannedObject, Relation, Scene
 
 
 def planned_things(scene: Scene) -> tuple[PlannedObject, ...]:
-    """Return what the scene's plan knows; nothing without a plan."""
+    """Return the planned objects of a scene; empty without a plan."""
     return scene.plan.objects if scene.plan else ()
 
 
 def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
-    """Return the scene, its plan with ``new`` for ``old``; without a plan, as it is."""
+    """Return the scene with ``new`` in place of ``old`` in its plan, if it has a plan."""
     known = {o.name: o for o in planned_things(scene)}
     if old not in known:
         return add_to_plan(scene, new)
@@ -24,19 +24,19 @@ def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
 
 
 def add_to_plan(scene: Scene, new: PlannedObject) -> Scene:
-    """Return the scene, its plan with ``new``, related to what the plan knows."""
+    """Return the scene with ``new`` added to its plan, with its relations to planned objects."""
     return _with(scene, [*planned_things(scene), new])
 
 
 def remove_from_plan(scene: Scene, names: Collection[str]) -> Scene:
-    """Return the scene, its plan without ``names`` and what was said of places by them."""
+    """Return the scene with ``names`` and the relations to them removed from its plan."""
     return _with(scene, [o for o in planned_things(scene) if o.name not in names])
 
 
 def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
-    """Return the scene, its plan with other relations of a thing, and none to it.
+    """Return the scene with new relations of an object in its plan, and none to it.
 
-    What moves leaves the group that it was arranged in.
+    The moved object leaves its group.
     """
     objects = [
         replace(o, relations=tuple(relations))
@@ -48,23 +48,23 @@ def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scen
 
 
 def restyle_plan(scene: Scene, names: Collection[str], style: str) -> Scene:
-    """Return the scene, its plan in another style if everything is."""
+    """Return the scene with another style in its plan, if all its objects are restyled."""
     if scene.plan is None or {o.name for o in scene.objects} - {*names}:
         return scene
     return scene.replace(plan=replace(scene.plan, style=style))
 
 
 def _held(relation: Relation, name: str) -> bool:
-    """Whether a relation is still told as ``name`` moves: what it carries comes along."""
+    """Return whether a relation still holds after ``name`` moves: its load moves with it."""
     return relation.target != name or relation.kind in ("on", "in")
 
 
 def _with(
     scene: Scene, objects: Sequence[PlannedObject], renamed: Mapping[str, str] | None = None
 ) -> Scene:
-    """Return the scene with these planned, if it has a plan; relations to other things go.
+    """Return the scene with ``objects`` in its plan, if it has one, without relations to others.
 
-    ``renamed`` says what members of groups are called now, "" for those that left.
+    ``renamed`` maps members of groups to their new names, "" for those that left.
     """
     if scene.plan is None:
         return scene
@@ -83,7 +83,7 @@ def _with(
 def _regroup(
     group: PlannedGroup, names: Collection[str], renamed: Mapping[str, str]
 ) -> PlannedGroup | None:
-    """Return what is left of a group; None for less than two things."""
+    """Return what remains of a group; None if fewer than two objects remain."""
     members = tuple(m for n in group.members if (m := renamed.get(n, n)) in names)
     around = renamed.get(group.around, group.around) if group.around else None
     around = around if around in names else None

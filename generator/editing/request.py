@@ -1,4 +1,4 @@
-"""What the words of an edit ask for: the new thing, and the things of the scene it refers to."""
+"""Interpretation of an edit's text: the new object, and the existing objects it refers to."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from ..scene import TABLE, Object, PlannedObject, Scene, ScenePlan
 from .plans import planned_things
 
 Planner = Callable[[str, int], ScenePlan]
-"""A reasoner's ``plan_scene``."""
+"""The ``plan_scene`` method of a reasoner."""
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A thing asked for.
+    """A requested object.
 
-    Its name is new to the scene, unless it is a thing that moves; its relations are to things of
-    the scene, by their names, or to the table.
+    Its name is new to the scene, unless an existing object moves. Its relations are to objects of
+    the scene, by name, or to the table.
     """
 
     planned: PlannedObject
@@ -29,14 +29,14 @@ class Asked:
 
 
 def understand(scene: Scene, text: str, planner: Planner, seed: int) -> Asked:
-    """Return the one new thing that a text asks for ("a red mug left of the laptop").
+    """Return the single new object described by a text ("a red mug left of the laptop").
 
-    Things of the scene are meant by their words or by their names ("mug_2").
+    The text refers to objects of the scene by their nouns or by their names ("mug_2").
 
     Raises:
-        InputError: the text names no thing or several, or refers to what is not on the table, or
-            to what several things could be.
-        BackendError: the planner could not answer.
+        InputError: The text names no object or several, or a reference matches no object or
+            several.
+        BackendError: The planner failed.
     """
     words, named = _in_words(scene, text)
     plan = planner(words, seed)
@@ -52,24 +52,24 @@ def understand(scene: Scene, text: str, planner: Planner, seed: int) -> Asked:
 
 
 def whereabouts(scene: Scene, thing: Object, where: str, planner: Planner, seed: int) -> Asked:
-    """Return a thing of the scene as asked to stand where a text says ("left of the laptop").
+    """Return an object of the scene with the relations of a text ("left of the laptop").
 
     Raises:
-        InputError: the text says no place, or refers to what is not there or not told apart.
-        BackendError: the planner could not answer.
+        InputError: The text contains no position, or a reference matches no object or several.
+        BackendError: The planner failed.
     """
     asked = understand(scene, f"a {thing.label} {where}", planner, seed)
     relations = asked.planned.relations
     if not relations:
         raise InputError(
-            f"{where!r} says no place. Say for example 'left of the laptop', 'on the book', 'in "
-            "the middle of the table', or give metres."
+            f"{where!r} does not describe a position. Use for example 'left of the laptop', 'on "
+            "the book', 'in the middle of the table', or metres."
         )
     return replace(asked, planned=replace(as_planned(scene, thing), relations=relations))
 
 
 def as_planned(scene: Scene, thing: Object) -> PlannedObject:
-    """Return a thing of the scene as its plan has it, without relations."""
+    """Return the planned object of an object in the scene, without relations."""
     planned = next((o for o in planned_things(scene) if o.name == thing.name), None)
     if planned is not None and planned.category == thing.model.category:
         return replace(planned, relations=())
@@ -77,7 +77,7 @@ def as_planned(scene: Scene, thing: Object) -> PlannedObject:
 
 
 def _in_words(scene: Scene, text: str) -> tuple[str, dict[str, str]]:
-    """Replace names of things in a text by their words; return also which name a word meant."""
+    """Replace names of objects in a text by their nouns; also return the name for each noun."""
     named: dict[str, str] = {}
     for thing in scene.objects:
         pattern = rf"(?<![\w-])(?:the )?{re.escape(thing.name)}(?![\w-])"
@@ -88,25 +88,25 @@ def _in_words(scene: Scene, text: str) -> tuple[str, dict[str, str]]:
 
 
 def _subject(plan: ScenePlan, text: str) -> PlannedObject:
-    """Return the one thing asked for, named first; the others only say where it goes."""
+    """Return the requested object, which comes first; the others only describe its position."""
     if not plan.objects:
-        raise InputError(f"{text!r} names no thing to put on the table. Say for example 'a mug'.")
+        raise InputError(f"{text!r} names no object to put on the table. Use for example 'a mug'.")
     place = {o.name: text.lower().find(o.noun.lower()) for o in plan.objects}
     subject = min(plan.objects, key=lambda o: place[o.name] if place[o.name] >= 0 else len(text))
     targets = {r.target for r in subject.relations}
-    # Others of a target's kind go with it: "behind the two books".
+    # Objects of the target's kind belong to it: "behind the two books".
     kinds = {(o.category, o.noun) for o in plan.objects if o.name in targets}
     others = [o for o in plan.objects if o is not subject and (o.category, o.noun) not in kinds]
     if others:
         raise InputError(
-            f"{text!r} is read as several things: {subject.noun}, "
-            f"{', '.join(o.noun for o in others)}. An edit is about one; make one after the other."
+            f"{text!r} names several objects: {subject.noun}, {', '.join(o.noun for o in others)}. "
+            "Edit one object at a time."
         )
     return subject
 
 
 def _resolve(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
-    """Return the name of the scene's thing that a planned target means."""
+    """Return the name of the object in the scene to which a planned target refers."""
     if target.noun in named:
         return named[target.noun]
     fits = [o for o in scene.objects if _fits(o, target)]
@@ -116,8 +116,8 @@ def _resolve(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
     matching = _of_look(scene, fits, target) if len(fits) > 1 else fits
     if len(matching) > 1:
         raise InputError(
-            f"{' and '.join(o.name for o in matching)} could be meant by {target.noun!r}. "
-            f"Say which, as in 'next to {matching[0].name}'."
+            f"{target.noun!r} could be {' or '.join(o.name for o in matching)}. Use its name, as "
+            f"in 'next to {matching[0].name}'."
         )
     return matching[0].name
 
@@ -128,7 +128,7 @@ def _fits(thing: Object, target: PlannedObject) -> bool:
 
 
 def _of_look(scene: Scene, things: Sequence[Object], target: PlannedObject) -> Sequence[Object]:
-    """Return those that look as the target does, by the scene's plan; all if it cannot tell."""
+    """Return the objects with the target's attributes, by the scene's plan; all if none matches."""
     looks = {o.name: dict(o.attributes) for o in planned_things(scene)}
     alike = [t for t in things if target.attributes.items() <= looks.get(t.name, {}).items()]
     return alike or things

@@ -1,4 +1,4 @@
-"""How good a scene is (Secs. 4.1 to 4.3): collisions, soundness, likeness, errors against truth."""
+"""Evaluation of scenes (Secs. 4.1 to 4.3): collisions, stability, similarity, true errors."""
 
 from .external import load_external as load_external
 from .findings import DefectLimits as DefectLimits

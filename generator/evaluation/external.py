@@ -1,22 +1,23 @@
-"""Read another method's result: one GLB per object, and a JSON of transforms.
+"""Read another method's result: one GLB per object, and a JSON file of transforms.
 
-A folder holds ``transforms.json`` and the GLB files it names, all lengths in metres::
+A folder contains ``transforms.json`` and the GLB files named in it. All lengths are in metres::
 
     {"name": "scene-3", "method": "other", "up": "y",
      "table": {"glb": "table.glb", "matrix": [[1, 0, 0, 0], ...]},
      "objects": [{"name": "mug_1", "label": "mug", "glb": "mug.glb",
                   "matrix": [[1, 0, 0, 0.1], ...], "on": "table", "inside": false}]}
 
-``up`` is the axis that points up in the GLB files: "y" (glTF's own, the default) or "z". A mesh is
-first turned z up (x stays x, y becomes z, z becomes -y), then ``matrix`` (4 x 4, row by row, acting
-on columns) takes it into the world: +x right and +y away as the reference picture shows the table,
-+z up. The matrix turns, scales along the mesh's own axes, and shifts; it neither mirrors nor
-shears. The world may have its origin anywhere: it is shifted so that the table stands on the floor
-under the origin. A method without a table gives ``{"size": [x, y, z]}`` as "table": a block of that
-extent, its top's middle at ``"top": [x, y, z]`` in the method's world. ``label`` (the name without
-its number if left out), ``on`` ("table") and ``inside`` may be missing.
+``up`` is the axis that points up in the GLB files: "y" (as in glTF, the default) or "z". A mesh is
+first rotated so that z points up (x stays x, y becomes z, z becomes -y). Then ``matrix`` (4 x 4,
+row-major, acting on column vectors) maps it to the world: +x right and +y away in the reference
+picture, +z up. The matrix may rotate, scale along the mesh's own axes, and translate; mirroring and
+shearing are invalid. The origin of the world is arbitrary: the scene is translated so that the
+table stands on the floor under the origin. For a method without a table, "table" is
+``{"size": [x, y, z]}``: a block of that extent, with the centre of its top at ``"top": [x, y, z]``
+in the method's world. ``label`` (default: the name without its number), ``on`` ("table") and
+``inside`` (false) are optional.
 
-A table's top is its highest large level surface; for simulation it is a slab without the rim.
+The top of a table is its highest large level surface; for simulation it is a slab without the rim.
 """
 
 from __future__ import annotations
@@ -54,37 +55,37 @@ from ..scene import (
 from ..scene.triangles import scaled_normals
 
 TRANSFORMS = "transforms.json"
-"""The file that a result's folder must hold."""
+"""Name of the required file in a result's folder."""
 
 MOST_OBJECTS = 256
-_FARTHEST = 100.0  # metres: larger things and places are in other units
+_MAX_LENGTH = 100.0  # metres: larger values mean that the unit is wrong
 _SHEAR = 1e-3
-_TOP = 0.01  # metres: what of a table lies this near its level belongs to its top
-_EVEN = 0.003  # metres: how uneven a top may be
-_LEVEL = 0.97  # cosine of the steepest that counts as level
-_LEAST_TOP = 0.03  # square metres
-_RIM = 0.04  # metres: what rises higher over the top is no rim
+_TOP = 0.01  # metres: parts of the table this close to its level belong to the top
+_EVEN = 0.003  # metres: maximum unevenness of a top
+_LEVEL = 0.97  # minimum cosine of the slope of a level surface
+_MIN_TOP = 0.03  # square metres
+_RIM = 0.04  # metres: maximum height of a rim above the top
 _Z_UP = {"y": np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), "z": np.eye(3)}
 
 
 def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
-    """Read a foreign result as a scene of ours, at the poses it states.
+    """Read another method's result as a scene, at the given poses.
 
-    Nothing is moved: what overlaps or floats does so in the scene, too. Mass and friction are this
-    project's defaults. ``decompose`` finds convex parts for simulation (seconds to a minute an
-    object, kept for the next time). Otherwise each object has its convex hull, which is enough for
-    meshes and pictures, and a warning in its provenance says so.
+    Objects are not moved, so overlapping or floating objects remain so. Mass and friction have this
+    project's defaults. ``decompose`` computes convex parts for simulation (seconds to a minute per
+    object, cached). Otherwise each object has its convex hull as its only part, which suffices for
+    meshes and pictures; a warning in the provenance records this.
 
     Raises:
-        InputError: a file is missing, damaged, too large or outside the folder, or a value is no
-            number, no pose, or in other units.
-        SceneError: a mesh cannot be decomposed.
+        InputError: A file is missing, damaged, too large or outside the folder, or a value is not a
+            number, not a valid pose, or not in metres.
+        SceneError: A mesh cannot be decomposed.
     """
     place = Path(folder)
     payload = parse_object(_read(place, TRANSFORMS), f"{place}: {TRANSFORMS}", InputError)
     up = payload.get("up", "y")
     if not isinstance(up, str) or up not in _Z_UP:
-        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r:.80}.')
+        raise InputError(f'{place}: \'up\' must be "y" or "z", got {up!r:.80}.')
     name = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
     method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
     entries = payload.get("objects")
@@ -95,7 +96,7 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     table = _table(mesh, f"{place}: the table")
     bodies = [_object(place, entry, meshes, shift, decompose) for entry in entries]
     _check_supports(bodies)
-    warnings = () if decompose else ("collision parts are convex hulls: not fit for simulation",)
+    warnings = () if decompose else ("collision parts are convex hulls, unsuitable for simulation",)
     provenance = Provenance("manual", 0, prompt=f"method: {method}", warnings=warnings)
     return Scene(name, table, tuple(bodies), provenance)
 
@@ -108,17 +109,17 @@ def _read(place: Path, name: str) -> bytes:
 
 
 class _Meshes:
-    """The meshes of a result's folder, z up, each file read once."""
+    """Meshes of a result's folder with z up; each file is read once."""
 
     def __init__(self, place: Path, turn: Float[np.ndarray, "3 3"]) -> None:
         self._place, self._turn = place, turn
         self._known: dict[str, Mesh] = {}
 
     def of(self, entry: Mapping[str, Any]) -> Mesh:
-        """Return the mesh of the file that an entry names."""
+        """Return the mesh of the file named by an entry."""
         place, name = self._place, entry.get("glb")
         if not isinstance(name, str):
-            raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
+            raise InputError(f"{place}: the name of a file must be a string, got {name!r}.")
         if name not in self._known:
             mesh = read_glb(_read(place, name), f"{place}: {name}")
             upright = mesh.vertices @ self._turn.T
@@ -127,16 +128,16 @@ class _Meshes:
 
 
 def _table_mesh(place: Path, entry: Any, meshes: _Meshes) -> tuple[Mesh, Float[np.ndarray, "3"]]:
-    """Return the table in metres, and the shift that puts it on the floor under the origin."""
+    """Return the table in metres, and the translation that puts it under the origin."""
     if not isinstance(entry, dict):
         raise InputError(
-            f"{place}: 'table' must name a GLB and a matrix, or a size. See "
+            f"{place}: 'table' must have a 'glb' and a 'matrix', or a 'size'. See "
             "generator.evaluation.external."
         )
     if "size" in entry:
         size = _numbers(entry["size"], (3,), f"{place}: the table's size")
         if size.min() <= 0:
-            raise InputError(f"{place}: the table's size must be positive metres, got {size}.")
+            raise InputError(f"{place}: the table's size must be positive, in metres, got {size}.")
         top = _numbers(entry.get("top", [0, 0, size[2]]), (3,), f"{place}: the table's top")
         return _block(size), np.array([0.0, 0.0, size[2]]) - top
     mesh = meshes.of(entry)
@@ -148,15 +149,15 @@ def _table_mesh(place: Path, entry: Any, meshes: _Meshes) -> tuple[Mesh, Float[n
 
 
 def _table(mesh: Mesh, what: str) -> Table:
-    """Return the table with a slab under its top, a rim left out."""
+    """Return the table with a slab under its top, without the rim."""
     unit, _, extent = to_unit_box(mesh)
     model = Model(TABLE, TABLE, unit, extent)
     vertices = unit.vertices * extent
     high = _top(vertices[unit.faces], what)
     if (above := float(vertices[:, 2].max()) - high) > _RIM:
         raise InputError(
-            f"{what} rises {100 * above:.0f} cm over its largest level surface. Leave out of its "
-            "mesh what stands on it."
+            f"{what} rises {100 * above:.0f} cm over its largest level surface. Remove objects on "
+            "the table from its mesh."
         )
     outline = convex_outline(vertices[np.abs(vertices[:, 2] - high) < _TOP][:, :2])
     slab = np.array([[x, y, z] for x, y in outline for z in (high - 3 * _TOP, high)])
@@ -164,17 +165,19 @@ def _table(mesh: Mesh, what: str) -> Table:
 
 
 def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
-    """Return the height of the top: the highest level with half as much area as any has."""
+    """Return the height of the top: the highest level with half of the largest level area."""
     normals = scaled_normals(triangles) / 2
     areas = np.linalg.norm(normals, axis=1)
-    level = np.abs(normals[:, 2]) > _LEVEL * areas  # either way: not every file turns them outwards
+    level = np.abs(normals[:, 2]) > _LEVEL * areas  # faces may be oriented either way
     order = np.argsort(triangles[level].mean(1)[:, 2], kind="stable")
     heights, areas = triangles[level].mean(1)[order, 2], areas[level][order]
     sums = np.append(0.0, np.cumsum(areas))
     first = np.searchsorted(heights, heights - _EVEN)
-    near = sums[1:] - sums[first]  # the area from just below each triangle up to it
-    if near.max(initial=0.0) < _LEAST_TOP:
-        raise InputError(f"{what} has no level top of {1e4 * _LEAST_TOP:.0f} square centimetres.")
+    near = sums[1:] - sums[first]  # area between just below each triangle and the triangle
+    if near.max(initial=0.0) < _MIN_TOP:
+        raise InputError(
+            f"{what} has no level surface of at least {1e4 * _MIN_TOP:.0f} square centimetres."
+        )
     last = int(np.flatnonzero(near >= near.max() / 2)[-1])
     middle = np.searchsorted(sums, (sums[first[last]] + sums[last + 1]) / 2, side="right") - 1
     return float(heights[min(int(middle), last)])
@@ -189,13 +192,15 @@ def _object(
     scale, rotation, translation = _pose(entry, f"{place}: {name}")
     unit, center, extent = to_unit_box(meshes.of(entry))
     extent = extent * scale
-    if not 1e-4 <= extent.max() <= _FARTHEST:
-        raise InputError(f"{place}: {name} is {extent.max():.3g} m long; lengths are in metres.")
+    if not 1e-4 <= extent.max() <= _MAX_LENGTH:
+        raise InputError(
+            f"{place}: {name} is {extent.max():.3g} m long; lengths must be in metres."
+        )
     label = entry.get("label", name.rstrip("0123456789").rstrip("_ ") or name)
     label = printable(label, f"{place}: the label of {name}", InputError)
     on, inside = entry.get("on", TABLE), entry.get("inside", False)
     if not isinstance(on, str) or not isinstance(inside, bool):
-        raise InputError(f"{place}: {name} is 'on' a thing by name, and 'inside' is true or false.")
+        raise InputError(f"{place}: for {name}, 'on' must be a name, and 'inside' true or false.")
     position = rotation @ (center * scale) + translation + shift
     quaternion = Rotation.from_matrix(rotation).as_quat(scalar_first=True)
     placement = Placement(name, quaternion_yaw(quaternion), position, extent, on, inside)
@@ -212,17 +217,22 @@ def _object(
 def _pose(
     entry: Mapping[str, Any], what: str
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]:
-    """Return scale along the mesh's axes, rotation and translation of an entry's matrix."""
+    """Return the scale along the mesh's axes, rotation and translation of an entry's matrix."""
     matrix = _numbers(entry.get("matrix"), (4, 4), f"{what}: the matrix")
     linear, translation = matrix[:3, :3], matrix[:3, 3]
     scale = np.linalg.norm(linear, axis=0)
     if not np.allclose(matrix[3], [0, 0, 0, 1]) or scale.min() < 1e-9:
-        raise InputError(f"{what}: the matrix must be affine, with 0 0 0 1 below, and not flat.")
+        raise InputError(
+            f"{what}: the matrix must be affine, with last row 0 0 0 1, and not singular."
+        )
     rotation = linear / scale
     if np.abs(rotation.T @ rotation - np.eye(3)).max() > _SHEAR or np.linalg.det(rotation) < 0:
-        raise InputError(f"{what}: the matrix mirrors or shears; apply that to the mesh instead.")
-    if np.abs(translation).max() > _FARTHEST:
-        raise InputError(f"{what}: lies {np.abs(translation).max():.3g} m away; use metres.")
+        raise InputError(f"{what}: the matrix mirrors or shears; apply this to the mesh instead.")
+    if np.abs(translation).max() > _MAX_LENGTH:
+        raise InputError(
+            f"{what}: the translation is {np.abs(translation).max():.3g} m; lengths must be in "
+            "metres."
+        )
     return scale, rotation, translation
 
 
@@ -230,7 +240,7 @@ def _numbers(value: Any, shape: tuple[int, ...], what: str) -> Float[np.ndarray,
     try:
         array = np.array(value, dtype=np.float64)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InputError(f"{what} must hold numbers only.") from error
+        raise InputError(f"{what} must contain only numbers.") from error
     if array.shape != shape or not np.isfinite(array).all():
         raise InputError(f"{what} must be {' x '.join(map(str, shape))} finite numbers.")
     return array
@@ -240,7 +250,7 @@ def _check_supports(bodies: list[Object]) -> None:
     for name, on in ((o.name, o.placement.on) for o in bodies):
         others = {TABLE, *(o.name for o in bodies)} - {name}
         if on not in others:
-            raise InputError(f"{name!r} stands on an unknown thing." + choices(on, others))
+            raise InputError(f"{name!r} stands on an unknown object." + choices(on, others))
 
 
 def _block(size: Float[np.ndarray, "3"]) -> Mesh:
@@ -252,17 +262,17 @@ def _block(size: Float[np.ndarray, "3"]) -> Mesh:
 
 
 MOST_FACES = 400_000
-"""Larger meshes are refused."""
+"""Maximum size of a mesh; larger ones are rejected."""
 
 
 def read_glb(raw: bytes, what: str) -> Mesh:
-    """Return everything in a GLB file as one mesh, node transforms applied; ``what`` names it.
+    """Return all meshes in a GLB file as one, with node transforms applied.
 
-    Of materials only the base colour counts: a texture if all faces show the same one, otherwise
-    each face in one colour. Nothing outside the file is opened.
+    ``what`` is the subject of error messages. Only the base colour of materials is used: a texture
+    if all faces share it, otherwise one colour per face. Files outside the GLB are not opened.
 
     Raises:
-        InputError: no GLB, a damaged one, one without triangles or with NaN, or a too large one.
+        InputError: The file is not a GLB, damaged, without triangles, with NaN, or too large.
     """
     if raw[:4] != b"glTF":
         raise InputError(f"{what} is not a GLB file. Save each object as binary glTF.")
@@ -277,7 +287,7 @@ def read_glb(raw: bytes, what: str) -> Mesh:
 
 
 def _color(surface: ColoredSurface) -> Mesh:
-    """Return a mesh whose texture is a palette; each face shows one of its texels."""
+    """Return a mesh whose texture is a palette, with one texel per face."""
     corners = surface.vertices[surface.faces].reshape(-1, 3)
     count = len(surface.faces)
     colors = surface.colors_at(np.arange(count), np.full((count, 3), 1 / 3))
@@ -290,7 +300,7 @@ def _color(surface: ColoredSurface) -> Mesh:
 def _palette(
     colors: UInt8[np.ndarray, "m 3"],
 ) -> tuple[UInt8[np.ndarray, "1 k 3"], Int[np.ndarray, "m"]]:
-    """Return up to 512 colours as a texture of one row, and each face's column."""
+    """Return up to 512 colours as a texture of one row, and the column of each face."""
     coarse = (colors >> 5).astype(np.int64) @ [64, 8, 1]
     cells, index = np.unique(coarse, return_inverse=True)
     sums: Float[np.ndarray, "k 3"] = np.zeros((len(cells), 3))

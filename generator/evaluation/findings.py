@@ -1,4 +1,4 @@
-"""What is wrong with a scene, object by object: findings with figure, limit and evidence."""
+"""Defects of a scene, object by object: findings with value, limit and evidence."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ Evidence = Literal["meshes", "simulation", "usual size", "picture", "truth"]
 
 @dataclass(frozen=True)
 class DefectLimits:
-    """What counts as a defect.
+    """Limits above which a deviation is a defect.
 
-    overlap: depth in metres. ``rule``: of standing still.
-    usual_size: factor between an object's size and the usual one.
-    gain: by how much another turn or size must fit the object's mask better (IoU).
-    yaw: radians, against a truth. ``scale``: factor, against a truth.
-    place: share of the table's width, against a truth.
+    overlap: depth in metres. ``rule``: rule for standing still.
+    usual_size: ratio of an object's size to the usual one.
+    gain: improvement of the fit to the object's mask by another yaw or size (IoU).
+    yaw: radians, against a truth. ``scale``: ratio, against a truth.
+    place: fraction of the table's width, against a truth.
     """
 
     overlap: float = THRESHOLD
@@ -46,14 +46,14 @@ class DefectLimits:
         factors = (self.usual_size - 1, self.scale - 1)
         numbers = (self.overlap, self.gain, self.yaw, self.place, *factors)
         if not np.isfinite(numbers).all() or min(numbers) <= 0:
-            raise InputError(f"Limits are positive, and factors above 1: {self}.")
+            raise InputError(f"Limits must be positive, and factors above 1, got {self}.")
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One defect of one object. ``value`` and ``limit`` are in ``unit``; None where none is.
+    """One defect of one object. ``value`` and ``limit`` are in ``unit``, None if not applicable.
 
-    ``other`` is the second thing that takes part in it: an object, or "table".
+    ``other`` is the second object involved, or "table".
     """
 
     kind: Kind
@@ -80,7 +80,7 @@ class Finding:
 
 
 def of_collisions(found: Collisions, limits: DefectLimits) -> Iterator[Finding]:
-    """Yield one finding an overlap, with both things that take part in it."""
+    """Yield one finding per overlap, with both objects involved."""
     pairs = [(o.b, o.a, o.depth) for o in found.overlaps]
     pairs += [(o.a, o.b, o.depth) for o in found.sunk]
     for name, other, depth in pairs:
@@ -90,19 +90,19 @@ def of_collisions(found: Collisions, limits: DefectLimits) -> Iterator[Finding]:
 
 
 def of_soundness(found: Soundness) -> Iterator[Finding]:
-    """Yield what floats, hangs over the edge, or does not stand still."""
+    """Yield a finding for each object that floats, hangs over the edge, or does not stand still."""
     rule = found.rule
     for thing in found.objects:
         if thing.floats:
-            text = "floats: nothing holds it"
+            text = "floats: nothing supports it"
             yield Finding("floats", thing.name, text, "simulation", None, 1e3 * rule.gap, "mm")
         if thing.off_table:
-            text = "its centre of mass is beyond the table's edge"
+            text = "has its centre of mass beyond the table's edge"
             yield Finding("off_table", thing.name, text, "simulation")
         if not found.moves(thing):
             continue
         after = f"in {rule.seconds:g} s"
-        text, value, limit, unit = "the simulation broke down", None, None, ""
+        text, value, limit, unit = "the simulation diverged", None, None, ""
         if not found.diverged and (thing.drift > rule.drift or thing.falls):
             text = f"{'falls from the table' if thing.falls else 'moves'} {after}"
             value, limit, unit = 1e3 * thing.drift, 1e3 * rule.drift, "mm"
@@ -113,14 +113,14 @@ def of_soundness(found: Soundness) -> Iterator[Finding]:
 
 
 def of_sizes(found: Sequence[UsualSize], limits: DefectLimits) -> Iterator[Finding]:
-    """Yield what is much larger or smaller than such things usually are."""
+    """Yield a finding for each object much larger or smaller than usual."""
     for s in (s for s in found if _beyond(s.ratio, limits.usual_size)):
-        text = f"{_than(s.ratio)} than the {s.source} knows such things"
+        text = f"is {s.ratio:.2f} times its usual size ({s.source})"
         yield Finding("wrong_size", s.name, text, "usual size", s.ratio, limits.usual_size, "x")
 
 
 def of_fits(found: Sequence[SilhouetteFit], limits: DefectLimits) -> Iterator[Finding]:
-    """Yield what would fit its mask in the picture much better if it were turned or scaled."""
+    """Yield a finding for each object that would fit its mask much better if turned or scaled."""
     for fit in found:
         turned, scaled = fit.turned_iou - fit.iou, fit.scaled_iou - fit.iou
         kind: Kind = "wrong_yaw" if turned >= scaled else "wrong_size"
@@ -133,15 +133,15 @@ def of_fits(found: Sequence[SilhouetteFit], limits: DefectLimits) -> Iterator[Fi
 
 
 def of_comparison(compared: Comparison) -> Iterator[Finding]:
-    """Yield what the picture shows and the scene does not hold."""
+    """Yield a finding for each object of the picture that is missing in the scene."""
     for score in (s for s in compared.scores if not s.built):
-        yield Finding("missing", score.name, "is in the picture, not in the scene", "picture")
+        yield Finding("missing", score.name, "is in the picture, but not in the scene", "picture")
 
 
 def of_truth(found: TruthErrors, limits: DefectLimits) -> Iterator[Finding]:
-    """Yield what differs from the scene it should be."""
+    """Yield a finding for each deviation from the true scene."""
     for name in found.missing:
-        yield Finding("missing", name, "is in the true scene, not in this one", "truth")
+        yield Finding("missing", name, "is in the true scene, but not in this one", "truth")
     for name in found.extra:
         yield Finding("extra", name, "is not in the true scene", "truth")
     for o in found.objects:
@@ -149,20 +149,16 @@ def of_truth(found: TruthErrors, limits: DefectLimits) -> Iterator[Finding]:
             yaw, limit = float(np.rad2deg(o.yaw)), float(np.rad2deg(limits.yaw))
             yield Finding("wrong_yaw", o.name, "is turned", "truth", yaw, limit, "deg")
         if _beyond(o.scale, limits.scale):
-            text = f"{_than(o.scale)} than it should be"
+            text = f"is {o.scale:.2f} times its true size"
             yield Finding("wrong_size", o.name, text, "truth", o.scale, limits.scale, "x")
         if o.share > limits.place:
-            text = f"is {100 * o.translation:.1f} cm from its place"
+            text = f"is {100 * o.translation:.1f} cm from its true position"
             far, limit = 100 * o.share, 100 * limits.place
             yield Finding("wrong_place", o.name, text, "truth", far, limit, "% of table")
         if not o.support:
-            text = "stands on, or in, another thing than it should"
+            text = "stands on, or in, another object than in the true scene"
             yield Finding("wrong_support", o.name, text, "truth")
 
 
 def _beyond(ratio: float, factor: float) -> bool:
     return abs(np.log(ratio)) > np.log(factor)
-
-
-def _than(ratio: float) -> str:
-    return f"{ratio:.2f} times as large" if ratio >= 1 else f"{1 / ratio:.2f} times smaller"

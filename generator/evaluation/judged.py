@@ -1,8 +1,8 @@
 """Scores by a judge (Sec. 4.1 and supplement, Sec. 8.2): VF, IA and PP from 1 to 7, and a ranking.
 
-The paper asks GPT-4o; here any backend with the ``Judge`` protocol is asked, with criteria in our
-own words. Without one, ``marks_from_figures`` derives marks from measured figures, and gives none
-where nothing was measured: realism cannot be told from geometry.
+The paper uses GPT-4o; this module accepts any backend with the ``Judge`` protocol, with its own
+wording of the criteria. Without a judge, ``marks_from_figures`` derives marks from measured values,
+and none for criteria without a measurement: realism cannot be derived from geometry.
 """
 
 from __future__ import annotations
@@ -39,20 +39,20 @@ CRITERIA: Mapping[str, str] = MappingProxyType(
         ),
     }
 )
-"""What is judged; 1 is very poor, 4 average, 7 excellent."""
+"""Criteria by key; 1 is very poor, 4 average, 7 excellent."""
 
 LEAST, MOST = 1.0, 7.0
-"""The scale."""
+"""Minimum and maximum mark."""
 
 MEASURED = "measured figures, no judge"
-"""Who gave the marks of ``marks_from_figures``."""
+"""Value of ``Marks.judge`` for ``marks_from_figures``."""
 
 
 @dataclass(frozen=True)
 class Marks:
-    """Marks from 1 to 7 by criterion, None where none was given; ``judge`` says whose.
+    """Marks from 1 to 7 by criterion, None for a missing one; ``judge`` is their origin.
 
-    ``notes`` explain each mark of a judge that is a rule, and each missing one.
+    ``notes`` explain each mark derived from measured values, and each missing one.
     """
 
     judge: str
@@ -61,7 +61,7 @@ class Marks:
 
     @property
     def average(self) -> float | None:
-        """Mean over all criteria; None if one has no mark."""
+        """Mean over all criteria; None if a mark is missing."""
         given = [m for m in self.marks.values() if m is not None]
         return float(np.mean(given)) if given and len(given) == len(self.marks) else None
 
@@ -77,13 +77,13 @@ class Marks:
 
 
 def judge_scene(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Marks:
-    """Ask a judge, such as a reasoner, for marks on the scene that ``pictures`` show.
+    """Request marks from a judge, such as a reasoner, for the scene shown in ``pictures``.
 
-    ``reference`` is the picture that the scene was made from.
+    ``reference`` is the picture from which the scene was made.
 
     Raises:
-        BackendError: it is no judge, or its answer lacks a mark or leaves the scale.
-        InputError: there is no picture of the scene.
+        BackendError: ``judge`` is not a judge, or a mark is missing or out of range.
+        InputError: There is no picture of the scene.
     """
     asked = as_judge(judge)
     if not pictures:
@@ -94,8 +94,8 @@ def judge_scene(judge: object, reference: Picture, pictures: Sequence[Picture]) 
         mark = answer.get(key)
         if not isinstance(mark, int | float) or mark is True or not LEAST <= mark <= MOST:
             raise BackendError(
-                f"{type(judge).__name__} gave {mark!r} for {key}; marks go from {LEAST:g} to "
-                f"{MOST:g}. Ask again, or use another judge."
+                f"{type(judge).__name__} gave {mark!r} for {key}; marks range from {LEAST:g} to "
+                f"{MOST:g}. Retry, or use another judge."
             )
         marks[key] = float(mark)
     return Marks(type(judge).__name__, marks, {})
@@ -104,17 +104,17 @@ def judge_scene(judge: object, reference: Picture, pictures: Sequence[Picture]) 
 def rank_methods(
     judge: object, reference: Picture, methods: Mapping[str, Sequence[Picture]]
 ) -> tuple[str, ...]:
-    """Ask a judge for the overall ranking of several methods' scenes, the best first.
+    """Request an overall ranking of several methods' scenes from a judge, best first.
 
     Raises:
-        BackendError: it is no judge, or its answer does not name each method once.
+        BackendError: ``judge`` is not a judge, or does not name each method exactly once.
     """
     shown = {name: tuple(pictures) for name, pictures in methods.items()}
     order = tuple(as_judge(judge).rank(reference, shown))
     if sorted(order) != sorted(methods):
         raise BackendError(
-            f"{type(judge).__name__} ranked {list(order)}; each of {sorted(methods)} must be "
-            "there once."
+            f"{type(judge).__name__} ranked {list(order)}; each of {sorted(methods)} must appear "
+            "exactly once."
         )
     return order
 
@@ -127,39 +127,41 @@ def marks_from_figures(
     unsound: float,
     simulated: bool = True,
 ) -> Marks:
-    """Return marks that follow from measured figures, all in [0, 1], by fixed rules; none for VF.
+    """Derive marks from measured values, all in [0, 1], by fixed rules; none for VF.
 
     IA is 1 + 6 x (mean of ``iou`` and ``built``): the mean overlap of silhouettes with their masks,
-    and the share of what the picture shows that the scene has; None without a picture. PP is
-    1 + 6 x (1 - ``unsound``) x (1 - ``pair_collisions``) to the power of 10, as one pair in ten
-    (Col_O) is already a poor scene; ``unsound`` is the share of the objects that overlap or, if
+    and the fraction of the picture's objects that the scene has; None without a picture. PP is
+    1 + 6 x (1 - ``unsound``) x (1 - ``pair_collisions``)^10, since a scene with one pair in ten in
+    collision (Col_O) is already poor; ``unsound`` is the fraction of objects that overlap or, if
     ``simulated``, float, hang over the edge or do not stand still.
     """
-    notes = {"VF": "not marked: no measured figure tells how real a scene looks"}
+    notes = {"VF": "not marked: no measured value indicates how realistic a scene looks"}
     marks: dict[str, float | None] = {"VF": None, "IA": None}
     if iou is None or built is None:
-        notes["IA"] = "not marked: there is no picture with instances to compare with"
+        notes["IA"] = "not marked: there is no picture with instances for comparison"
     else:
         marks["IA"] = LEAST + (MOST - LEAST) * (iou + built) / 2
-        notes["IA"] = f"from silhouettes that overlap by {iou:.2f} and {built:.0%} of things built"
+        notes["IA"] = f"from a silhouette overlap of {iou:.2f} and {built:.0%} of objects built"
     sound = (1 - unsound) * (1 - pair_collisions) ** 10
     marks["PP"] = LEAST + (MOST - LEAST) * sound
-    notes["PP"] = f"from {pair_collisions:.1%} of pairs in collision and {unsound:.0%} unsound"
-    notes["PP"] += "" if simulated else "; not simulated, so from overlaps alone"
+    notes["PP"] = (
+        f"from {pair_collisions:.1%} of pairs in collision and {unsound:.0%} of objects unsound"
+    )
+    notes["PP"] += "" if simulated else "; not simulated, so from overlaps only"
     return Marks(MEASURED, marks, notes)
 
 
 def as_judge(judge: object) -> Judge:
-    """Return ``judge`` if it has the ``Judge`` protocol's methods.
+    """Return ``judge`` if it has the methods of the ``Judge`` protocol.
 
     Raises:
-        BackendError: it lacks one of them.
+        BackendError: It lacks one of them.
     """
     if not isinstance(judge, Judge):
         kind = type(judge)
         raise BackendError(
             f"{kind.__module__}.{kind.__qualname__} cannot judge scenes: it lacks rate or rank "
-            "(generator.backends.protocols.Judge). Name another judge, or none: marks then follow "
-            "from the measured figures."
+            "(generator.backends.protocols.Judge). Use another judge, or none to derive marks "
+            "from measured values."
         )
     return judge

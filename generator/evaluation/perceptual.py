@@ -1,9 +1,9 @@
-"""How alike two pictures look, by learned features (Sec. 4.1): LPIPS, DINOv2, CLIP, and our own.
+"""Perceptual similarity of pictures (Sec. 4.1): LPIPS, DINOv2, CLIP, and embedded metrics.
 
 The published metrics need packages (the extras ``huggingface`` and ``lpips``) and weights that are
-already on this machine: nothing is ever downloaded from here. What is missing is told with the
-reason. The embedded scores need neither, are other figures, and have other names: no value of one
-may stand for a value of the other.
+already on this machine: nothing is downloaded. A missing metric is reported with the reason. The
+embedded metrics need neither, are different quantities, and have different names: their values must
+not be compared with those of the published metrics.
 """
 
 from __future__ import annotations
@@ -33,16 +33,16 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 _PIP = "Run: pip install 'tabletopgen[lpips]'"
 _BATCH = 16
 _SIDE = 224
-"""Pixels a side that pictures are resized to before their features are taken."""
+"""Side in pixels to which pictures are resized before features are computed."""
 
 
 class Missing(BackendError):
-    """A metric's package or weights are not on this machine."""
+    """Raised if a metric's package or weights are not on this machine."""
 
 
 @dataclass(frozen=True)
 class MapSimilarity:
-    """Cosine of an encoder's maps, place by place, averaged over the maps; 1 is the same picture.
+    """Cosine similarity of an encoder's feature maps per position, averaged; 1 for equal pictures.
 
     ``load`` returns the encoder: images (n, 3, h, w) in [0, 1] to maps.
     """
@@ -55,7 +55,7 @@ class MapSimilarity:
         """Return the similarity of each picture to the reference, in [-1, 1].
 
         Raises:
-            BackendError: the encoder's weights are missing or damaged.
+            BackendError: The encoder's weights are missing or damaged.
         """
         import torch
         from torch.nn import functional
@@ -73,14 +73,14 @@ class MapSimilarity:
 
 
 def _load_filters() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return Eq. 4's Phi: colour and oriented edges, which tell layout and colour, not meaning."""
+    """Return Eq. 4's Phi: colour and oriented edges, for layout and colour rather than meaning."""
     from ..backends.embedded.encoder import EmbeddedEncoder
 
     return EmbeddedEncoder().features
 
 
 def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return the eye's EfficientNet-Lite0 (trained further on our renders): strides 16 and 32."""
+    """Return the eye's EfficientNet-Lite0, fine-tuned on our renders: strides 16 and 32."""
     from ..backends.embedded.eye.weights import load_weights
 
     encoder = load_weights().eye.encoder
@@ -89,7 +89,7 @@ def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
 
 @dataclass(frozen=True)
 class Lpips:
-    """LPIPS (R. Zhang et al., CVPR 2018) with AlexNet; 0 is the same picture, lower is better."""
+    """LPIPS (R. Zhang et al., CVPR 2018) with AlexNet; 0 for equal pictures, lower is better."""
 
     name: str = "lpips"
     higher_is_better: bool = False
@@ -105,7 +105,8 @@ class Lpips:
         if not weights.is_file():
             raise Missing(
                 f"{self.name}: AlexNet's weights are not in torch's cache. Put {self.backbone} "
-                "into the folder `checkpoints` of torch.hub.get_dir(); nothing is downloaded here."
+                "into the folder `checkpoints` of torch.hub.get_dir(); it is not downloaded "
+                "automatically."
             )
         return module.LPIPS(net="alex", verbose=False).eval()
 
@@ -113,7 +114,7 @@ class Lpips:
         """Return the distance of each picture to the reference, at 224 x 224 pixels.
 
         Raises:
-            Missing: the package or the weights are not here.
+            Missing: The package or the weights are not on this machine.
         """
         network = self._network
 
@@ -125,12 +126,13 @@ class Lpips:
 
 @dataclass(frozen=True)
 class HubSimilarity:
-    """Cosine of a published vision model's image features; 1 is the same picture.
+    """Cosine similarity of a published vision model's image features; 1 for equal pictures.
 
-    ``name`` is the model's in the table of the ``huggingface`` backend, which pins its commit; it
-    is read from ``folder`` (see ``backends.installing.models_folder``), and nowhere else.
-    ``method`` says how features are taken: "pooled" (of ``Dinov2Model``) or "image" (of
-    ``CLIPModel``). ``norm`` is the mean and deviation of RGB in [0, 1].
+    ``name`` is the model's name in the table of the ``huggingface`` backend, which pins its commit;
+    the model is only read from ``folder`` (see ``backends.installing.models_folder``). ``method``
+    is
+    the source of the features: "pooled" (of ``Dinov2Model``) or "image" (of ``CLIPModel``).
+    ``norm`` is the mean and standard deviation of RGB in [0, 1].
     """
 
     name: str
@@ -154,7 +156,7 @@ class HubSimilarity:
         """Return the similarity of each picture to the reference, in [-1, 1].
 
         Raises:
-            Missing: the package or the weights are not here.
+            Missing: The package or the weights are not on this machine.
         """
         import torch
         from torch.nn import functional
@@ -191,15 +193,15 @@ EMBEDDED: Mapping[str, Metric] = MappingProxyType(
         )
     }
 )
-"""Scores that every installation has."""
+"""Metrics available in every installation."""
 
 PUBLISHED: Mapping[str, Metric] = MappingProxyType({m.name: m for m in (Lpips(), DINOV2, CLIP)})
-"""The paper's scores."""
+"""Metrics of the paper."""
 
 
 @dataclass(frozen=True)
 class Available:
-    """The metrics that can be had here, and why the others cannot, by name."""
+    """The metrics available on this machine, and the reasons why others are missing, by name."""
 
     metrics: tuple[Metric, ...]
     missing: Mapping[str, str]
@@ -209,14 +211,14 @@ def available(names: Sequence[str] = (*PUBLISHED, *EMBEDDED)) -> Available:
     """Return which of the named metrics work on this machine, by loading each of them.
 
     Raises:
-        BackendError: there is no such metric.
+        BackendError: A metric does not exist.
     """
     known = {**PUBLISHED, **EMBEDDED}
     blank = np.zeros((32, 32, 3), np.uint8)
     metrics, missing = [], {}
     for name in names:
         if name not in known:
-            raise BackendError(f"There is no metric {name!r}.{choices(name, known)}")
+            raise BackendError(f"Unknown metric {name!r}.{choices(name, known)}")
         try:
             known[name].score([blank], blank)
             metrics.append(known[name])
@@ -246,7 +248,7 @@ def _tensor(pictures: Sequence[Picture]) -> Tensor:
 def _compare(
     compare: Callable[[Tensor, Tensor], Tensor], pictures: Sequence[Picture], reference: Picture
 ) -> Float[np.ndarray, "n"]:
-    """Return ``compare`` of each picture with the reference, a batch at a time."""
+    """Apply ``compare`` to each picture and the reference, in batches."""
     import torch
 
     with torch.no_grad():

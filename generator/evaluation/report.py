@@ -1,4 +1,4 @@
-"""A scene evaluated as a whole: one value with every figure and finding (Secs. 4.1 and 4.2)."""
+"""Evaluation of a whole scene: one value with all measurements and findings (Secs. 4.1 and 4.2)."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass(frozen=True, eq=False)
 class Evaluation:
-    """Everything found about one scene; parts that could not be measured are None or empty.
+    """Results for one scene; parts that could not be measured are None or empty.
 
-    ``notes`` say what was left out, and why. ``perceptual`` holds each metric in its best view of
-    the sweep, ``missing`` why other metrics are not there. ``marks`` follow from measured figures,
-    or are a judge's.
+    ``notes`` list skipped parts with reasons. ``perceptual`` has each metric at its best view of
+    the sweep, ``missing`` the reasons for unavailable metrics. ``marks`` are derived from measured
+    values or given by a judge.
     """
 
     scene: Scene
@@ -53,11 +53,11 @@ class Evaluation:
 
     @property
     def flawless(self) -> bool:
-        """Whether no defect was found."""
+        """Whether there are no findings."""
         return not self.findings
 
     def of(self, name: str) -> tuple[Finding, ...]:
-        """Return the findings that one object takes part in."""
+        """Return the findings that involve an object."""
         return tuple(f for f in self.findings if name in (f.name, f.other))
 
     def facts(self) -> dict[str, Any]:
@@ -107,26 +107,26 @@ def evaluate(
     sweep: SweepConfig | None = None,
     judge: object | None = None,
 ) -> Evaluation:
-    """Measure a scene and say what is wrong with it.
+    """Measure a scene and list its defects.
 
     Args:
         scene: the scene, at its settled poses.
-        picture: the reference picture; needed for everything that looks.
-        segments: what was found in it; needed to compare silhouettes.
-        truth: the scene it should be, objects of the same names.
-        limits: what counts as a defect.
-        simulate: whether to let it stand for a while in MuJoCo.
-        metrics: perceptual metrics (see ``perceptual.available``); None leaves the sweep out.
+        picture: the reference picture, required for all visual comparisons.
+        segments: its segmentation, required to compare silhouettes.
+        truth: the true scene, with objects of the same names.
+        limits: limits of defects.
+        simulate: whether to simulate the scene at rest in MuJoCo.
+        metrics: perceptual metrics (see ``perceptual.available``); None skips the sweep.
         sweep: settings of the camera sweep.
-        judge: who marks the scene; None derives marks from the figures.
+        judge: judge that marks the scene; None derives marks from measured values.
 
     Raises:
-        InputError: a picture is missing for what was asked, or does not fit ``segments``.
+        InputError: A required picture is missing, or it does not match ``segments``.
         SceneError: MuJoCo cannot build the scene.
         BackendError: ``judge`` is not a ``Judge``.
     """
     if picture is None and (metrics is not None or judge is not None):
-        raise InputError("Metrics and judges compare with a picture; pass the reference picture.")
+        raise InputError("Metrics and judges require the reference picture; pass it as `picture`.")
     if judge is not None:
         as_judge(judge)
     limits = limits or DefectLimits()
@@ -139,7 +139,7 @@ def evaluate(
         compared = compare(scene, segments, picture)
         fitted = fits(compared)
     else:
-        lacking = "picture" if picture is None else "record of what its picture shows"
+        lacking = "picture" if picture is None else "segmentation of its picture"
         notes.append(f"silhouettes not compared: there is no {lacking}")
     if held is None:
         notes.append("not simulated")
@@ -170,14 +170,14 @@ def evaluate_bundle(
     metrics: Available | None = None,
     **options: Any,
 ) -> Evaluation:
-    """Evaluate a bundle, or a folder of another method's result (see ``external``), from disk.
+    """Evaluate a bundle, or a folder with another method's result (see ``external``), from disk.
 
-    The reference picture is the one that the bundle keeps, unless another is given; without any,
-    metrics are left out, with a note. Other ``options`` are those of :func:`evaluate`.
+    The reference picture defaults to the one in the bundle. Without a picture, metrics are skipped,
+    with a note. Other ``options`` are those of :func:`evaluate`.
 
     Raises:
-        BundleError: there is no bundle, or it is damaged.
-        InputError: a foreign folder is no good, or the picture does not fit.
+        BundleError: The bundle does not exist or is damaged.
+        InputError: The other method's folder is invalid, or the picture does not match.
     """
     folder = Path(path)
     segments = None
@@ -189,24 +189,24 @@ def evaluate_bundle(
     blind = metrics is not None and picture is None
     shown = None if blind else metrics
     found = evaluate(scene, picture=picture, segments=segments, metrics=shown, **options)
-    note = ("no sweep: the scene keeps no picture; pass one",) if blind else ()
+    note = ("no sweep: the scene has no picture; pass one",) if blind else ()
     return replace(found, notes=found.notes + note)
 
 
 def ranking(
     evaluations: Mapping[str, Evaluation], picture: Picture, judge: object
 ) -> tuple[str, ...]:
-    """Ask a judge to order several methods' scenes of one picture, by method, the best first.
+    """Request a ranking of several methods' scenes of one picture from a judge, best first.
 
     Raises:
-        BackendError: ``judge`` is not a ``Judge``, or its answer does not name each method once.
+        BackendError: ``judge`` is not a ``Judge``, or does not name each method exactly once.
     """
     shown = {name: (_draw(e.scene, e.comparison),) for name, e in evaluations.items()}
     return rank_methods(judge, picture, shown)
 
 
 def _draw(scene: Scene, compared: Comparison | None) -> Picture:
-    """Draw a scene from its picture's camera; from the front above where that is not known."""
+    """Draw a scene from its picture's camera, or from the front and above if that is unknown."""
     from ..render.sheet import render_scene
 
     return render_scene(scene, camera=None if compared is None else compared.camera).image

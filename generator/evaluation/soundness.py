@@ -1,8 +1,8 @@
-"""Whether a scene holds by itself: what moves, turns, floats, or hangs over the edge (Sec. 4.1).
+"""Physical soundness of a scene: objects that move, turn, float, or hang over the edge (Sec. 4.1).
 
-The rule is the one of the gate that a scene passes to be published; here each object is told
-apart, any scene can be asked, and the rule can be varied (``VARIANTS``): what holds under the plain
-one may do so by luck of one time step or one exact gravity.
+The rule is that of the gate that published scenes pass. Here it is evaluated per object, for any
+scene, and can be varied (``VARIANTS``): a scene may satisfy the plain rule only by chance, for one
+time step or exactly vertical gravity.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from ..scene import Scene
 
 @dataclass(frozen=True)
 class StillnessRule:
-    """What counts as standing still. Lengths in metres, angles in radians, time in seconds.
+    """Criteria for standing still. Lengths in metres, angles in radians, time in seconds.
 
-    seconds: how long is simulated.
-    drift, tilt: the farthest a thing may move and turn in that time.
-    gap: a thing with nothing that holds it within this distance floats.
-    timestep: of the simulation; None keeps the scene's own (2 ms).
-    lean, toward: gravity leans by this angle, in this direction (0 is +x, counter-clockwise).
+    seconds: simulated duration.
+    drift, tilt: maximum displacement and rotation of an object in that time.
+    gap: an object without a support within this distance floats.
+    timestep: time step of the simulation; None uses the scene's own (2 ms).
+    lean, toward: gravity is tilted by this angle, in this direction (0 is +x, counter-clockwise).
     """
 
     seconds: float = 5.0
@@ -45,9 +45,13 @@ class StillnessRule:
         if not (np.isfinite([*positive, self.lean, self.toward]).all() and min(positive) > 0):
             raise InputError(f"A rule needs finite angles and positive limits, got {self}.")
         if self.timestep is not None and not 1e-5 <= self.timestep <= 0.01:
-            raise InputError(f"A rule's timestep is in [1e-5, 0.01] s, got {self.timestep!r}.")
+            raise InputError(
+                f"The timestep of a rule must be in [1e-5, 0.01] s, got {self.timestep!r}."
+            )
         if not 0 <= self.lean < np.pi / 4:
-            raise InputError(f"Gravity leans by 0 to 45 degrees, got {np.rad2deg(self.lean):g}.")
+            raise InputError(
+                f"Gravity must be tilted by 0 to 45 degrees, got {np.rad2deg(self.lean):g}."
+            )
 
 
 PLAIN = StillnessRule()
@@ -61,19 +65,19 @@ VARIANTS: Mapping[str, StillnessRule] = MappingProxyType(
         for k, way in enumerate(("+x", "+y", "-x", "-y"))
     }
 )
-"""The plain rule, at other time steps, and with gravity leaning by 2 degrees to four sides.
+"""The plain rule, with other time steps, and with gravity tilted by 2 degrees to four sides.
 
-Round things must lie still, too: their rolling resistance (``physics.mjcf.FLAT_SPOT``) holds them
-up to about six degrees. Beyond that they roll away.
+Round objects must also remain still: their rolling resistance (``physics.mjcf.FLAT_SPOT``) holds
+them up to about six degrees. Beyond that they roll away.
 """
 
 
 @dataclass(frozen=True)
 class Behaviour:
-    """What one object does under a rule: metres, radians.
+    """Behaviour of one object under a rule: metres, radians.
 
-    ``floats``: nothing holds it at the start. ``off_table``: its centre of mass is beyond the
-    top's outline at the start. ``falls``: it left the table by the end.
+    ``floats``: nothing supports it at the start. ``off_table``: its centre of mass is outside the
+    top's outline at the start. ``falls``: it has left the table by the end.
     """
 
     name: str
@@ -86,10 +90,10 @@ class Behaviour:
 
 @dataclass(frozen=True)
 class Soundness:
-    """How every object of a scene behaves under ``rule``, in the scene's order.
+    """Behaviour of all objects of a scene under ``rule``, in the scene's order.
 
-    ``diverged``: the simulation broke down and started anew, so that its figures say nothing and
-    no object counts as standing still.
+    ``diverged``: the simulation diverged and was reset, so that its values are meaningless and no
+    object counts as standing still.
     """
 
     rule: StillnessRule
@@ -98,31 +102,31 @@ class Soundness:
 
     @property
     def unstable(self) -> tuple[str, ...]:
-        """Names of what moves or turns more than the rule allows, or falls."""
+        """Names of objects that move or turn more than the rule allows, or fall."""
         return tuple(o.name for o in self.objects if self.moves(o))
 
     @property
     def floating(self) -> tuple[str, ...]:
-        """Names of what floats."""
+        """Names of objects that float."""
         return tuple(o.name for o in self.objects if o.floats)
 
     @property
     def off_table(self) -> tuple[str, ...]:
-        """Names of what hangs over the edge."""
+        """Names of objects that hang over the edge."""
         return tuple(o.name for o in self.objects if o.off_table)
 
     @property
     def stable(self) -> bool:
-        """Whether everything stands still."""
+        """Whether all objects stand still."""
         return not self.unstable
 
     def moves(self, thing: Behaviour) -> bool:
-        """Whether an object does not stand still."""
+        """Return whether an object does not stand still."""
         limits = thing.drift > self.rule.drift or thing.turn > self.rule.tilt
         return self.diverged or limits or thing.falls
 
     def facts(self) -> dict[str, Any]:
-        """Return the figures as JSON values: millimetres, degrees, seconds."""
+        """Return the values as JSON: millimetres, degrees, seconds."""
         return {
             "seconds": self.rule.seconds,
             "stable": self.stable,
@@ -147,12 +151,9 @@ class Soundness:
 
 
 def soundness(scene: Scene, rule: StillnessRule = PLAIN) -> Soundness:
-    """Simulate a scene from its settled poses and say how each object behaves.
+    """Simulate a scene from its settled poses and return the behaviour of each object.
 
-    Collision parts are what is simulated, as in ``scene.xml``.
-
-    Raises:
-        SceneError: MuJoCo cannot build the scene.
+    The simulation uses the collision parts, as in ``scene.xml``.
     """
     simulation = Simulation(scene)
     _set(simulation, rule)

@@ -1,4 +1,4 @@
-"""Compare a scene with the true one: yaw, place, size and support, object by object."""
+"""Compare a scene with the true scene: yaw, position, size and support, object by object."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from .surfaces.symmetry import order, yaw_error
 
 @dataclass(frozen=True)
 class PoseError:
-    """One object against its namesake.
+    """Errors of one object relative to the object with the same name.
 
-    yaw: turn about the vertical in [0, pi], modulo the true object's own symmetry, radians.
-        What a print makes differ is no symmetry: a book turned about is turned by pi.
-    translation: distance of the boxes' centres, metres; ``share`` is it over the table's width.
-    scale: geometric mean of the ratios of the extents, ours over true; ``worst_axis`` the ratio
-        farthest from 1.
-    support: whether it stands on, or in, the same thing.
-    symmetry: the true object's order of symmetry by shape and look, infinity of a round one.
+    yaw: difference about the vertical in [0, pi], modulo the true object's symmetry, radians.
+        Prints break symmetry: a book turned about has an error of pi.
+    translation: distance of the box centres, metres; ``share`` is its ratio to the table's width.
+    scale: geometric mean of the ratios of the extents, this scene over the true one;
+        ``worst_axis`` is the ratio farthest from 1.
+    support: whether it stands on, or in, the same object.
+    symmetry: the true object's order of symmetry by shape and texture, infinity for a round one.
     """
 
     name: str
@@ -43,14 +43,14 @@ class PoseError:
 
 @dataclass(frozen=True)
 class TruthErrors:
-    """Errors of the objects that both scenes hold; ``missing`` and ``extra`` name the others."""
+    """Errors of the objects in both scenes; ``missing`` and ``extra`` name the others."""
 
     objects: tuple[PoseError, ...]
     missing: tuple[str, ...]
     extra: tuple[str, ...]
 
     def facts(self) -> dict[str, Any]:
-        """Return the errors as JSON values; the means are over the matched objects, or None."""
+        """Return the errors as JSON values; means over no objects are None."""
         found = self.objects
 
         def middle(values: list[float]) -> float | None:
@@ -82,9 +82,9 @@ class TruthErrors:
 
 
 def truth_errors(scene: Scene, truth: Scene) -> TruthErrors:
-    """Compare the settled poses of two scenes, objects matched by name.
+    """Compare the settled poses of two scenes, with objects matched by name.
 
-    The table's width is the true table's extent along x. Tables stand at the origin in both.
+    The table's width is the true table's extent along x. Tables stand at the origin in both scenes.
     """
     ours = {o.name: o for o in scene.objects}
     true = {o.name: o for o in truth.objects}
@@ -115,10 +115,10 @@ def _errors(ours: Object, true: Object, width: float) -> PoseError:
 
 @dataclass(frozen=True, eq=False)
 class UsualSize:
-    """An object's extent (metres) over the usual one for its word.
+    """An object's extent (metres) relative to the usual one for its noun.
 
-    ``ratio`` is the one nearer to 1 of two: the ratio of the longest sides, and the geometric mean
-    over the axes. A laptop that is shut is so no small one.
+    ``ratio`` is the ratio of the longest sides or the geometric mean over the axes, whichever is
+    closer to 1, so that a closed laptop does not count as small.
     """
 
     name: str
@@ -128,7 +128,7 @@ class UsualSize:
 
 
 def usual_sizes(scene: Scene) -> tuple[UsualSize, ...]:
-    """Return the usual sizes of those objects whose word or plan tells one."""
+    """Return the usual sizes of objects whose noun or plan determines one."""
     return tuple(
         UsualSize(thing.name, *known, _ratio(thing.scale, known[0]))
         for thing in scene.objects

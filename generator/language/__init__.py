@@ -1,1 +1,1 @@
-"""A text becomes a plan: what stands on the table, how it looks, and what stands where."""
+"""Text to scene plan: objects, their attributes, and their relations."""

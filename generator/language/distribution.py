@@ -1,4 +1,4 @@
-"""Tables drawn without a text: a distribution over themes, numbers of things, tables and styles."""
+"""Random tables without a text: a distribution over themes, object counts, tables and styles."""
 
 from __future__ import annotations
 
@@ -12,34 +12,34 @@ from ..errors import InputError, choices
 from ..scene import OutlineKind, ScenePlan
 
 Needs = tuple[tuple[str, ...], ...]
-"""What a table has to hold: for each entry one of the things that it lists."""
+"""Required objects of a table: one of the listed objects for each entry."""
 
-_MOST = 24  # objects of a drawn table
+_MAX_OBJECTS = 24  # maximum number of objects of a table
 PLAIN = "plain"
-"""The style in which things are drawn as they are."""
+"""Style without stylisation."""
 
 
 @dataclass(frozen=True)
 class SceneDistribution:
-    """What tables are like: each is drawn uniformly and independently of the others.
+    """Distribution of tables; each property is drawn uniformly and independently of the others.
 
-    What is listed twice is drawn twice as often. Nothing here is random by itself: ``plan`` draws
-    with the generator it is given, and the same generator gives the same plan.
+    A value listed twice is drawn twice as often. The distribution itself has no random state:
+    ``plan`` draws with the given generator, and an equal generator gives the same plan.
 
     Attributes:
         themes: kinds of table, of ``themes_known()``; () for all of them.
-        objects: the least and the most objects, both in [1, 24]; a plan has fewer where the theme
-            has no more.
+        objects: minimum and maximum number of objects, both in [1, 24]; a plan has fewer if the
+            theme does.
         tables: shapes of the top ("rectangle", "square", "round", "oval", "triangle", "slatted");
             () for those usual for the theme.
         styles: "plain", "cartoon" and "low-poly".
-        needs: what each table holds besides, its theme's own things aside: for each entry one
-            thing of those it lists, all equally likely, those of the table's theme before others.
-            A thing is a name of the catalogue, perhaps after its size: "tray", "small cucumber".
-            They count among the ``objects``; at least one other thing is there.
+        needs: objects on every table in addition to those of its theme: for each entry, one of the
+            listed objects, all equally likely, with those of the table's theme preferred. An object
+            is a name of the catalogue, optionally after its size: "tray", "small cucumber". They
+            count towards ``objects``; at least one other object is present.
 
     Raises:
-        InputError: an unknown name, or no range of objects.
+        InputError: A name is unknown, or the range of objects is invalid.
     """
 
     themes: tuple[str, ...] = ()
@@ -59,46 +59,47 @@ class SceneDistribution:
         whole = isinstance(self.objects, tuple | list) and len(self.objects) == 2
         if not whole or not all(isinstance(n, int) for n in self.objects):
             raise InputError(
-                f"SceneDistribution.objects is the least and the most objects, got {self.objects}."
+                "SceneDistribution.objects must be the minimum and maximum number of objects, got "
+                f"{self.objects}."
             )
         low, high = self.objects
-        if not 1 <= low <= high <= _MOST:
+        if not 1 <= low <= high <= _MAX_OBJECTS:
             raise InputError(
-                f"SceneDistribution.objects must be from 1 to {_MOST}, the least first, got "
+                f"SceneDistribution.objects must be from 1 to {_MAX_OBJECTS}, minimum first, got "
                 f"({low}, {high})."
             )
         object.__setattr__(self, "objects", (low, high))
         self._check_needs()
 
     def _check_needs(self) -> None:
-        """Make tuples of the needs, all of things that there are."""
+        """Convert the needs to tuples, and check that all their objects exist."""
         from .theme_content import read_need
 
         given = self.needs
         whole = isinstance(given, tuple | list) and all(isinstance(n, tuple | list) for n in given)
         if not whole or not all(given):
             raise InputError(
-                "SceneDistribution.needs lists for each need the things that fill it, for example "
+                "SceneDistribution.needs must list the possible objects of each need, for example "
                 f"(('tray', 'basket'), ('egg', 'die')), got {given!r}."
             )
         for phrase in (phrase for phrases in given for phrase in phrases):
             if not isinstance(phrase, str) or read_need(phrase) is None:
                 raise InputError(
-                    f"SceneDistribution.needs: there is no {phrase!r}."
+                    f"SceneDistribution.needs: unknown object {phrase!r}."
                     + choices(str(phrase), categories_known())
                 )
         object.__setattr__(self, "needs", tuple(tuple(phrases) for phrases in given))
 
     def _check(self, name: str, known: Iterable[str]) -> None:
-        """Make a tuple of a field of names, all of them known."""
+        """Convert a field of names to a tuple, and check that all of them are known."""
         given = getattr(self, name)
         if isinstance(given, str):
-            raise InputError(f"SceneDistribution.{name} is a tuple, got the text {given!r}.")
+            raise InputError(f"SceneDistribution.{name} must be a tuple, got the string {given!r}.")
         known = tuple(known)
         for word in given:
             if word not in known:
                 raise InputError(
-                    f"SceneDistribution.{name}: there is no {word!r}." + choices(str(word), known)
+                    f"SceneDistribution.{name}: unknown value {word!r}." + choices(str(word), known)
                 )
         object.__setattr__(self, name, tuple(given))
 
@@ -119,14 +120,14 @@ class SceneDistribution:
 
 
 def themes_known() -> tuple[str, ...]:
-    """Return the name of every theme."""
+    """Return the names of all themes."""
     from .themes import THEMES
 
     return tuple(THEMES)
 
 
 def categories_known() -> tuple[str, ...]:
-    """Return the key of every category that a planned object may have."""
+    """Return the keys of all categories that planned objects may have."""
     from tabletop_objects import CATEGORIES
 
     return tuple(CATEGORIES)

@@ -1,4 +1,4 @@
-"""What a text asks for while it is being read: drafts of objects, the table, doubts."""
+"""Intermediate results of reading a text: drafts of objects, the table, warnings."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from .syntax.phrases.tree import Noun
 from .vessel_sizes import cut_category, is_lit, largest_size, open_category
 
 MAX_OBJECTS = 40
-"""More objects than this no table of the catalogue holds."""
+"""Maximum number of objects on any table."""
 
 
 @dataclass(eq=False)
 class Draft:
-    """An object while the text is being read; ``relations`` are (kind, Draft or "table")."""
+    """An object during parsing; ``relations`` are (kind, Draft or "table")."""
 
     noun: str
     category: str | None
@@ -35,12 +35,12 @@ class Draft:
     position: str | None = None
     contents: str = ""
     told: bool = False
-    placed: bool = False  # its own words say where it is
-    counted: bool = False  # named with an article or a number
-    also: str = ""  # another noun for it: the tube, of a "tube of paint"
+    placed: bool = False  # the text states its position
+    counted: bool = False  # introduced by an article or a number
+    also: str = ""  # alternative noun: the tube of a "tube of paint"
 
     def relate(self, kind: str, target: Draft | str) -> None:
-        """Add a relation; it replaces one that was only assumed."""
+        """Add a relation; it replaces a relation that was only assumed."""
         if self.provisional:
             self.relations.clear()
             self.provisional = False
@@ -53,7 +53,7 @@ Group = list[Draft]
 
 @dataclass(frozen=True, eq=False)
 class Grouping:
-    """Things arranged as one: in a row, a circle (around something), a heap, ..."""
+    """Objects arranged as a group: a row, a circle (around something), a heap, ..."""
 
     kind: GroupKind
     members: tuple[Draft, ...]
@@ -63,7 +63,7 @@ class Grouping:
 
 @dataclass(eq=False)
 class Reading:
-    """What the text said, read so far."""
+    """Everything read from the text so far."""
 
     objects: list[Draft] = field(default_factory=list)
     table: list[Noun] = field(default_factory=list)
@@ -71,28 +71,29 @@ class Reading:
     excluded: set[str] = field(default_factory=set)
     banned: set[str] = field(default_factory=set)
     groupings: list[Grouping] = field(default_factory=list)
-    people: int = 0  # for whom the table is laid with what its theme has; 0 where it is not said
-    seated: bool = False  # whether the text says what each of them gets
-    laid: bool = False  # whether it is the table that is for them: "a table for four"
+    people: int = 0  # seats to be laid with the theme's setting; 0 if not stated
+    seated: bool = False  # the text states what each person gets
+    laid: bool = False  # the people belong to the table: "a table for four"
     warnings: list[str] = field(default_factory=list)
-    lost: list[str] = field(default_factory=list)  # what was not understood
+    lost: list[str] = field(default_factory=list)  # phrases that were not understood
     vague: bool = False
 
     def number(self, noun: Noun, rng: np.random.Generator) -> int:
-        """Return how many objects a noun phrase asks for; vague amounts are drawn.
+        """Return the number of objects of a noun phrase; vague amounts are drawn.
 
         Raises:
-            InputError: no whole number from 1 up, or more than a table holds.
+            InputError: The number is not a positive integer, or exceeds the capacity of a table.
         """
         if noun.count is not None:
             if noun.count < 1 or noun.count % 1 > 0:
                 raise InputError(
-                    f"{phrase_text(noun)!r}: say a whole number of objects, from 1 up."
+                    f"{phrase_text(noun)!r}: the number of objects must be a whole number of at "
+                    "least 1."
                 )
             if noun.count > MAX_OBJECTS - len(self.objects):
                 raise InputError(
-                    f"{phrase_text(noun)!r} is too many: a table holds at most "
-                    f"{MAX_OBJECTS} objects in all. Ask for fewer."
+                    f"{phrase_text(noun)!r} is too many: a table holds at most {MAX_OBJECTS} "
+                    "objects in total. Use fewer."
                 )
             return int(noun.count)
         if noun.amount is None and not noun.plural:
@@ -116,12 +117,12 @@ class Reading:
         """Add one object.
 
         Raises:
-            InputError: the table is full.
+            InputError: The table is full.
         """
         if len(self.objects) >= MAX_OBJECTS:
             raise InputError(
-                f"The text asks for more than {MAX_OBJECTS} objects, more than a table holds. "
-                "Ask for fewer."
+                f"The text describes more than {MAX_OBJECTS} objects, the maximum of a table. Use "
+                "fewer."
             )
         kept = {k: v for k, v in attributes.items() if k != "stack"}
         self.objects.append(
@@ -131,15 +132,15 @@ class Reading:
 
 
 def phrase_text(noun: Noun) -> str:
-    """Return a noun phrase about as the text had it."""
+    """Return a noun phrase approximately as written."""
     amount = f"{noun.count:g} " if noun.count is not None else ""
     return amount + " ".join(noun.words)
 
 
 def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
-    """Tell whether "an apple and a pear on a plate" may mean that the apple is on it too.
+    """Return whether "an apple and a pear on a plate" may mean that the apple is on it too.
 
-    So it may with any other relation, unless the first has one of its own.
+    For other relations than "on" and "in", it may unless the first object has a relation already.
     """
     target = targets[0]
     if isinstance(target, str) or kind not in ("on", "in"):
@@ -158,11 +159,11 @@ _CARRIERS = frozenset(
     {"basket", "bowl", "open_box", "pot", "tray", "tool_caddy", "empty_pencil_holder",
      "open_suitcase", "open_lunch_box", "open_jar", "empty_vase", "crate"}
 )  # fmt: skip
-"""What is there to hold things: "a basket with pears" holds them."""
+"""Categories whose purpose is to hold objects: "a basket with pears" contains them."""
 
 
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
-    """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
+    """Return the relation of an object named with its owner: "in", "on" or "next_to"."""
     if owner.category is None:
         return "in" if held else "next_to"
     if is_lit(draft.category or "", owner.category):

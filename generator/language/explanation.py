@@ -1,4 +1,4 @@
-"""How a text is read, phrase by phrase, in the text's own words."""
+"""Explanation of how a text is interpreted, phrase by phrase."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ Role = Literal[
 
 @dataclass(frozen=True)
 class Explained:
-    """One phrase of a text: what it was read as, and what that means."""
+    """One phrase of a text, its interpretation, and the details."""
 
     role: Role
     phrase: str
@@ -43,10 +43,10 @@ class Explained:
 
 
 def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
-    """Return how a text is read, in its order; then the plan's notes, and what it did not take.
+    """Explain a text in order, followed by the plan's warnings and the unused phrases.
 
     Raises:
-        InputError: the text cannot be planned.
+        InputError: The text cannot be planned.
     """
     plan = plan_scene(text, seed)
     read = read_text(text, np.random.default_rng([int(seed) & 0xFFFFFFFF, 11]))
@@ -71,10 +71,10 @@ def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
 
 
 def summarize(text: str, seed: int = 0) -> str:
-    """Return what is put on which table, as "A round table of oak: laptop, 2 × red mug." does.
+    """Return the plan as one line: "A round table of oak: laptop, 2 × red mug.".
 
     Raises:
-        InputError: the text cannot be planned.
+        InputError: The text cannot be planned.
     """
     plan = plan_scene(text, seed)
     table = plan.table
@@ -116,7 +116,7 @@ def _noun(noun: Noun, text: str) -> Iterator[Explained]:
 
 
 def _is_used(word: str, noun: Noun) -> bool:
-    """Tell whether a describing word says something about a thing in the plan."""
+    """Return whether a describing word applies to an object in the plan."""
     values = {part for value in noun.attributes.values() for part in value.split()}
     varied = {part for each in noun.variants for value in each.values() for part in value.split()}
     known = word in values | varied | SIZES.keys() or word == noun.position

@@ -1,4 +1,4 @@
-"""The table a text describes: outline, material, colour, legs and size."""
+"""The table described by a text: outline, material, colour, legs and size."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from .themes import Theme
 
 _FACTORS = {"tiny": 0.75, "small": 0.85, "large": 1.2, "huge": 1.35}
 _LIMITS = ("long", 0.4, 2.4), ("deep", 0.35, 2.0), ("high", 0.25, 1.2)
-"""The least and most length, depth and height of a table, metres."""
-_BOARDS = ("oak", "pine", "walnut")  # what slats are made of
+"""Minimum and maximum length, depth and height of a table, metres."""
+_BOARDS = ("oak", "pine", "walnut")  # materials of slats
 _DEFAULT = Theme(
     (), ("rectangle",), ("oak", "walnut", "pine", "beech", "white"), (1.2, 0.7, 0.74), ()
 )
@@ -23,9 +23,9 @@ _DEFAULT = Theme(
 def plan_table(
     reading: Reading, theme: Theme | None, count: int, rng: np.random.Generator
 ) -> PlannedTable:
-    """Return the table of a text for ``count`` objects; chance and theme fill what it leaves open.
+    """Plan the table of a text for ``count`` objects; the theme and chance set open properties.
 
-    A table whose size the text leaves open is smaller for few objects.
+    A table of unspecified size is smaller for few objects.
     """
     theme = theme or _DEFAULT
     outline = cast(OutlineKind, theme.outlines[int(rng.integers(len(theme.outlines)))])
@@ -59,14 +59,14 @@ def plan_table(
 def _limit_side(
     asked: float | None, limits: tuple[str, float, float], reading: Reading
 ) -> float | None:
-    """Return a length as far as a table may have it, and tell where that is another."""
+    """Clip a length to the range of tables, and add a warning if it changes."""
     if asked is None:
         return None
     side, least, most = limits
     length = float(np.clip(asked, least, most))
     if length != asked:
         reading.warnings.append(
-            f"A table {asked:g} m {side} is no table to work at; it is {length:g} m {side}."
+            f"A table cannot be {asked:g} m {side}; {length:g} m is used instead."
         )
     return length
 
@@ -86,7 +86,7 @@ def _colors(words: list[str]) -> list[str]:
 def _size(
     reading: Reading, theme: Theme, outline: OutlineKind, words: list[str]
 ) -> tuple[float, float, float]:
-    """Return length, depth and height in metres: lengths in the text first, then size words."""
+    """Return length, depth and height in metres: from lengths in the text, else from size words."""
     x, y, z = theme.size
     if outline in ("square", "round"):
         x = y = float(np.sqrt(x * y)) * (1.02 if outline == "round" else 1.0)

@@ -1,4 +1,4 @@
-"""What things are called: the eye's guesses, or the words of a text, weighed with sizes."""
+"""Names of detected objects: the eye's guesses, or the words of a text, combined with sizes."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from tabletop_objects import CATEGORIES, Category, find_category
 
 from ..scene import Instance, SizePrior
 
-_SURE = 0.55  # probability from which a thing gets its category's name
-_SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
-_SHAPES = 0.4  # of its proportions in the picture, log
-_BELIED = float(np.log(1.7))  # log of size over a kind's usual one that no name survives
-_TABLES = 0.35  # of a table's usual size, log
+_SURE = 0.55  # minimum probability for naming an object after its category
+_SPREAD = 0.3  # standard deviation of an object's size relative to the usual one, log
+_SHAPES = 0.4  # standard deviation of its proportions in the picture, log
+_MAX_DEVIATION = float(np.log(1.7))  # maximum deviation, log, from a category's usual size
+_TABLES = 0.35  # standard deviation of a table's size relative to the usual one, log
 _SHIFTS = np.linspace(-0.7, 0.7, 29)
-_UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
-_ANY = 0.6  # and of any, for a thing of no category
-_LIKE = 0.03  # probability from which a doubtful thing looks like a word
-_SIZE_WEIGHT = 0.5  # of a size and shape against looks: both show a thing's proportions
-_MOST_UNLIKE = 5.0  # cost at most of a size and shape that a word does not have
-_NO_SIZE = 2.0  # and of those of a word, or a thing, that has none
-_LEFT_OUT = 6.0  # cost of a doubtful thing without a word
-_RARE = 1e-4  # probability that no category falls below
+_UNLIKE = 0.003  # likelihood of a size and shape unusual for the category
+_ANY = 0.6  # likelihood of any size for an object without a category
+_LIKE = 0.03  # minimum probability for assigning a word to a doubtful object
+_SIZE_WEIGHT = 0.5  # weight of size and shape relative to appearance: both depend on proportions
+_MAX_UNLIKE = 5.0  # maximum cost of a size and shape unusual for the word
+_NO_SIZE = 2.0  # cost if a word or an object has no size
+_LEFT_OUT = 6.0  # cost of leaving a doubtful object without a word
+_RARE = 1e-4  # minimum probability of any category
 
 
 def find_kind(word: str) -> Category | None:
-    """Return the category of a word, or of what it is a kind of: "mug of tea", "tin mug"."""
+    """Return the category of a word or of its head noun: "mug of tea", "tin mug"."""
     parts = (word, word.split(" of ")[0], word.split(" ")[-1])
     return next((found for part in parts if (found := find_category(part))), None)
 
@@ -39,15 +39,15 @@ def weigh(
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     metric: bool = False,
 ) -> Float[np.ndarray, "n k"]:
-    """Return the probabilities after a look at sizes and shapes, on the likeliest table.
+    """Update probabilities of names by sizes and shapes, given the most likely table size.
 
-    All things share one table, so that one scale must do for all: it is chosen to make the names
-    likeliest together, unless ``metric`` says that it was measured. A category that was not looked
-    at is as likely as one that is unlike. What a thing is far too large or too small for, by the
-    scale chosen, counts as "unknown", however much the thing looks like it. ``names`` are
-    probabilities of each thing over the categories and, last, "unknown"; ``looks``, by category
-    index, what ``apparent_scale`` returns on a table of usual size; None for a thing that the frame
-    cuts.
+    All objects share one table and thus one scale, which is chosen to maximise the joint likelihood
+    of the names, unless ``metric`` means that it was measured. Categories that were not evaluated
+    get the minimum likelihood. If an object is far too large or too small for a category at the
+    chosen scale, its probability moves to "unknown", regardless of appearance. ``names`` are the
+    probabilities of each object over the categories and, last, "unknown"; ``looks`` maps category
+    indices to the result of ``apparent_scale`` on a table of usual size, None for an object that is
+    cut off by the image border.
     """
     shifts = np.zeros(1) if metric else _SHIFTS
     joint = [names * _likely(names, looks, shift) for shift in shifts]
@@ -56,7 +56,7 @@ def weigh(
     best = joint[chosen]
     for row, seen in zip(best, looks, strict=True):
         for column, (scale, _) in (seen or {}).items():
-            if abs(np.log(scale) + shifts[chosen]) > _BELIED:
+            if abs(np.log(scale) + shifts[chosen]) > _MAX_DEVIATION:
                 row[-1] += row[column]
                 row[column] = 0.0
     return best / best.sum(1, keepdims=True)
@@ -67,7 +67,7 @@ def _likely(
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     shift: float,
 ) -> Float[np.ndarray, "n k"]:
-    """Return how likely sizes and shapes are, by category, on a table of log scale ``shift``."""
+    """Return the likelihood of sizes and shapes per category, on a table of log scale ``shift``."""
     likely = np.full(names.shape, _UNLIKE)
     likely[:, -1] = _ANY
     for row, seen in zip(likely, looks, strict=True):
@@ -81,7 +81,7 @@ def _likely(
 
 
 def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[str | None]:
-    """Return each thing's noun, or None where no category is likely enough."""
+    """Return each object's noun, or None if no category is likely enough."""
     best = names[:, :-1].argmax(1)
     return [
         CATEGORIES[keys[int(k)]].noun if p[k] > _SURE and p[k] > p[-1] else None
@@ -90,7 +90,7 @@ def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[st
 
 
 def shape_word(width: float, height: float, share: float) -> str:
-    """Return "tall", "flat", "round" or plain "object" after a mask's box and its filled share."""
+    """Return "tall", "flat", "round" or plain "object" from a mask's box and its fill ratio."""
     if height > 1.6 * width:
         return "tall object"
     if width > 1.6 * height:
@@ -105,15 +105,15 @@ def assign(
     doubtful: Bool[np.ndarray, "n"] | None = None,
     metric: bool = False,
 ) -> list[tuple[int, int]]:
-    """Give each wanted word to one thing, all together as likely as possible.
+    """Assign wanted words to objects such that the joint likelihood is maximal.
 
-    ``likely`` says how much each thing looks like each word, from 0 to 1; ``sizes`` what
-    ``apparent_scale`` returns for it, NaN where the word says no size. All things share one table,
-    as in :func:`weigh`, whose scale is chosen unless it was measured (``metric``). ``doubtful``
-    things, which may be parts of others, are given only words that they look like.
+    ``likely`` is the visual probability of each word for each object, from 0 to 1; ``sizes`` is the
+    result of ``apparent_scale``, NaN if the word has no size. All objects share one table, as in
+    :func:`weigh`; its scale is optimised unless it was measured (``metric``). ``doubtful`` objects,
+    which may be parts of others, only get words that they resemble.
 
     Returns:
-        Pairs (thing, word); words or things may be left over.
+        Pairs (object, word); words or objects may remain unassigned.
     """
     cost = -np.log(np.maximum(likely, _RARE)) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
     refused = np.zeros(cost.shape, bool)
@@ -122,7 +122,7 @@ def assign(
     best, pairs = np.inf, list[tuple[int, int]]()
     for shift in np.zeros(1) if metric else _SHIFTS:
         scale, off = np.log(sizes[..., 0]) + shift, sizes[..., 1]
-        unlike = np.minimum(0.5 * ((scale / _SPREAD) ** 2 + (off / _SHAPES) ** 2), _MOST_UNLIKE)
+        unlike = np.minimum(0.5 * ((scale / _SPREAD) ** 2 + (off / _SHAPES) ** 2), _MAX_UNLIKE)
         total = cost + _SIZE_WEIGHT * np.where(np.isnan(unlike), _NO_SIZE, unlike)
         total[refused] = _LEFT_OUT
         rows, columns = linear_sum_assignment(total)

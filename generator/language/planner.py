@@ -26,26 +26,26 @@ from .vessel_sizes import grow_carriers
 from .words.dictionary import warn_of_stand_ins
 
 _OWN = 3
-"""So many kinds of things of its own say that a text lays its table itself."""
+"""Number of kinds of objects from which a text is assumed to describe its own setting."""
 
 _FULL: Mapping[Density, tuple[int, int]] = MappingProxyType(
     {"sparse": (3, 4), "normal": (5, 7), "dense": (10, 13)}
 )
-"""How many things a theme alone puts on a table, the least and the most."""
+"""Minimum and maximum number of objects for a text with only a theme."""
 
 
 def plan_scene(prompt: str, seed: int, density: Density | None = None) -> ScenePlan:
     """Plan the tabletop scene that an English text describes.
 
     Explicit objects, counts, attributes and relations are kept exactly. A text that only names a
-    kind of table ("an office desk"), or stays vague ("some tools"), is filled with what belongs
-    there, up to seven objects, or as ``density`` says (None takes it from words as "cluttered").
-    A word outside the catalogue becomes a "generic" object with a warning. The same text and seed
-    give the same plan.
+    kind of table ("an office desk"), or is vague ("some tools"), is filled with typical objects, up
+    to seven, or depending on ``density`` (None infers it from words such as "cluttered"). A noun
+    outside the catalogue becomes a "generic" object with a warning. The same text and seed give the
+    same plan.
 
     Raises:
-        InputError: empty, too long or not English; nothing for a table in it; impossible counts
-            or contradicting relations.
+        InputError: The text is empty, too long or not English, names nothing for a table, or has
+            impossible counts or contradictory relations.
     """
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
     read = read_text(prompt, rng)
@@ -81,15 +81,16 @@ def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
     if known or reading.table or theme or reading.people:
         return
     words = ", ".join(repr(draft.noun) for draft in reading.objects[:4])
-    found = f" (of {words} none is known)" if words else ""
+    found = f" ({words} are unknown)" if words else ""
     raise InputError(
-        f"No object and no kind of table was found in {prompt.strip()[:60]!r}{found}. Name things "
-        f"and the table they are on, for example {EXAMPLE}, or a kind of table: 'an office desk'."
+        f"There is no known object or kind of table in {prompt.strip()[:60]!r}{found}. Name "
+        f"objects and the table they are on, for example {EXAMPLE}, or a kind of table: 'an office "
+        "desk'."
     )
 
 
 def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
-    """Refuse a text that leaves nothing on the table."""
+    """Raise an error if the text leaves nothing on the table."""
     bare = any({"empty", "bare"} & set(noun.words) for noun in reading.table)
     if not objects and (reading.objects or bare):
         raise InputError(
@@ -104,7 +105,7 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
 def _setting(
     name: str | None, people: int, reading: Reading, objects: Sequence[PlannedObject]
 ) -> PlaceSetting | None:
-    """Return what is laid for each of several people; None where nothing is."""
+    """Return the place setting for several people; None if there is none."""
     if people < 2:
         return None
     setting = setting_of(THEMES[name], objects, people) if name else None
@@ -114,13 +115,15 @@ def _setting(
     food = any("edible" in CATEGORIES[key].roles for key in own & CATEGORIES.keys())
     games = len(own) > 1 and not food  # "a meeting for five with notebooks and pens"
     if not name and not reading.laid and (games or len(own) >= _OWN):
-        reading.warnings.append(f"No places are laid for {people} people at what is no meal.")
+        reading.warnings.append(
+            f"No places are laid for {people} people because the text does not describe a meal."
+        )
         return None
     return setting_of(THEMES["dining"], objects, people)
 
 
 def _default_theme(reading: Reading, *, empty: bool) -> str | None:
-    """Return what a table named without a theme is likely to be; a "table" only if bare."""
+    """Return the default theme of a table noun; for "table" itself only if there are no objects."""
     heads = [noun.words[-1] for noun in reading.table if noun.kind == "table"]
     heads = [head for head in heads if empty or head not in ("table", "tabletop")]
     return next((DEFAULT_TABLES[head] for head in heads if head in DEFAULT_TABLES), None)
@@ -130,7 +133,7 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
 
 
 def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGroup]]:
-    """Name the drafted objects and turn references into names; return them and their groups."""
+    """Name the drafted objects and resolve references; return them and their groups."""
     drafts = [d for d in reading.objects if (d.category or d.noun) not in reading.banned]
     taken: Counter[str] = Counter()
     names: dict[int, str] = {}
@@ -163,13 +166,13 @@ def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGr
 
 
 def _is_along_side(group: Grouping) -> bool:
-    """Tell whether things in a line are at the left or the right, so that it goes to the back."""
+    """Return whether a row is on the left or right of the table, so that it runs to the back."""
     places = [{kind for kind, to in d.relations if to == TABLE} for d in group.members]
     one_side = places[0] in ({"left_of"}, {"right_of"})
     return len(places) > 2 and one_side and all(place == places[0] for place in places)
 
 
-_LENGTHS = 0.01, 0.6  # metres: the shortest and the longest thing on a table
+_LENGTHS = 0.01, 0.6  # metres: minimum and maximum length of an object on a table
 
 
 def _warn_of_lengths(reading: Reading) -> list[str]:
@@ -182,7 +185,7 @@ def _warn_of_lengths(reading: Reading) -> list[str]:
 
 
 def _size(draft: Draft) -> tuple[float, float, float] | None:
-    """Return the extent that a length in the text fixes, or what an unknown thing's kind has."""
+    """Return the extent fixed by a length in the text, or that of an unknown noun's family."""
     if not draft.lengths:
         return None if draft.category else stand_in_size(draft.family, draft.attributes)
     known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)

@@ -1,4 +1,4 @@
-"""A text read in stages: words, spelling, tokens, clauses, and what they mean."""
+"""Reading of a text in stages: words, spelling, tokens, clauses, and their meaning."""
 
 from __future__ import annotations
 
@@ -39,17 +39,17 @@ from .words.foreign import is_foreign
 from .words.spelling import correct
 
 MAX_CHARACTERS = 2000
-"""Longest text the planner reads."""
+"""Maximum length of a text, characters."""
 
 NOT_UNDERSTOOD = "Not understood: "
-"""How a warning of what was not understood begins."""
+"""Start of a warning about a phrase that was not understood."""
 
 OTHER_LANGUAGE = (
-    "The embedded planner reads English alone, and this text is not English. Write it in English, "
+    "The embedded planner only reads English, and this text is not English. Write it in English, "
     "or let a cloud reasoner plan it: 'tabletopgen generate TEXT --reasoner cloud', in Python "
     "Backends.select(reasoner='cloud')."
 )
-"""What is said of a text in another language."""
+"""Error message for a text in another language."""
 
 EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
 _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
@@ -60,12 +60,12 @@ _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
 
 @dataclass(frozen=True)
 class ReadText:
-    """What was read of a text.
+    """Result of reading a text.
 
     Attributes:
-        sentences: its clauses and noun phrases, each with its place in the text.
-        reading: the things they ask for, and what was not understood.
-        fixes: misspelt words and what they were read as.
+        sentences: its clauses and noun phrases, each with its position in the text.
+        reading: the requested objects, and phrases that were not understood.
+        fixes: misspelt words and their corrections.
     """
 
     sentences: tuple[Sentence, ...]
@@ -74,10 +74,11 @@ class ReadText:
 
 
 def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
-    """Read an English text; vague numbers are drawn by ``rng``.
+    """Read an English text; vague numbers are drawn from ``rng``.
 
     Raises:
-        InputError: empty, too long or not English; impossible counts, a second table.
+        InputError: The text is empty, too long or not English, or has impossible counts or a second
+            table.
     """
     check_text(prompt)
     spelt, fixes = correct(words_of(_undrawn(prompt)), _known_words())
@@ -101,9 +102,12 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
 
 
 def _number_warnings(use: NumberUse, lost: Sequence[str]) -> list[str]:
-    """Return a warning for each number that was not used and each range; not for what is lost."""
-    told = " ".join(lost).lower()
-    named = (re.search(rf"(?<!\w){re.escape(n.text.lower())}(?!\w)", told) for n in use.unused)
+    """Return a warning for each unused number and each range.
+
+    Numbers in phrases that were not understood are skipped.
+    """
+    lost_text = " ".join(lost).lower()
+    named = (re.search(rf"(?<!\w){re.escape(n.text.lower())}(?!\w)", lost_text) for n in use.unused)
     unused = dict.fromkeys(
         n.text for n, found in zip(use.unused, named, strict=True) if found is None
     )
@@ -115,20 +119,20 @@ def _number_warnings(use: NumberUse, lost: Sequence[str]) -> list[str]:
 
 
 def _with_unread(error: InputError, use: NumberUse) -> InputError:
-    """Return an error with the numbers that were not read, if any may have spoilt the text."""
+    """Append numbers that could not be read to an error, if they may have caused it."""
     spoiling = (n for n in use.unused if n.role == "count" and (n.value is None or n.unit))
     unread = dict.fromkeys(n.text for n in spoiling)
     if not unread:
         return error
     names = ", ".join(map(repr, unread))
-    return InputError(f"{error} Not every number can be read; without {names}?")
+    return InputError(f"{error} Some numbers cannot be read: try again without {names}.")
 
 
 def check_text(prompt: str) -> None:
-    """Refuse what is no English text of some sentences.
+    """Check that a text is English and has a valid length.
 
     Raises:
-        InputError: empty, too long, without words or not English.
+        InputError: The text is empty, too long, without words or not English.
     """
     if not isinstance(prompt, str):
         raise InputError(f"A text or a ScenePlan is needed, got {type(prompt).__name__}.")
@@ -136,18 +140,18 @@ def check_text(prompt: str) -> None:
         raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
     if len(prompt) > MAX_CHARACTERS:
         raise InputError(
-            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are read. "
+            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are allowed. "
             "Describe one table in a few sentences."
         )
     letters = [c for c in prompt if c.isalpha()]
     if not letters:
-        raise InputError(f"The text holds no words. Describe a tabletop, for example {EXAMPLE}.")
+        raise InputError(f"The text contains no words. Describe a tabletop, for example {EXAMPLE}.")
     if is_foreign(prompt) or not _has_english(prompt):
         raise InputError(OTHER_LANGUAGE)
 
 
 def _has_english(prompt: str) -> bool:
-    """Tell whether any word is one that the planner goes by, a misspelt one, or in a dictionary."""
+    """Return whether any word is known to the planner, perhaps misspelt, or in a dictionary."""
     known = _known_words()
     words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
     if any(word in known or lexicon.singular(word) in known for word in words):
@@ -162,7 +166,7 @@ def _known_words() -> frozenset[str]:
 
 
 def _undrawn(prompt: str) -> str:
-    """Return a prompt with blanks for "cartoon style" and the like."""
+    """Return a prompt with "cartoon style" and similar phrases replaced by spaces."""
     for phrase in DRAWN:
         pattern = rf"(?i)\b{phrase.replace(' ', '[ -]')}\b(?:[ -]styled?\b)?"
         found = re.search(pattern, prompt)

@@ -1,4 +1,4 @@
-"""Whether planned relations can all hold: contradictions raise, implausible ones step aside."""
+"""Consistency of planned relations: contradictions raise errors, implausible ones are replaced."""
 
 from __future__ import annotations
 
@@ -24,21 +24,22 @@ def kind(word: str) -> RelationKind:
     """Return ``word`` as a relation kind.
 
     Raises:
-        InputError: it is none.
+        InputError: It is not a relation kind.
     """
     if word not in KINDS:
-        raise InputError(f"{word!r} is no relation; relations are {', '.join(sorted(KINDS))}.")
+        raise InputError(f"{word!r} is not a relation; relations are {', '.join(sorted(KINDS))}.")
     return cast(RelationKind, word)
 
 
 def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObject], list[str]]:
-    """Return the objects with relations that can hold together, and warnings for changed ones.
+    """Return the objects with consistent relations, and warnings for changed ones.
 
-    "In" a thing that is no vessel becomes "on"; "in" or "on" a thing too small becomes "next to";
-    "in the middle of" or "at the edge of" another object becomes "on" or "next to" it.
+    "In" an object that is not a vessel becomes "on"; "in" or "on" an object that is too small
+    becomes "next to"; "in the middle of" or "at the edge of" another object becomes "on" or "next
+    to" it.
 
     Raises:
-        InputError: an object related to itself, on two supports at once, or in a circle (a on b,
+        InputError: An object is related to itself, has two supports, or is part of a cycle (a on b,
             b on a; a left of b, b left of a).
     """
     _check_circles(objects)
@@ -52,7 +53,7 @@ def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObjec
             target = by_name.get(relation.target)
             if better.kind not in ("in", relation.kind) and relation.kind in _SUPPORTED and target:
                 warnings.append(
-                    f"A {planned.noun} does not fit {relation.kind} a {target.noun}; it stands "
+                    f"A {planned.noun} does not fit {relation.kind} a {target.noun}; it is placed "
                     f"{better.kind.replace('_', ' ')} it."
                 )
             kept.append(better)
@@ -64,10 +65,10 @@ _PLACED = (*OPPOSITE, "next_to")
 
 
 def place_supports(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, what carries a thing beside others standing there too.
+    """Transfer relations of supported objects to their supports.
 
-    Of "a flask on a tile in front of the stand" the tile is in front of the stand. A support that
-    has a place of its own keeps it.
+    In "a flask on a tile in front of the stand", the tile is in front of the stand. A support with
+    relations of its own keeps them.
     """
     under = {o.name: r.target for o in objects for r in o.relations
              if r.kind in _SUPPORTED and r.target != TABLE}  # fmt: skip
@@ -104,7 +105,7 @@ def _check_circles(objects: Sequence[PlannedObject]) -> None:
         for relation in planned.relations:
             a, b = planned.name, relation.target
             if a == b:
-                raise InputError(f"The text relates the {planned.noun} to itself.")
+                raise InputError(f"The text places the {planned.noun} relative to itself.")
             if relation.kind in _SUPPORTED and b != TABLE:
                 supports.setdefault(a, set()).add(b)
             elif relation.kind in OPPOSITE and b != TABLE:
@@ -113,18 +114,19 @@ def _check_circles(objects: Sequence[PlannedObject]) -> None:
                 graph.setdefault(first, set()).add(last)
         if len(supports.get(planned.name, ())) > 1:
             raise InputError(
-                f"The text puts one {planned.noun} on or in two things at once; choose one."
+                f"The text puts one {planned.noun} on or in two things at once; name only one."
             )
     for graph, what in ((supports, "on"), (lefts, "left of"), (fronts, "in front of")):
         circle = _circle(graph)
         if circle:
             raise InputError(
-                f"The relations contradict each other: {f' {what} '.join(circle)}. Change one."
+                f"The relations contradict each other: {f' {what} '.join(circle)}. "
+                "Change one of them."
             )
 
 
 def _circle(graph: dict[str, set[str]]) -> list[str]:
-    """Return the names along a circle of a directed graph, or nothing."""
+    """Return the names along a cycle of a directed graph, or an empty list."""
     done: set[str] = set()
 
     def visit(name: str, path: list[str]) -> list[str]:
@@ -143,7 +145,7 @@ def _circle(graph: dict[str, set[str]]) -> list[str]:
 
 
 def size_of(planned: PlannedObject) -> tuple[float, float, float]:
-    """Return the extent in metres expected of a planned object."""
+    """Return the expected extent of a planned object, metres."""
     if planned.size is not None:
         return planned.size
     if planned.category == GENERIC:
@@ -152,7 +154,7 @@ def size_of(planned: PlannedObject) -> tuple[float, float, float]:
 
 
 def is_container(planned: PlannedObject) -> bool:
-    """Tell whether things can be put into a planned object."""
+    """Return whether objects can be put into a planned object."""
     if "places" in planned.attributes:
         return True
     if planned.category == GENERIC:
@@ -167,29 +169,29 @@ _STEMS: Mapping[str, float] = {
     "spatula": 0.4, "whisk": 0.4, "ladle": 0.3, "fork": 0.6, "lollipop": 0.3, "hairbrush": 0.5,
     "paint_brush": 0.6, "makeup_brush": 0.6, "straw": 0.4, "skimmer": 0.3,
 }  # fmt: skip
-"""What share of its width and height a long thing has below its head, where it is in a vessel."""
+"""Width and height of a long object below its head, as fractions, when it is in a vessel."""
 
 
 def body_size(category: str) -> tuple[float, float, float]:
-    """Return the extent in metres of what goes into a vessel: a flower without its blossom."""
+    """Return the extent in metres of the part inside a vessel: a flower without its blossom."""
     x, y, z = CATEGORIES[category].size
     share = _STEMS.get(category, 1.0)
     return x, y * share, z * share
 
 
 _FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "laptop": 0.9}
-"""What share of its width and depth a thing with a foot stands on."""
+"""Fractions of the width and depth occupied by an object's foot."""
 
 
 def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
-    """Return the extent of what a thing stands on, and its height, metres."""
+    """Return the extent of an object's foot, with the object's height, metres."""
     x, y, z = size_of(planned)
     share = _FOOT.get(planned.category, 1.0)
     return x * share, y * share, z
 
 
 def has_place(planned: PlannedObject, target: PlannedObject) -> bool:
-    """Tell whether a holder can have a place for a planned thing."""
+    """Return whether a holder can have a slot for a planned object."""
     holder = None if target.category == GENERIC else CATEGORIES[target.category].holder
     if holder is None:
         return "places" in target.attributes
@@ -197,7 +199,7 @@ def has_place(planned: PlannedObject, target: PlannedObject) -> bool:
 
 
 def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> Extent:
-    """Return the extent of a thing in a vessel: a long one stands there, its head above the rim."""
+    """Return the extent of an object in a vessel: long ones stand with the head above the rim."""
     x, y, z = standing_size(planned)
     stem = _STEMS.get(planned.category, 1.0)
     if x < 0.85 * min(vessel[:2]) or (stem == 1.0 and x < 2.2 * max(y, z)):
@@ -206,13 +208,13 @@ def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> E
 
 
 _CLOSED = frozenset({"jar", "bottle", "can", "tea_tin", "milk_carton", "screw_box", "wine_bottle"})
-"""What has a lid: nothing is put in it."""
+"""Vessels with a lid, into which nothing is put."""
 
 
 def _plausible(
     planned: PlannedObject, relation: Relation, by_name: dict[str, PlannedObject]
 ) -> Relation:
-    """Return the relation, or the nearest one that physics allows."""
+    """Return the relation, or the closest plausible one."""
     if relation.target == TABLE:
         return relation
     target = by_name[relation.target]
@@ -235,7 +237,7 @@ def _plausible(
 
 
 def is_shallow(extent: tuple[float, float, float]) -> bool:
-    """Tell whether things lie rather on than in a thing of an extent, as on a tray."""
+    """Return whether objects lie on rather than in an object of this extent, as on a tray."""
     return extent[2] < 0.3 * min(extent[:2])
 
 
@@ -245,7 +247,7 @@ def fits(
     outer: tuple[float, float, float],
     container: bool,
 ) -> bool:
-    """Tell whether a thing of extent ``inner`` (metres) may be on or in one of extent ``outer``."""
+    """Return whether an object of extent ``inner`` fits on or in one of ``outer``, metres."""
     narrow, middle, longest = sorted(inner)
     if kind == "in":
         mouth = 0.85 * min(outer[:2])

@@ -1,4 +1,4 @@
-"""Fill a table that the text leaves open with objects of its theme and place settings."""
+"""Objects of a theme and place settings for tables that the text leaves open."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .parsing import lexicon
 from .themes import THEMES, Theme
 
 Thing = tuple[str | None, RelationKind | None, str | None]
-"""A category, its relation and the category it relates to; None where there is none."""
+"""A category, its relation and the related category; None if there is none."""
 
 
 def fill(
@@ -32,10 +32,10 @@ def fill(
     rng: np.random.Generator,
     extras: Sequence[Thing] = (),
 ) -> list[PlannedObject]:
-    """Add a theme's things and their functional relations until there are enough objects.
+    """Add objects of a theme with their relations until the table has enough objects.
 
-    ``count`` is the least and the most, drawn by ``rng``; there are fewer if the theme has no more.
-    ``extras`` are drawn like the things of the theme that are not of its core.
+    ``count`` is the minimum and maximum number, drawn by ``rng``; there are fewer if the theme is
+    exhausted. ``extras`` are drawn like the theme's objects outside its core.
     """
     things = [thing(entry) for entry in theme.things]
     core = [] if objects else things[: theme.core]
@@ -64,15 +64,15 @@ HABITS: tuple[tuple[str, RelationKind, tuple[str, ...]], ...] = (
     ("wrist_rest", "in_front_of", ("keyboard",)),
     ("computer_mouse", "right_of", ("wrist_rest", "keyboard", "laptop")),
 )
-"""Where people have things of which a text does not say where they are."""
+"""Usual positions of objects whose position the text does not state."""
 
 
 def relate_by_habit(
     objects: Sequence[PlannedObject], groups: Sequence[PlannedGroup]
 ) -> tuple[list[PlannedObject], list[PlannedGroup]]:
-    """Return the objects of a text with the relations, and the groups, that people are used to.
+    """Return the objects and groups of a text with the usual relations added.
 
-    Only what the text says nothing of gets one. Several monitors stand side by side.
+    Only objects without relations get one. Several monitors stand side by side.
     """
     by_kind: dict[str, list[PlannedObject]] = {}
     for planned in objects:
@@ -91,7 +91,7 @@ def relate_by_habit(
 
 
 def thing(entry: str) -> Thing:
-    """Read "mug right_of laptop" into category keys; None for what the catalogue lacks."""
+    """Parse "mug right_of laptop" to category keys; None for nouns missing in the catalogue."""
     words = entry.split()
     at = next((i for i, w in enumerate(words) if w in relations.KINDS), len(words))
     key = lexicon.category_of(tuple(words[:at]))
@@ -106,9 +106,9 @@ def thing(entry: str) -> Thing:
 
 
 def read_need(phrase: str) -> PlannedObject | None:
-    """Read a thing that a table needs: its name, after a size if there is one; None if unknown.
+    """Parse a needed object: an optional size and a name; None if unknown.
 
-    "small cucumber" is the cucumber of a small size.
+    "small cucumber" is the category cucumber with size "small".
     """
     size, _, rest = phrase.partition(" ")
     noun = rest if size in SIZE_FACTORS and rest else phrase
@@ -123,9 +123,9 @@ def supply(
     needs: Sequence[Sequence[str]],
     rng: np.random.Generator,
 ) -> list[PlannedObject]:
-    """Add a thing for each of ``needs``, drawn among what it lists and is not there yet.
+    """Add one object for each of ``needs``, drawn from those listed and not yet present.
 
-    Of what a need lists, things of the theme go before others. One that is all there adds nothing.
+    Objects of the theme are preferred. A need whose objects are all present adds nothing.
     """
     listed = {thing(entry)[0] for entry in THEMES[theme].things}
     out = list(objects)
@@ -151,17 +151,17 @@ def furnish(
     outline: OutlineKind | None = None,
     needs: Sequence[Sequence[str]] = (),
 ) -> tuple[PlannedTable, list[PlannedObject]]:
-    """Draw a table of a theme, and ``count`` things for it without any text.
+    """Draw a table of a theme, and ``count`` objects for it, without a text.
 
-    The things are the core of the theme, then any that the theme lists or that the catalogue counts
-    to it; fewer if there are no more. ``outline`` None draws a shape that is usual for the theme.
-    The last of them are those that fill the ``needs`` (see ``supply``), with at least one before.
+    The objects are the core of the theme, then others that the theme lists or the catalogue assigns
+    to it; fewer if the theme is exhausted. If ``outline`` is None, a usual shape is drawn. The last
+    objects fill the ``needs`` (see ``supply``), after at least one other object.
 
     Raises:
-        InputError: there is no such theme.
+        InputError: The theme does not exist.
     """
     if theme not in THEMES:
-        raise InputError(f"There is no theme {theme!r}." + choices(theme, THEMES))
+        raise InputError(f"Unknown theme {theme!r}." + choices(theme, THEMES))
     found = THEMES[theme]
     listed = {thing(entry)[0] for entry in found.things}
     extras: list[Thing] = [
@@ -177,7 +177,7 @@ def furnish(
 
 @dataclass(frozen=True)
 class PlaceSetting:
-    """What is laid for each person: things and their relation to the first, and a centrepiece."""
+    """Place setting of one person: objects and their relation to the first, and a centrepiece."""
 
     things: tuple[tuple[str, RelationKind | None], ...]
     center: str
@@ -194,11 +194,11 @@ SETTINGS: Mapping[str, PlaceSetting] = MappingProxyType(
         ),
     }
 )
-"""How tables are laid, by the thing of a theme that says so."""
+"""Place settings, by the object of a theme that implies them."""
 
 
 def setting_of(theme: Theme, objects: Sequence[PlannedObject], people: int) -> PlaceSetting | None:
-    """Return how a table of ``theme`` is laid for people, unless the text has laid it already."""
+    """Return the place setting of a table of ``theme``, None if the text describes its own."""
     there = Counter(o.category for o in objects)
     for thing, setting in SETTINGS.items():
         if any(entry.startswith(f"{thing} ") for entry in theme.things):
@@ -210,9 +210,9 @@ def setting_of(theme: Theme, objects: Sequence[PlannedObject], people: int) -> P
 def place_settings(
     people: int, setting: PlaceSetting, objects: Sequence[PlannedObject], excluded: set[str]
 ) -> tuple[list[PlannedObject], list[PlannedGroup]]:
-    """Lay a table for so many people; return what is laid, and what belongs to each seat.
+    """Lay a table for a number of people; return the objects and the group of each seat.
 
-    Where a table for all of them would be too full, each gets the first three things only.
+    If the table would be too full, each person gets only the first objects of the setting.
     """
     taken = Counter(o.category for o in objects)
     room = MAX_OBJECTS - len(objects) - 1

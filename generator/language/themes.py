@@ -1,7 +1,8 @@
-"""Kinds of table and what belongs on them, with the functional relations between those things.
+"""Kinds of table and their typical objects, with functional relations between them.
 
-An entry of ``things`` reads ``object`` or ``object relation target``; a target is an earlier object
-of the list, or "table". The first ``core`` entries are always there; the others are drawn by seed.
+An entry of ``things`` is ``object`` or ``object relation target``; the target is an earlier object
+of the list, or "table". The first ``core`` entries are always present; the others are drawn by
+seed.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from ..scene import OutlineKind
 
 @dataclass(frozen=True)
 class Theme:
-    """One kind of table: words that mean it, its usual tables (size in metres), its things."""
+    """One kind of table: its names, its usual tables (size in metres), and its objects."""
 
     words: tuple[str, ...]
     outlines: tuple[OutlineKind, ...]
@@ -267,7 +268,7 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
         ),
     }
 )
-"""Every theme by name; the first whose word occurs in a text is meant, longer words first."""
+"""All themes by name; the first one with a phrase in the text applies, longer phrases first."""
 
 DEFAULT_TABLES: Mapping[str, str] = MappingProxyType(
     {"desk": "office", "workbench": "workbench", "bench": "workbench", "counter": "kitchen",
@@ -275,4 +276,4 @@ DEFAULT_TABLES: Mapping[str, str] = MappingProxyType(
      "worktop": "kitchen", "workstation": "office", "workspace": "office", "desktop": "office",
      "worktable": "workbench", "tabletop": "coffee", "sideboard": "dining"}
 )  # fmt: skip
-"""What fills a table that a text names without any object and without a theme."""
+"""Objects on a table if the text names neither an object nor a theme."""

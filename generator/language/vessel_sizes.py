@@ -1,7 +1,7 @@
 """Open variants and sizes of vessels and carriers for their contents.
 
-A fruit bowl is larger than a cereal bowl, a tray for a tea service larger than one for two cups:
-what carries something is as large as it has to be, within what such things can be.
+A fruit bowl is larger than a cereal bowl, and a tray for a tea service larger than one for two
+cups: carriers are enlarged for their contents within a plausible range.
 """
 
 from __future__ import annotations
@@ -26,32 +26,32 @@ _GROWTH: Mapping[str, float] = {
     "tool_caddy": 1.4, "lunch_box": 1.3, "cooling_rack": 1.4, "baking_dish": 1.3, "desk_tray": 1.3,
     "bucket": 1.6, "open_ice_bucket": 1.3,
 }  # fmt: skip
-"""How much larger than usual a carrier may be."""
+"""Maximum growth of a carrier relative to its usual size."""
 
 _OTHERS = 1.25
 _PLACES = ("egg_carton",)
-"""What has a place for each thing in it, and is empty where the text fills it."""
+"""Carriers with a slot for each object, empty if the text fills them."""
 
-_FILLED = 0.34  # share of a vessel's mouth that a layer of things may fill
-_LAYERS = 1.6  # layers in which more than three things lie
-_FLAT = 0.22  # thickness to width of what is filed in a box
-_LEAST = 0.1  # metres that it is wide
+_FILLED = 0.34  # fraction of a vessel's mouth filled by a layer of objects
+_LAYERS = 1.6  # effective number of layers for more than three objects
+_FLAT = 0.22  # maximum ratio of thickness to width of objects filed in a box
+_MIN_WIDTH = 0.1  # minimum width of filed objects, metres
 _LITTLE = 1.35
-_FLOOR = 0.72  # width of a round vessel's floor, as a share of its box's
-_COVERED = 0.7  # share of a tray that things may cover
+_FLOOR = 0.72  # width of a round vessel's floor, as a fraction of its box
+_COVERED = 0.7  # maximum fraction of a tray that is covered
 
 
 def largest_size(category: str) -> Extent:
-    """Return the extent of a category's largest things, metres."""
+    """Return the extent of the largest variant of a category, metres."""
     factor = _GROWTH.get(category, _OTHERS)
     x, y, z = CATEGORIES[category].size
     return factor * x, factor * y, factor * z
 
 
 def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, those that carry too much for their usual size grown.
+    """Return the objects with carriers enlarged for their contents.
 
-    What is closed or full, and holds something, stands open; a rack has as many places as it holds.
+    Closed or filled vessels with contents become open ones; a rack gets as many slots as it needs.
     """
     objects = _open(objects)
     names = {o.name: o for o in objects}
@@ -65,7 +65,7 @@ def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
     done: dict[str, PlannedObject] = {}
     while len(done) < len(objects):
         ready = [n for n in names if n not in done and done.keys() >= {*held.get(n, ())}]
-        for name in ready or [n for n in names if n not in done]:  # all of a circle at once
+        for name in ready or [n for n in names if n not in done]:  # for cycles
             carried = [done.get(other, names[other]) for other in held.get(name, ())]
             alike = [o for o in carried if o.category == names[name].category]
             others = [o for o in carried if o not in alike]
@@ -76,12 +76,12 @@ def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def holds_things(category: str) -> bool:
-    """Tell whether a category is a vessel, as it stands or with its lid off."""
+    """Return whether a category is a vessel, possibly after its lid is removed."""
     return CATEGORIES[open_category(category)].container
 
 
 def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, vessels and racks that something is in open and empty."""
+    """Return the objects with open, empty vessels and racks in place of those with contents."""
     objects = _spread_cloths(_clear_cakes(_seat_candles(objects)))
     names = {o.name: o for o in objects}
     inside: dict[str, list[PlannedObject]] = {}
@@ -103,7 +103,7 @@ def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, candles "on" candlesticks in their sockets."""
+    """Return the objects with candles "on" candlesticks put into their sockets."""
     kinds = {o.name: o.category for o in objects}
     return [
         replace(o, relations=tuple(
@@ -116,14 +116,14 @@ def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 _CAKES = frozenset({"birthday_cake", "cake", "cupcake"})
-"""What small candles are put on."""
+"""Cakes that carry small candles."""
 
 _FOLDED = frozenset({"blanket", "folded_towel", "tablecloth"})
-"""Cloth that the catalogue shows folded."""
+"""Cloths that the catalogue shows folded."""
 
 
 def _spread_cloths(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, cloths with several things on them spread out unless they are folded."""
+    """Return the objects with cloths that carry several objects spread out, unless "folded"."""
     held = Counter(r.target for o in objects for r in o.relations if r.kind == "on")
 
     def is_spread(planned: PlannedObject) -> bool:
@@ -134,7 +134,7 @@ def _spread_cloths(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def _clear_cakes(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects, cakes with small candles on them, without those that are drawn there."""
+    """Return the objects with cakes replaced by bare ones if the text puts candles on them."""
     cakes = {o.name for o in objects if o.category in _CAKES}
     small = {o.name for o in objects if o.category in ("candle", "birthday_candle")
              and any(r.kind == "on" and r.target in cakes for r in o.relations)}  # fmt: skip
@@ -171,9 +171,10 @@ def _is_holder(planned: PlannedObject) -> bool:
 
 
 def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
-    """Return the width of a vessel in which things stand side by side, metres.
+    """Return the width of a vessel in which objects stand side by side, metres.
 
-    About 0.9 + 0.87 sqrt(n) diameters hold n circles in a circle; what is round narrows downwards.
+    A circle of diameter 0.9 + 0.87 sqrt(n) holds about n unit circles; round vessels narrow
+    downwards.
     """
     known = CATEGORIES.get(vessel.category)
     floor = _FLOOR if known is not None and "round" in known.roles else 0.95
@@ -182,7 +183,7 @@ def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
 
 
 def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]) -> float:
-    """Return how much larger than usual a thing has to be, at most what it can be."""
+    """Return the growth factor required by an object's contents, at most its maximum."""
     if not held:
         return 1.0
     usual = relations.size_of(planned)
@@ -192,14 +193,16 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
     inside = container and not relations.is_shallow(usual) and "in" in kinds
     if inside:
         sizes = [relations.put_in_size(thing, usual) for thing in held]
-        if len(sizes) > 2 and all(x > _LEAST < y and z < _FLAT * min(x, y) for x, y, z in sizes):
-            sizes = [(z, max(x, y), min(x, y)) for x, y, z in sizes]  # filed on their edges
+        if len(sizes) > 2 and all(
+            x > _MIN_WIDTH < y and z < _FLAT * min(x, y) for x, y, z in sizes
+        ):
+            sizes = [(z, max(x, y), min(x, y)) for x, y, z in sizes]  # filed on edge
     area = sum(float(size[0] * size[1]) for size in sizes)
-    tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # no layers of these
+    tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # cannot be layered
     filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
-    if inside and tall:  # where a little more is enough, the layout finds out how much
+    if inside and tall:  # small growth is determined by the layout
         needed = _across(sizes, planned) / min(usual[:2])
         needed = needed if needed > _LITTLE else 1.0
     for factor in np.linspace(1.0, most, 16):
@@ -239,7 +242,7 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
         for kind in kinds.split()
     }
 )
-"""A bare word and what is put there, and the category that the word then means."""
+"""Category of a bare word, given the category of its contents."""
 
 
 _POTTED = frozenset(
@@ -247,19 +250,19 @@ _POTTED = frozenset(
      "plant", "basil", "mint", "orchid", "snake_plant", "spider_plant"]
 )  # fmt: skip
 LOOSE: Mapping[str, str] = MappingProxyType({"chips_bag": "potato_crisp"})
-"""Packages of food, and what of it is put into a bowl."""
+"""Packages of food, and the category of their contents in a bowl."""
 _CANDLES = frozenset({"candle", "taper_candle", "long_candle"})
 _SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
 _FLOWERS = ("rose", "tulip", "daisy", "carnation")
 
 
 def cut_category(category: str, vessel: str, number: int) -> str:
-    """Return the category of what is put into a vessel: of flowers in a vase, cut ones.
+    """Return the category of an object in a vessel: cut flowers in a vase.
 
-    ``number`` counts what is put there.
+    ``number`` is the index among the vessel's contents.
     """
     if open_category(vessel) == "empty_vase":
-        if category == "vase":  # the catalogue's word for flowers
+        if category == "vase":  # also the category of "flowers"
             return _FLOWERS[number % len(_FLOWERS)]
         return "posy" if category == "bouquet" else category
     if category in _POTTED and open_category(vessel) == "plant_pot":
@@ -270,12 +273,12 @@ def cut_category(category: str, vessel: str, number: int) -> str:
 
 
 def is_lit(category: str, vessel: str) -> bool:
-    """Tell whether a thing is a candle, and the other one has a socket for it."""
+    """Return whether an object is a candle and the vessel has a socket for it."""
     return category in _CANDLES and open_category(vessel) in _SOCKETS
 
 
 def open_category(category: str, noun: str = "", contents: str = "") -> str:
-    """Return the category of a thing called ``noun`` where ``contents`` (a category) goes in it."""
+    """Return the category of an object called ``noun`` when it holds ``contents`` (a category)."""
     known = CATEGORIES.get(category)
     usual = known.opened if known is not None and known.opened else category
     return _MEANT.get((noun, contents), usual)

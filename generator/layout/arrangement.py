@@ -1,4 +1,4 @@
-"""Relations into places: sampled candidates, hard limits, and a score for what looks natural."""
+"""Arrangement by relations: sampled candidates, hard limits, and a score for natural placement."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ _TRIES = 12
 
 @dataclass(frozen=True)
 class Layout:
-    """Where everything goes, and what could not be done as asked.
+    """Placements of all objects, and warnings about requests that could not be satisfied.
 
-    ``strain`` is how badly the relation that is met worst is broken, see ``scores.violation``.
+    ``strain`` is the largest violation of a relation, see ``scores.violation``.
     """
 
     placements: tuple[Placement, ...]
@@ -42,13 +42,13 @@ def arrange(
 ) -> Layout:
     """Place every planned object on (or on something on) the table, in the world frame.
 
-    Footprints keep ``GAP`` between them and ``MARGIN`` to the table's edge. Several orders are
-    tried; the arrangement that honours relations best, hides least and looks least crowded wins.
-    ``yaws`` says which way some things face (radians), where that is not left open. The same input
-    and seed give the same layout.
+    Footprints keep a distance of ``GAP`` from each other and ``MARGIN`` from the table's edge.
+    Several orders are tried; the arrangement with the lowest cost (violated relations, occlusion,
+    crowding) is returned. ``yaws`` are prescribed yaws of some objects, radians. The same input and
+    seed give the same layout.
 
     Raises:
-        SceneError: some object finds no free place; the message names it.
+        SceneError: There is no free place for some object; the message names it.
     """
     outline = outline_of(table)
     best: State | None = None
@@ -65,9 +65,9 @@ def arrange(
             break
     if best is None:
         raise SceneError(
-            f"{failed} finds no free place on the {plan.table.outline} table of "
-            f"{table.size[0]:.2f} x {table.size[1]:.2f} m with {len(plan.objects)} objects. "
-            "Ask for fewer or smaller things, or a larger table."
+            f"There is no free place for {failed} on the {plan.table.outline} table of "
+            f"{table.size[0]:.2f} x {table.size[1]:.2f} m with {len(plan.objects)} objects. Use "
+            "fewer or smaller objects, or a larger table."
         )
     _center(best, plan, outline)
     places = tuple(best.places[o.name] for o in plan.objects)
@@ -82,11 +82,11 @@ def arrange_more(
     seed: int,
     yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> Layout:
-    """Place what of a plan is not among ``placed``, which stays where it is.
+    """Place the objects of a plan that are not in ``placed``; the latter do not move.
 
-    ``placed`` may hold things the plan does not know; ``models`` have all the sizes; ``yaws`` says
-    which way some things face (radians), where that is not left open. What finds no free place is
-    left out, with a warning. Returns the new placements only.
+    ``placed`` may contain objects that are not in the plan; ``models`` contains the models of all,
+    with their sizes; ``yaws`` are prescribed yaws of some objects, radians. An object without a
+    free place is left out with a warning. Only the new placements are returned.
     """
     outline = outline_of(table)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 5])
@@ -100,12 +100,12 @@ def arrange_more(
         if stuck is None:
             new = tuple(p for name, p in state.places.items() if name not in placed)
             return Layout(new, (*warnings, *state.warnings))
-        warnings.append(f"{stuck} finds no free place on the table.")
+        warnings.append(f"There is no free place on the table for {stuck}.")
         plan = _without(plan, stuck, placed)
 
 
 BROKEN = 1.5
-"""From this cost on (see ``scores.broken``) a relation does not hold."""
+"""Cost (see ``scores.violation``) at and above which a relation does not hold."""
 
 
 def unmet_relations(
@@ -115,9 +115,9 @@ def unmet_relations(
     models: Mapping[str, Model],
     table: Model,
 ) -> tuple[Relation, ...]:
-    """Return which of an object's relations to places and sides do not hold where it was put.
+    """Return the spatial relations of an object that its placement violates.
 
-    What it stands on or in is not looked at.
+    The relations "on" and "in" are not checked.
     """
     own = _standing(models[planned.name], placement)
     near = {r.target: _standing(models[r.target], placed[r.target])
@@ -135,7 +135,7 @@ def _standing(model: Model, placement: Placement) -> Neighbour:
 
 
 def _without(plan: ScenePlan, name: str, placed: Mapping[str, Placement]) -> ScenePlan:
-    """Return the plan without an object, and without what was to go on or in it."""
+    """Return the plan without an object and the objects on or in it."""
     gone = {name}
     while more := {o.name for o in plan.objects if support_of(o) in gone} - gone - {*placed}:
         gone |= more
@@ -163,7 +163,7 @@ def _place_all(
     state: State,
     yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> str | None:
-    """Place everything not yet placed; return the name of the first that finds no place."""
+    """Place all remaining objects; return the name of the first one without a free place."""
     supports = {o.name: support_of(o) for o in plan.objects}
     missing = [o for o in plan.objects if o.name not in state.places]
     standing = [o for o in missing if supports[o.name] is None]
@@ -179,7 +179,7 @@ def _place_all(
     inside = {name for unit in units.values() for name in unit.offsets}
     alone = [o for o in standing if o.name not in inside]
     wholes = [unit.planned for unit in units.values()]
-    state.awaited = _await(alone, wholes, units, shapes)
+    state.awaited = _find_awaited(alone, wholes, units, shapes)
     for planned in _order([*alone, *wholes], models, rng, units):
         unit = units.get(planned.name)
         if unit is not None:
@@ -197,7 +197,7 @@ def _place_all(
             if not put_on(planned, support, plan, models, rng, state, shapes):
                 beside = _beside(planned, support)
                 state.warnings.append(
-                    f"{planned.name} does not fit on or in {support}; it stands next to it."
+                    f"{planned.name} does not fit on or in {support}; it was placed next to it."
                 )
                 state.cost += 1.0
                 if not stand_on_table(beside, models, table, outline, rng, state, shapes, []):
@@ -206,17 +206,17 @@ def _place_all(
     return None
 
 
-def _await(
+def _find_awaited(
     alone: Sequence[PlannedObject],
     wholes: Sequence[PlannedObject],
     units: Mapping[str, Unit],
     shapes: Mapping[str, Footprint],
 ) -> dict[str, list[Awaited]]:
-    """Return what is to stand on a side of each thing, or of each group of things."""
+    """Return, for each object or unit, the objects to be placed beside it later."""
     whose = {name: (unit.planned.name, at) for unit in units.values()
              for name, at in unit.offsets.items()}  # fmt: skip
     sizes = {**{o.name: shapes[o.name] for o in alone}, **{n: u.shape for n, u in units.items()}}
-    found: dict[str, list[Awaited]] = {}
+    upcoming: dict[str, list[Awaited]] = {}
     for planned in (*alone, *wholes):
         for relation in planned.relations:
             target = relation.target
@@ -224,20 +224,20 @@ def _await(
                 continue
             owner, offset = whose.get(target, (target, np.zeros(2)))
             if owner != planned.name:
-                found.setdefault(owner, []).append(
+                upcoming.setdefault(owner, []).append(
                     Awaited(relation.kind, sizes[planned.name], shapes[target], offset)
                 )
-    return found
+    return upcoming
 
 
 def _rank(planned: PlannedObject, model: Model) -> float:
-    """Return the order in which things come on or in others: into vessels the longest first."""
+    """Return the sort key of placement on or in other objects: into vessels, longest first."""
     inside = any(r.kind == "in" for r in planned.relations)
     return -float(model.size.max()) if inside else 0.0
 
 
 def _take_supports(group: PlannedGroup, supports: Mapping[str, str | None]) -> PlannedGroup:
-    """Return a group of what its members stand on: cups on saucers are arranged by the saucers."""
+    """Replace the members of a group by their supports: cups on saucers become the saucers."""
 
     def bottom(name: str) -> str:
         below = supports.get(name)
@@ -249,7 +249,7 @@ def _take_supports(group: PlannedGroup, supports: Mapping[str, str | None]) -> P
 
 
 def _center(state: State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -> None:
-    """Move all things towards the table's middle, a little to the front, if relations allow it."""
+    """Move all objects towards the table's centre, slightly to the front, if relations allow it."""
     kinds = {r.kind for o in plan.objects for r in o.relations if r.target == TABLE}
     fixed = bool(kinds & {"center", "edge"})
     free = np.array(
@@ -283,9 +283,9 @@ def _order(
     rng: np.random.Generator,
     units: Mapping[str, Unit],
 ) -> list[PlannedObject]:
-    """Order objects so that those others refer to come first, larger ones before smaller.
+    """Order objects so that targets of relations come first, and larger objects before smaller.
 
-    What is laid for a seat comes before all else: it has no other place.
+    Place settings come before everything else, since their places are fixed.
     """
     size = {o.name: float(models[o.name].size[:2].max()) * rng.uniform(0.7, 1.3) for o in objects}
     for name, unit in units.items():

@@ -1,4 +1,4 @@
-"""Heights on a grid: where on or in a thing another one comes to rest, all places at once."""
+"""Height fields: resting heights of an object on or in a support, at all places at once."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from jaxtyping import Float
 from ..geometry import rotation_z
 from ..scene import Model, Placement
 
-_CELLS = 52  # along the longer side of what carries something
+_CELLS = 52  # number of cells along the longer side of the support
 _FINEST = 0.0025  # side of a cell, metres
-_DENSITY = 1.6  # samples of a surface for each cell's side
+_DENSITY = 1.6  # samples of a surface per cell side
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,9 +20,9 @@ class HeightField:
     """The highest surface in each cell of a grid of the world's x and y.
 
     Attributes:
-        origin: the centre of the first cell, metres.
+        origin: centre of the first cell, metres.
         step: side of a cell, metres.
-        top: heights, metres; -inf where nothing is. The first axis is x.
+        top: heights, metres; -inf in empty cells. The first axis is x.
     """
 
     origin: Float[np.ndarray, "2"]
@@ -30,7 +30,7 @@ class HeightField:
     top: Float[np.ndarray, "nx ny"]
 
     def with_thing(self, model: Model, placement: Placement) -> HeightField:
-        """Return the field with another thing on it."""
+        """Return the field with another object added."""
         points = samples(model, placement, self.step)
         cells = np.round((points[:, :2] - self.origin) / self.step).astype(int)
         inside = ((cells >= 0) & (cells < self.top.shape)).all(1)
@@ -41,10 +41,10 @@ class HeightField:
     def resting(
         self, model: Model, yaw: float
     ) -> tuple[Float[np.ndarray, "nx ny"], Float[np.ndarray, "nx ny"]]:
-        """Return how high a thing's centre is where it touches, for its centre in each cell.
+        """Return the heights of an object's centre when it rests with its centre in each cell.
 
-        The second is the share of its underside's cells with nothing below. Where nothing at all
-        is below, the height is -inf.
+        The second array is the fraction of cells under its underside that are empty. If all of them
+        are empty, the height is -inf.
         """
         start = Placement(model.name, yaw, np.zeros(3), model.size)
         points = samples(model, start, self.step)
@@ -66,12 +66,12 @@ class HeightField:
         return height, empty / max(len(known), 1)
 
     def place(self, cell: tuple[int, int]) -> Float[np.ndarray, "2"]:
-        """Return the centre of a cell, metres."""
+        """Return x and y of the centre of a cell, metres."""
         return self.origin + self.step * np.asarray(cell, float)
 
 
 def field_of(model: Model, placement: Placement) -> HeightField:
-    """Return the heights of a thing where it stands."""
+    """Return the height field of an object at its placement."""
     corners = model.mesh.vertices * placement.scale @ rotation_z(placement.yaw).T
     low = corners[:, :2].min(0) + placement.translation[:2]
     high = corners[:, :2].max(0) + placement.translation[:2]
@@ -82,7 +82,7 @@ def field_of(model: Model, placement: Placement) -> HeightField:
 
 
 def samples(model: Model, placement: Placement, step: float) -> Float[np.ndarray, "n 3"]:
-    """Return points on a thing's surface, close enough that each cell it covers has one."""
+    """Sample an object's surface densely enough for at least one point per covered cell."""
     vertices = np.asarray(model.mesh.vertices, float) * placement.scale
     vertices = vertices @ rotation_z(placement.yaw).T + placement.translation
     corners = vertices[model.mesh.faces]

@@ -1,4 +1,4 @@
-"""Footprints seen from above, as support functions: quick gaps between convex shapes."""
+"""Footprints seen from above, as support functions for fast gaps between convex shapes."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from ..geometry import convex_outline, rotation_z
 from ..scene import Model
 
 COUNT = 48
-"""Directions in which a footprint's reach is kept."""
+"""Number of directions in which a footprint's reach is stored."""
 
 _ANGLES = 2 * np.pi * np.arange(COUNT) / COUNT
 DIRECTIONS: Float[np.ndarray, "d 2"] = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])
-"""Unit vectors; the first is +x, and a quarter of them further is +y."""
+"""Unit vectors; the first is +x, and the one a quarter of the list later is +y."""
 DIRECTIONS.setflags(write=False)
 
 RIGHT, BACK, LEFT, FRONT = 0, COUNT // 4, COUNT // 2, 3 * COUNT // 4
@@ -25,9 +25,9 @@ RIGHT, BACK, LEFT, FRONT = 0, COUNT // 4, COUNT // 2, 3 * COUNT // 4
 
 @dataclass(frozen=True, eq=False)
 class Footprint:
-    """An object's convex shape from above, about its own centre, in metres, at one yaw.
+    """An object's convex outline seen from above, about its centre, in metres, at one yaw.
 
-    ``reach[k]`` is how far it extends along direction k; ``outline`` is its convex hull.
+    ``reach[k]`` is its extent along direction k; ``outline`` is its convex hull.
     """
 
     outline: Float[np.ndarray, "k 2"]
@@ -37,21 +37,21 @@ class Footprint:
 
     @property
     def half(self) -> Float[np.ndarray, "2"]:
-        """Half its extent along x and y."""
+        """Half extents along x and y."""
         return (self.reach[[RIGHT, BACK]] + self.reach[[LEFT, FRONT]]) / 2
 
     @property
     def area(self) -> float:
-        """Area of its convex hull, square metres."""
+        """Area of the convex hull, square metres."""
         x, y = self.outline.T
         return float(abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2)
 
     def along(self, normals: Float[np.ndarray, "e 2"]) -> Float[np.ndarray, "e"]:
-        """Return how far it reaches along each of ``normals``, exactly."""
+        """Return the exact extent along each of ``normals``."""
         return (self.outline @ normals.T).max(0)
 
     def covering(self, other: Footprint) -> Footprint:
-        """Return the footprint of this and what stands centred on it."""
+        """Return the footprint of this object and another one centred on it."""
         outline = convex_outline(np.concatenate([self.outline, other.outline]))
         return Footprint(
             outline, np.maximum(self.reach, other.reach), self.height + other.height, self.yaw
@@ -62,7 +62,7 @@ class Footprint:
 def footprint(model: Model, yaw: float) -> Footprint:
     """Return the footprint of a model at its own size, turned by ``yaw``.
 
-    Each try at a layout asks again for those of the same few things.
+    The cache helps because every layout attempt needs the footprints of the same objects.
     """
     points = model.mesh.vertices[:, :2] * model.size[:2] @ rotation_z(yaw)[:2, :2].T
     outline = convex_outline(points)
@@ -73,7 +73,7 @@ def footprint(model: Model, yaw: float) -> Footprint:
 def gaps(
     own: Footprint, centers: Float[np.ndarray, "m 2"], other: Footprint, at: Float[np.ndarray, "2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return a lower bound of the gap to ``other`` for each centre; negative where they overlap."""
+    """Return a lower bound of the gap to ``other`` for each centre; negative if they overlap."""
     blocked = own.reach + np.roll(other.reach, COUNT // 2)
     return ((at - centers) @ DIRECTIONS.T - blocked).max(1)
 
@@ -81,7 +81,7 @@ def gaps(
 def margins(
     own: Footprint, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how far inside a convex counter-clockwise outline it lies at each centre."""
+    """Return the distance inside a convex counter-clockwise outline for each centre."""
     normals, limits = _sides(outline)
     return (limits - own.along(normals) - centers @ normals.T).min(1)
 
@@ -89,9 +89,9 @@ def margins(
 def rim_distance(
     points: Float[np.ndarray, "m 2"], way: Float[np.ndarray, "2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how far it is from points along a unit vector to the rim of an outline.
+    """Return the distance from points to the rim of an outline along a unit vector.
 
-    The outline is convex and counter-clockwise, and the points are inside it.
+    The outline is convex and counter-clockwise, and contains the points.
     """
     normals, limits = _sides(outline)
     toward = normals @ way

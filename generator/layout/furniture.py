@@ -1,4 +1,4 @@
-"""The models a plan needs, and a table large enough for them."""
+"""Models of planned objects, and a table large enough for them."""
 
 from __future__ import annotations
 
@@ -36,20 +36,20 @@ from .vessels.holders import (
 )
 
 _FILLING: Mapping[Density, float] = {"sparse": 0.25, "normal": 0.42, "dense": 0.62}
-"""Share of a tabletop that objects and the room around them may take."""
+"""Maximum fraction of a tabletop covered by objects with their margins."""
 
-_LARGEST = 1.5  # how much longer than planned a table may become
-_ROOM = 0.035  # metres of free space counted around each object
+_MAX_GROWTH = 1.5  # maximum length of a table relative to the planned length
+_ROOM = 0.035  # margin around each object, metres
 
 
 def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
-    """Build a catalogue model for every planned object, each by its own seed.
+    """Build a catalogue model for every planned object, each with its own seed.
 
-    The plan's style decides how they are drawn, if it is one of the catalogue's.
+    The plan's style determines the drawing style, if it is a style of the catalogue.
 
-    Equal planned things ("two red mugs") look alike, since they share the seed. A long thin thing
-    that goes into a vessel stands and leans, as a pencil does in a mug, unless the vessel is as
-    wide as it is long; what a rack or a carton has a place for stands in its place.
+    Equal planned objects ("two red mugs") share a seed and look alike. A long thin object in a
+    vessel stands and leans, like a pencil in a mug, unless the vessel is as wide as the object is
+    long; objects with slots in a rack or a carton stand in their slots.
     """
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
@@ -81,7 +81,7 @@ def _put_in(
     models: Mapping[str, Model],
     rebuild: Callable[[PlannedObject], Model],
 ) -> dict[str, Model]:
-    """Return the models of things as they are in a vessel or a rack, and its own."""
+    """Return models by name as they stand in a vessel or a rack, including its own model."""
     names = [planned.name for planned in held]
     if "places" not in target.attributes:
         return _put_in_vessel(target, held, models)
@@ -97,7 +97,7 @@ def _put_in(
 def _put_in_vessel(
     target: PlannedObject, held: Sequence[PlannedObject], models: Mapping[str, Model]
 ) -> dict[str, Model]:
-    """Return the models of things in a vessel; long ones stand, and lean as they find room."""
+    """Return models by name in a vessel, including its own; long objects stand and lean."""
     vessel = models[target.name]
     cavity = find_cavity(vessel)
     if cavity is None:
@@ -121,7 +121,7 @@ def _put_in_vessel(
 
 
 def find_fitted(plan: ScenePlan) -> set[str]:
-    """Return the things made for each other, as a carton with places and the eggs in them."""
+    """Return the names of vessels with slots and of their contents, such as eggs in a carton."""
     vessels = {o.name for o in plan.objects if "places" in o.attributes}
     contents = {
         o.name for o in plan.objects
@@ -131,7 +131,7 @@ def find_fitted(plan: ScenePlan) -> set[str]:
 
 
 _FITTED = (ConvexPart(resting_ball(1.0, 1.0, 1.0).vertices - [0.0, 0.0, 0.5]),)
-"""Collision shape of a round thing that stands in its place, in the canonical frame."""
+"""Collision shape of a round object in a slot, in the canonical frame."""
 
 
 def _build(planned: PlannedObject, *, style: str, seed: int) -> Model:
@@ -146,12 +146,12 @@ def _build(planned: PlannedObject, *, style: str, seed: int) -> Model:
 
 
 def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0) -> PlannedTable:
-    """Return the planned table, enlarged if the objects would crowd it.
+    """Return the planned table size, enlarged if the objects would be crowded.
 
-    ``growth`` (at least 1) enlarges it further, for another try.
+    ``growth`` (at least 1) enlarges it further, for another attempt.
 
     Raises:
-        SceneError: even the largest plausible table would be too small.
+        SceneError: Even the largest plausible table is too small.
     """
     standing = [o for o in plan.objects if not _supported(o)]
     area = sum(footprint(models[o.name], 0.0).area for o in standing)
@@ -162,21 +162,21 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
     taken = _FILLING[plan.density] * x * y * share
     factor = max(1.0, float(np.sqrt(area / taken)), (widest + 0.1) / x)
     stretch = max(_chain(standing, models, axis) / (x, y)[axis] for axis in (0, 1))
-    factor = max(factor, min(stretch, _LARGEST)) * growth
-    if factor > max(_LARGEST, 2.4 / x):
+    factor = max(factor, min(stretch, _MAX_GROWTH)) * growth
+    if factor > max(_MAX_GROWTH, 2.4 / x):
         large = sorted(standing, key=lambda o: -models[o.name].size[:2].prod())[:3]
         raise SceneError(
             f"{len(standing)} objects do not fit on one {plan.table.outline} table of at most "
-            f"{x * _LARGEST:.1f} m; the largest are {', '.join(o.name for o in large)}. Ask for "
-            "fewer or smaller things."
+            f"{x * _MAX_GROWTH:.1f} m; the largest are {', '.join(o.name for o in large)}. Use "
+            "fewer or smaller objects."
         )
     return replace(plan.table, size=(round(x * factor, 3), round(y * factor, 3), z))
 
 
 def _chain(standing: Sequence[PlannedObject], models: Mapping[str, Model], axis: int) -> float:
-    """Return how long a table must be along an axis for what stands beside what, metres.
+    """Return the table length along an axis needed by chains of side-by-side objects, metres.
 
-    What is in the table's middle has as much room on one side as on the other.
+    Objects in the middle of the table need equal room on both sides.
     """
     half = {o.name: float(footprint(models[o.name], 0.0).half[axis]) for o in standing}
     beside = [
@@ -186,7 +186,7 @@ def _chain(standing: Sequence[PlannedObject], models: Mapping[str, Model], axis:
         if r.target in half and r.kind in SIDES and SIDES[r.kind][2][axis]
     ]
     reach = {(name, sign): room for name, room in half.items() for sign in (-1.0, 1.0)}
-    for _ in standing[1:]:  # as many steps as the longest chain can have
+    for _ in standing[1:]:  # one iteration per link of the longest possible chain
         for name, target, sign in beside:
             further = half[target] + _ROOM + half[name] + reach[name, sign]
             reach[target, sign] = max(reach[target, sign], further)
@@ -208,7 +208,7 @@ def build_top(
     """Build the plan's table, large enough for its objects.
 
     Raises:
-        SceneError: no plausible table is large enough.
+        SceneError: No plausible table is large enough.
     """
     return build_table(table_size(plan, models, growth), seed)
 

@@ -1,4 +1,4 @@
-"""Orientation of objects: fronts to the viewer, cutlery in line, pens at random, postures."""
+"""Orientation of objects: fronts to the viewer, cutlery aligned, pens at random, postures."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from ..scene import Model, PlannedObject, ScenePlan
 from ..scene.quarter_turns import turn
 
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
-"""Categories laid in parallel; their working end (-x) points away from the eater."""
+"""Categories laid in parallel; their working end (-x) points away from the diner."""
 
 STRAIGHT = frozenset({
     "laptop", "keyboard", "monitor", "mousepad", "cutting_board", "tray", "wrist_rest",
 })  # fmt: skip
-"""Categories that people line up with the table's edge."""
+"""Categories that people align with the table's edge."""
 
 
 def natural_yaw(
@@ -49,21 +49,21 @@ def natural_yaw(
 
 
 def _at_plate(planned: PlannedObject, plan: ScenePlan) -> bool:
-    """Tell whether cutlery is laid beside a plate or a bowl."""
+    """Return whether cutlery is laid beside a plate or a bowl."""
     served = {o.name for o in plan.objects if o.category in ("plate", "bowl", *CUTLERY)}
     return any(r.kind in ("left_of", "right_of") and r.target in served for r in planned.relations)
 
 
-_THIN = 0.8  # depth to width and height of what falls on its back or its face, not on its side
-_STRIP = 0.2  # width of the strip on which a lying round thing rests, in widths of the thing
+_THIN = 0.8  # maximum ratio of depth to width and to height for lying on the back or face
+_STRIP = 0.2  # width of the strip under a lying round object, in widths of the object
 
 
 def pose(model: Model, posture: str) -> Model:
     """Return the model in a posture: "upright", "lying" or "upside down".
 
-    Upright, a flat thing stands on its edge and a long one on its end. A thin upright thing lies on
-    its back, and on its face where it is upside down; another one lies on its side. What is in the
-    posture already stays as it is, and so does everything for any other word.
+    Upright, a flat object stands on its edge and a long one on its end. "lying" puts a thin upright
+    object on its back and "upside down" on its face; other objects lie on their side or stand on
+    their head. A model already in the posture is unchanged, and so is any model for another word.
     """
     x, y, z = (float(v) for v in model.size)
     thin = y < _THIN * min(x, z)
@@ -78,13 +78,13 @@ def pose(model: Model, posture: str) -> Model:
 
 
 def stand_up(model: Model, slenderness: float) -> Model:
-    """Turn a model that is so much longer than wide that its +x end points up, and no other."""
+    """Turn a model that is much longer than wide so that its +x end points up; else return it."""
     length, *others = model.size
     return model if length < slenderness * max(others) else turn(model, (("y", -90),))
 
 
 def _put_strip_under(model: Model) -> Model:
-    """Return the model with a narrow flat part under it, without which a round one would roll."""
+    """Return a round model with a flat collision strip under it that prevents rolling."""
     vertices = model.mesh.vertices
     low = vertices[vertices[:, 2] < -0.48]
     if not model.parts or np.ptp(low[:, 1]) > 2 * _STRIP:

@@ -1,8 +1,7 @@
-"""Which relations of a plan hold in the settled scene, and by how much.
+"""Check which relations of a plan hold in the settled scene, and by how much.
 
-Supports are judged by contacts, containment and places by the things' shapes where they came to
-rest, so that nothing is taken from where the layout meant to put them. ``foresee`` shows where
-placements would leave things, before anything is settled.
+Supports are determined by contacts, containment and positions by the objects' shapes at rest; the
+intended placements are not used. ``foresee`` evaluates placements before settling.
 """
 
 from __future__ import annotations
@@ -38,18 +37,18 @@ from .groups.seats import seats
 from .scores import SIDES, table_sides
 
 NEAR = 0.15
-"""Largest gap between things that are next to each other, metres."""
+"""Maximum gap between objects that are next to each other, metres."""
 
-_TOUCH = 1e-3  # metres within which things touch
-_EDGE = 0.12  # metres from the rim that are still at the edge
-_CLEAR = 0.01  # metres by which a side must be told apart
-_FOOT = 0.1  # share of a thing's height that its foot is
-_RIM = 0.04  # metres that the centre of what is in a vessel may be above its rim
+_TOUCH = 1e-3  # maximum distance of touching objects, metres
+_EDGE = 0.12  # maximum distance from the rim to count as at the edge, metres
+_CLEAR = 0.01  # minimum offset to count as on a side, metres
+_FOOT = 0.1  # height of an object's foot, as a fraction of its height
+_RIM = 0.04  # maximum height of a contained object's centre above the rim, metres
 
 
 @dataclass(frozen=True, eq=False)
 class _Thing:
-    """Where one thing rests: its outline from above, its foot, lowest and highest point, metres."""
+    """An object at rest: outline from above, foot, lowest and highest point, metres."""
 
     center: Float[np.ndarray, "3"]
     outline: Float[np.ndarray, "k 2"]
@@ -68,7 +67,7 @@ class _Thing:
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """Where things are on a table's top (metres), and what touches what (names; ``TABLE`` too)."""
+    """Positions of objects on a tabletop (metres), and contacts (by name, including ``TABLE``)."""
 
     size: Float[np.ndarray, "2"]
     outline: Float[np.ndarray, "k 2"]
@@ -77,7 +76,7 @@ class Rest:
 
 
 def observe(scene: Scene) -> Rest:
-    """Return what the settled scene shows."""
+    """Return positions and contacts in the settled scene."""
     simulation = Simulation(scene)
     simulation.place([o.pose for o in scene.objects])
     names = [o.name for o in scene.objects]
@@ -93,7 +92,7 @@ def observe(scene: Scene) -> Rest:
 
 
 def foresee(placements: Sequence[Placement], models: Mapping[str, Model], table: Model) -> Rest:
-    """Return what placements would show if each thing stayed on what it is put on."""
+    """Return positions and contacts as if each placed object stayed on its intended support."""
     things = {
         p.name: _rest(models[p.name], p.scale, Pose(p.translation, yaw_quaternion(p.yaw)))
         for p in placements
@@ -103,7 +102,7 @@ def foresee(placements: Sequence[Placement], models: Mapping[str, Model], table:
 
 
 def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
-    """Return every relation of the plan between things that are there, held or not."""
+    """Return the outcome of every relation of the plan between existing objects."""
     turns = _turns(plan, rest.size)
     out = []
     for planned in plan.objects:
@@ -119,10 +118,10 @@ def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
 
 
 def record_relations(scene: Scene, rest: Rest | None = None) -> Scene:
-    """Return a settled scene with its plan's relations in its report and its true supports.
+    """Return a settled scene with its relation outcomes in its report, and corrected supports.
 
-    ``rest`` is what the scene shows, if that has been observed already. A scene without a report
-    gets its supports only.
+    ``rest`` is the observation of the scene, if it exists already. In a scene without a report only
+    the supports are corrected.
     """
     rest = observe(scene) if rest is None else rest
     outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
@@ -145,16 +144,16 @@ def warn_unmet(scene: Scene) -> Scene:
 
 
 def describe_unmet(outcome: RelationOutcome, scene: Scene) -> str:
-    """Return a warning of a relation that does not hold."""
+    """Return a warning about a relation that does not hold."""
     kind = outcome.kind.replace("_", " ")
     if outcome.kind in ("center", "edge"):
         kind = f"at the {outcome.kind} of"
     on = scene.object(outcome.name).placement.on
-    return f"{outcome.name} is not {kind} {outcome.target}; it stands on {on}."
+    return f"{outcome.name} is not {kind} {outcome.target}; it rests on {on}."
 
 
 def correct_supports(scene: Scene, rest: Rest) -> Scene:
-    """Return the scene with each thing's support being what it really rests on."""
+    """Return the scene with each object's support set to the one it actually rests on."""
     meant = {o.name: o.placement.on for o in scene.objects}
     objects = []
     for thing in scene.objects:
@@ -189,7 +188,7 @@ def _rest(model: Model, scale: Float[np.ndarray, "3"], pose: Pose) -> _Thing:
 def _margin(
     planned: PlannedObject, relation: Relation, rest: Rest, turns: dict[str, tuple[int, float]]
 ) -> float:
-    """Return by how many metres a relation holds; 0 or less where it does not."""
+    """Return by how many metres a relation holds; 0 or less if it does not."""
     own = rest.things[planned.name]
     if relation.target == TABLE:
         return _table_margin(own, relation, rest, table_sides(planned.relations))
@@ -209,7 +208,7 @@ def _margin(
 
 
 def _support_margin(name: str, relation: Relation, rest: Rest) -> float:
-    """Return how far the thing's middle is inside its support; negative what parts them."""
+    """Return how far the object's centre is inside its support; negative if it is not carried."""
     own, target = rest.things[name], rest.things[relation.target]
     inside = float(inside_margin(own.center[None, :2], target.outline)[0])
     if not _is_carried(name, relation.target, rest, relation.kind == "in"):
@@ -218,7 +217,7 @@ def _support_margin(name: str, relation: Relation, rest: Rest) -> float:
 
 
 def _is_carried(name: str, support: str, rest: Rest, inside: bool) -> bool:
-    """Tell whether a thing rests on (or in) another, perhaps by way of what is there with it."""
+    """Return whether an object rests on (or in) another, directly or through other objects."""
     own, target = rest.things[name], rest.things[support]
     if inside:
         either = np.stack([own.center[:2], own.foot])
@@ -239,7 +238,7 @@ def _is_carried(name: str, support: str, rest: Rest, inside: bool) -> bool:
 
 
 def _gap(one: _Thing, other: _Thing) -> float:
-    """Return the distance between two boxes seen from above, metres."""
+    """Return the distance between two bounding boxes seen from above, metres."""
     apart = np.abs(one.middle - other.middle) - one.half - other.half
     return float(np.hypot(*np.clip(apart, 0, None)))
 
@@ -265,7 +264,7 @@ def _table_margin(own: _Thing, relation: Relation, rest: Rest, sides: Sequence[s
 
 
 def _turns(plan: ScenePlan, extent: Float[np.ndarray, "2"]) -> dict[str, tuple[int, float]]:
-    """Return of each thing that is laid for a seat the seat's number and turn, radians."""
+    """Return the seat number and turn (radians) of each object in a place setting."""
     found: dict[str, tuple[int, float]] = {}
     for group in plan.groups:
         if group.seat is not None:

@@ -19,17 +19,17 @@ from .groups.units import Unit
 from .scores import Awaited, Neighbour, Request, proposals, score, violation
 
 MARGIN = 0.02
-"""Least distance from a footprint to the table's edge, metres."""
+"""Minimum distance from a footprint to the table's edge, metres."""
 GAP = 0.014
-"""Least gap between two footprints, metres."""
+"""Minimum gap between two footprints, metres."""
 
 
 @dataclass(eq=False)
 class State:
-    """One try: what has been put where.
+    """State of one layout attempt.
 
-    ``awaited`` is what will stand beside things once they have their place, by their names;
-    ``strain`` is how badly the relation to a place or a side that is met worst is broken.
+    ``awaited`` lists, by object name, the objects to be placed beside it later; ``strain`` is the
+    largest violation of a spatial relation.
     """
 
     places: dict[str, Placement] = field(default_factory=dict)
@@ -43,7 +43,7 @@ class State:
 
 
 def support_of(planned: PlannedObject) -> str | None:
-    """Return the object it stands on or in, or None for the table."""
+    """Return the object that a planned object stands on or in, or None for the table."""
     return next(
         (r.target for r in planned.relations if r.kind in ("on", "in") and r.target != TABLE), None
     )
@@ -58,9 +58,9 @@ def put_on(
     state: State,
     shapes: dict[str, Footprint],
 ) -> bool:
-    """Lower an object onto or into its support, at the place where it comes to lie deepest.
+    """Lower an object onto or into its support, at the place where it rests lowest.
 
-    What has a place of its own there, as in a rack, goes there.
+    An object with a slot there, as in a rack, goes into its slot.
     """
     base = state.places[support]
     slot = next((s for s in models[support].slots if s.name == planned.name), None)
@@ -74,7 +74,7 @@ def put_on(
     below = [placed_triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
     model = models[planned.name]
-    if not inside:  # what lies on another thing lies nearly in line with it
+    if not inside:  # an object on another one is roughly aligned with it
         shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
     shape = shapes[planned.name]
     ground = state.fields.get(support) or field_of(models[support], base)
@@ -108,7 +108,7 @@ def _put_in_slot(
     state: State,
     shapes: dict[str, Footprint],
 ) -> None:
-    """Put a thing in its place of a holder that stands at ``base``."""
+    """Put an object into its slot of a holder at ``base``."""
     yaw = base.yaw + slot.yaw
     at = base.translation + rotation_z(base.yaw) @ (slot.at * base.scale)
     at = at + np.array([0.0, 0.0, float(model.size[2]) / 2])
@@ -118,7 +118,7 @@ def _put_in_slot(
 
 
 _TURNS = (0.0, np.pi / 3, -np.pi / 3, np.pi / 2)
-"""How else a thing may lie in a vessel, radians."""
+"""Alternative yaws of an object in a vessel, radians."""
 
 
 def _is_long(model: Model) -> bool:
@@ -126,16 +126,16 @@ def _is_long(model: Model) -> bool:
 
 
 _FULL = 0.85
-"""Share of the length of what carries them beyond which two things do not lie side by side."""
+"""Maximum length of two objects side by side, as a fraction of the length of their support."""
 
 _SLENDER = 2.5
-"""From this height to width on, upright things in a vessel may be close to each other."""
+"""Ratio of height to width above which upright objects in a vessel may be close together."""
 
 _BESIDE = 0.02
-"""What a broken relation to what is on the same thing costs, metres of height."""
+"""Cost of a violated relation to an object on the same support, metres of height."""
 
 _OVERHANG = 0.35
-"""Share of a thing's underside that may be beyond what it stands on."""
+"""Maximum fraction of an object's underside beyond its support."""
 
 
 def _resting_cost(
@@ -149,9 +149,9 @@ def _resting_cost(
     shapes: Mapping[str, Footprint],
     state: State,
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return how bad each place on or in a support is; inf where nothing can stand.
+    """Return the cost of each place on or in a support; inf where nothing can stand.
 
-    Low is good, and so are room to the others and, alone, the middle.
+    Low places are preferred, and distance from the others or, for a single object, the middle.
     """
     nx, ny = height.shape
     grid = np.stack(np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"), -1)
@@ -165,11 +165,11 @@ def _resting_cost(
     siblings = [place for place in state.places.values() if place.on == support]
     mouth = _FULL * float(np.ptp(shapes[support].outline, axis=0).max())
     slender = shape.height > _SLENDER * 2 * float(shape.half.max())
-    slack = 1.5 * float(shape.half.min()) if slender else 0.0  # stems lean past each other
+    slack = 1.5 * float(shape.half.min()) if slender else 0.0  # stems may lean past each other
     for place in siblings:
         both = 2 * float(shape.half.min() + shapes[place.name].half.min())
-        full = both > mouth and shape.height < shape.half.min()  # as folded shirts in a case
-        if not full:  # what has no room beside another lies on it
+        full = both > mouth and shape.height < shape.half.min()  # like shirts in a suitcase
+        if not full:  # otherwise one lies on top of the other
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
             room = room + slack
             cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
@@ -182,7 +182,7 @@ def _resting_cost(
 
 
 _FEW = (2, 3)
-"""How many round things lie side by side in a vessel; the first of more lies in the middle."""
+"""Numbers of round objects that lie side by side in a vessel; more have one in the middle."""
 
 
 def _rolls(planned: PlannedObject) -> bool:
@@ -192,7 +192,7 @@ def _rolls(planned: PlannedObject) -> bool:
 def _crowding(
     shape: Footprint, ground: HeightField, base: Placement, cells: tuple[int, ...]
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return how much of the middle, which is for others too, a thing takes at each place."""
+    """Return how much of the shared middle an object would occupy at each place."""
     grid = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), -1)
     centers = ground.origin + ground.step * grid
     away = np.linalg.norm(centers - base.translation[:2], axis=-1)
@@ -200,14 +200,14 @@ def _crowding(
 
 
 def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:
-    """Return a few of the cheapest cells, the best first."""
+    """Return a few of the cheapest cells, cheapest first."""
     order = np.argsort(cost, axis=None, kind="stable")[:400:100]
     cells = [divmod(int(k), cost.shape[1]) for k in order]
     return [cell for cell in cells if np.isfinite(cost[cell])]
 
 
 def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
-    """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
+    """Return whether an object is in a vessel, or ``heaped`` on its contents, not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
     return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
 
@@ -218,7 +218,7 @@ def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
 def cover_with(
     name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
 ) -> Footprint:
-    """Return the footprint of an object with what stands on it."""
+    """Return the footprint of an object including the objects on it."""
     own = shapes[name]
     for other in above:
         if support_of(other) == name:
@@ -236,7 +236,7 @@ def stand_unit(
     shapes: dict[str, Footprint],
     carrying: Mapping[str, Footprint],
 ) -> bool:
-    """Find a place for things arranged as one; tell whether there was one."""
+    """Place a unit on the table; return whether there is a free place."""
     if unit.seat is not None:
         center = seat_center(unit.seat, unit.shape, outline)
         for other in state.neighbours.values():
@@ -273,7 +273,7 @@ def stand_on_table(
     shapes: Mapping[str, Footprint],
     above: list[PlannedObject],
 ) -> bool:
-    """Find the best free place on the tabletop; tell whether there was one."""
+    """Place an object at the best free place of the tabletop; return whether there is one."""
     model, shape = models[planned.name], shapes[planned.name]
     own = cover_with(planned.name, shapes, above)
     center = _best_place(planned, own, outline, rng, state)
@@ -294,7 +294,7 @@ def _best_place(
     rng: np.random.Generator,
     state: State,
 ) -> Float[np.ndarray, "2"] | None:
-    """Return the best free place on the tabletop, None where there is none; its cost counts."""
+    """Return the best free place on the tabletop, or None; add its cost to the state."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
     awaited = tuple(state.awaited.get(planned.name, ()))
@@ -328,7 +328,7 @@ def placed_triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m
 def surface(
     corners: Float[np.ndarray, "m 3 3"], points: Float[np.ndarray, "p 2"], *, upper: bool
 ) -> Float[np.ndarray, "p"]:
-    """Return the highest (or lowest) z of the triangles at each point; -inf (inf) where none is."""
+    """Return the highest (or lowest) z of triangles at each point; -inf (inf) if there is none."""
     none = -np.inf if upper else np.inf
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
@@ -350,10 +350,10 @@ def surface(
 def lower(
     model: Model, placement: Placement, below: Sequence[Float[np.ndarray, "_m 3 3"]]
 ) -> Placement:
-    """Return the placement lowered (or raised) until the model touches what is below it.
+    """Return the placement lowered (or raised) until the model touches the surfaces below.
 
-    Where nothing is below, the height is kept. Surfaces are compared on a grid of points under
-    the model, so contact is met to within a fraction of a millimetre for smooth shapes.
+    If there is nothing below, the height is unchanged. Surfaces are compared on a grid of points
+    under the model, so for smooth shapes the contact is exact to a fraction of a millimetre.
     """
     own = placed_triangles(model, placement)
     low, high = own[..., :2].min((0, 1)), own[..., :2].max((0, 1))

@@ -1,4 +1,4 @@
-"""Candidate places for one object, and their costs."""
+"""Candidate positions for one object, and their costs."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ SIDES: Mapping[str, tuple[int, int, tuple[float, float]]] = {
     "behind": (BACK, FRONT, (0.0, 1.0)),
     "in_front_of": (FRONT, BACK, (0.0, -1.0)),
 }
-"""Relation kind: the target's direction, the object's own, and the way as a vector."""
+"""Relation kinds: direction index of the target, of the object, and the direction vector."""
 
-_RELATED, _FREE = 120, 120  # candidates proposed by relations, and anywhere
+_RELATED, _FREE = 120, 120  # candidates proposed by relations, and all over the table
 _SPACING: Mapping[Density, float] = {"sparse": 2.0, "normal": 1.0, "dense": 0.5}
-"""Distances that things keep, in usual ones."""
+"""Spacing of objects, relative to the normal density."""
 
-_BETWEEN = 0.025  # metres between a thing and what stands on a side of it
-_SIGHT = 0.7  # cotangent of the 55 degrees from which the table is seen
+_BETWEEN = 0.025  # gap between an object and another one on a side of it, metres
+_SIGHT = 0.7  # cotangent of the viewing elevation of 55 degrees
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,9 +37,10 @@ class Neighbour:
 
 @dataclass(frozen=True, eq=False)
 class Awaited:
-    """Something that will stand on a side of what looks for a place: how, and how large it is.
+    """An object to be placed later beside the current one: relation kind and footprint.
 
-    ``beside`` is what it will be beside, ``offset`` where that is from the centre looked for.
+    ``beside`` is the footprint of the reference object, ``offset`` its position relative to the
+    current object's centre.
     """
 
     kind: str
@@ -50,7 +51,7 @@ class Awaited:
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """One object looking for a place; ``near`` are the targets of its relations by name."""
+    """An object to be placed; ``near`` are the targets of its relations by name."""
 
     relations: tuple[Relation, ...]
     shape: Footprint
@@ -61,7 +62,7 @@ class Request:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """The sides of the table that it is to be at; two make a corner."""
+        """Sides of the table at which the object belongs; two of them define a corner."""
         return table_sides(self.relations)
 
 
@@ -71,7 +72,7 @@ def table_sides(relations: Sequence[Relation]) -> tuple[str, ...]:
 
 
 def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "m 2"]:
-    """Return candidate centres: some where the relations point, some all over the table."""
+    """Return candidate centres: some in the directions of relations, some all over the table."""
     low, high = request.outline.min(0), request.outline.max(0)
     spread = rng.normal(0, 0.26, (_FREE // 2, 2)) * (high - low)
     anywhere = rng.uniform(low, high, (_FREE // 2, 2))
@@ -111,7 +112,7 @@ def _around(request: Request, relation: Relation, rng: np.random.Generator) -> n
 
 
 def _rim(request: Request, rng: np.random.Generator) -> np.ndarray:
-    """Return centres a few centimetres inside the table's edge, at the sides that are named."""
+    """Return centres a few centimetres inside the table's edge, at the given sides."""
     low, high = request.outline.min(0), request.outline.max(0)
     if request.sides:
         ways = np.array([SIDES[side][2] for side in request.sides])
@@ -132,7 +133,7 @@ def score(
     room: Float[np.ndarray, "m"],
     others: Sequence[Neighbour],
 ) -> Float[np.ndarray, "m"]:
-    """Return the cost of each centre: broken relations weigh most, then hiding, then crowding.
+    """Return the cost of each centre: violated relations weigh most, then occlusion, then crowding.
 
     ``room`` is the gap to the nearest neighbour, metres.
     """
@@ -158,7 +159,7 @@ def score(
 def _crowded_out(
     awaited: Awaited, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how far beyond the table's edge something would be that is to stand beside a thing."""
+    """Return how far an awaited object beside this one would extend beyond the table, metres."""
     theirs, own, way = SIDES[awaited.kind]
     distance = awaited.beside.reach[theirs] + awaited.shape.reach[own] + _BETWEEN
     places = centers + awaited.offset + distance * np.array(way)
@@ -168,7 +169,7 @@ def _crowded_out(
 def violation(
     request: Request, relation: Relation, centers: Float[np.ndarray, "m 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how badly each centre breaks a relation; 0 where it holds well."""
+    """Return how strongly each centre violates a relation; 0 if it holds well."""
     size = np.ptp(request.outline, axis=0)
     if relation.target == TABLE:
         if relation.kind in SIDES:
@@ -210,9 +211,9 @@ def edge_gaps(
     outline: Float[np.ndarray, "k 2"],
     sides: Sequence[str],
 ) -> Float[np.ndarray, "s m"]:
-    """Return how far a shape at each centre is from the table's rim on each of ``sides``.
+    """Return the distance from a shape at each centre to the table's rim on each of ``sides``.
 
-    Without sides it is the distance from the nearest part of the rim.
+    Without sides it is the distance to the nearest part of the rim.
     """
     if not sides:
         return margins(shape, centers, outline)[None]
@@ -223,7 +224,7 @@ def edge_gaps(
 def _hiding(
     shape: Footprint, centers: Float[np.ndarray, "m 2"], others: Sequence[Neighbour]
 ) -> Float[np.ndarray, "m"]:
-    """Return which share of an object is hidden from the elevated front view, summed over pairs."""
+    """Return the fraction hidden from the elevated front view, summed over pairs of objects."""
     total = np.zeros(len(centers))
     for other in others:
         offset = centers - other.center

@@ -1,4 +1,4 @@
-"""A layout on the smallest plausible table that holds it."""
+"""Layout on the smallest plausible table that holds it."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from .arrangement import Layout, arrange
 from .furniture import build_top
 
 GROWTH = (1.0, 1.15, 1.3)
-"""How much larger the table gets, try by try."""
+"""Table growth factors, one per attempt."""
 
 _STRAINED = 1.0
-"""From this strain on a larger table is tried: what is in front of a thing is aside of it."""
+"""Strain above which a larger table is tried: a side relation is clearly violated."""
 
 
 def lay_out(
@@ -23,12 +23,12 @@ def lay_out(
     seed: int,
     yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> tuple[Layout, Model]:
-    """Arrange the models on the plan's table, on a larger one if they do not fit as asked.
+    """Arrange the models on the plan's table, or on a larger one if they do not fit.
 
-    ``yaws`` says which way some things face (radians), where that is not left open.
+    ``yaws`` are prescribed yaws of some objects, radians.
 
     Raises:
-        SceneError: they fit on no plausible table.
+        SceneError: The objects do not fit on any plausible table.
     """
     error: SceneError | None = None
     best: tuple[Layout, Model] | None = None
@@ -44,5 +44,5 @@ def lay_out(
         if layout.strain < _STRAINED:
             break
     if best is None:
-        raise error or SceneError("No table was tried.")
+        raise error or SceneError("No table size was tried.")
     return best

@@ -1,1 +1,1 @@
-"""Objects of ``tabletop_objects`` on their own: checks, pictures, exports and a gallery page."""
+"""Tools for single objects of ``tabletop_objects``: checks, pictures, exports, a gallery page."""

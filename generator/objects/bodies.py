@@ -11,7 +11,7 @@ from ..scene import Model, Object, Placement, Pose
 
 
 def stand_on_floor(model: Model) -> Object:
-    """Return a model as a body of its own size whose underside is at z = 0."""
+    """Return a model as a body of its real size whose underside is at z = 0."""
     middle = np.array([0.0, 0.0, model.size[2] / 2])
     parts = body_parts(model, model.size)
     weight = body_mass(model.mesh, model.size, model.physics, parts)

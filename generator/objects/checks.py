@@ -1,6 +1,6 @@
-"""Checks of one category: shape, collision parts, size, mass, looks, rest, styles, facts.
+"""Checks of one category: shape, collision parts, size, mass, looks, stability, styles, facts.
 
-``check_category`` runs all of them on the variants of the first seeds. ``tests/catalogue`` and
+``check_category`` runs all checks on the variants of the first seeds. ``tests/catalogue`` and
 ``tabletopgen objects check`` print the same results.
 """
 
@@ -28,22 +28,22 @@ from .soundness import fingerprint, is_closed, mass_of
 from .standing import drift
 
 VARIANTS = 10
-"""Seeds of which the looks are counted; the first ones are checked in full."""
+"""Number of seeds whose looks are counted; the first ones are checked in full."""
 
 SOUND, SIZED = 3, 8
-"""Numbers of seeds whose shapes are checked, and whose mean size is compared with the nominal."""
+"""Number of seeds with checked shapes, and number of seeds averaged for the mean size."""
 
 MIN_LOOKS = 5
 MAX_FACES, MAX_STYLED_FACES, MAX_TEXTURE = 4000, 5000, 640
 MAX_PARTS, MAX_PART_VERTICES = 32, 32
-MAX_OVERHANG = 0.004  # of the unit box: how far a part may stick out of it
-MAX_GAP = 6e-4  # metres between the bottoms of the mesh and of the parts
+MAX_OVERHANG = 0.004  # maximum extent of a part beyond the unit box
+MAX_GAP = 6e-4  # metres between the undersides of the mesh and of the parts
 MIN_PART = 2e-4  # metres along each axis
-SIZE_TOLERANCE = 1.35  # ratio of the mean size to the nominal one, each axis
-MAX_VARIANT = 2.2  # ratio of one variant's diagonal to the nominal one
-MASS_RANGE = 0.4, 2.5  # of a variant's mass to the nominal one
-MIN_MASS = 0.002  # kg: lighter bodies get this mass
-MAX_STYLED_CHANGE = 0.012  # of the longest side
+SIZE_TOLERANCE = 1.35  # per axis, ratio of the mean size to the nominal size
+MAX_VARIANT = 2.2  # ratio of a variant's diagonal to the nominal diagonal
+MASS_RANGE = 0.4, 2.5  # ratio of a variant's mass to the nominal mass
+MIN_MASS = 0.002  # kg: lighter bodies are given this mass
+MAX_STYLED_CHANGE = 0.012  # fraction of the longest side
 MAX_DRIFT, MAX_TURN = 0.005, 3.0  # metres and degrees within a second
 
 INDEX_COMMAND = "python -m tabletop_objects.index"
@@ -63,20 +63,20 @@ def check_category(
 ) -> tuple[CheckResult, ...]:
     """Check a category as its module declares it.
 
-    A drawing function that raises an exception fails the check "drawing", and the checks of its
-    models are left out.
+    If the drawing function raises an exception, the check "drawing" fails and the checks of its
+    models are skipped.
 
     Args:
-        category: as declared, with its drawing function, not from the index.
+        category: the declared category with its drawing function, not the row of the index.
         source: the file that declares it.
-        index: the ``index.json`` that should hold its row.
+        index: the ``index.json`` expected to contain its row.
     """
     facts = check_names(category), check_index(category, source, index)
     try:
         models = [build_variant(category, seed) for seed in range(VARIANTS)]
         again = build_variant(category, 1)
         styled = {s: build_variant(category, 0, {"style": s}) for s in sorted(STYLES)}
-    except Exception as error:  # a drawing function is code of a contributor
+    except Exception as error:  # drawing functions may be third-party code
         return _drawing_failure(error), *facts
     return (
         CheckResult("drawing", True, f"{VARIANTS} variants, {len(styled)} styles"),
@@ -96,7 +96,7 @@ def check_category(
 def build_variant(
     category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
 ) -> Model:
-    """Build a variant of a category that need not be in the index, as ``build`` would."""
+    """Build a variant of a category, as ``build`` does; the category need not be in the index."""
     return model_of(category, look_of(category, seed, attributes))
 
 
@@ -107,7 +107,7 @@ def _drawing_failure(error: Exception) -> CheckResult:
 
 
 def _first(name: str, findings: Iterable[tuple[bool, str]]) -> CheckResult:
-    """Return the first failed finding, or the last one."""
+    """Return the first failed result, or the last result if none failed."""
     detail = ""
     for passed, detail in findings:
         if not passed:
@@ -181,14 +181,16 @@ def check_size(category: Category, models: Iterable[Model]) -> CheckResult:
 
 
 def check_variant_size(category: Category, model: Model) -> CheckResult:
-    """Compare the diagonal of one variant with the nominal one."""
+    """Compare the diagonal of one variant with the nominal diagonal."""
     ratio = float(np.linalg.norm(model.size) / np.linalg.norm(category.size))
     near = 1 / MAX_VARIANT < ratio < MAX_VARIANT
-    return CheckResult("size of a variant", near, f"{size_text(model.size)}, {ratio:.2f} times")
+    return CheckResult(
+        "size of a variant", near, f"{size_text(model.size)}, {ratio:.2f} times the nominal"
+    )
 
 
 def check_mass(category: Category, model: Model) -> CheckResult:
-    """Compare the mass of one variant with the nominal one."""
+    """Compare the mass of one variant with the nominal mass."""
     mass, (low, high) = mass_of(model), MASS_RANGE
     near = low * category.mass < mass < high * max(category.mass, MIN_MASS)
     return CheckResult("mass", near, f"{mass:.3g} kg, nominal {category.mass:.3g} kg")
@@ -203,30 +205,30 @@ def size_text(size: Iterable[float]) -> str:
 
 
 def check_seeds(models: Iterable[Model], again: Model) -> CheckResult:
-    """Check that models differ by seed, and that ``again`` equals the second one."""
+    """Check that models differ between seeds, and that ``again`` equals the second model."""
     prints = [fingerprint(model) for model in models]
     distinct = len({*prints})
     same = fingerprint(again) == prints[1]
     repeat = "repeats" if same else "does not repeat"
-    detail = f"{distinct} of {len(prints)} variants differ, the same seed {repeat}"
+    detail = f"{distinct} of {len(prints)} variants differ; the same seed {repeat}"
     return CheckResult("seeds", distinct == len(prints) and same, detail)
 
 
 def check_looks(models: Iterable[Model]) -> CheckResult:
-    """Count the looks among variants."""
+    """Check that the variants have enough distinct looks."""
     looks = count_looks(models)
     return CheckResult("looks", looks >= MIN_LOOKS, f"{looks} of {VARIANTS}, at least {MIN_LOOKS}")
 
 
 def check_rest(model: Model) -> CheckResult:
-    """Check that a model stays for a second where it stands."""
+    """Check that a standing model stays at rest for one second."""
     moved, turned = drift(model)
     detail = f"moves {1000 * moved:.1f} mm and turns {turned:.1f}° in 1 s"
     return CheckResult("rest", moved < MAX_DRIFT and turned < MAX_TURN, detail)
 
 
 def check_style(style: str, model: Model, plain: Model) -> CheckResult:
-    """Check the shape and the parts of a styled model, and its size against the plain one."""
+    """Check the shape and parts of a styled model, and its size against the unstyled model."""
     results = *check_shape([model], MAX_STYLED_FACES), *check_parts([model])
     change = float((np.abs(model.size - plain.size) / plain.size.max()).max())
     sized = CheckResult("size", change <= MAX_STYLED_CHANGE, f"changes by {change:.1%}")
@@ -239,7 +241,7 @@ def check_style(style: str, model: Model, plain: Model) -> CheckResult:
 
 
 def check_names(category: Category) -> CheckResult:
-    """Check that no other category claims one of the names of this one."""
+    """Check that no other category uses one of the names of this category."""
     names = {category.noun, *category.aliases}
     taken = {
         f"{name!r} is a name of {other}"
@@ -252,7 +254,7 @@ def check_names(category: Category) -> CheckResult:
 
 @cache
 def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
-    """Return who claims each name: the key of a category, and whether the name is its noun."""
+    """Map each name to its categories: key, and whether the name is the category's noun."""
     claims: dict[str, tuple[tuple[str, bool], ...]] = {}
     for key, category in CATEGORIES.items():
         for name in {category.noun, *category.aliases}:
@@ -261,13 +263,13 @@ def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
 
 
 def check_index(category: Category, source: Path, index: Path = INDEX) -> CheckResult:
-    """Check that the index holds the category as its module declares it."""
+    """Check that the index row matches the category declared in its module."""
     module = f"{source.parent.name}.{source.stem}"
     row = _rows(index).get(category.key)
     current = row is not None and row == json.loads(json.dumps(row_of(module, category)))
     state = "current" if current else "missing" if row is None else "out of date"
     advice = "" if current else f"; run: {INDEX_COMMAND}"
-    return CheckResult("index", current, f"its row is {state}{advice}")
+    return CheckResult("index", current, f"the row is {state}{advice}")
 
 
 @cache

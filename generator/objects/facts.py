@@ -17,10 +17,10 @@ _SUGGESTIONS = 5
 
 
 def select(theme: str | None = None, role: str | None = None) -> tuple[Category, ...]:
-    """Return the categories of a theme and with a role, by key.
+    """Return the categories with a theme and a role, sorted by key.
 
     Raises:
-        InputError: no category has that theme or role.
+        InputError: No category has that theme or role.
     """
     if theme is not None:
         require_known(theme, themes(), "Unknown theme")
@@ -30,23 +30,23 @@ def select(theme: str | None = None, role: str | None = None) -> tuple[Category,
 
 
 def themes() -> tuple[str, ...]:
-    """Return the themes by name; each category has one folder, its first theme."""
+    """Return the themes in alphabetical order; the folder of a category is its first theme."""
     return tuple(sorted({theme for category in categories() for theme in category.themes}))
 
 
 def roles() -> tuple[str, ...]:
-    """Return the roles by name."""
+    """Return the roles in alphabetical order."""
     return tuple(sorted({role for category in categories() for role in category.roles}))
 
 
 def find_matches(word: str, limit: int) -> tuple[Category, ...]:
-    """Return the categories whose names match a word best, the best one first.
+    """Return the categories whose names match a word best, best match first.
 
     Raises:
-        InputError: none matches.
+        InputError: No category matches.
     """
     if not word.strip():
-        raise InputError("Search for a word; `tabletopgen objects list` prints all objects.")
+        raise InputError("The search word is empty; `tabletopgen objects list` prints all objects.")
     matches = search(word, limit)
     if not matches:
         raise InputError(f"No object matches {word!r:.80}." + _suggestions(word))
@@ -57,19 +57,19 @@ def require_category(word: str) -> Category:
     """Return the category with a key, noun or alias.
 
     Raises:
-        InputError: no category has that name.
+        InputError: No category has that name.
     """
     category = find_category(word)
     if category is None:
-        raise InputError(f"There is no object {word!r:.80}." + _suggestions(word))
+        raise InputError(f"Unknown object {word!r:.80}." + _suggestions(word))
     return category
 
 
 def require_declaration(word: str) -> Category:
-    """Return a category with its drawing function, also one that is not in the index yet.
+    """Return a category with its drawing function, even if it is not in the index yet.
 
     Raises:
-        InputError: no module declares a category of that name.
+        InputError: No module declares a category with that name.
     """
     known = find_category(word)
     if known is not None and known.key == word:
@@ -88,7 +88,7 @@ def _suggestions(word: str) -> str:
 
 
 def facts_of(category: Category) -> dict[str, Any]:
-    """Return all facts of a category, as JSON values."""
+    """Return all facts of a category as JSON values."""
     path, line = find_source(category)
     return {
         "key": category.key,
@@ -110,12 +110,12 @@ def facts_of(category: Category) -> dict[str, Any]:
 
 
 def source_text(path: Path, line: int) -> str:
-    """Return a place in the source as "tabletop_objects/objects/office/cups.py:136"."""
+    """Format a source location as "tabletop_objects/objects/office/cups.py:136"."""
     return f"{path.relative_to(_ROOT).as_posix()}:{line}"
 
 
 def brief_facts(found: Sequence[Category]) -> list[dict[str, Any]]:
-    """Return the facts of many categories that a list shows, as JSON values."""
+    """Return the facts of categories shown in a list, as JSON values."""
     return [
         {
             "key": c.key,

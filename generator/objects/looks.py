@@ -1,4 +1,4 @@
-"""How different the variants of a category look."""
+"""A measure of how different the variants of a category look."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from jaxtyping import Float
 from ..scene import Model
 from ..scene.triangles import areas
 
-_SIZE, _COLOR, _SPREAD = 0.05, 8.0, 6.0  # visible steps: of log size, of colours of 0 to 255
+_SIZE, _COLOR, _SPREAD = 0.05, 8.0, 6.0  # visible steps of log size and of colour values (0 to 255)
 
 
 def appearance(model: Model) -> Float[np.ndarray, "9"]:
-    """Return size (log), mean and spread of the surface's colours, in visible steps."""
+    """Return log size and the mean and spread of the surface's colours, in visible steps."""
     mesh = model.mesh
     area = areas(mesh.vertices.astype(float) * model.size, mesh.faces)
     height, width = mesh.texture.shape[:2]
@@ -30,7 +30,7 @@ def appearance(model: Model) -> Float[np.ndarray, "9"]:
 
 
 def count_looks(models: Iterable[Model]) -> int:
-    """Return how many models differ from all counted before them by one visible step or more."""
+    """Count the models that differ by a visible step or more from all previously counted ones."""
     looks: list[Float[np.ndarray, "9"]] = []
     for model in models:
         here = appearance(model)

@@ -1,7 +1,7 @@
-"""A static page of all objects by theme, searchable by word, in one folder.
+"""A static page of all objects by theme, with a word search, in one folder.
 
-``index.html`` holds a card for each object, its style and its script; ``THEME.webp`` holds the
-thumbnails of a theme. The page loads nothing else and works from ``file://``.
+``index.html`` contains a card for each object, its style sheet and its script; ``THEME.webp``
+holds the thumbnails of a theme. The page loads no other files and works from ``file://``.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ _TEMPLATE = "page.html"
 def write_page(
     folder: Path, themes: Sequence[str] = (), *, workers: int = 1, shown: Shown | None = None
 ) -> Path:
-    """Draw all objects, or those of some themes, and write the page; return its path.
+    """Draw the objects of all or selected themes and write the page; return its path.
 
     Raises:
-        InputError: a theme does not exist.
-        StorageError: the folder cannot be written.
+        InputError: A theme does not exist.
+        StorageError: The folder cannot be written.
     """
     groups = by_folder(themes)
     keys = [category.key for group in groups.values() for category in group]
@@ -43,7 +43,7 @@ def write_page(
 def page_files(
     groups: Mapping[str, Sequence[Category]], thumbnails: Thumbnails
 ) -> dict[str, bytes]:
-    """Return the files of the page by name."""
+    """Return the page's files by name."""
     files = {
         f"{theme}.webp": sprite([thumbnails[category.key] for category in group])
         for theme, group in groups.items()
@@ -100,5 +100,5 @@ def _card(category: Category, number: int) -> str:
 
 
 def mass_text(mass: float) -> str:
-    """Return a mass in kilograms as "300 g" or "1.2 kg"."""
+    """Format a mass in kilograms as "300 g" or "1.2 kg"."""
     return f"{1000 * mass:.3g} g" if mass < 1 else f"{mass:.3g} kg"

@@ -1,4 +1,4 @@
-"""Pictures of single objects: portraits, four looks with the everyday size, four sides."""
+"""Pictures of single objects: portraits, four looks with dimensions, four sides."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Picture = UInt8[np.ndarray, "h w 3"]
 
 _FOV = np.deg2rad(22.0)
 VIEW = View(azimuth=np.deg2rad(-20.0), elevation=np.deg2rad(35.0), fov=_FOV)
-"""From the front, a little from the left and above."""
+"""View from the front, slightly from the left and above."""
 
 SIDES: Mapping[str, View] = MappingProxyType(
     {
@@ -39,12 +39,12 @@ _INK, _LINE = (40, 44, 52), (120, 126, 138)
 
 
 def portrait(model: Model, view: View = VIEW, side: int = 160) -> Picture:
-    """Return a square picture of one model on a white floor."""
+    """Draw a model on a white floor as a square picture."""
     return _render(model, _frame(model, view, side))
 
 
 def draw_looks(category: Category, seed: int, side: int = 240) -> Picture:
-    """Return four looks of a category, with their sizes, and the first one measured."""
+    """Draw four looks of a category with their sizes, and the first one with dimensions."""
     models = [build_variant(category, seed + k) for k in range(LOOKS)]
     cells = [portrait(model, side=side) for model in models]
     captions = [f"seed {seed + k}: {size_text(m.size)}" for k, m in enumerate(models)]
@@ -54,13 +54,13 @@ def draw_looks(category: Category, seed: int, side: int = 240) -> Picture:
 
 
 def draw_sides(model: Model, side: int = 280) -> Picture:
-    """Return a model from the front, the right, the back and from above."""
+    """Draw a model from the front, the right, the back and above."""
     cells = [portrait(model, view, side) for view in SIDES.values()]
     return grid(cells, list(SIDES), columns=2, cell=side)
 
 
 def measure(model: Model, side: int = 240) -> Picture:
-    """Return a model from the front with its length and height in centimetres."""
+    """Draw a model from the front with its length and height in centimetres."""
     camera = _frame(model, View(0.0, np.deg2rad(4.0), _FOV), side, room=1.35)
     picture = Image.fromarray(_render(model, camera))
     pen, font = ImageDraw.Draw(picture), ImageFont.load_default(13)
@@ -77,7 +77,7 @@ def measure(model: Model, side: int = 240) -> Picture:
 
 
 def _rule(pen: ImageDraw.ImageDraw, start: tuple[float, float], end: tuple[float, float]) -> None:
-    """Draw a measuring line with ticks at both ends."""
+    """Draw a dimension line with ticks at both ends."""
     pen.line([start, end], _LINE, 1)
     dx, dy = (0, 4) if start[1] == end[1] else (4, 0)
     for x, y in (start, end):
@@ -85,7 +85,7 @@ def _rule(pen: ImageDraw.ImageDraw, start: tuple[float, float], end: tuple[float
 
 
 def _frame(model: Model, view: View, side: int, room: float = 1.08) -> Camera:
-    """Return a camera that shows a model's whole box, with some room around it."""
+    """Return a camera that shows a model's whole box, with a margin around it."""
     distance = room * _DIAGONAL / 2 / np.sin(view.fov / 2)
     return Camera.looking_at(_middle(model), view, distance, side, side)
 
@@ -96,9 +96,9 @@ def _render(model: Model, camera: Camera) -> Picture:
 
 
 def _size(model: Model) -> Float[np.ndarray, "3"]:
-    """Return a model's extent in the pictures, where all diagonals are equal.
+    """Return a model's extent in the pictures, scaled so that all models have the same diagonal.
 
-    The softness of shadows is in metres: it would hide those of small objects.
+    Shadow softness is in metres and would otherwise blur away the shadows of small objects.
     """
     return model.size * (_DIAGONAL / np.linalg.norm(model.size))
 
@@ -110,7 +110,7 @@ def _middle(model: Model) -> Float[np.ndarray, "3"]:
 def lay_out(
     cells: Sequence[Picture], columns: int, color: int = 255
 ) -> UInt8[np.ndarray, "sheet_h sheet_w 3"]:
-    """Return pictures of one size in rows without gaps; missing cells are of one ``color``."""
+    """Tile pictures of one size in rows without gaps; empty cells have a uniform ``color``."""
     height, width = cells[0].shape[:2]
     rows = -(-len(cells) // columns)
     sheet = np.full((rows * height, columns * width, 3), color, np.uint8)

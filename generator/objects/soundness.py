@@ -1,4 +1,4 @@
-"""Measures of meshes and models: closed surface, volume, mass, fingerprint."""
+"""Properties of meshes and models: closedness, volume, mass, fingerprint."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from ..scene import Mesh, Model
 
 
 def is_closed(mesh: Mesh) -> bool:
-    """Return whether each edge, vertices merged by position, runs as often forwards as backwards.
+    """Return whether each edge is used equally often in both directions, after merging vertices.
 
-    Positions are merged only where they are equal to the bit.
+    Only vertices with bitwise equal positions are merged.
     """
     _, index = np.unique(mesh.vertices + np.float32(0), axis=0, return_inverse=True)
     faces = index.reshape(-1)[mesh.faces].astype(np.int64)
@@ -26,12 +26,12 @@ def is_closed(mesh: Mesh) -> bool:
 
 
 def mass_of(model: Model) -> float:
-    """Return the mass of a model at its own size, kg."""
+    """Return the mass of a model at its nominal size, kg."""
     return body_mass(model.mesh, model.size, model.physics, model_parts(model, model.size)).mass
 
 
 def fingerprint(model: Model) -> str:
-    """Return a digest of all that a model draws and collides with."""
+    """Return a digest of a model's visual and collision data."""
     mesh = model.mesh
     arrays = mesh.vertices, mesh.faces, mesh.uv, mesh.texture, model.size
     digest = hashlib.sha256()

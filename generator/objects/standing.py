@@ -1,4 +1,4 @@
-"""A model on a floor in MuJoCo: how far it moves within a second."""
+"""Stability of a model on a floor in MuJoCo: its motion within one second."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     import mujoco
 
 MASS = 0.2
-"""Mass of a free body, kg. A uniform solid's motion does not depend on it."""
+"""Mass of a free body, kg. The motion of a uniform solid does not depend on it."""
 
 STEPS = 500
-"""Steps of 2 ms."""
+"""Number of steps of 2 ms."""
 
 
 def floor_spec() -> mujoco.MjSpec:
-    """Return a floor at z = 0."""
+    """Return a spec with a floor at z = 0."""
     import mujoco
 
     spec = mujoco.MjSpec()
@@ -30,7 +30,7 @@ def floor_spec() -> mujoco.MjSpec:
 
 
 def stand(spec: mujoco.MjSpec, model: Model, free: bool) -> mujoco.MjsBody:
-    """Add a model's collision parts to a scene, standing on the floor; return the body."""
+    """Add a model's collision parts to a spec as a body standing on the floor; return the body."""
     import mujoco
 
     body = spec.worldbody.add_body(name=model.name, pos=[0, 0, model.size[2] / 2])
@@ -53,7 +53,7 @@ def stand(spec: mujoco.MjSpec, model: Model, free: bool) -> mujoco.MjsBody:
 
 
 def drift(model: Model) -> tuple[float, float]:
-    """Return how far a free model moves (metres) and turns (degrees) within a second."""
+    """Return how far a free model moves (metres) and turns (degrees) within one second."""
     import mujoco
 
     spec = floor_spec()
@@ -67,7 +67,7 @@ def drift(model: Model) -> tuple[float, float]:
 
 
 def _moments(model: Model) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
-    """Return the centre of mass and the covariance about it of a uniform solid."""
+    """Return the centre of mass of a uniform solid and its covariance about that centre."""
     v = model.mesh.vertices.astype(float) * model.size
     a, b, c = (v[model.mesh.faces[:, k]] for k in range(3))
     w = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6

@@ -1,4 +1,4 @@
-"""Thumbnails of many objects, sprites of a theme, and sheets with captions."""
+"""Thumbnails of objects, sprites of themes, and sheets with captions."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ SIDE = 112
 """Width and height of a thumbnail, pixels."""
 
 COLUMNS = 13
-"""Thumbnails in a row of a sprite or a sheet."""
+"""Number of thumbnails per row of a sprite or a sheet."""
 
 Shown = Callable[[str, int, int], None]
-"""Shows progress: what is drawn, its number and the total."""
+"""Progress callback: item drawn, its number and the total."""
 
 Thumbnails = Mapping[str, UInt8[np.ndarray, "h w 3"]]
 """Thumbnails by key."""
@@ -36,10 +36,10 @@ _QUALITY = 80
 
 
 def by_folder(chosen: Sequence[str] = ()) -> Mapping[str, tuple[Category, ...]]:
-    """Return the categories of each first theme, by noun; all themes if none is chosen.
+    """Group categories by their first theme, sorted by noun; all themes if ``chosen`` is empty.
 
     Raises:
-        InputError: a theme does not exist.
+        InputError: A theme does not exist.
     """
     for theme in chosen:
         require_known(theme, themes(), "Unknown theme")
@@ -53,12 +53,12 @@ def by_folder(chosen: Sequence[str] = ()) -> Mapping[str, tuple[Category, ...]]:
 def draw_thumbnails(
     keys: Sequence[str], *, workers: int = 1, shown: Shown | None = None
 ) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
-    """Return a thumbnail of each object's first variant.
+    """Draw a thumbnail of each object's first variant.
 
     Args:
-        keys: of the objects.
-        workers: processes that draw.
-        shown: called for each thumbnail.
+        keys: keys of the objects.
+        workers: number of processes that draw.
+        shown: called after each thumbnail.
     """
     drawn = {}
     for number, (key, picture) in enumerate(zip(keys, _draw_all(keys, workers), strict=True), 1):
@@ -81,12 +81,12 @@ def _draw(key: str) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def sprite(thumbnails: Sequence[UInt8[np.ndarray, "h w 3"]]) -> bytes:
-    """Return thumbnails in rows of ``COLUMNS`` as one WebP picture."""
+    """Tile thumbnails in rows of ``COLUMNS`` into one WebP picture."""
     return encode_webp(lay_out(thumbnails, COLUMNS))
 
 
 def sheet(theme: str, group: Sequence[Category], thumbnails: Thumbnails) -> bytes:
-    """Return the objects of a theme with their nouns as one WebP picture."""
+    """Draw a captioned sheet of the objects of a theme as one WebP picture."""
     rows = -(-len(group) // COLUMNS)
     width, height = COLUMNS * SIDE, _TITLE + rows * (SIDE + _CAPTION)
     picture = Image.new("RGB", (width, height), "white")
@@ -103,7 +103,7 @@ def sheet(theme: str, group: Sequence[Category], thumbnails: Thumbnails) -> byte
 
 
 def _wrap(text: str, pen: ImageDraw.ImageDraw, font: object) -> list[str]:
-    """Return a text in two lines at most, each as wide as a thumbnail."""
+    """Wrap a text into at most two lines, each at most as wide as a thumbnail."""
     lines = [""]
     for word in text.split():
         longer = f"{lines[-1]} {word}".strip()
@@ -115,7 +115,7 @@ def _wrap(text: str, pen: ImageDraw.ImageDraw, font: object) -> list[str]:
 
 
 def encode_webp(picture: UInt8[np.ndarray, "h w 3"]) -> bytes:
-    """Return a picture as WebP."""
+    """Encode a picture as WebP."""
     buffer = io.BytesIO()
     Image.fromarray(picture).save(buffer, "WEBP", quality=_QUALITY, method=6)
     return buffer.getvalue()

@@ -1,8 +1,7 @@
-"""The decoder of every foreign picture: photos, uploads, depth maps, textures, servers' answers.
+"""Decoding of untrusted pictures: photos, uploads, depth maps, textures, server responses.
 
-``decode`` reads a picture's header within limits (:mod:`.headers`, :mod:`.limits`), has a child
-process decode it (:mod:`.pixels`), and returns a finished array. Each caller names the error to
-raise.
+``decode`` checks a picture's header against limits (:mod:`.headers`, :mod:`.limits`), decodes the
+picture in a child process (:mod:`.pixels`) and returns an array. Callers choose the exception type.
 """
 
 from .decoder import decode as decode

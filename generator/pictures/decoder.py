@@ -1,4 +1,4 @@
-"""Decode a foreign picture in a child process within limits."""
+"""Decode an untrusted picture in a child process within limits."""
 
 from __future__ import annotations
 
@@ -19,22 +19,22 @@ def decode(
     max_side: int | None = None,
     cancelled: threading.Event | None = None,
 ) -> DecodedPicture:
-    """Decode a picture in a child process; within a child of a sandbox, in that one.
+    """Decode a picture in a child process, or in this process if it is a sandbox child itself.
 
     The header is checked first, so that a child starts only for a picture whose header is within
     the limits.
 
     Args:
-        raw: the file.
-        what: begins the message of an error: "The picture".
-        error: the error to raise.
+        raw: bytes of the file.
+        what: subject of error messages: "The picture".
+        error: exception type to raise.
         limits: limits on the picture and on the child.
-        form: how the pixels are returned.
-        max_side: the longer side of the pixels, if they are "upright" or "rgb".
-        cancelled: kills the child when another thread sets it.
+        form: form of the returned pixels.
+        max_side: maximum length of the longer side of "upright" and "rgb" pixels.
+        cancelled: event that another thread sets to kill the child.
 
     Raises:
-        TabletopError: ``error``, if the picture cannot be read or is over a limit.
+        TabletopError: ``error``, if the picture cannot be read or exceeds a limit.
     """
     from .pixels import decode_pixels
 
@@ -56,12 +56,13 @@ def decode_png(
 ) -> DecodedPicture:
     """Decode a PNG in this process, as "rgb", "rgba" or "stored".
 
-    For files that come by the hundred, such as the textures of bundles, which no child each could
-    read in time. Of a PNG within limits the cost is linear in its bytes and pixels: it has one
-    stream of pixels, its chunks are counted, and its metadata, EXIF included, is not looked at.
+    Use it for files that come in hundreds, such as the textures of bundles, for which one child per
+    file would be too slow. For a PNG within the limits the cost is linear in its bytes and pixels:
+    it has one stream of pixels, its chunks are counted, and its metadata, including EXIF, is
+    ignored.
 
     Raises:
-        TabletopError: ``error``, if it is no PNG, cannot be read or is over a limit.
+        TabletopError: ``error``, if the file is not a PNG, cannot be read or exceeds a limit.
     """
     from .pixels import decode_pixels
 

@@ -1,7 +1,8 @@
-"""Headers of picture files: format, size, frames and scans, from the bytes alone.
+"""Headers of picture files: format, size, frames and scans, parsed from the raw bytes.
 
-Nothing is decompressed, and no loop is longer than a sound file of the same size needs. A header
-says what a decoder is about to do; the decoder's own view is checked against the limits again.
+Nothing is decompressed, and the number of loop iterations is bounded by that of a valid file of
+the same size. The header gives the size that a decoder will produce; the size that the decoder
+reports is checked against the limits again.
 """
 
 from __future__ import annotations
@@ -24,32 +25,32 @@ _SIGNATURES: tuple[tuple[Format, re.Pattern[bytes]], ...] = (
     ("GIF", re.compile(rb"GIF8[79]a")),
     ("TIFF", re.compile(rb"II[*+]\0|MM\0[*+]")),
     ("BMP", re.compile(rb"BM")),
-    # Colour map, kind of pixels, any eleven bytes, and bits a pixel: all that a TGA has.
+    # All that identifies a TGA: colour map, image type, eleven arbitrary bytes, bits per pixel.
     ("TGA", re.compile(rb".[\0\1][\1\2\3\t\n\x0b].{13}[\1\x08\x10\x18\x20]", re.DOTALL)),
 )
 
 _HEIC = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"hevm", b"hevs", b"mif1", b"msf1")
 
-_SEGMENTS = 20_000  # of a JPEG; sound ones have hundreds
-_CHUNKS = 1000, 256  # a file has so many chunks, and one more for so many bytes
-_IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # what ends the data of a scan
+_SEGMENTS = 20_000  # maximum number of segments of a JPEG; valid files have hundreds
+_CHUNKS = 1000, 256  # maximum number of chunks: a constant, plus one per this many bytes
+_IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # end of the data of a scan
 _MARKER = re.compile(rb"\xff([^\x00\xff])")  # without "+", which takes quadratic time
 _SOS, _EOI = 0xDA, 0xD9
 _SIZED = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}  # markers that begin a frame
 _BARE = frozenset((0x01, 0xD8, *range(0xD0, 0xD8)))  # markers without a length
 
-_TIFF_TYPES = MappingProxyType({3: "H", 4: "I", 16: "Q"})  # of numbers that may be a size
+_TIFF_TYPES = MappingProxyType({3: "H", 4: "I", 16: "Q"})  # numeric types of a size
 _WIDTH, _HEIGHT = 256, 257
-_IFDS = 100_000  # that are followed
+_IFDS = 100_000  # maximum number of linked frames
 
 
 class DamagedHeader(ValueError):
-    """A header that cannot be read; the message says why."""
+    """Raised if a header cannot be read; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class PictureHeader:
-    """What a header claims: the first frame's size in pixels, how many frames, and JPEG scans."""
+    """Size of the first frame in pixels, number of frames and of JPEG scans, from a header."""
 
     format: Format
     width: int
@@ -59,7 +60,7 @@ class PictureHeader:
 
 
 def format_of(raw: bytes, formats: Iterable[Format]) -> Format | None:
-    """Return the one of ``formats`` that the first bytes of a file are of, None if none."""
+    """Return the format in ``formats`` that matches the first bytes of a file, or None."""
     for name, signature in _SIGNATURES:
         if signature.match(raw):
             return name if name in formats else None
@@ -67,7 +68,7 @@ def format_of(raw: bytes, formats: Iterable[Format]) -> Format | None:
 
 
 def refused_format(raw: bytes) -> str | None:
-    """Return the name of a common format that is not read, by the brand of its ``ftyp`` box."""
+    """Return the name of a common unsupported format, from the brand of the ``ftyp`` box."""
     if raw[4:8] != b"ftyp":
         return None
     if raw[8:12] in _HEIC:
@@ -76,27 +77,27 @@ def refused_format(raw: bytes) -> str | None:
 
 
 def parse_header(raw: bytes, kind: Format) -> PictureHeader:
-    """Return the header of a file of a known format.
+    """Parse the header of a file of a known format.
 
     Raises:
-        DamagedHeader: it is cut off, or holds more segments than any sound file.
+        DamagedHeader: The header is truncated, or has more segments than any valid file.
     """
     try:
         return _READERS[kind](raw)
     except (struct.error, IndexError) as error:
-        raise DamagedHeader("its header is cut off") from error
+        raise DamagedHeader("its header is truncated") from error
 
 
 def png_size(raw: bytes) -> tuple[int, int]:
-    """Return width and height of a PNG, by its header alone.
+    """Return the width and height of a PNG, from its header.
 
     Raises:
-        DamagedHeader: it does not begin with the header of a PNG.
+        DamagedHeader: The file does not start with a PNG header.
     """
     if raw[:16] != _PNG + b"\0\0\0\rIHDR":
-        raise DamagedHeader("it does not begin with a header")
+        raise DamagedHeader("it does not start with a PNG header")
     if len(raw) < _PNG_HEAD:
-        raise DamagedHeader("its header is cut off")
+        raise DamagedHeader("its header is truncated")
     return struct.unpack_from(">II", raw, 16)
 
 
@@ -105,8 +106,8 @@ def _png(raw: bytes) -> PictureHeader:
     frames, profiles = 1, 0
     for name, at, size in _chunks(raw, 8, ">I4s", 4, 1):
         profiles += name == b"iCCP"
-        if profiles > 1:  # each is unpacked by decoders, and a PNG has one at most
-            raise DamagedHeader("it holds more than one colour profile")
+        if profiles > 1:  # decoders decompress each profile; a valid PNG has at most one
+            raise DamagedHeader("it has more than one colour profile")
         if name == b"acTL" and size >= 4:
             frames = max(1, struct.unpack_from(">I", raw, at)[0])
         if name == b"IEND":
@@ -128,14 +129,14 @@ def _webp(raw: bytes) -> PictureHeader:
             width, height = struct.unpack_from("<HH", raw, at + 6)
             size = width & 0x3FFF, height & 0x3FFF
     if size is None:
-        raise DamagedHeader("it holds no picture")
+        raise DamagedHeader("it contains no picture")
     return PictureHeader("WEBP", *size, max(1, frames))
 
 
 def _chunks(
     raw: bytes, start: int, head: str, check: int, align: int
 ) -> Iterator[tuple[bytes, int, int]]:
-    """Yield name, place and size of each chunk; ``head`` is how a name and a size are written."""
+    """Yield name, offset and size of each chunk; ``head`` is the struct format of its header."""
     count, most = 0, _CHUNKS[0] + len(raw) // _CHUNKS[1]
     while start + 8 <= len(raw):
         first, second = struct.unpack_from(head, raw, start)
@@ -144,7 +145,7 @@ def _chunks(
         start += 8 + -(-size // align) * align + check
         count += 1
         if count > most:
-            raise DamagedHeader(f"it holds more than {most} chunks")
+            raise DamagedHeader(f"it has more than {most} chunks")
 
 
 def _jpeg(raw: bytes) -> PictureHeader:
@@ -158,7 +159,7 @@ def _jpeg(raw: bytes) -> PictureHeader:
             continue
         (length,) = struct.unpack_from(">H", raw, at)
         if length < 2:
-            raise DamagedHeader("a segment has no length")
+            raise DamagedHeader("a segment has an invalid length")
         if size is None and kind in _SIZED:
             height, width = struct.unpack_from(">HH", raw, at + 3)
             size = width, height
@@ -168,9 +169,9 @@ def _jpeg(raw: bytes) -> PictureHeader:
             ending = _IN_SCAN.search(raw, at)
             at = ending.start() if ending else len(raw)
     else:
-        raise DamagedHeader(f"it holds more than {_SEGMENTS} segments, {scans} of them scans")
+        raise DamagedHeader(f"it has more than {_SEGMENTS} segments, {scans} of them scans")
     if size is None:
-        raise DamagedHeader("it says no size")
+        raise DamagedHeader("it has no size")
     return PictureHeader("JPEG", *size, 1, max(1, scans))
 
 
@@ -187,19 +188,19 @@ def _gif(raw: bytes) -> PictureHeader:
             at += 11 + _palette(flags)
         elif kind == 0x21:
             at += 2
-        else:  # which decoders skip
+        else:  # unknown bytes, skipped by decoders
             at, left = at + 1, left - 1
             continue
         while at < len(raw) and left > 0 and (size := raw[at]):
             at, left = at + size + 1, left - 1
         at, left = at + 1, left - 1
         if left <= 0:
-            raise DamagedHeader(f"it holds more than {most} blocks")
+            raise DamagedHeader(f"it has more than {most} blocks")
     return PictureHeader("GIF", width, height, max(1, frames))
 
 
 def _palette(flags: int) -> int:
-    """Return the bytes of the palette that follows, if any."""
+    """Return the size in bytes of the palette that follows, 0 if there is none."""
     return 3 * 2 ** ((flags & 7) + 1) if flags & 0x80 else 0
 
 
@@ -226,15 +227,15 @@ def _tiff(raw: bytes) -> PictureHeader:
             (at,) = struct.unpack_from(
                 order + link, raw, at + struct.calcsize(order + head) + count * entry
             )
-        except (struct.error, OverflowError):  # of the first frame only the list itself is needed
+        except (struct.error, OverflowError):  # only the tag list of the first frame is required
             break
     return PictureHeader("TIFF", *size, max(1, len(seen)))
 
 
 def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
-    """Return width and height of the first frame, whose list of tags lies at ``at``."""
+    """Return width and height of the first frame, whose tag list is at offset ``at``."""
     if at >= len(raw):
-        raise DamagedHeader("its tags lie outside it")
+        raise DamagedHeader("its tags are outside the file")
     head, entry, value = (order + "Q", 20, 12) if big else (order + "H", 12, 8)
     (count,) = struct.unpack_from(head, raw, at)
     first = at + struct.calcsize(head)
@@ -245,7 +246,7 @@ def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
         if tag in (_WIDTH, _HEIGHT) and kind in _TIFF_TYPES:
             (found[tag],) = struct.unpack_from(order + _TIFF_TYPES[kind], raw, place + value)
     if len(found) < 2:
-        raise DamagedHeader("it says no size")
+        raise DamagedHeader("it has no size")
     return found[_WIDTH], found[_HEIGHT]
 
 

@@ -1,4 +1,4 @@
-"""Limits on pictures: one value for each kind of caller, checked on headers before decoding."""
+"""Limits on pictures, one value per kind of caller; headers are checked before decoding."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ class PictureLimits:
     """Limits on one picture.
 
     Attributes:
-        formats: the formats that are read; none starts another program.
-        max_bytes: of the file.
-        max_pixels: of the first frame, the only one that is decoded.
-        min_side: pixels.
-        max_ratio: the longer side over the shorter.
-        max_frames: of an animation, or pages.
-        max_scans: of a JPEG; a decoder goes over the whole picture for each.
-        cpu_seconds: processor time of the child that decodes it.
-        memory: bytes that the child may allocate.
+        formats: supported formats; none of their decoders starts another program.
+        max_bytes: maximum file size.
+        max_pixels: maximum number of pixels of the first frame, the only one decoded.
+        min_side: minimum length of both sides, pixels.
+        max_ratio: maximum ratio of the longer side to the shorter.
+        max_frames: maximum number of frames of an animation, or of pages.
+        max_scans: maximum number of scans of a JPEG; each is a pass over the whole picture.
+        cpu_seconds: processor time limit of the decoding child process.
+        memory: memory limit of the child process, bytes.
     """
 
     formats: tuple[Format, ...] = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF")
@@ -38,40 +38,41 @@ class PictureLimits:
     memory: int = 3 * 2**29
 
     def check(self, header: PictureHeader, what: str, error: type[TabletopError]) -> None:
-        """Check a header; ``what`` begins the message: "The picture".
+        """Check a header against the limits.
+
+        ``what`` is the subject of error messages: "The picture".
 
         Raises:
-            TabletopError: ``error``, if the picture is over a limit.
+            TabletopError: ``error``, if the picture exceeds a limit.
         """
         width, height = header.width, header.height
         if width * height > self.max_pixels:
             raise error(
-                f"{what} has {width} x {height} pixels ({width * height / 1e6:.0f} megapixels), "
-                f"more than {self.max_pixels:,} pixels. Shrink it first."
+                f"{what} has {width} x {height} pixels ({width * height / 1e6:.0f} megapixels); at "
+                f"most {self.max_pixels:,} are allowed. Shrink it first."
             )
         if min(width, height) < self.min_side:
             raise error(
-                f"{what} is {width}x{height}; it needs at least {self.min_side} pixels a side."
+                f"{what} is {width}x{height}; each side must be at least {self.min_side} pixels."
             )
         if max(width, height) > self.max_ratio * min(width, height):
             raise error(
-                f"{what} is {width}x{height}; the longer side may be at most "
-                f"{self.max_ratio:g} times the shorter. Crop it."
+                f"{what} is {width}x{height}; the longer side may be at most {self.max_ratio:g} "
+                "times the shorter one. Crop it."
             )
         for count, limit, name in (
             (header.frames, self.max_frames, "frames"), (header.scans, self.max_scans, "scans"),
         ):  # fmt: skip
             if count > limit:
                 raise error(
-                    f"{what} has more than the {limit} {name} that are read. Save it again as a "
-                    "plain PNG or JPEG."
+                    f"{what} has more than {limit} {name}. Save it again as a plain PNG or JPEG."
                 )
 
     def check_size(self, width: int, height: int, what: str, error: type[TabletopError]) -> None:
-        """Check the size of a picture, as a decoder finds it or as an array has it.
+        """Check the size of a picture that is decoded or is an array already.
 
         Raises:
-            TabletopError: ``error``, if it is over a limit.
+            TabletopError: ``error``, if the size exceeds a limit.
         """
         self.check(PictureHeader("PNG", width, height), what, error)
 
@@ -79,20 +80,21 @@ class PictureLimits:
 def read_header(
     raw: bytes, what: str, error: type[TabletopError], limits: PictureLimits
 ) -> PictureHeader:
-    """Return the header of a picture within limits; ``what`` begins the message of an error.
+    """Return the header of a picture within limits; ``what`` is the subject of error messages.
 
     Raises:
-        TabletopError: ``error``, if it is in another format, damaged, or over a limit.
+        TabletopError: ``error``, if the format is unsupported, the header is damaged, or a limit is
+            exceeded.
     """
     if len(raw) > limits.max_bytes:
-        raise error(f"{what} has {len(raw):,} bytes; at most {limits.max_bytes:,} are read.")
+        raise error(f"{what} has {len(raw):,} bytes; at most {limits.max_bytes:,} are allowed.")
     kind = format_of(raw, limits.formats)
     if kind is None and (name := refused_format(raw)):
-        raise error(f"{what} cannot be read: {name} pictures are not. Convert it to JPEG or PNG.")
+        raise error(f"{what} cannot be read: {name} is not supported. Convert it to JPEG or PNG.")
     if kind is None:
         names = [_NAMES.get(name, name) for name in limits.formats]
         listed = ", ".join(names[:-1]) + f" or {names[-1]}" if len(names) > 1 else names[0]
-        raise error(f"{what} cannot be read: it is not in a known format (no {listed}).")
+        raise error(f"{what} cannot be read: its format is not supported (use {listed}).")
     try:
         header = parse_header(raw, kind)
     except DamagedHeader as failure:
@@ -102,6 +104,6 @@ def read_header(
 
 
 def damage(what: str, reason: object) -> str:
-    """Return the message about a picture that a decoder cannot read."""
+    """Format the error message for a picture that a decoder cannot read."""
     text = " ".join(str(reason).split())[:300] or type(reason).__name__
     return f"{what} cannot be read: it is damaged or truncated ({text})."

@@ -1,4 +1,4 @@
-"""A decoded picture, and the forms in which its pixels are returned."""
+"""A decoded picture and the forms of its pixels."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 if TYPE_CHECKING:
-    from jaxtyping import Shaped  # which a child takes as long to import as NumPy
+    from jaxtyping import Shaped  # takes as long to import as NumPy
 
 Form = Literal["upright", "rgb", "rgba", "stored"]
-"""How pixels are returned: "upright" is sRGB on white, turned by the EXIF orientation; "rgb" and
-"rgba" are converted; "stored" are the file's own values, such as palette indices or 16-bit greys.
+"""Form of the returned pixels: "upright" is sRGB on white, rotated by the EXIF orientation; "rgb"
+and "rgba" are converted; "stored" are the file's own values, such as palette indices or 16-bit
+greys.
 """
 
 
@@ -22,10 +23,10 @@ class DecodedPicture:
 
     Attributes:
         pixels: the array, uint8 unless the form is "stored".
-        mode: Pillow's name of how the file stores pixels: "RGB", "P", "I;16".
-        width: pixels of the file's picture, before it is turned or shrunk.
-        height: likewise.
-        orientation: its EXIF orientation, 1 if it is upright, has none, or the form is another
+        mode: Pillow mode of the file: "RGB", "P", "I;16".
+        width: width of the picture in the file, before rotation or shrinking, pixels. height:
+            height of the picture in the file, pixels.
+        orientation: EXIF orientation; 1 if the picture is upright or has none, or for forms other
             than "upright".
     """
 

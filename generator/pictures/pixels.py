@@ -1,4 +1,4 @@
-"""Pixels of a picture, by Pillow; runs in the child of a sandbox (see ``decoder``)."""
+"""Decode the pixels of a picture with Pillow; runs in the sandbox child (see ``decoder``)."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ PLUGINS = (
     BmpImagePlugin, GifImagePlugin, JpegImagePlugin, PngImagePlugin, TgaImagePlugin,
     TiffImagePlugin, WebPImagePlugin,
 )  # fmt: skip
-"""Readers of the formats that limits may name; loaded before a child sets its limits."""
+"""Pillow plugins of the supported formats, loaded before a child sets its limits."""
 
-_ORIENTATION = 0x0112  # the EXIF tag
+_ORIENTATION = 0x0112  # EXIF tag
 
 
 def decode_pixels(
@@ -44,10 +44,10 @@ def decode_pixels(
     """Decode a picture; ``max_side`` bounds the longer side of "upright" and "rgb" pixels.
 
     Raises:
-        InputError: it is damaged or over a limit.
+        InputError: The picture is damaged or exceeds a limit.
     """
     with open_picture(raw, what, limits) as picture:
-        if form != "rgb":  # a JPEG that is to be shrunk is decoded at a lower resolution
+        if form != "rgb":  # without load, "rgb" JPEGs are decoded at low resolution
             picture.load()
         mode, (width, height), orientation = picture.mode, picture.size, 1
         if form == "upright":
@@ -64,10 +64,10 @@ def decode_pixels(
 
 @contextmanager
 def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image.Image]:
-    """Open a picture whose header is within limits; it is decoded as it is used.
+    """Open a picture whose header is within limits; its pixels are decoded on first use.
 
     Raises:
-        InputError: it is damaged or over a limit, also where it is used.
+        InputError: The picture is damaged or exceeds a limit; raised on use as well.
     """
     header = read_header(raw, what, InputError, limits)
     try:
@@ -80,12 +80,12 @@ def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image
         raise
     except UnidentifiedImageError as error:
         raise InputError(damage(what, f"its {header.format} header is not valid")) from error
-    except Exception as error:  # whatever a decoder stumbles over in a foreign file
+    except Exception as error:  # decoders may raise anything for an invalid file
         raise InputError(damage(what, error)) from error
 
 
 def shrink(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a picture's colours, its longer side at most ``max_side``; may change the picture."""
+    """Return a picture as RGB, its longer side at most ``max_side``; may modify the picture."""
     plain = picture if picture.mode == "RGB" else picture.convert("RGB")
     if max_side is not None:
         plain.thumbnail((max_side, max_side), Image.Resampling.LANCZOS)
@@ -93,14 +93,14 @@ def shrink(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w
 
 
 def upright(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a picture turned by its EXIF orientation, in sRGB on white."""
+    """Return a picture as sRGB on white, rotated by its EXIF orientation."""
     try:
         picture = ImageOps.exif_transpose(picture)
     except MemoryError:
         raise
-    except Exception:  # EXIF data that cannot be read turn nothing
+    except Exception:  # unreadable EXIF data is ignored
         pass
-    if picture.mode.startswith("I;16"):  # Pillow would clip these to white; keep the upper byte
+    if picture.mode.startswith("I;16"):  # Pillow would clip these to white, so keep the upper byte
         picture = Image.fromarray((np.asarray(picture) >> 8).astype(np.uint8))
     if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
         picture = picture.convert("RGBA")

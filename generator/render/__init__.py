@@ -1,1 +1,1 @@
-"""Renderers: differentiable (torch), software (NumPy), and pictures made with them."""
+"""Renderers: differentiable (torch), software (NumPy), and helpers for pictures of scenes."""

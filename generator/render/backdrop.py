@@ -1,4 +1,4 @@
-"""What lies behind everything in a room: a checkered floor that fades into haze."""
+"""The background of a room: a checkered floor that fades into haze."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ Color = tuple[float, float, float]
 """Red, green and blue in [0, 1]."""
 
 Lit = Callable[[Float[np.ndarray, "p 3"], Float[np.ndarray, "p 3"]], Float[np.ndarray, "p"]]
-"""The sun's visible share at points with normals."""
+"""Visible fraction of the sun at points with normals."""
 
 
 @dataclass(frozen=True)
 class Backdrop:
-    """A square floor at z = 0 about the origin, in two colours of tiles, in haze.
+    """A square two-coloured checkered floor at z = 0 about the origin, with haze.
 
     Args:
-        tiles: colours of a tile and of its neighbours; that at the origin's +x +y is the first.
+        tiles: colours of alternating tiles; the tile at the origin towards +x +y has the first.
         tile: side of a tile, metres.
         half: half the side of the floor, metres.
-        haze: colour of all that is no floor, and of the floor far away.
-        fade: distances along the optical axis at which the floor begins to fade, and has faded, m.
-        id: the instance id of the floor's pixels.
+        haze: colour of the background outside the floor, and of the distant floor.
+        fade: distances along the optical axis at which fading begins and ends, metres.
+        id: instance id of the floor's pixels.
     """
 
     tiles: tuple[Color, Color]
@@ -41,7 +41,7 @@ class Backdrop:
     def sample(
         self, camera: Camera, pixels: Float[np.ndarray, "p 2"], light: Light, lit: Lit | None
     ) -> tuple[Float[np.ndarray, "p 3"], Float[np.ndarray, "p"]]:
-        """Return the colours in [0, 1] and the depths (metres, inf where no floor is) at pixels."""
+        """Return the colours in [0, 1] and the depths (metres, inf outside the floor) of pixels."""
         points = camera.on_plane(pixels, 0.0)
         on_floor = (np.abs(points[:, :2]) <= self.half).all(1)
         color, depth = np.tile(self.haze, (len(pixels), 1)), np.full(len(pixels), np.inf)
@@ -60,7 +60,7 @@ class Backdrop:
     def _sample_tiles(
         self, points: Float[np.ndarray, "p 3"], pixel: Float[np.ndarray, "p"]
     ) -> Float[np.ndarray, "p 3"]:
-        """Return the tiles' colours at points; blended where a pixel (m) is large."""
+        """Return the tile colours at points, blended where a pixel (metres) is large."""
         odd: Int[np.ndarray, "p"] = np.floor(points[:, :2] / self.tile).astype(np.int64).sum(1) % 2
         blended = np.clip(pixel / self.tile * 4, 0, 1)
         share = (odd * (1 - blended) + 0.5 * blended)[:, None]

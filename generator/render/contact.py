@@ -1,4 +1,4 @@
-"""Where an object comes to rest when it is lowered straight down onto another's real mesh."""
+"""Resting heights of objects lowered vertically onto the real mesh of another object."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from ..geometry import rotation_z
 from ..scene import TABLE, Mesh, Model, Placement
 from .scanlines import nearest
 
-_CELLS = 96  # across the lowered object
+_CELLS = 96  # number of cells across the lowered object
 
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A canonical mesh at a scale (extent, metres), a yaw (radians) and a box centre (metres)."""
+    """A canonical mesh with a scale (extent, metres), a yaw (radians) and a box centre (metres)."""
 
     mesh: Mesh
     scale: Float[np.ndarray, "3"]
@@ -32,21 +32,21 @@ class Body:
 
     @property
     def footprint(self) -> Float[np.ndarray, "2 2"]:
-        """Lowest and highest world x, y, metres."""
+        """Lowest and highest world x and y, metres."""
         across = self.vertices[:, :2]
         return np.stack([across.min(0), across.max(0)])
 
     def at_height(self, z: float) -> Body:
-        """Return the body with its box centre at height ``z``."""
+        """Return the body with its box centre at height ``z``, metres."""
         return dataclasses.replace(self, position=np.array([*self.position[:2], z]))
 
 
 def height_field(
     body: Body, low: Float[np.ndarray, "2"], cell: float, shape: tuple[int, int], top: bool
 ) -> Float[np.ndarray, "rows columns"]:
-    """Return the body's upper (``top``) or lower surface over a grid; NaN where it is not.
+    """Return the body's upper (``top``) or lower surface on a grid; NaN in cells outside the body.
 
-    Cell (r, c) is the column of air over x = low_x + (c + 1/2) cell, y = low_y + (r + 1/2) cell.
+    Cell (r, c) is the vertical column at x = low_x + (c + 1/2) cell, y = low_y + (r + 1/2) cell.
     """
     vertices = body.vertices
     sign = 1.0 if top else -1.0
@@ -57,12 +57,13 @@ def height_field(
 
 
 def resting_height(body: Body, support: Body | None, table_height: float) -> float:
-    """Return the height of the box centre at which ``body`` first touches what is below it.
+    """Return the height of the box centre at which ``body`` first touches its support.
 
-    ``support`` is what it stands on or in, None the table alone, whose top is at ``table_height``,
-    metres; the body's own height is ignored. Lowered straight down, it meets its support where the
-    gap between its lower surface and the support's upper surface closes first: an apple on the
-    inner wall of a bowl, not at the height of its rim. It never sinks into the tabletop.
+    ``support`` is the object it stands on or in, None for the table alone, whose top is at
+    ``table_height``, metres; the body's own height is ignored. When lowered vertically, the body
+    meets its support where the gap between its lower surface and the support's upper surface closes
+    first: an apple on the inner wall of a bowl, not at the height of its rim. It never sinks into
+    the tabletop.
     """
     lying = body.at_height(0.0)
     vertices = lying.vertices
@@ -81,7 +82,7 @@ def resting_height(body: Body, support: Body | None, table_height: float) -> flo
 def at_rest(
     placements: Sequence[Placement], models: Mapping[str, Model], table_height: float
 ) -> tuple[Placement, ...]:
-    """Return the placements, each lowered onto what it stands on or in, in the same order."""
+    """Lower each placement onto its support; return the placements in the same order."""
     bodies: dict[str, Body] = {}
     waiting = list(placements)
     known = {p.name for p in placements}

@@ -1,4 +1,4 @@
-"""Tight crops: an object alone, its bounds fitted into a square picture."""
+"""Tight crops: square pictures of one object, fitted to its bounds."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from ..geometry import mask_box
 from ..scene import Instance
 
 MARGIN = 0.05
-"""Empty border of a tight crop, as a share of its side, so that contours lie inside."""
+"""Empty border of a tight crop as a fraction of its side, so that contours lie inside."""
 
-_SAMPLES = 4  # per pixel and axis
+_SAMPLES = 4  # samples per pixel and axis
 
 
 def tight_crop(
@@ -25,9 +25,8 @@ def tight_crop(
 ) -> Float[np.ndarray, "r r 4"]:
     """Fit ``box`` (pixels of ``rgba``, the object's tight bounds) into a square crop.
 
-    Returns float32 RGBA in [0, 1] of side ``resolution``, colours multiplied by alpha; what is
-    transparent stays so. ``keep_aspect`` fits the longer side and pads the other; else both are
-    stretched.
+    Returns float32 RGBA in [0, 1] of side ``resolution``, with colours premultiplied by alpha.
+    ``keep_aspect`` fits the longer side and pads the other; otherwise both are stretched.
     """
     import cv2
 
@@ -45,19 +44,19 @@ def tight_crop(
 
 
 def tight_box(instance: Instance) -> Float[np.ndarray, "4"]:
-    """Return the bounds of what an instance's crop shows, in pixels of the crop.
+    """Return the bounds of the visible object in an instance's crop, in pixels of the crop.
 
     Raises:
-        InputError: the crop is wholly transparent.
+        InputError: The crop is fully transparent.
     """
     alpha = instance.crop[..., 3] > 127
     if not alpha.any():
-        raise InputError(f"Instance {instance.name!r} has an empty crop; it shows no object.")
+        raise InputError(f"Instance {instance.name!r} has a fully transparent crop.")
     return mask_box(alpha)
 
 
 def in_reference(instance: Instance, box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
-    """Carry a box of an instance's crop into reference pixels."""
+    """Convert a box in an instance's crop to reference pixels."""
     low, high = instance.crop_box[:2], instance.crop_box[2:]
     height, width = instance.crop.shape[:2]
     pixel = (high - low) / np.array([width, height])
@@ -65,7 +64,7 @@ def in_reference(instance: Instance, box: Float[np.ndarray, "4"]) -> Float[np.nd
 
 
 def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.ndarray, "ch cw 4"]:
-    """Cut a reference picture's mask out where the instance's crop is: RGBA, its alpha the mask."""
+    """Cut an instance's crop from a mask in reference pixels: RGBA with the mask as alpha."""
     import cv2
 
     height, width = instance.crop.shape[:2]
@@ -79,7 +78,7 @@ def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.
 
 
 def hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:
-    """Return where in the picture other things may hide an instance; None if nothing does."""
+    """Return a mask of where other objects may occlude an instance; None if nothing does."""
     if not instance.occluded:
         return None
     others = [np.asarray(t.mask) for t in things if t.name != instance.name]

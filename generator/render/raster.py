@@ -1,7 +1,7 @@
-"""A small software renderer: z-buffer, textures, one shadowed sun, glass. NumPy alone, no GL.
+"""A small software renderer: z-buffer, textures, a sun with shadows, glass. NumPy only, no OpenGL.
 
-It draws reference images, previews and contact sheets wherever Python runs, always the same bytes
-for the same input, and gives depth and instance ids beside the picture.
+It draws reference images, previews and contact sheets on any machine that runs Python, with
+identical bytes for identical input, and returns depth and instance ids with the picture.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from .shading import Light, corner_normals, interpolate, sample_texture, shade
 from .shadow import Shadow
 
 BACKGROUND = -1
-"""Instance id of pixels that show nothing."""
+"""Instance id of empty pixels."""
 
-_PIECE = 1 << 14  # pixels shaded at once: they fit into a processor's cache
+_PIECE = 1 << 14  # pixels shaded at once, to fit into the processor cache
 
 
 @dataclass(frozen=True, eq=False)
 class Item:
-    """A textured mesh in the world frame (metres) with the id its pixels get (>= 0)."""
+    """A textured mesh in the world frame (metres) with the id of its pixels (>= 0)."""
 
     vertices: Float[np.ndarray, "n 3"]
     faces: Int[np.ndarray, "m 3"]
@@ -42,7 +42,7 @@ class Item:
 
 @dataclass(frozen=True, eq=False)
 class Rendered:
-    """A picture with its depth (metres along the optical axis, inf at nothing) and ids."""
+    """A picture with depth (metres along the optical axis, inf in empty pixels) and ids."""
 
     image: UInt8[np.ndarray, "h w 3"]
     depth: Float[np.ndarray, "h w"]
@@ -56,17 +56,17 @@ def place(
     quaternion: Float[np.ndarray, "4"],
     id: int = 0,
 ) -> Item:
-    """Scale a canonical mesh to metres and put it at a world pose (wxyz quaternion)."""
+    """Scale a canonical mesh to metres and place it at a world pose (wxyz quaternion)."""
     vertices = (mesh.vertices * np.asarray(scale)) @ quaternion_matrix(quaternion).T
     return Item(vertices + position, mesh.faces, mesh.uv, mesh.texture, id, mesh.opacity)
 
 
 @dataclass(frozen=True, eq=False)
 class _Hits:
-    """What the samples of a picture see: ``pixel`` are those that see a surface, ascending.
+    """Surfaces hit by the samples of a picture; ``pixel`` are the indices of hits, ascending.
 
-    Of each of these the item, the face and the weights of its corners; ``depth`` is that of all
-    samples, inf where nothing is.
+    Each hit has an item, a face and barycentric weights. ``depth`` covers all samples and is inf
+    where there is no hit.
     """
 
     pixel: Int[np.ndarray, "k"]
@@ -77,7 +77,7 @@ class _Hits:
 
 
 def _trace(items: Sequence[Item], camera: Camera, width: int, height: int) -> _Hits:
-    """Find what each sample of a ``width`` x ``height`` image sees."""
+    """Return the surface hit by each sample of a ``width`` x ``height`` image."""
     factor = width / camera.width
     blocks, face_item, face_index = [], [], []
     for k, item in enumerate(items):
@@ -109,7 +109,7 @@ def _trace(items: Sequence[Item], camera: Camera, width: int, height: int) -> _H
 def _colors(
     items: Sequence[Item], hits: _Hits, camera: Camera, light: Light, shadow: Shadow | None
 ) -> Float[np.ndarray, "3 k"]:
-    """Shade every hit, on threads; colours are in [0, 1]."""
+    """Shade all hits on threads; colours are in [0, 1]."""
     color = np.empty((3, len(hits.item)))
 
     def paint(item: Item, normals: Float[np.ndarray, "m 3 3"], own: Int[np.ndarray, "k"]) -> None:
@@ -137,9 +137,9 @@ def _colors(
 
 
 def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> None:
-    """Do work on pieces, which end with their pixels, on threads.
+    """Process chunks, delimited by their end pixels, on threads.
 
-    Of few pixels, a pool would cost more than it saves.
+    With few pixels, starting a pool would cost more than it saves.
     """
     if sum(len(piece[-1]) for piece in pieces) <= 2 * _PIECE:
         for piece in pieces:
@@ -151,7 +151,7 @@ def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> No
 
 
 def _centers(samples: Int[np.ndarray, "k"], camera: Camera, width: int) -> np.ndarray:
-    """Return where the samples of a picture that is ``width`` samples wide lie, in pixels."""
+    """Return the positions in pixels of the samples of a picture that is ``width`` samples wide."""
     return (np.stack([samples % width, samples // width], 1) + 0.5) * (camera.width / width)
 
 
@@ -163,7 +163,7 @@ def _shade_ground(
     shadow: Shadow,
     strength: float,
 ) -> None:
-    """Darken the empty samples by the shadow on the floor z = 0."""
+    """Darken empty samples by the shadow on the floor z = 0."""
 
     def darken(part: Int[np.ndarray, "k"]) -> None:
         points = camera.on_plane(_centers(part, camera, width), 0.0)
@@ -190,12 +190,12 @@ def render(
     ground_shadow: float = 0.0,
     backdrop: Backdrop | None = None,
 ) -> Rendered:
-    """Draw ``items``, meshes in the world frame, as ``camera`` sees them.
+    """Draw ``items``, meshes in the world frame, as seen by ``camera``.
 
-    Items with ``opacity`` below 1 are blended in front. ``supersample`` is samples per pixel and
-    axis (1 is fast, 2 or 3 smooth); ``background`` the colour of empty pixels; ``ground_shadow``
-    how strongly shadows darken it as if a floor lay at z = 0; ``backdrop`` floor and haze in place
-    of it.
+    Items with ``opacity`` below 1 are blended in front. ``supersample`` is the number of samples
+    per pixel and axis (1 is fast, 2 or 3 smooth). ``background`` is the colour of empty pixels, and
+    ``ground_shadow`` the strength of shadows on them, cast on a floor at z = 0. ``backdrop`` draws
+    a floor and haze instead of the background.
     """
     light = light or Light()
     width, height = camera.width * supersample, camera.height * supersample
@@ -235,7 +235,7 @@ def render(
 def _lay(
     color: Float[np.ndarray, "3 p"], samples: Int[np.ndarray, "k"], new: Float[np.ndarray, "3 k"]
 ) -> None:
-    """Set the colours of samples, channel by channel."""
+    """Write the colours of samples, channel by channel."""
     for channel, values in zip(color, new, strict=True):
         channel[samples] = values
 
@@ -247,7 +247,7 @@ def _resolve(
     camera: Camera,
     samples: int,
 ) -> Rendered:
-    """Average the samples' colours; depth and ids are those of one sample near the centre."""
+    """Average the samples' colours; depth and ids are taken from one sample near the centre."""
     h, w, s = camera.height, camera.width, samples
     image = np.empty((h, w, 3), np.uint8)
     for k, channel in enumerate(color):

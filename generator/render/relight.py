@@ -1,8 +1,9 @@
-"""Light of a picture put on a soft render, so that the two can be compared.
+"""Relight soft renders with the light of a picture, so that the two can be compared.
 
-A lamp shades an object by where its surface faces. A linear function of the normal tells most of
-that; its four numbers, and one gain for each colour, are fitted to the picture where the render
-and the picture's mask agree. Fitted to thousands of pixels, they cannot draw what is not there.
+A lamp shades a surface according to its orientation, which is well approximated by a linear
+function of the normal. Its four coefficients and one gain per colour channel are fitted to the
+picture where the render and the picture's mask overlap. Since they are fitted to thousands of
+pixels, they cannot reproduce texture that the render lacks.
 """
 
 from __future__ import annotations
@@ -14,23 +15,23 @@ from torch import Tensor
 from ..errors import InputError
 from .soft import SoftImages
 
-_RIDGE = 0.02  # how strongly the fit keeps to an even light, as a share of the pixels' own say
-_SHADE = (0.3, 2.0)  # darkest and brightest light that a fit may have
-_GAIN = (0.75, 1.3333)  # of a colour against the others
+_RIDGE = 0.02  # regularisation towards uniform light, as a fraction of the pixels' weight
+_SHADE = (0.3, 2.0)  # minimum and maximum of the fitted light
+_GAIN = (0.75, 1.3333)  # range of the gain of one colour channel relative to the others
 _TINY = 1e-6
 
 
 def relit(
     images: SoftImages, picture: Float[Tensor, "b 3 h w"], weight: Float[Tensor, "b h w"]
 ) -> Float[Tensor, "b 3 h w"]:
-    """Return the renders' images, over grey and with normals, in the light of their pictures.
+    """Return the renders' images, over grey and with normals, lit like their pictures.
 
-    ``weight`` is how much each pixel of ``picture``, over the same grey, tells about the light, >=
-    0; 0 outside of its mask. The light is found without gradient: the image's gradients are those
-    of a given light.
+    ``weight`` is the weight of each pixel of ``picture``, over the same grey, in the fit; it is >=
+    0, and 0 outside the mask. The light is fitted without gradients: gradients of the returned
+    images treat it as constant.
 
     Raises:
-        InputError: the renders have no normals.
+        InputError: The renders have no normals.
     """
     if images.normal is None:
         raise InputError("relit needs renders with normals: pass normals=True to soft.render.")
@@ -56,13 +57,13 @@ def _fit(
     target: Float[Tensor, "b 1 h w"],
     counted: Float[Tensor, "b 1 h w"],
 ) -> Float[Tensor, "b 4"]:
-    """Return the least-squares factors of ``terms``, drawn towards one even light."""
+    """Return the least-squares coefficients of ``terms``, regularised towards uniform light."""
     weighted = counted * terms  # summed term by term: a matrix product's order depends on memory
     rows = [(weighted[:, k : k + 1] * terms).sum((-2, -1)) for k in range(4)]
     moments = torch.stack(rows, 1).double()
     sums = (weighted * target).sum((-2, -1)).double()
-    told_any = moments[:, 0, 0] > _TINY
-    even = torch.where(told_any, sums[:, 0] / (moments[:, 0, 0] + _TINY), 1.0)
+    weighted_any = moments[:, 0, 0] > _TINY
+    even = torch.where(weighted_any, sums[:, 0] / (moments[:, 0, 0] + _TINY), 1.0)
     ridge = _RIDGE * moments[:, 0, 0] + _TINY
     start = torch.zeros_like(sums)
     start[:, 0] = even

@@ -1,4 +1,4 @@
-"""Which triangle each pixel sees, row by row: the z-buffer of the software renderer."""
+"""Rasterisation of triangles row by row: the z-buffer of the software renderer."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from jaxtyping import Float, Int
 
 from ..errors import SceneError
 
-_CHUNK = 2_000_000  # candidate pixels, or rows of triangles, held at once
+_CHUNK = 2_000_000  # candidate pixels, or triangle rows, processed at once
 
-_ROW = 3  # candidate pixels that take as long as a row of a triangle
+_ROW = 3  # cost of one triangle row, in candidate pixels
 
 MOST_LAYERS = 40
-"""Surfaces that may lie behind one another, on average over a picture; tables have a few."""
+"""Maximum number of surfaces behind one another, averaged over a picture; tables have a few."""
 
 
 def _spans(
     xy: Float[np.ndarray, "m 3 2"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
-    """Return (triangle, row, first column, end column) of the pixels whose centres are in it."""
+    """Return (triangle, row, first column, end column) of the pixels whose centres are inside."""
     low = np.clip(np.ceil(xy[..., 1].min(1) - 0.5), 0, height).astype(np.int64)
     high = np.clip(np.floor(xy[..., 1].max(1) - 0.5) + 1, 0, height).astype(np.int64)
     triangle, row = _expand(low, np.maximum(high - low, 0))
@@ -41,7 +41,7 @@ def _spans(
 def _expand(
     start: Int[np.ndarray, "m"], count: Int[np.ndarray, "m"]
 ) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
-    """Return the owner and the value of every integer in the ranges start, start + count."""
+    """Return the range index and value of every integer in the ranges [start, start + count)."""
     owner = np.repeat(np.arange(len(count)), count)
     before = np.cumsum(count) - count
     return owner, np.arange(len(owner)) + (start - before)[owner]
@@ -50,11 +50,11 @@ def _expand(
 def rasterise(
     corners: Float[np.ndarray, "m 3 3"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw 3"], Float[np.ndarray, "hw"]]:
-    """Find the nearest triangle of every pixel, and where in it the pixel's centre is.
+    """Return the nearest triangle of every pixel and the barycentric weights at the pixel's centre.
 
-    A corner is pixel x, pixel y and 1/depth (perspective) or any quantity that grows towards the
-    viewer and is linear in the image. Returns per pixel (row-major): triangle index or -1,
-    screen-space barycentric weights, and the interpolated third coordinate (0 where nothing is).
+    A corner is pixel x, pixel y and 1/depth (perspective), or any quantity that increases towards
+    the viewer and is linear in the image. Returns per pixel (row-major): triangle index or -1,
+    screen-space barycentric weights, and the interpolated third coordinate (0 in empty pixels).
     """
     owner, near = nearest(corners, width, height)
     weights = np.zeros((len(owner), 3))
@@ -66,10 +66,10 @@ def rasterise(
 def nearest(
     corners: Float[np.ndarray, "m 3 3"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw"]]:
-    """Return the first and the last of what :func:`rasterise` returns.
+    """Return the first and the last result of :func:`rasterise`, without the weights.
 
     Raises:
-        SceneError: the triangles lie in more than ``MOST_LAYERS`` layers.
+        SceneError: The triangles form more than ``MOST_LAYERS`` layers.
     """
     near = np.zeros(width * height)
     owner = np.full(width * height, -1, np.int64)
@@ -102,18 +102,18 @@ def nearest(
 def _portions(
     xy: Float[np.ndarray, "m 3 2"], area: Float[np.ndarray, "m"], width: int, height: int
 ) -> list[Int[np.ndarray, "_k"]]:
-    """Return the triangles, in order, in portions that cross few rows each."""
+    """Split the triangles, in order, into chunks with a bounded number of rows."""
     size = np.array([width, height])
     low, high = np.clip(xy.min(1), 0, size), np.clip(xy.max(1), 0, size)
     box = np.ceil(high) - np.floor(low)
     covered = np.minimum(np.abs(area) / 2, box.prod(1)).sum()
     rows = np.cumsum(box[:, 1])
     most = MOST_LAYERS * width * height
-    # Two rows are every triangle's, however small.
+    # Every triangle counts at least two rows, however small it is.
     if len(rows) and max(covered, _ROW * (rows[-1] - 2 * len(rows))) > most:
         raise SceneError(
-            f"Its triangles lie in more than {MOST_LAYERS} layers: that is too much to draw. "
-            "Use meshes without so many surfaces behind one another."
+            f"The triangles form more than {MOST_LAYERS} layers, too many to draw. Use meshes with "
+            "fewer surfaces behind one another."
         )
     cuts = np.arange(_CHUNK, rows[-1] if len(rows) else 0, _CHUNK)
     return np.split(np.arange(len(xy)), np.unique(np.searchsorted(rows, cuts)))
@@ -125,7 +125,7 @@ def barycentric(
     pixel: Int[np.ndarray, "k"],
     width: int,
 ) -> Float[np.ndarray, "3 k"]:
-    """Return the barycentric weights, in [0, 1], of pixels' centres in a triangle each."""
+    """Return the barycentric weights, in [0, 1], of pixel centres, each in one triangle."""
     x, y = pixel % width + 0.5, pixel // width + 0.5
     e1, e2 = xy[:, 1] - xy[:, 0], xy[:, 2] - xy[:, 0]
     area = (e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0])[triangle]

@@ -1,4 +1,4 @@
-"""Normals, texture look-up and lighting of the software renderer."""
+"""Normals, texture sampling and lighting of the software renderer."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from ..scene import frozen_array
 from ..scene.triangles import scaled_normals, weld_index
 
 _CREASE = np.cos(np.deg2rad(40.0))
-_MOST_PAIRS = 64  # of corners in the same place, for each corner on average; solids have about 6
-_PIECE = 1 << 20  # such pairs held at once
+_MAX_PAIRS = 64  # maximum number of corners per position, averaged; solids have about 6
+_PIECE = 1 << 20  # pairs of corners processed at once
 
 
 def _unit(v: np.ndarray) -> np.ndarray:
-    """Return vectors along the last axis at length 1; NumPy's own norm is slow on short ones."""
+    """Normalise vectors along the last axis; NumPy's own norm is slow on short ones."""
     x, y, z = (v[..., k] for k in range(3))
     length = np.sqrt((x * x + y * y) + z * z)
     return v / np.maximum(length, 1e-12)[..., None]
@@ -24,10 +24,10 @@ def _unit(v: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class Light:
-    """One sun and a sky. ``direction`` points towards the sun (normalised on construction).
+    """A sun and a sky. ``direction`` points towards the sun (normalised on construction).
 
-    ``sun``, ``sky`` and ``gloss`` are intensities; ``softness`` is the shadow edge in metres;
-    ``tint`` multiplies the light's colour.
+    ``sun``, ``sky`` and ``gloss`` are intensities; ``softness`` is the width of the shadow edge in
+    metres; ``tint`` multiplies the light's colour.
     """
 
     direction: Float[np.ndarray, "3"] = field(
@@ -48,10 +48,10 @@ class Light:
 def corner_normals(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> Float[np.ndarray, "m 3 3"]:
-    """Return a unit normal per face corner, smooth across edges flatter than 40 degrees.
+    """Return a unit normal per face corner, smooth across edges of less than 40 degrees.
 
-    Vertices that share a position (seams of the texture) are smoothed together. Where far more
-    faces meet in points than in any solid, all normals are those of the faces.
+    Vertices that share a position (texture seams) are smoothed together. If far more faces meet at
+    points than in any solid, face normals are used throughout.
     """
     scaled = scaled_normals(vertices[faces])
     flat = _unit(scaled)
@@ -61,7 +61,7 @@ def corner_normals(
     starts = np.cumsum(counts) - counts
     repeats = counts[corner]
     pairs = np.cumsum(repeats)
-    if pairs[-1] > _MOST_PAIRS * len(corner):
+    if pairs[-1] > _MAX_PAIRS * len(corner):
         return np.repeat(flat[:, None], 3, axis=1)
     cuts = np.searchsorted(pairs, np.arange(_PIECE, pairs[-1], _PIECE))
     total = np.empty((len(corner), 3))
@@ -80,7 +80,7 @@ def corner_normals(
 def interpolate(
     corners: Float[np.ndarray, "p 3 c"], weights: Float[np.ndarray, "3 p"]
 ) -> Float[np.ndarray, "p c"]:
-    """Return the weighted sums of values at the three corners of triangles."""
+    """Interpolate values at the three corners of triangles with the given weights."""
     made = np.empty((len(corners), corners.shape[2]))
     for k in range(corners.shape[2]):
         a, b, c = corners[:, 0, k], corners[:, 1, k], corners[:, 2, k]
@@ -91,7 +91,7 @@ def interpolate(
 def sample_texture(
     texture: UInt8[np.ndarray, "th tw 3"], uv: Float[np.ndarray, "p 2"]
 ) -> Float[np.ndarray, "p 3"]:
-    """Sample a texture bilinearly at ``uv`` (v upwards, clamped to [0, 1]); values in [0, 1]."""
+    """Sample a texture bilinearly at ``uv`` (v up, clamped to [0, 1]); values are in [0, 1]."""
     height, width = texture.shape[:2]
     x = np.clip(uv[:, 0], 0, 1) * width - 0.5
     y = (1 - np.clip(uv[:, 1], 0, 1)) * height - 0.5
@@ -117,7 +117,7 @@ def shade(
     lit: Float[np.ndarray, "p"],
     light: Light,
 ) -> Float[np.ndarray, "p 3"]:
-    """Return Lambert light with a sky and a small highlight; ``lit`` is the sun's visible share."""
+    """Return Lambert shading with sky and highlight; ``lit`` is the visible share of the sun."""
     n, view = _unit(normal), _unit(to_camera)
     n[_dot(n, view) < 0] *= -1
     facing = np.clip(n @ light.direction, 0, 1) * lit

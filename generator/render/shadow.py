@@ -1,4 +1,4 @@
-"""Which points the sun sees: an orthographic depth map of the items, sampled for soft edges."""
+"""Shadows of the sun: an orthographic depth map of the items, sampled for soft edges."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ _TAPS = tuple(
     for r, t in [(0.0, 0.0)]
     + [(0.5, np.pi / 2 * (k + 0.25)) for k in range(4)]
     + [(1.0, np.pi / 3 * k) for k in range(6)]
-)  # where a soft shadow is sampled, in units of its softness
+)  # sample positions of a soft shadow, in units of its softness
 
-_TILE = 4  # cells of the map along a side of a tile
-_SIZE = 1024  # cells of the map along a side
-_RIM = 4  # of them free at each end
+_TILE = 4  # map cells along the side of a tile
+_SIZE = 1024  # map cells along the side of the map
+_RIM = 4  # empty map cells at each end of a side
 
 
 class Shadow:
-    """The depth map of the surfaces that cast shadows in a light.
+    """Depth map of shadow-casting surfaces, seen from the light.
 
-    The map is surrounded by cells in which nothing is. Its tiles know the highest and the lowest
-    cell that a sample of any of their points can reach: only points between the two need samples.
+    The map is padded with empty cells. Each tile stores the maximum and minimum of all cells within
+    sampling range of its points: only points between the two need samples.
     """
 
     def __init__(
@@ -35,7 +35,7 @@ class Shadow:
         surfaces: Sequence[tuple[Float[np.ndarray, "_ 3"], Int[np.ndarray, "_ 3"]]],
         light: Light,
     ) -> None:
-        """``points`` have to lie on the map; ``surfaces`` are vertices and faces. All in metres."""
+        """Build a map that contains ``points``; ``surfaces`` are (vertices, faces). Metres."""
         forward = -light.direction
         side = np.cross(forward, [0.0, 1.0, 0.0])
         side /= np.linalg.norm(side)
@@ -54,8 +54,8 @@ class Shadow:
         self._fill(nearest(corners, _SIZE, _SIZE)[1].reshape(_SIZE, _SIZE))
 
     def _fill(self, depth_map: Float[np.ndarray, "h w"]) -> None:
-        """Keep the map with a border of nothing, and the extremes within reach of its tiles."""
-        around = -(-(int(np.ceil(self._reach)) + 1) // _TILE)  # tiles that a sample can be away
+        """Store the map with an empty border, and the extremes within reach of each tile."""
+        around = -(-(int(np.ceil(self._reach)) + 1) // _TILE)  # reach of a sample, in tiles
         self._border = _TILE * (2 * around + 2)
         padded = np.pad(depth_map, self._border, constant_values=-np.inf)
         self._width = len(padded)
@@ -65,7 +65,7 @@ class Shadow:
         self._lowest = _extremes(padded, around, np.minimum).ravel()
 
     def _on_map(self, points: Float[np.ndarray, "p 3"]) -> tuple[Float[np.ndarray, "p"], ...]:
-        """Return column and row on the map, in cells, and the distance along the sun's rays, m."""
+        """Return column and row on the map, in cells, and the distance along the rays, metres."""
         turned = points @ self._axes.T
         x, y = ((turned[:, k] - self._low[k]) * self._scale + _RIM for k in range(2))
         return x, y, turned[:, 2]
@@ -73,11 +73,11 @@ class Shadow:
     def lit_share(
         self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
     ) -> Float[np.ndarray, "p"]:
-        """Return the lit share of each point in [0, 1]; points off the map are lit."""
+        """Return the lit fraction of each point in [0, 1]; points outside the map are lit."""
         x, y, far = self._on_map(points)
         cosine = np.clip(np.abs(normals @ self._axes[2]), 0.15, 1)
         bias = 0.002 + self._softness * np.sqrt(1 - cosine**2) / cosine * 1.5
-        closeness = self._top - far + bias  # grows with the slope: no surface shades itself
+        closeness = self._top - far + bias  # grows with the slope to prevent self-shadowing
         tile = self._tile_along(y) * self._tiles + self._tile_along(x)
         share = (closeness >= np.take(self._highest, tile)).astype(float)
         unsure = np.flatnonzero((share == 0) & (closeness >= np.take(self._lowest, tile)))
@@ -85,7 +85,7 @@ class Shadow:
         return share
 
     def _tile_along(self, x: Float[np.ndarray, "p"]) -> Int[np.ndarray, "p"]:
-        """Return the column (or row) of the tiles at map coordinates; the nearest if off them."""
+        """Return the tile column (or row) of map coordinates; the nearest one outside the map."""
         cell = np.clip(x + self._border, 0, self._width - 1).astype(np.int64)
         return cell // _TILE
 
@@ -95,7 +95,7 @@ class Shadow:
         y: Float[np.ndarray, "p"],
         closeness: Float[np.ndarray, "p"],
     ) -> Float[np.ndarray, "p"]:
-        """Return the share of the samples around points, in map coordinates, that are lit."""
+        """Return the fraction of lit samples around points in map coordinates."""
         total = np.zeros(len(x), np.int32)
         first = self._border * (self._width + 1)
         for dx, dy in _TAPS:
@@ -108,9 +108,9 @@ class Shadow:
 def _extremes(
     values: Float[np.ndarray, "h w"], around: int, extreme: np.ufunc
 ) -> Float[np.ndarray, "th tw"]:
-    """Return the extreme of the values in each tile and the ``around`` tiles on every side.
+    """Return the extreme of each tile and of the ``around`` tiles on every side.
 
-    Beyond the values, nothing is.
+    Outside ``values`` the map is empty.
     """
     for axis in (0, 1):
         values = np.moveaxis(values, axis, 0)

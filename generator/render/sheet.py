@@ -1,4 +1,4 @@
-"""Pictures of a scene, and contact sheets: grids with captions and boxes."""
+"""Pictures of a scene, and contact sheets with captions and boxes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .raster import Item, Rendered, place, render
 
 _INK = (40, 44, 52)
 BOX_COLORS = ((214, 69, 65), (31, 119, 180), (44, 140, 60), (148, 90, 180), (220, 130, 20))
-"""Colours of named boxes, in turn."""
+"""Colours of named boxes, used cyclically."""
 
 
 def grid(
@@ -23,10 +23,10 @@ def grid(
     columns: int = 4,
     cell: int = 256,
 ) -> UInt8[np.ndarray, "gh gw 3"]:
-    """Lay pictures (RGB or RGBA, any sizes) out in a grid of square cells on white.
+    """Arrange pictures (RGB or RGBA, any sizes) in a grid of square cells on white.
 
-    Each is shrunk or grown to fit its cell of ``cell`` pixels, aspect kept, with a line of caption
-    below it, if there are captions.
+    Each picture is resized to fit its cell of ``cell`` pixels, keeping its aspect ratio. If there
+    are captions, each picture has one line of text below it.
     """
     columns = max(1, min(columns, len(images)))
     rows = -(-len(images) // columns)
@@ -48,7 +48,7 @@ def grid(
 def draw_boxes(
     image: UInt8[np.ndarray, "h w 3"], boxes: Mapping[str, Float[np.ndarray, "4"]]
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Return ``image`` with named pixel boxes (x0, y0, x1, y1) drawn on it."""
+    """Return a copy of ``image`` with named pixel boxes (x0, y0, x1, y1) drawn on it."""
     picture = Image.fromarray(np.ascontiguousarray(image)).convert("RGB")
     draw, font = ImageDraw.Draw(picture), ImageFont.load_default(max(12, picture.width // 70))
     for index, (name, box) in enumerate(boxes.items()):
@@ -62,7 +62,7 @@ def draw_boxes(
 _UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 
 TOP_DOWN = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(20.0))
-"""A view from straight above, nearly without perspective."""
+"""View from straight above, nearly without perspective."""
 
 
 def scene_items(scene: Scene) -> list[Item]:
@@ -87,7 +87,7 @@ def render_scene(
 ) -> Rendered:
     """Draw a whole scene on white; ``view`` defaults to the scene's own, framed to fit.
 
-    Ids: 0 the table, ``k`` the object ``scene.objects[k - 1]``, -1 nothing.
+    Ids: 0 is the table, ``k`` the object ``scene.objects[k - 1]``, -1 an empty pixel.
     """
     items = scene_items(scene)
     if camera is None:

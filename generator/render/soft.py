@@ -1,11 +1,11 @@
 """A differentiable soft rasteriser: textured surface points splatted into tight crops.
 
-Every point of the surface stands for a small area. Projected, that area is a known number of
-pixels, so the splatted areas of a closed object add up to its number of surface layers: at least
-one front and one back layer inside the silhouette, none outside. The soft silhouette is a smooth
-step of that sum. Cost depends on the number of points, not on the mesh, and a batch of candidate
-poses is one tensor. Gradients flow to yaw, tilt and distance through pixel positions, projected
-areas and the tight crop itself; which points are hidden is decided without gradient.
+Each surface point represents a small area. Projected, that area covers a known number of pixels,
+so the splatted areas of a closed object add up to the number of surface layers: at least one
+front and one back layer inside the silhouette, none outside. The soft silhouette is a smooth
+step function of that sum. The cost depends on the number of points, not on the mesh, and a batch
+of candidate poses is one tensor. Gradients flow to yaw, tilt and distance through pixel
+positions, projected areas and the tight crop itself; visibility is computed without gradients.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ from ..scene.triangles import scaled_normals
 from .crop import MARGIN
 from .shading import sample_texture
 
-_HIDDEN_WEIGHT = 0.01  # hidden points colour a pixel only where no visible point does
-_FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial, sigma of one pixel
+_HIDDEN_WEIGHT = 0.01  # hidden points colour a pixel only if it has no visible point
+_FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial filter, sigma of one pixel
 
 
 @dataclass(frozen=True, eq=False)
 class SampledSurface:
     """Sample points of ``s`` objects' textured surfaces, each in its object frame in metres.
 
-    ``area`` (m^2) is what one point stands for; ``covered`` marks points just under another
-    surface, such as a body under its label, too close for a depth buffer to tell; ``corners`` are
-    the vertices of the convex hull, which bound the object in any view.
+    ``area`` (m^2) is the area represented by one point; ``covered`` marks points just below another
+    surface, such as a body under its label, too close to be resolved by a depth buffer; ``corners``
+    are the vertices of the convex hull, which bound the object in any view.
     """
 
     position: Float[Tensor, "s n 3"]
@@ -48,19 +48,19 @@ class SampledSurface:
     corners: Float[Tensor, "s k 3"]
 
     def thin(self, step: int, first: int = 0) -> SampledSurface:
-        """Return every ``step``-th point, standing for as much more area; they stay even."""
+        """Return every ``step``-th point with a correspondingly larger area; they remain even."""
         count = self.position.shape[1]
         names = ("position", "normal", "color", "covered")
         kept = {name: getattr(self, name)[:, first::step] for name in names}
         return replace(self, **kept, area=self.area * (count / len(range(first, count, step))))
 
     def to(self, device: torch.device | str) -> SampledSurface:
-        """Return the surfaces on another device."""
+        """Return a copy on another device."""
         return SampledSurface(*(getattr(self, field.name).to(device) for field in fields(self)))
 
 
 def stack(surfaces: Sequence[SampledSurface]) -> SampledSurface:
-    """Return several surfaces of equally many points as one."""
+    """Stack surfaces with equal numbers of points into one."""
     most = max(s.corners.shape[1] for s in surfaces)
     rests = [s.corners[:, -1:].expand(-1, most - s.corners.shape[1], -1) for s in surfaces]
     padded = [
@@ -73,9 +73,10 @@ def stack(surfaces: Sequence[SampledSurface]) -> SampledSurface:
 
 @dataclass(frozen=True, eq=False)
 class CropFit:
-    """Where in its crop an object is drawn, if not tightly: for masks that are not quite right.
+    """Offset of an object within its crop if it is not tight: for slightly inaccurate masks.
 
-    ``shift`` (x right, y down) is a share of the crop's side, ``zoom`` the logarithm of a factor.
+    ``shift`` (x right, y down) is a fraction of the crop's side, ``zoom`` the logarithm of a
+    factor.
     """
 
     shift: Float[Tensor, "b 2"]
@@ -84,9 +85,9 @@ class CropFit:
 
 @dataclass(frozen=True, eq=False)
 class CropWindow:
-    """What part of the image a crop shows, if it is not to be tight around the object.
+    """Part of the image shown in a crop that is not tight around the object.
 
-    ``middle`` is its centre in x/z, y/z; ``scale`` is in pixels per unit of those.
+    ``middle`` is its centre in x/z, y/z; ``scale`` is in pixels per unit of these.
     """
 
     middle: Float[Tensor, "b 2"]
@@ -97,8 +98,8 @@ class CropWindow:
 class SoftImages:
     """A batch of renders, each cropped tightly around its object.
 
-    ``image`` is RGB in [0, 1] over a grey ground, ``silhouette`` in [0, 1]; ``normal``, if asked
-    for, the mean of the visible surface's unit normals in camera axes, without gradient.
+    ``image`` is RGB in [0, 1] over a grey background, ``silhouette`` is in [0, 1]. ``normal``, if
+    requested, is the mean unit normal of the visible surface in camera axes, without gradients.
     """
 
     image: Float[Tensor, "b 3 h w"]
@@ -109,9 +110,9 @@ class SoftImages:
 def _find_covered(
     position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
 ) -> Bool[np.ndarray, "n"]:
-    """Mark points that lie under another, parallel surface no farther off than ``spacing``."""
-    # Each of the two points must see the other on the matching side of its own plane, which tells
-    # a cover from the neighbours on a hollow or bulging surface.
+    """Mark points below another, parallel surface at most ``spacing`` away."""
+    # Each of the two points must lie on the matching side of the other's plane, which distinguishes
+    # a cover from neighbours on a concave or convex surface.
     near = KDTree(position).query(position, k=min(12, len(position)))[1]
     apart = position[near] - position[:, None]
     above = (apart * normal[:, None]).sum(-1)
@@ -128,13 +129,13 @@ def sample_surface(
     seed: int,
     dtype: torch.dtype = torch.float32,
 ) -> SampledSurface:
-    """Spread ``count`` points evenly over one canonical mesh scaled to ``size`` metres.
+    """Sample ``count`` points evenly on one canonical mesh scaled to ``size`` metres.
 
     Points are stratified over the faces by area, and low-discrepancy within a face. Colours are the
-    texture under a soft light from straight above, which tells top and side faces apart.
+    texture under soft light from straight above, which distinguishes top and side faces.
 
     Raises:
-        InputError: the surface has no area.
+        InputError: The surface area is zero.
     """
     vertices = np.asarray(mesh.vertices, np.float64) * np.asarray(size)
     corners = vertices[mesh.faces]
@@ -174,7 +175,8 @@ def object_to_camera(
 ) -> Float[Tensor, "b 3 3"]:
     """Return rotations from the object frame to camera axes (x right, y down, z forward).
 
-    ``yaw`` turns the object about world +z; ``tilt`` raises the camera's elevation; radians.
+    ``yaw`` turns the object about world +z; ``tilt`` raises the camera's elevation. Both in
+    radians.
     """
     cy, sy, ct, st = (f()[:, None] for f in (yaw.cos, yaw.sin, tilt.cos, tilt.sin))
     x, y, z = (column.expand(len(yaw), 3) for column in world_to_camera.to(yaw.dtype).unbind(1))
@@ -185,7 +187,7 @@ def object_to_camera(
 def rotate(
     points: Float[Tensor, "b n 3"], rotation: Float[Tensor, "b 3 3"]
 ) -> Float[Tensor, "b n 3"]:
-    """Return the points rotated, added up in one order: a matrix product's depends on memory."""
+    """Rotate points, summing in a fixed order: a matrix product's order depends on memory."""
     x, y, z = points.split(1, 2)
     columns = rotation[:, None].unbind(3)
     return x * columns[0] + y * columns[1] + z * columns[2]
@@ -194,7 +196,7 @@ def rotate(
 def bounds(
     corners: Float[Tensor, "b k 3"], rotation: Float[Tensor, "b 3 3"], center: Float[Tensor, "b 3"]
 ) -> tuple[Float[Tensor, "b 2"], Float[Tensor, "b 2"]]:
-    """Return the lowest and highest x/z, y/z of objects whose centres are at ``center``."""
+    """Return the minimum and maximum x/z, y/z of objects whose centres are at ``center``."""
     p = rotate(corners, rotation) + center[:, None]
     xy = p[..., :2] / p[..., 2:]
     return xy.amin(1), xy.amax(1)
@@ -206,11 +208,11 @@ def fit_center(
     middle: Float[Tensor, "b 2"],
     span: Float[Tensor, "b 2"],
 ) -> Float[Tensor, "b 3"]:
-    """Return where each object's centre lies if its projection is to fill a box of the image.
+    """Return each object's centre such that its projection fills a box of the image.
 
-    ``middle`` and ``span`` are the boxes' centres and sizes in x/z, y/z. The centre agrees
-    exactly; the size agrees in area, since the object keeps its proportions. A box too large for
-    the object puts it no nearer than one and a half times its radius.
+    ``middle`` and ``span`` are the boxes' centres and sizes in x/z, y/z. The centre matches
+    exactly; the size matches in area, since the object keeps its proportions. For a box too large
+    for the object, the distance is at least one and a half times the object's radius.
     """
     nearest = 1.5 * corners.norm(dim=2).amax(1, keepdim=True)
     ray = torch.cat([middle, torch.ones_like(middle[:, :1])], 1)
@@ -227,7 +229,7 @@ def fit_center(
 def pixel_scale(
     span: Float[Tensor, "b 2"], resolution: int, keep_aspect: bool
 ) -> Float[Tensor, "b 2"]:
-    """Return pixels per unit that fit ``span`` into a square crop of side ``resolution``."""
+    """Return the pixels per unit that fit ``span`` into a square crop of side ``resolution``."""
     if keep_aspect:
         span = span.amax(-1, keepdim=True).expand_as(span)
     return resolution * (1 - 2 * MARGIN) / span.clamp_min(1e-9)
@@ -246,12 +248,12 @@ def render(
 ) -> SoftImages:
     """Draw objects in ``b`` poses, each in its own square crop of side ``resolution``.
 
-    ``surface`` are sample points of the objects, ``owner`` which object each pose is of; None if
-    there is only one. ``rotation`` takes object frames to camera axes, see ``object_to_camera``;
-    ``center`` are the objects' centres in camera axes, metres, in front of the camera.
-    ``keep_aspect`` fits the longer side and pads the other; else both are stretched. ``fit`` moves
-    the objects in their crops, which are tight around them, or around what ``window`` says.
-    ``normals`` are drawn as well if asked for.
+    ``surface`` holds sample points of the objects; ``owner`` is the index of the object of each
+    pose, None if there is only one object. ``rotation`` maps object frames to camera axes, see
+    ``object_to_camera``; ``center`` are the objects' centres in camera axes, metres, in front of
+    the camera. ``keep_aspect`` fits the longer side and pads the other; otherwise both are
+    stretched. Crops are tight around the objects, or show ``window`` if it is given; ``fit`` shifts
+    and zooms the objects within them. ``normals`` requests the normals as well.
     """
     index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
     if window is None:
@@ -295,7 +297,7 @@ def _visible(
     scale: Float[Tensor, "b 2"],
     resolution: int,
 ) -> Bool[Tensor, "b n"]:
-    """Tell which points lie in front of a coarse depth buffer, widened by one cell."""
+    """Return which points lie in front of a coarse depth buffer, widened by one cell."""
     b = len(depth)
     cells = max(resolution // 2, 1)
     cell = (pixel.detach() * (cells / resolution)).long().clamp(0, cells - 1)
@@ -310,7 +312,7 @@ def _visible(
 def _splat(
     pixel: Float[Tensor, "b n 2"], values: Float[Tensor, "b n c"], resolution: int
 ) -> Float[Tensor, "b c h w"]:
-    """Add every point's values to the four pixels around it, then filter with one pixel sigma."""
+    """Add every point's values to its four nearest pixels, then filter with sigma of one pixel."""
     b, _, c = values.shape
     corner = (pixel - 0.5).floor()
     fraction = pixel - 0.5 - corner
@@ -328,7 +330,7 @@ def _splat(
 
 
 def smooth(images: Float[Tensor, "b c h w"]) -> Float[Tensor, "b c h w"]:
-    """Filter images with the splat's own footprint, a binomial of one pixel sigma."""
+    """Filter images with the splat's own kernel, a binomial with sigma of one pixel."""
     c = images.shape[1]
     taps = images.new_tensor(_FILTER)
     rows = functional.pad(images, (2, 2, 2, 2))
@@ -339,9 +341,9 @@ def smooth(images: Float[Tensor, "b c h w"]) -> Float[Tensor, "b c h w"]:
 def sobel(
     images: Float[Tensor, "b h w"],
 ) -> tuple[Float[Tensor, "b hi wi"], Float[Tensor, "b hi wi"]]:
-    """Return an image's derivatives to the right and downwards by Sobel's filters, without a rim.
+    """Return an image's horizontal (right) and vertical (down) Sobel derivatives, without a border.
 
-    Written as differences: convolutions of a single channel are slow backwards.
+    Implemented as differences: single-channel convolutions have a slow backward pass.
     """
     across = images[:, :, 2:] - images[:, :, :-2]
     down = images[:, 2:] - images[:, :-2]
@@ -351,7 +353,7 @@ def sobel(
 
 
 def sobel_edges(silhouette: Float[Tensor, "b h w"]) -> Float[Tensor, "b h w"]:
-    """Return the soft edge map of a soft silhouette: the length of its Sobel gradient, >= 0."""
+    """Return the edge map of a soft silhouette: the magnitude of its Sobel gradient, >= 0."""
     x, y = sobel(functional.pad(silhouette, (1, 1, 1, 1)))
     tiny = 1e-3
     return (x.square() + y.square() + tiny**2).sqrt() - tiny

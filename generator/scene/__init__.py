@@ -1,4 +1,4 @@
-"""The nouns of the pipeline: frozen values that flow from a text or an image to a scene.
+"""The core values of the pipeline: frozen types that carry a text or an image to a scene.
 
 Frames and units of the whole project
 -------------------------------------
@@ -8,20 +8,22 @@ SI metres, kilograms, radians, seconds; quaternions are ``wxyz`` as in MuJoCo.
 +y away *as seen in the reference image*, +z up. Yaw turns about +z, counter-clockwise seen from
 above.
 
-*Canonical object frame*: +z up, the mesh normalised to the unit box ``[-0.5, 0.5]^3``. ``scale``
-is the object's *extent* along its own axes in metres; ``translation`` is the *centre of its box*.
+*Canonical object frame*: +z up, the mesh normalised to the unit box ``[-0.5, 0.5]^3``. ``scale`` is
+the object's *extent* along its own axes in metres; ``translation`` is the *centre of its bounding
+box*.
 
-*Camera axes*: x right, y down, z forward. A ``View`` of azimuth 0 looks along +y, a positive
-one moves the camera towards +x; elevation is above the horizon, ``fov`` is vertical.
+*Camera axes*: x right, y down, z forward. A ``View`` with azimuth 0 looks along +y; a positive
+azimuth moves the camera towards +x. Elevation is measured from the horizon; ``fov`` is the vertical
+field of view.
 
 *Robot base frame*, defined in ``tabletopgen_env.world.world``: origin at the robot's base, x
 forward, z up.
 
-*Images* are ``uint8`` RGB, row 0 at the top. *Pixel boxes* are ``(x0, y0, x1, y1)``, right and
-bottom exclusive. *Pixel coordinates*: (0, 0) is the corner at the top left, so pixel centres are at
-halves; only ``Intrinsics`` put the centre of the first pixel at (0, 0), as OpenCV and ROS do. In
-the *top view* u (right) is world +x and v (down) is world -y. *Texture coordinates* have u to the
-right and v upwards (Wavefront OBJ), so texture row 0 is v = 1.
+*Images* are ``uint8`` RGB, row 0 at the top. *Pixel boxes* are ``(x0, y0, x1, y1)``; the right and
+bottom bounds are exclusive. *Pixel coordinates*: (0, 0) is the top-left corner of the image, so
+pixel centres have half-integer coordinates; only ``Intrinsics`` places the centre of the first
+pixel at (0, 0), as OpenCV and ROS do. In the *top view* u (right) is world +x and v (down) is world
+-y. *Texture coordinates*: u points right and v points up (Wavefront OBJ), so v = 1 at row 0.
 """
 
 from tabletop_objects.values import ConvexPart as ConvexPart

@@ -1,4 +1,4 @@
-"""What a settled scene keeps of its plan: relations and supports, as the report found them."""
+"""Relations and supports of a plan that hold in the settled scene, according to its report."""
 
 from __future__ import annotations
 
@@ -9,24 +9,24 @@ from .result import Object, Scene
 
 
 def held_relations(scene: Scene, name: str) -> tuple[Relation, ...]:
-    """Return the plan's relations of a thing that hold in the settled scene.
+    """Return the planned relations of an object that hold in the settled scene.
 
-    A report without outcomes tells nothing: then all of the plan's are returned.
+    If the report records no relation outcomes, all planned relations of the object are returned.
     """
     planned = scene.plan.objects if scene.plan else ()
-    asked = next((o.relations for o in planned if o.name == name), ())
+    requested = next((o.relations for o in planned if o.name == name), ())
     outcomes = scene.report.relations if scene.report else ()
     if not outcomes:
-        return asked
+        return requested
     held = {(o.kind, o.target) for o in outcomes if o.name == name and o.holds}
-    return tuple(r for r in asked if (r.kind, r.target) in held)
+    return tuple(r for r in requested if (r.kind, r.target) in held)
 
 
 def hold_supports(scene: Scene) -> Scene:
-    """Return the scene without supports that its report denies.
+    """Return the scene with supports that contradict its report reset to the table.
 
-    A thing that does not rest on, or in, what its placement says stands on the table, for all that
-    is known. The same scene is returned where nothing is denied.
+    An object that does not rest on, or in, the support named in its placement is assigned to the
+    table. The same scene is returned if nothing changes.
     """
     outcomes = scene.report.relations if scene.report else ()
     denied = {(o.name, o.kind, o.target) for o in outcomes if not o.holds}

@@ -1,8 +1,8 @@
-"""The paper's printed JSON (Figs. 12 and 14) to placements in our frame, and back.
+"""Convert the paper's JSON (Figs. 12 and 14) to placements in our frame and back.
 
-The paper writes centimetres and degrees, +x left and +y toward the viewer; we write metres and
-radians, +x right and +y away. The two frames differ by half a turn about z. A model's canonical
-axes turn with the frame, so a yaw keeps its value: only x and y change sign.
+The paper uses centimetres and degrees, with +x left and +y toward the viewer; this project uses
+metres and radians, with +x right and +y away. The two frames differ by a half turn about z. A
+model's canonical axes turn with the frame, so yaw is unchanged: only x and y change sign.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ def from_paper(
         alignment: ``{"anchor_object": ..., "objects": {name: {"scale", "translation"}}}`` in cm.
 
     Returns:
-        The placements of ``alignment``'s objects, in its order, and the anchor's name. Blanks in
-        names become underscores (the paper prints both forms).
+        The placements of the objects in ``alignment``, in the same order, and the anchor's name.
+        Spaces in names become underscores (the paper prints both forms).
 
     Raises:
-        InputError: an object without a rotation, or fields missing or malformed.
+        InputError: An object has no rotation, or a field is missing or malformed.
     """
     given, answer = _mapping(rotations), _mapping(alignment)
     objects = None if answer is None else _mapping(answer.get("objects", {}))
@@ -57,7 +57,7 @@ def _plain(name: object) -> str:
 
 def _placement(name: str, entry: Any, yaws: Mapping[str, Any]) -> Placement:
     if name not in yaws:
-        raise InputError(f"No rotation for {name!r}; rotations exist for {sorted(yaws)}.")
+        raise InputError(f"No rotation for {name!r}; rotations are given for {sorted(yaws)}.")
     require_number(f"{name!r} needs a rotation", yaws[name])
     try:
         translation = np.asarray(entry["translation"], float) * _FRAME

@@ -1,4 +1,4 @@
-"""What a picture holds: the reference, what is found in it, its camera (Secs. 3.1 and 3.3)."""
+"""Values for pictures: the reference image, its detections and its camera (Secs. 3.1 and 3.3)."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ from tabletop_objects.values import BOX, MASK, PICTURE, freeze, frozen_array
 from ..errors import InputError, require_number
 from .plan import ScenePlan
 
-_LEAST_FOV = 0.01  # radians
-_FAR = 1e9  # pixels
+_MIN_FOV = 0.01  # radians
+_MAX_PIXELS = 1e9  # pixels
 
 
 @dataclass(frozen=True)
 class Intrinsics:
-    """Focal lengths and principal point of one picture's camera, in its pixels.
+    """Focal lengths and principal point of a picture's camera, in pixels of that picture.
 
-    As calibrations state them (OpenCV, ROS): x right, y down, and the *centre* of the top-left
-    pixel at (0, 0), so that a centred principal point is ((width - 1) / 2, (height - 1) / 2).
+    The convention is that of OpenCV and ROS: x right, y down, and the *centre* of the top-left
+    pixel at (0, 0), so the principal point of a centred camera is
+    ((width - 1) / 2, (height - 1) / 2).
     """
 
     fx: float
@@ -33,21 +34,21 @@ class Intrinsics:
     def __post_init__(self) -> None:
         for name, above in (("fx", 0.0), ("fy", 0.0), ("cx", None), ("cy", None)):
             value = getattr(self, name)
-            require_number(f"Intrinsics need {name}", value, above=above, maximum=_FAR)
+            require_number(f"Intrinsics need {name}", value, above=above, maximum=_MAX_PIXELS)
             object.__setattr__(self, name, float(value))
 
     def scale(self, across: float, down: float) -> Intrinsics:
-        """Return the intrinsics of the picture resized by these factors."""
+        """Return the intrinsics for the picture resized by these factors."""
         cx, cy = (self.cx + 0.5) * across - 0.5, (self.cy + 0.5) * down - 0.5
         return Intrinsics(self.fx * across, self.fy * down, cx, cy)
 
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """The reference image I_ref (Sec. 3). ``plan`` and ``prompt`` are there if a text was.
+    """The reference image I_ref (Sec. 3), with its ``prompt`` and ``plan`` if it has any.
 
-    Of an RGB-D picture ``depth`` is the distance along the optical axis in metres, 0 where it is
-    unknown, and ``intrinsics`` are the camera's; both are there or neither.
+    For an RGB-D picture, ``depth`` is the distance along the optical axis in metres, 0 where it is
+    unknown, and ``intrinsics`` are those of the camera. Both are given or neither is.
     """
 
     image: UInt8[np.ndarray, "h w 3"]
@@ -63,15 +64,17 @@ class Reference:
         if self.depth is not None:
             freeze(self, depth=(np.float32, self.image.shape[:2]))
             if self.depth.min() < 0:
-                raise InputError("Reference.depth is in metres; 0 means unknown, none is below 0.")
+                raise InputError(
+                    "Reference.depth is in metres; it must be >= 0, where 0 means unknown."
+                )
 
 
 @dataclass(frozen=True, eq=False)
 class Detection:
     """One segmented region of an image: label, tight pixel box, mask, score in [0, 1].
 
-    ``full`` is the whole object's mask, what other things hide of it included, if the segmenter
-    can tell; None leaves that to the completion.
+    ``full`` is the mask of the whole object, including its occluded part, if the segmenter
+    predicts it; if None, the completion estimates it.
     """
 
     label: str
@@ -91,8 +94,8 @@ class Instance:
     """One object of the reference image (Sec. 3.1).
 
     ``mask`` (visible pixels, holes filled) and ``box`` are in reference pixels; ``crop`` is the
-    completed RGBA picture of the object alone, and ``crop_box`` the reference pixels that it shows
-    (it may leave the image); ``occluded`` tells whether something was completed.
+    completed RGBA picture of the object alone, and ``crop_box`` its extent in reference pixels,
+    which may exceed the image; ``occluded`` is true if a part of the object was completed.
     """
 
     name: str
@@ -112,9 +115,9 @@ class Instance:
 class View:
     """The camera of the reference image (Sec. 3.3), in radians.
 
-    ``azimuth`` 0 looks along +y (from the front); positive moves the camera towards +x.
-    ``elevation`` is above the horizon, in (0, pi/2]. ``fov`` is the vertical field of view.
-    A positive ``roll`` dips the camera's right side: what it shows turns counter-clockwise.
+    ``azimuth`` 0 looks along +y (from the front); positive values move the camera towards +x.
+    ``elevation`` is measured from the horizon, in (0, pi/2]. ``fov`` is the vertical field of view.
+    A positive ``roll`` lowers the camera's right side: the image turns counter-clockwise.
     """
 
     azimuth: float
@@ -124,17 +127,19 @@ class View:
 
     def __post_init__(self) -> None:
         if not np.abs([self.azimuth, self.elevation, self.fov, self.roll]).max() < 1e4:
-            raise InputError(f"View holds NaN, infinity or many turns, not radians: {self}.")
-        sides = 0 < self.elevation <= np.pi / 2 + 1e-9, _LEAST_FOV <= self.fov <= np.pi - _LEAST_FOV
+            raise InputError(
+                f"View needs finite angles in radians, below 1e4 in magnitude, got {self}."
+            )
+        sides = 0 < self.elevation <= np.pi / 2 + 1e-9, _MIN_FOV <= self.fov <= np.pi - _MIN_FOV
         if not all(sides):
             raise InputError(
-                f"View needs elevation in (0, pi/2] and fov in (0, pi) radians, {_LEAST_FOV} "
-                f"from both ends, got {self}."
+                f"View needs elevation in (0, pi/2] and fov in (0, pi) radians, {_MIN_FOV} from "
+                f"both ends, got {self}."
             )
 
 
 USUAL_VIEW = View(azimuth=0.0, elevation=np.deg2rad(55.0), fov=np.deg2rad(35.0))
-"""From the front and above: of a scene that no picture was taken of."""
+"""View from the front and above, for scenes without a picture."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,4 +1,4 @@
-"""What a text asks for (Fig. 12)."""
+"""The plan of a scene, as a text describes it (Fig. 12)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tabletop_objects.values import VECTOR, frozen_array
 from ..errors import InputError, choices
 
 TABLE = "table"
-"""Name of the table, as an instance and as a support."""
+"""Name of the table, both as an instance and as a support."""
 
 RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "on", "in", "next_to", "center", "edge"
@@ -20,14 +20,14 @@ GroupKind = Literal[
     "row", "column", "circle", "fan", "heap", "pyramid", "scatter", "grid", "group", "setting"
 ]
 Density = Literal["sparse", "normal", "dense"]
-"""How full a table is: how far things stand apart, and how many a theme alone puts there."""
+"""How full a table is: the spacing of objects, and their number if only a theme is given."""
 
 OutlineKind = Literal["rectangle", "square", "round", "oval", "triangle", "slatted"]
 
 
 @dataclass(frozen=True)
 class Relation:
-    """Where a planned object goes: ``kind`` relative to ``target`` (an object name or "table")."""
+    """Relation of a planned object: ``kind`` relative to ``target`` (an object name or "table")."""
 
     kind: RelationKind
     target: str = TABLE
@@ -35,12 +35,12 @@ class Relation:
 
 @dataclass(frozen=True)
 class PlannedObject:
-    """One object a text asks for.
+    """One object requested by a text.
 
     ``name`` is unique ("mug_1"); ``noun`` is the word used; ``category`` is a catalogue key, or
     "generic" when no category fits. ``attributes`` maps "color", "material", "size" ("small",
-    "large") and "state" to words. ``size`` is the extent in metres if the text fixed one.
-    ``family`` is the kind of thing that stands for a "generic" object ("appliance"), if known.
+    "large") and "state" to words. ``size`` is the extent in metres if the text specifies one.
+    ``family`` is the kind of object that represents a "generic" one ("appliance"), if known.
     """
 
     name: str
@@ -64,7 +64,7 @@ class PlannedObject:
 
 @dataclass(frozen=True)
 class PlannedTable:
-    """The table a text asks for. ``size`` is (length x, width y, height z) in metres."""
+    """The table requested by a text. ``size`` is (length x, width y, height z) in metres."""
 
     outline: OutlineKind = "rectangle"
     material: str = "oak"
@@ -83,13 +83,13 @@ class PlannedTable:
 
 @dataclass(frozen=True)
 class PlannedGroup:
-    """Things that a text asks to be arranged as one; stacks are relations ("on").
+    """Objects that a text arranges as a group; stacks are relations ("on") instead.
 
     Attributes:
-        kind: how they are arranged; "setting" is what is laid for one person.
+        kind: the arrangement; "setting" is a place setting for one person.
         members: names of planned objects, in order.
-        around: the object that a circle is laid around, if any.
-        seat: of a setting, the number of the seat and how many there are.
+        around: the object at the centre of a circle, if any.
+        seat: for a setting, the number of the seat and the number of seats.
     """
 
     kind: GroupKind
@@ -100,7 +100,7 @@ class PlannedGroup:
 
 @dataclass(frozen=True)
 class ScenePlan:
-    """What a text asks for (Sec. 3, Fig. 8): the table, its objects, a style; no coordinates."""
+    """The plan of a scene (Sec. 3, Fig. 8): table, objects and style, without coordinates."""
 
     prompt: str
     table: PlannedTable
@@ -122,8 +122,8 @@ class ScenePlan:
             strange = {*group.members, *([group.around] if group.around else [])} - {*names}
             if strange or group.kind not in get_args(GroupKind):
                 raise InputError(
-                    f"The plan's {group.kind!r} of {', '.join(group.members)} names what is not "
-                    f"planned: {', '.join(sorted(strange)) or group.kind}."
+                    f"The plan's {group.kind!r} of {', '.join(group.members)} refers to objects "
+                    f"that are not in the plan: {', '.join(sorted(strange)) or group.kind}."
                 )
         on = {p.name: [r.target for r in p.relations if r.kind in ("on", "in")]
               for p in self.objects}  # fmt: skip
@@ -131,15 +131,16 @@ class ScenePlan:
             for target in (relation.target for relation in planned.relations):
                 if target == planned.name or target not in (*names, TABLE):
                     raise InputError(
-                        f"{planned.name!r} is related to {target!r}." + choices(target, names)
+                        f"{planned.name!r} is related to {target!r}, which is not another object "
+                        "of the plan." + choices(target, names)
                     )
             below = set(on[planned.name])
             while (deeper := below.union(*(on.get(name, ()) for name in below))) != below:
                 below = deeper
             if planned.name in below:
-                raise InputError(f"{planned.name!r} stands on itself, by way of {sorted(below)}.")
+                raise InputError(f"{planned.name!r} stands on itself through {sorted(below)}.")
 
 
 def _check_extent(size: tuple[float, float, float], what: str) -> None:
     if (frozen_array(size, *VECTOR, f"{what}.size") <= 0).any():
-        raise InputError(f"{what}: size must be positive metres, got {tuple(size)}.")
+        raise InputError(f"{what}: the size must be positive, in metres, got {tuple(size)}.")

@@ -1,4 +1,4 @@
-"""What a scene is called and how its making is written down."""
+"""Scene names, package versions and JSON-ready values for provenance records."""
 
 from __future__ import annotations
 
@@ -16,32 +16,32 @@ _DECISIVE = (
 )  # fmt: skip
 
 
-_LONGEST_NAME = 40  # characters
+_MAX_NAME = 40  # characters
 
 
 def scene_name(prompt: str | None) -> str:
-    """Return a short file-safe name for a prompt: its first words, 40 characters at most."""
+    """Return a short file-safe name for a prompt: its first words, at most 40 characters."""
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in (prompt or "picture"))
     name = "-".join(words.lower().split())
-    if len(name) > _LONGEST_NAME:
-        cut = name[: _LONGEST_NAME + 1]
+    if len(name) > _MAX_NAME:
+        cut = name[: _MAX_NAME + 1]
         name = cut.rpartition("-")[0] or cut[:-1]
     return name or "scene"
 
 
 def versions(packages: Iterable[str] = _DECISIVE) -> dict[str, str]:
-    """Return the versions of packages; of those that decide a scene's bytes, unless told."""
+    """Return package versions; by default, of the packages that affect a scene's bytes."""
     return {package: _version(package) for package in packages}
 
 
 @lru_cache(maxsize=64)
 def _version(package: str) -> str:
-    """Return what is installed, which a process reads once: finding it takes a millisecond."""
+    """Return the installed version, cached per process because a lookup takes a millisecond."""
     return metadata.version(package)
 
 
 def plain(value: Any) -> Any:
-    """Return dataclasses, tuples, mappings and NumPy scalars as JSON-ready values."""
+    """Convert dataclasses, tuples, mappings and NumPy scalars to JSON-ready values."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
     if isinstance(value, Mapping):

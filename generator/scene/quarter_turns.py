@@ -1,4 +1,4 @@
-"""Models turned by quarter turns about the axes, exactly."""
+"""Exact quarter turns of models about the axes."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from tabletop_objects.values import ConvexPart, Mesh, Model
 from ..errors import InputError, choices
 
 Steps = Sequence[tuple[str, int]]
-"""Turns about the fixed axes "x", "y" or "z", in degrees, applied in order."""
+"""Rotations about the fixed axes "x", "y" or "z", in degrees, applied in order."""
 
 
 def turn(model: Model, steps: Steps) -> Model:
-    """Return a model turned by multiples of 90 degrees, size and orientation carried along."""
+    """Return a model turned by multiples of 90 degrees, with its size and orientation updated."""
     turn = quarter_turn(steps)
     if (turn == np.eye(3, dtype=int)).all():
         return model
@@ -31,14 +31,14 @@ def quarter_turn(steps: Steps) -> Int[np.ndarray, "3 3"]:
     """Return the exact integer rotation matrix of a sequence of quarter turns.
 
     Raises:
-        InputError: an unknown axis, or an angle that is no multiple of 90 degrees.
+        InputError: An axis is unknown, or an angle is not a multiple of 90 degrees.
     """
     total = np.eye(3, dtype=int)
     for axis, degrees in steps:
         if axis not in ("x", "y", "z") or degrees % 90:
             raise InputError(
-                f"An orientation step is (axis, multiple of 90), got {(axis, degrees)!r}."
-                + choices(str(axis), "xyz")
+                "An orientation step must be (axis, multiple of 90 degrees), got "
+                f"{(axis, degrees)!r}." + choices(str(axis), "xyz")
             )
         k = "xyz".index(axis)
         i, j = (k + 1) % 3, (k + 2) % 3
@@ -53,7 +53,7 @@ def apply_quarter_turns(
 ) -> tuple[Mesh, tuple[ConvexPart, ...]]:
     """Turn a canonical mesh and its convex parts about the fixed axes, exactly.
 
-    The unit box maps onto itself; primitives stay primitives, a cylinder's axis goes along.
+    The unit box maps onto itself. Primitives remain primitives; the axis of a cylinder turns too.
     """
     turn = quarter_turn(steps)
     vertices = mesh.vertices @ turn.T.astype(np.float32)

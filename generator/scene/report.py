@@ -1,4 +1,4 @@
-"""What the physical gate records of a scene: figures, failures, relations of the plan."""
+"""Results of the physical gate: measurements, failures and relations of the plan."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ from .plan import RelationKind
 from .provenance import plain
 
 MAX_LEAN = 45.0
-"""Degrees by which gravity may lean in the physical gate."""
+"""Tilt of gravity in the physical gate, degrees."""
 
 FailureKind = Literal[
     "overlap", "moved", "turned", "floats", "fell", "off-table", "diverged", "recorded"
 ]
-"""How a scene fails its gate; "recorded" is a sentence of a bundle that keeps no values."""
+"""Kinds of gate failure; "recorded" is a sentence from a bundle without measured values."""
 
 
 @dataclass(frozen=True)
 class Failure:
-    """One way in which a scene fails its gate; ``str`` gives the sentence for readers.
+    """One reason why a scene fails the gate; ``str`` returns a sentence for readers.
 
-    Decisions use these fields, never the sentence: objects may have any name.
+    Code must use these fields instead of parsing the sentence: object names are arbitrary.
 
     Attributes:
-        kind: What is wrong.
+        kind: The kind of failure.
         objects: Names of the objects concerned; the first is the subject of the sentence.
-        value, limit: The measured figure and the largest that passes: metres of an overlap and of a
-            motion, radians of a turn. None for the other kinds.
-        seconds: Simulated time after which the motion was measured.
-        leaning: Whether gravity leaned.
+        value, limit: The measured value and the largest valid one: metres for an overlap or a
+            motion, radians for a turn. None for the other kinds.
+        seconds: Simulated time over which the motion was measured.
+        leaning: Whether gravity was tilted.
         support: The fixed body that an object overlaps; empty if it overlaps another object.
-        sentence: The whole text of a "recorded" failure.
+        sentence: The complete text of a "recorded" failure.
     """
 
     kind: FailureKind
@@ -47,7 +47,7 @@ class Failure:
 
     @property
     def restless(self) -> bool:
-        """Whether an object does not rest: it moves, turns, or breaks the simulation."""
+        """Whether an object is not at rest: it moves, turns, or the simulation diverges."""
         return self.kind in ("moved", "turned", "diverged")
 
     def __str__(self) -> str:
@@ -74,12 +74,12 @@ class Failure:
 
 @dataclass(frozen=True)
 class RelationOutcome:
-    """Whether a relation that a text asks for holds in the settled scene.
+    """Outcome of a requested relation in the settled scene.
 
     Attributes:
         name, kind, target: the relation of the object ``name``.
-        holds: whether it does.
-        margin: by how many metres; 0 or less where it does not hold.
+        holds: whether the relation holds.
+        margin: by how many metres it holds; 0 or less if it does not.
     """
 
     name: str
@@ -91,25 +91,26 @@ class RelationOutcome:
 
 @dataclass(frozen=True)
 class Report:
-    """The recorded physical gate of a scene (lengths in metres, angles in radians).
+    """Results of the physical gate for a scene (lengths in metres, angles in radians).
 
     penetration: deepest overlap of two collision shapes at the start.
-    drift, tilt: largest move and turn of any object over ``seconds``.
+    drift, tilt: largest displacement and rotation of any object over ``seconds``.
     floating: objects with no contact and a gap below them; fallen: objects that left the table.
-    off_table: objects whose centre of mass is outside the top's outline.
-    moved: the largest correction that separating overlaps needed; settling: by settling.
-    leaning: largest move with gravity leaning by the gate's angle to any of four sides.
-    seconds: the time that drift, tilt and leaning stand for.
-    simulated: the least of it that was simulated, level or leaning; the rest is the forecast of an
-        even creep. None where that was not recorded.
-    failures: what the gate found. Where one says that the simulation diverged, drift, tilt and
-        leaning say nothing.
-    dropped: objects that were left out, since the scene would not have passed with them.
-    lean: the angle by which gravity leaned, 0 for none; None: the gate's usual one.
-    reach: from the best side of the table, the farthest object's distance to that side.
-    misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
-        over the objects: before the joint refinement, and of the finished scene, as it rests.
-    relations: what the plan asks for, held or not.
+    off_table: objects whose centre of mass is outside the outline of the tabletop.
+    moved: largest displacement applied to separate overlaps; settling: largest displacement during
+        settling.
+    leaning: largest displacement with gravity tilted by the gate's angle towards any of four sides.
+    seconds: the duration to which drift, tilt and leaning refer.
+    simulated: the shortest duration actually simulated, level or tilted; the remainder is
+        extrapolated as uniform creep. None if it was not recorded.
+    failures: failures of the gate. If one of them is a diverged simulation, drift, tilt and leaning
+        are meaningless.
+    dropped: objects removed because the scene would not pass with them.
+    lean: the tilt of gravity, 0 for none; None: the gate's default.
+    reach: distance from the best side of the table to the object farthest from that side.
+    misfit: for a scene made from a picture, one minus the overlap of outlines (Eq. 2), averaged
+        over the objects: before the joint refinement, and for the finished scene at rest.
+    relations: outcomes of the relations in the plan.
     """
 
     penetration: float
@@ -132,19 +133,19 @@ class Report:
 
     @property
     def passed(self) -> bool:
-        """Whether the scene may be published."""
+        """Whether the scene passed and may be published."""
         return not self.failures
 
     @property
     def failure_text(self) -> str:
-        """The failures as sentences, for a message; empty if there are none."""
+        """The failures as sentences, joined for a message; empty if there are none."""
         return "; ".join(map(str, self.failures))
 
     def as_json(self) -> dict[str, Any]:
-        """Return the report as JSON values, ``failures`` as sentences.
+        """Return the report as JSON values, with ``failures`` as sentences.
 
-        Their values follow in ``failure_values``, which is absent if there are none, as is an
-        unset ``lean``.
+        The failures' fields are in ``failure_values``. That key is omitted if there are no
+        failures, and ``lean`` is omitted if it is None.
         """
         values: dict[str, Any] = plain(self)
         failed = values["failures"]

@@ -1,4 +1,4 @@
-"""Where things are, and the scene they make (Secs. 3.3 and 3.4)."""
+"""Poses and placements, and the scene they form (Secs. 3.3 and 3.4)."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ from .picture import USUAL_VIEW, View
 from .plan import TABLE, ScenePlan
 from .report import Report
 
-_LEAST_MASS = 1e-9  # of an object, kg; MuJoCo's own limit is a millionth of it
-_LEAST_TOP = 1e-6  # of a tabletop, square metres
-_MOST_TURN = 1e4  # radians
+_MIN_MASS = 1e-9  # kg; MuJoCo's own limit is a millionth of it
+_MIN_TOP = 1e-6  # area of a tabletop, square metres
+_MAX_TURN = 1e4  # radians
 
 
 @dataclass(frozen=True)
 class Rotation:
-    """An estimated yaw r_i (Sec. 3.3, DRO), radians, and how sure it is.
+    """An estimated yaw r_i (Sec. 3.3, DRO), radians, and its confidence.
 
     Attributes:
-        yaw, loss: what was found; ``candidates`` are the (yaw, loss) compared at the end.
-        margin: by how much the best clearly different yaw (20 degrees or more away) fits worse, as
-            a share of the loss, >= 0, each at the closest look it was given. Near 0 the picture
-            hardly tells the two apart.
-        width: change of yaw, radians in (0, pi], that raises the loss by a fiftieth, by the loss's
-            curvature at its least. With the right side and model, about two thirds of the errors
+        yaw, loss: the best estimate; ``candidates`` are the final (yaw, loss) pairs compared.
+        margin: how much worse the best clearly different yaw (20 degrees or more away) fits, as a
+            fraction of the loss, >= 0, each at the highest resolution evaluated. Near 0 the picture
+            hardly distinguishes the two.
+        width: change of yaw, radians in (0, pi], that raises the loss by 2 %, from the curvature of
+            the loss at its minimum. Given the right side and model, about two thirds of the errors
             are smaller.
         symmetric: the object looks the same from all sides: yaw 0, ``margin`` 0, ``width`` pi.
-        order: turned by 2 pi / ``order`` the object looks the same (a plain box by a half turn):
-            such yaws are one answer, and ``margin`` is against others. Asked only where another
-            side fits about as well; else 1.
+        order: the object looks the same after a turn by 2 pi / ``order`` (a plain box after a half
+            turn). Such yaws count as one answer, and ``margin`` compares it with the others.
+            Determined only if another side fits about as well; otherwise 1.
     """
 
     name: str
@@ -62,9 +62,9 @@ class Rotation:
 
 @dataclass(frozen=True)
 class Stacking:
-    """What an instance stands on (Fig. 25): ``on`` is a name or "table"; ``inside`` a container.
+    """Support of an instance (Fig. 25): ``on`` is a name or "table", ``inside`` a container.
 
-    ``order`` 1 is the table; a supported thing has a higher order than its support.
+    ``order`` 1 means on the table; a supported object has a higher order than its support.
     """
 
     order: int
@@ -85,20 +85,20 @@ class Placement:
 
     def __post_init__(self) -> None:
         freeze(self, FARTHEST, scale=VECTOR)
-        if (self.scale < SMALLEST).any() or not abs(self.yaw) < _MOST_TURN:
+        if (self.scale < SMALLEST).any() or not abs(self.yaw) < _MAX_TURN:
             raise InputError(
-                f"Placement {self.name!r}: scale must be {SMALLEST:g} m or more, and yaw finite, "
-                f"got {self.scale} and {self.yaw}."
+                f"Placement {self.name!r}: scale must be {SMALLEST:g} m or more, and yaw below "
+                f"{_MAX_TURN:g} rad in magnitude, got {self.scale} and {self.yaw}."
             )
         freeze(self, FARTHEST, translation=VECTOR)
 
 
 @dataclass(frozen=True, eq=False)
 class LayoutBox:
-    """Where and how large someone says that a thing is: a box on the tabletop, metres.
+    """A requested position and size of an object: a box on the tabletop, metres.
 
-    ``center`` is from the middle of the tabletop, +x right and +y away in the world frame;
-    ``size`` is the extent (length, width, height) along the thing's own axes, as in ``SizePrior``.
+    ``center`` is relative to the middle of the tabletop, +x right and +y away in the world frame;
+    ``size`` is the extent (length, width, height) along the object's own axes, as in ``SizePrior``.
     """
 
     center: Float[np.ndarray, "2"]
@@ -107,13 +107,13 @@ class LayoutBox:
     def __post_init__(self) -> None:
         freeze(self, size=VECTOR)
         if (self.size <= 0).any():
-            raise InputError(f"LayoutBox.size must be positive metres, got {self.size}.")
+            raise InputError(f"LayoutBox.size must be positive, in metres, got {self.size}.")
         freeze(self, center=(np.float64, (2,)))
 
 
 @dataclass(frozen=True, eq=False)
 class Pose:
-    """A rigid pose in the world frame; ``quaternion`` is a unit wxyz."""
+    """A rigid pose in the world frame; ``quaternion`` is a unit quaternion, wxyz."""
 
     position: Float[np.ndarray, "3"]
     quaternion: Float[np.ndarray, "4"]
@@ -127,11 +127,11 @@ class Pose:
 
 @dataclass(frozen=True, eq=False)
 class Object:
-    """One separate body of a scene.
+    """One rigid body of a scene.
 
     Its body frame is the canonical frame scaled to metres (origin at the centre of the box).
     ``parts`` are in that frame in metres, as are ``com`` and ``inertia`` (about ``com``, kg m^2).
-    ``placement`` is what the image said; ``pose`` is where it rests after settling.
+    ``placement`` is the estimate from the image; ``pose`` is the pose at rest after settling.
     """
 
     name: str
@@ -145,35 +145,37 @@ class Object:
     pose: Pose
 
     def __post_init__(self) -> None:
-        if not _LEAST_MASS <= self.mass < 1e3:
+        if not _MIN_MASS <= self.mass < 1e3:
             raise InputError(
-                f"Object {self.name!r}: mass must be in [{_LEAST_MASS:g}, 1000) kg: {self.mass}."
+                f"Object {self.name!r}: mass must be in [{_MIN_MASS:g}, 1000) kg, got {self.mass}."
             )
         if not 0 < self.friction < 5:
-            raise InputError(f"Object {self.name!r}: friction must be in (0, 5): {self.friction}.")
+            raise InputError(
+                f"Object {self.name!r}: friction must be in (0, 5), got {self.friction}."
+            )
         if not self.parts:
-            raise InputError(f"Object {self.name!r}: a body needs at least one convex part.")
+            raise InputError(f"Object {self.name!r}: at least one convex part is required.")
         freeze(self, FARTHEST, com=VECTOR)
         freeze(self, 1e9, inertia=(np.float64, (3, 3)))
 
     @property
     def label(self) -> str:
-        """The word for it."""
+        """The noun for the object."""
         return self.model.label
 
     @property
     def scale(self) -> Float[np.ndarray, "3"]:
-        """Extent along its own axes in metres."""
+        """Extent along the object's own axes in metres."""
         return self.placement.scale
 
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """The table: fixed in the world, standing on the floor z = 0 under the origin.
+    """The table: a fixed body, standing on the floor z = 0 with its centre at the origin.
 
     ``scale`` is its extent in metres. ``parts`` are convex pieces in the table's body frame (origin
-    at the centre of its box, at world (0, 0, height / 2)), in metres. ``outline`` is the top's
-    convex outline, world x and y, counter-clockwise.
+    at the centre of its box, at world (0, 0, height / 2)), in metres. ``outline`` is the convex
+    outline of the top, world x and y, counter-clockwise.
     """
 
     model: Model
@@ -186,16 +188,17 @@ class Table:
         freeze(self, FARTHEST, scale=VECTOR, outline=OUTLINE)
         if (self.scale < SMALLEST).any() or len(self.outline) < 3 or not self.parts:
             raise InputError(
-                f"Table needs a positive scale, an outline of 3 points and one convex part, got "
-                f"{self.scale}, {len(self.outline)} and {len(self.parts)}."
+                "Table needs a positive scale, at least 3 outline points and at least one convex "
+                f"part, got scale {self.scale}, {len(self.outline)} points and {len(self.parts)} "
+                "parts."
             )
         x, y = self.outline.T
-        if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 2 * _LEAST_TOP:
+        if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 2 * _MIN_TOP:
             raise InputError(
-                f"Table.outline must turn counter-clockwise around {_LEAST_TOP:g} m^2 or more."
+                f"Table.outline must run counter-clockwise and enclose at least {_MIN_TOP:g} m^2."
             )
         if not 0 < self.friction < 5:
-            raise InputError(f"Table: friction must be in (0, 5): {self.friction}.")
+            raise InputError(f"Table: friction must be in (0, 5), got {self.friction}.")
 
     @property
     def height(self) -> float:
@@ -210,9 +213,9 @@ EditKind = Literal["swap", "add", "remove", "move", "restyle"]
 class Edit:
     """One change made to a finished scene.
 
-    ``edited`` is the sha256 of the ``scene.json`` that was edited; its first 12 digits end that
-    bundle's name. ``names`` are the things made, moved or taken away, ``asked`` is what was asked
-    for, ``backends`` who made what is new.
+    ``edited`` is the sha256 of the edited ``scene.json``; its first 12 digits end that bundle's
+    name. ``names`` are the objects created, moved or removed, ``asked`` is the request,
+    ``backends`` the backends that created new objects.
     """
 
     edited: str
@@ -227,9 +230,9 @@ class Edit:
 
 @dataclass(frozen=True)
 class Provenance:
-    """Where a scene comes from, enough to make it again. Holds no secret, path or clock time.
+    """Origin of a scene, sufficient to reproduce it. Holds no secrets, paths or clock times.
 
-    ``edits`` are the changes made to it since, the first one first.
+    ``edits`` are the subsequent changes, oldest first.
     """
 
     kind: Literal["text", "image", "compose", "manual"]
@@ -260,16 +263,16 @@ class Scene:
         doubles = sorted({n for n in names if names.count(n) > 1})
         if doubles or TABLE in names:
             raise InputError(f"Object names must be unique and not {TABLE!r}; repeated: {doubles}.")
-        for name in names:  # they name MuJoCo's bodies; a slash marks what an environment adds
-            printable(name, "What an object is called", InputError)
+        for name in names:  # also MuJoCo body names; slashes separate prefixes
+            printable(name, "An object name", InputError)
             if not name or name == "world" or "/" in name:
                 raise InputError(
-                    f"An object cannot be called {name!r}; use printable characters without '/', "
-                    "and not 'world', which MuJoCo keeps for itself."
+                    f"{name!r} is not a valid object name; use printable characters without '/', "
+                    "and not 'world', which MuJoCo reserves."
                 )
 
     def object(self, name: str) -> Object:
-        """Return the object called ``name``."""
+        """Return the object with this name."""
         for candidate in self.objects:
             if candidate.name == name:
                 return candidate

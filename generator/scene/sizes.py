@@ -14,10 +14,10 @@ from ..errors import InputError
 
 @dataclass(frozen=True, eq=False)
 class Proportions:
-    """The shape of a thing's upright box, as its look suggests, and how sure that is.
+    """Proportions of an object's upright box, estimated from its appearance, with an uncertainty.
 
-    ``logs`` are the natural logarithms of width over length and of height over length, the length
-    being the longer horizontal side; ``spread`` is the mean absolute error to expect of each.
+    ``logs`` are the natural logarithms of width over length and of height over length, where length
+    is the longer horizontal side; ``spread`` is the expected mean absolute error of each.
     """
 
     logs: Float[np.ndarray, "2"]
@@ -26,15 +26,17 @@ class Proportions:
     def __post_init__(self) -> None:
         freeze(self, logs=(np.float64, (2,)), spread=(np.float64, (2,)))
         if not (np.isfinite(self.logs).all() and (self.spread > 0).all()):
-            raise InputError(f"Proportions must be finite and spread, got {self}.")
+            raise InputError(
+                f"Proportions need finite logs and a positive, finite spread, got {self}."
+            )
 
     @property
     def extent(self) -> Float[np.ndarray, "3"]:
-        """The box (length, width, height) with a length of 1."""
+        """The box (length, width, height) scaled to length 1."""
         return np.array([1.0, *np.exp(self.logs)])
 
     def gap(self, extent: Float[np.ndarray, "3"]) -> float:
-        """Return how far an extent's proportions are off, in expected errors, the mean of both."""
+        """Return the mean deviation of an extent's proportions, in units of the expected error."""
         length, width = max(extent[:2]), min(extent[:2])
         off = np.abs(np.log(np.array([width, extent[2]]) / length) - self.logs)
         return float((off / self.spread).mean())
@@ -44,11 +46,12 @@ class Proportions:
 class SizePrior:
     """A commonsense size (Fig. 22): extent (length, width, height) in metres, and its state.
 
-    ``placement`` is e.g. "lying flat"; ``axes`` says what x, y and z are, e.g. "thickness".
-    ``outline`` is a table's top seen from above, in metres about the middle of its extent, convex
-    and counter-clockwise; None leaves its shape open.
-    ``measured`` says that the extent is this very thing's, read from a depth map, not its kind's.
-    ``seen`` are the proportions that this very thing looks to have; None where nobody looked.
+    ``placement`` is for example "lying flat"; ``axes`` names x, y and z, for example "thickness".
+    ``outline`` is the outline of a tabletop seen from above, in metres about the middle of its
+    extent, convex and counter-clockwise; None leaves the shape open.
+    ``measured`` means that the extent was measured for this object in a depth map, and is not that
+    of its category.
+    ``seen`` are proportions estimated from the object's appearance; None if there is no estimate.
     """
 
     name: str
@@ -62,6 +65,6 @@ class SizePrior:
     def __post_init__(self) -> None:
         freeze(self, extent=VECTOR)
         if (self.extent <= 0).any():
-            raise InputError(f"SizePrior.extent must be positive metres, got {self.extent}.")
+            raise InputError(f"SizePrior.extent must be positive, in metres, got {self.extent}.")
         if self.outline is not None:
             freeze(self, outline=OUTLINE)

@@ -1,4 +1,4 @@
-"""What follows from a triangle mesh's vertices and faces alone."""
+"""Functions of a triangle mesh's vertices and faces."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from jaxtyping import Float, Int
 Vertices = Float[np.ndarray, "n 3"]
 Faces = Int[np.ndarray, "m 3"]
 
-_AT_ONCE = 100_000  # faces worked on together
+_AT_ONCE = 100_000  # faces processed at once
 
 
 def weld_index(vertices: Vertices) -> Int[np.ndarray, "n"]:
-    """Return one common index for vertices that share a position."""
+    """Return one common index for all vertices that share a position."""
     span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
     keys = np.round(vertices / span * 1e5).astype(np.int64)
     x, y, z = (keys - keys.min(0)).T  # each below 2**17
@@ -20,7 +20,7 @@ def weld_index(vertices: Vertices) -> Int[np.ndarray, "n"]:
 
 
 def scaled_normals(triangles: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "m 3"]:
-    """Return each triangle's normal, which is as long as twice its area."""
+    """Return each triangle's normal with a length of twice the triangle's area."""
     a, b, c = triangles.transpose(1, 0, 2)
     return np.cross(b - a, c - a)
 
@@ -33,15 +33,15 @@ def face_normals(vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m 3"]:
 
 def areas(vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m"]:
     """Return twice the area of each face."""
-    found = np.zeros(len(faces))
+    doubled = np.zeros(len(faces))
     for first in range(0, len(faces), _AT_ONCE):
         part = slice(first, first + _AT_ONCE)
-        found[part] = np.linalg.norm(scaled_normals(vertices[faces[part]]), axis=1)
-    return found
+        doubled[part] = np.linalg.norm(scaled_normals(vertices[faces[part]]), axis=1)
+    return doubled
 
 
 def pieces(faces: Faces, count: int) -> Int[np.ndarray, "n"]:
-    """Return which connected piece each of ``count`` vertices is in, numbered from 0."""
+    """Return the index of the connected component of each of ``count`` vertices, from 0."""
     from scipy import sparse
 
     ends = faces[:, [0, 1, 1, 2]].reshape(-1, 2).T.astype(np.int32)
@@ -50,7 +50,7 @@ def pieces(faces: Faces, count: int) -> Int[np.ndarray, "n"]:
 
 
 def closed(faces: Faces) -> bool:
-    """Whether every edge is used as often in one direction as in the other."""
+    """Return whether every edge is used equally often in both directions."""
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
     radix = int(edges.max()) + 1
     there, back = edges @ [radix, 1], edges @ [1, radix]

@@ -80,16 +80,20 @@ def test_restyling_keeps_size_and_all_else(desk: Path, tmp_path: Path) -> None:
         (lambda b: editing.swap(b, "table", "a teapot"), InputError, "table cannot be edited"),
         (lambda b: editing.swap(b, "mug_1", "a clavichord"), InputError, "clavichord"),
         (lambda b: editing.swap(b, "mug_1", "  "), InputError, "empty"),
-        (lambda b: editing.swap(b, "mug_1", "a vase left of the pen"), InputError, "says a place"),
+        (
+            lambda b: editing.swap(b, "mug_1", "a vase left of the pen"),
+            InputError,
+            "has a position",
+        ),
         (
             lambda b: editing.add(b, "a clavichord left of the laptop"),
             InputError,
             "no 'clavichord'",
         ),
         (lambda b: editing.add(b, "a mug next to the teapot"), InputError, "no teapot on the"),
-        (lambda b: editing.add(b, "a mug and a vase"), InputError, "several things"),
+        (lambda b: editing.add(b, "a mug and a vase"), InputError, "several objects"),
         (lambda b: editing.remove(b, "stapler"), InputError, "Did you mean 'stapler_1'"),
-        (lambda b: editing.move(b, "mug_1"), InputError, "Say where"),
+        (lambda b: editing.move(b, "mug_1"), InputError, "Give a position"),
         (lambda b: editing.move(b, "mug_1", (float("nan"), 0.0)), InputError, "finite"),
         (lambda b: editing.move(b, "mug_1", "nowhere"), InputError, "nowhere"),
         (lambda b: editing.move(b, "mug_1", (3.0, 0.0)), SceneError, "off the table"),
@@ -108,7 +112,7 @@ def test_what_cannot_be_done_is_refused(
 @pytest.mark.slow
 def test_a_taken_place_names_the_nearest_free_one(desk: Path) -> None:
     laptop = bundle.load(desk).object("laptop_1").pose.position
-    with pytest.raises(SceneError, match=r"in the way. The nearest free place is at (.*)\.$") as e:
+    with pytest.raises(SceneError, match=r"in the way. The nearest free position is (.*)\.$") as e:
         editing.move(desk, "mug_1", (laptop[0], laptop[1]))
     place = str(e.value).split("is at ")[1].rstrip(".").split()
     edited = editing.move(desk, "mug_1", (float(place[0]), float(place[1])))

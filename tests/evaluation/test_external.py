@@ -84,7 +84,7 @@ def test_poses_sizes_and_names_are_what_the_file_states(folder: Path) -> None:
     assert second.placement.yaw == pytest.approx(0.5)
     assert np.allclose(second.pose.position, [-0.3, 0.1, 0.8])
     assert tuple(first.model.mesh.texture[0, 0]) == (200, 40, 40)
-    assert "not fit for simulation" in scene.provenance.warnings[0]
+    assert "unsuitable for simulation" in scene.provenance.warnings[0]
 
 
 def test_the_world_is_shifted_so_that_the_table_stands_under_the_origin(folder: Path) -> None:
@@ -138,7 +138,7 @@ def test_things_rest_on_a_tables_top_and_not_on_its_rim(folder: Path, turned: bo
     ("parts", "words"),
     [
         ([trimesh.creation.cone(radius=0.5, height=0.7)], "rises 70 cm"),
-        ([trimesh.creation.icosphere(radius=0.4)], "no level top"),
+        ([trimesh.creation.icosphere(radius=0.4)], "no level surface"),
         ([TOP, *LEGS, block((1.2, 0.02, 0.3), (0, 0.34, 0.89))], "rises 30 cm"),
     ],
 )
@@ -198,9 +198,9 @@ def test_a_textured_file_keeps_its_texture(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"up": "x"}, "'up' is"),
+        ({"up": "x"}, "'up' must be"),
         ({"objects": {}}, "list of at most"),
-        ({"objects": [{"name": "a", "matrix": matrix()}]}, "a file's name"),
+        ({"objects": [{"name": "a", "matrix": matrix()}]}, "the name of a file"),
         ({"objects": [{"glb": "box.glb"}]}, "needs a 'name'"),
         ({"objects": [thing("a", (0, 0, 0), glb="../box.glb")]}, "leaves the bundle"),
         ({"objects": [thing("a", (0, 0, 0), glb="/etc/passwd")]}, "leaves the bundle"),
@@ -209,13 +209,13 @@ def test_a_textured_file_keeps_its_texture(folder: Path) -> None:
         ({"objects": [thing("a", (0, 0, 0), matrix=[[1, 2], [3, 4]])]}, "4 x 4 finite"),
         ({"objects": [thing("a", (0, 0, 0), matrix="up")]}, "numbers"),
         ({"objects": [thing("a", (0, 0, 0), matrix=matrix(scale=(-1, 1, 1)))]}, "mirrors"),
-        ({"objects": [thing("a", (0, 0, 0), matrix=matrix(scale=(0, 1, 1)))]}, "not flat"),
+        ({"objects": [thing("a", (0, 0, 0), matrix=matrix(scale=(0, 1, 1)))]}, "not singular"),
         ({"objects": [thing("a", (0, 0, 0), matrix=matrix(scale=(1e3,) * 3))]}, "in metres"),
-        ({"objects": [thing("a", (9e9, 0, 0))]}, "use metres"),
+        ({"objects": [thing("a", (9e9, 0, 0))]}, "must be in metres"),
         ({"objects": [thing("a", (0, 0, 0), on="nothing")]}, "Available: table"),
         ({"objects": [thing("a", (0, 0, 0)), thing("a", (1, 0, 0))]}, "unique"),
         ({"table": None}, "'table' must"),
-        ({"table": {"size": [1, 1, 0]}}, "positive metres"),
+        ({"table": {"size": [1, 1, 0]}}, "must be positive"),
         *(  # of other types, or not to be printed
             (changes, "")
             for changes in (

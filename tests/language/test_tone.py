@@ -66,7 +66,10 @@ def test_a_table_laid_for_people_is_as_it_is_said_to_be() -> None:
 def test_a_game_for_two_is_no_meal() -> None:
     planned = plan("poker for two: a deck of cards in the middle, a mug, two dice, a lamp")
     assert len(planned.objects) == 5
-    assert "No places are laid for 2 people at what is no meal." in planned.warnings
+    assert (
+        "No places are laid for 2 people because the text does not describe a meal."
+        in planned.warnings
+    )
 
 
 def test_too_many_people_are_told() -> None:
@@ -98,5 +101,5 @@ def test_a_table_set_for_two_is_a_dining_table() -> None:
 
 
 def test_what_no_thing_is_said_to_be_is_no_table() -> None:
-    with pytest.raises(InputError, match="No object"):
+    with pytest.raises(InputError, match="no known object"):
         plan("lying on its side")

@@ -288,7 +288,7 @@ def test_what_does_not_hold_at_rest_is_tried_otherwise_and_told_in_the_end() -> 
     always = replace(found, pushed=99, laid=[])
     scene = follow(always)
     assert isinstance(always, Rested) and len(always.laid) == 4
-    assert "mug_1 is not left of book_1; it stands on table." in scene.provenance.warnings
+    assert "mug_1 is not left of book_1; it rests on table." in scene.provenance.warnings
 
 
 def test_from_the_third_scene_on_everything_is_the_plans_and_the_first_failure_is_told() -> None:

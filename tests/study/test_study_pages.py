@@ -208,7 +208,7 @@ def test_results_that_do_not_fit_are_refused(tmp_path: Path) -> None:
     refused(r"scene-33.png.*no input picture fits. Did you mean 'scene-3'\?")
     (folders["other"] / "scene-33.png").unlink()
     (folders["other"] / "scene-3.png").write_bytes(b"no picture")
-    refused("scene-3.png: The picture cannot be read: it is not in a known format")
+    refused("scene-3.png: The picture cannot be read: its format is not supported")
     (tmp_path / "kept.png").rename(folders["other"] / "scene-3.png")
     (folders["other"] / "scene-3.jpg").write_bytes((folders["ours"] / "scene-3.png").read_bytes())
     refused("other has two results of one input picture")

@@ -1,12 +1,12 @@
-"""Col_O and Col_S (Sec. 4.1): which drawn meshes overlap, and by how much.
+"""Col_O and Col_S (Sec. 4.1): overlaps of visual meshes, with their depths.
 
-The meshes that are drawn are measured, not the convex parts the simulation uses. The *depth* of an
-overlap is the larger of two lengths: the farthest that a point of either surface lies inside the
-other body (its distance to that body's surface), and the diameter of a ball that fits into both
-(found at points within walls; it tells things that coincide, whose surfaces lie on each other).
-Two boxes pushed 3 mm into each other are 3 mm deep; so is a spoon's tip 3 mm inside a mug's wall.
-A spoon that stands in the hollow of a mug lies in no body and is no collision. Two sheets that are
-both thinner than the threshold can cross unseen: nothing of either is that deep in the other.
+Visual meshes are measured, not the convex parts of the simulation. The *depth* of an overlap is the
+larger of two lengths: the maximum depth of a point of either surface inside the other body (its
+distance to that body's surface), and the diameter of a ball that fits into both (tested at points
+within walls; it detects coincident objects, whose surfaces touch). Two boxes pushed 3 mm into each
+other have depth 3 mm, and so has a spoon's tip 3 mm inside a mug's wall. A spoon standing in the
+hollow of a mug is inside no body and is not a collision. Two sheets that are both thinner than the
+threshold can cross undetected: no point of either is that deep in the other.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from ...scene import TABLE, Scene
 from .shells import SurfaceShell, bisect, nearest_on_triangles, shells
 
 THRESHOLD = 5e-4
-"""Overlaps up to this depth, metres, are contact."""
+"""Maximum depth of a contact, metres; deeper overlaps are collisions."""
 
-_TOLERANCE, _SHARE = 2e-5, 0.02  # depths are found to within this length and this share
-_MOST = 30_000  # pieces of triangles looked at in one round
+_TOLERANCE, _SHARE = 2e-5, 0.02  # absolute and relative tolerance of depths
+_MAX_PIECES = 30_000  # pieces of triangles examined per iteration
 _CORES, _LENGTHS = 48, (5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 1.6e-2)
 
 Body = tuple[SurfaceShell, ...]
@@ -34,7 +34,7 @@ _UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 
 @dataclass(frozen=True)
 class Overlap:
-    """Two things that overlap: names, and the depth in metres."""
+    """Two overlapping objects: names, and the depth in metres."""
 
     a: str
     b: str
@@ -45,7 +45,7 @@ class Overlap:
 class Collisions:
     """The overlaps of one scene.
 
-    ``pairs`` is the number of pairs of objects, the table not counted; ``overlaps`` are those of
+    ``pairs`` is the number of pairs of objects, without the table; ``overlaps`` are those of
     objects with each other, ``sunk`` those of objects with the table.
     """
 
@@ -56,16 +56,16 @@ class Collisions:
 
     @property
     def col_o(self) -> float:
-        """Share of the pairs of objects that collide; 0 where there is no pair."""
+        """Fraction of the pairs of objects that collide; 0 if there are no pairs."""
         return len(self.overlaps) / self.pairs if self.pairs else 0.0
 
     @property
     def col_s(self) -> bool:
-        """Whether the scene holds a collision, with the table included."""
+        """Whether the scene has a collision, including with the table."""
         return bool(self.overlaps or self.sunk)
 
     def facts(self) -> dict[str, Any]:
-        """Return the figures as JSON values, depths in millimetres."""
+        """Return the values as JSON, with depths in millimetres."""
         return {
             "pairs": self.pairs,
             "col_o": round(self.col_o, 6),
@@ -78,9 +78,9 @@ class Collisions:
 
 @dataclass(frozen=True)
 class Rates:
-    """Col_O and Col_S of a set of scenes, as shares in [0, 1].
+    """Col_O and Col_S of a set of scenes, as fractions in [0, 1].
 
-    ``col_o`` is taken over all pairs of all scenes.
+    ``col_o`` refers to all pairs of all scenes.
     """
 
     scenes: int
@@ -90,13 +90,13 @@ class Rates:
 
 
 def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
-    """Find the overlaps of a scene at its settled poses that are deeper than ``threshold`` metres.
+    """Return the overlaps of a scene at its settled poses deeper than ``threshold`` metres.
 
     Raises:
-        InputError: the threshold is no positive length.
+        InputError: The threshold is not a positive length.
     """
     if not (np.isfinite(threshold) and threshold > 0):
-        raise InputError(f"The threshold of collisions is a positive length, got {threshold!r} m.")
+        raise InputError(f"The collision threshold must be a positive length, got {threshold!r} m.")
     bodies = [
         (o.name, shells(o.model.mesh, o.scale, o.pose.position, o.pose.quaternion))
         for o in scene.objects
@@ -118,7 +118,7 @@ def rates(found: Iterable[Collisions]) -> Rates:
     """Return the collision rates of several scenes (the two columns of Table 1).
 
     Raises:
-        InputError: there is no scene.
+        InputError: There is no scene.
     """
     every = list(found)
     if not every:
@@ -129,7 +129,7 @@ def rates(found: Iterable[Collisions]) -> Rates:
 
 
 def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
-    """Return the depth of two bodies' overlap, metres; 0 if none is deeper than ``minimum``."""
+    """Return the overlap depth of two bodies, metres; 0 if it is at most ``minimum``."""
     deepest = 0.0
     for one in a:
         for other in b:
@@ -142,7 +142,7 @@ def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
 
 
 def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
-    """Return the least distance by which the two boxes must part, which bounds every depth."""
+    """Return the minimum distance that separates the two boxes, an upper bound of every depth."""
     (low_a, high_a), (low_b, high_b) = a.bounds, b.bounds
     return float(min((high_a - low_b).min(), (high_b - low_a).min()))
 
@@ -150,10 +150,10 @@ def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
 def _surface_depth(
     surface: SurfaceShell, inside: SurfaceShell, minimum: float, best: float
 ) -> float:
-    """Return the larger of ``best`` and the deepest that ``surface`` lies in ``inside``."""
-    # Branch and bound over pieces of triangles. No point of a piece lies deeper than its middle by
-    # more than its radius; nor deeper than the farthest of its corners lies from any one triangle
-    # of the other surface, that distance being convex.
+    """Return the larger of ``best`` and the maximum depth of ``surface`` in ``inside``."""
+    # Branch and bound over pieces of triangles. The depth of a point in a piece is at most that of
+    # the piece's middle plus its radius. It is also at most the maximum distance of the piece's
+    # corners from any one triangle of the other surface, since that distance is convex.
     low, high = inside.bounds
     pieces = surface.corners
     meets = (pieces.max(1) > low + minimum) & (pieces.min(1) < high - minimum)
@@ -172,13 +172,13 @@ def _surface_depth(
         far = [np.linalg.norm(c - nearest_on_triangles(c, facing)[0], axis=1) for c in corners]
         bound[open_] = np.minimum(bound[open_], np.max(far, axis=0, initial=0.0))
         kept = np.flatnonzero(bound > goal)
-        kept = kept[np.argsort(-bound[kept], kind="stable")[:_MOST]]
+        kept = kept[np.argsort(-bound[kept], kind="stable")[:_MAX_PIECES]]
         pieces = bisect(pieces[kept])
     return best
 
 
 def _core_depth(a: SurfaceShell, b: SurfaceShell) -> float:
-    """Return the diameter of the largest ball, of those about a few points in ``a``, in both."""
+    """Return the diameter of the largest ball in both bodies, of those about points in ``a``."""
     if not (a.closed and b.closed):
         return 0.0
     picked = np.linspace(0, len(a.corners) - 1, min(_CORES, len(a.corners))).astype(int)
@@ -198,6 +198,6 @@ def _fact(overlap: Overlap) -> dict[str, Any]:
 
 
 def colliding(found: Collisions) -> Sequence[str]:
-    """Return the names of the objects that take part in an overlap, each once, sorted."""
+    """Return the sorted, unique names of the objects that overlap."""
     pairs = [{o.a, o.b} for o in (*found.overlaps, *found.sunk)]
     return sorted(set().union(*pairs) - {TABLE})

@@ -1,13 +1,13 @@
-"""Closed surfaces of drawn meshes, depth of points inside, and nearest triangles.
+"""Closed surfaces of visual meshes, depth of points inside, and nearest triangles.
 
-A mesh is taken apart into *shells*, its connected pieces; a body is all its shells together, so
-that a handle sunk into a cup's wall, or a hundred keys on a keyboard, need no boolean operation.
-Distances are exact: a tree of boxes finds the nearest triangle, and the angle-weighted normal of
-the nearest face, edge or corner tells what is outside (J. Baerentzen and H. Aanaes, "Signed
-distance computation using the angle weighted pseudonormal", TVCG 2005). It errs where a surface
-lies on itself, as a sheet's two sides do, and a piece that is not closed has no such side: of the
-rest the winding number tells what is inside (A. Van Oosterom and J. Strackee, "The solid angle of a
-plane triangle", 1983).
+A mesh is split into *shells*, its connected pieces; a body is the union of its shells, so that a
+handle sunk into a cup's wall, or a hundred keys on a keyboard, need no boolean operation. Distances
+are exact: a tree of boxes finds the nearest triangle, and the angle-weighted normal of the nearest
+face, edge or corner distinguishes outside from inside (J. Baerentzen and H. Aanaes, "Signed
+distance computation using the angle weighted pseudonormal", TVCG 2005). This fails where a surface
+lies on itself, such as the two sides of a sheet, and for pieces that are not closed; points that
+pass this test are therefore also tested by the winding number (A. Van Oosterom and J. Strackee,
+"The solid angle of a plane triangle", 1983).
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from ...physics.inertia import weld
 from ...scene import Mesh
 from ...scene.triangles import closed
 
-_LEAF = 4  # triangles in one box of the tree
-_CHUNK = 400_000  # pairs of a point and a triangle or box held at once
+_LEAF = 4  # triangles per box of the tree
+_CHUNK = 400_000  # point-triangle or point-box pairs processed at once
 
 
 @dataclass(frozen=True, eq=False)
 class SurfaceShell:
-    """One connected piece of a surface in the world, metres; neighbours in space stand together.
+    """One connected piece of a surface in the world, metres; triangles are in spatial order.
 
-    ``normals`` holds for each triangle the outward pseudonormals of its face, its edges 01, 12, 20
-    and its corners. ``boxes`` are the tree's levels (lowest and highest corners), the root first.
+    ``normals`` are, for each triangle, the outward pseudonormals of its face, its edges 01, 12, 20
+    and its corners. ``boxes`` are the tree's levels (minimum and maximum corners), root first.
     """
 
     corners: Float[np.ndarray, "m 3 3"]
@@ -45,15 +45,15 @@ class SurfaceShell:
 
     @property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """Lowest and highest corner."""
+        """Minimum and maximum corner."""
         return self.boxes[0][0]
 
     def nearest(
         self, points: Float[np.ndarray, "p 3"]
     ) -> tuple[Float[np.ndarray, "p 3"], Int[np.ndarray, "p"], Int[np.ndarray, "p"]]:
-        """Return each point's nearest point on the shell, its triangle, and the feature it is on.
+        """Return each point's nearest point on the shell, its triangle, and its feature.
 
-        Features are counted as in ``normals``: 0 the face, 1 to 3 edges, 4 to 6 corners.
+        Features are numbered as in ``normals``: 0 the face, 1 to 3 edges, 4 to 6 corners.
         """
         place, face = np.zeros_like(points), np.zeros(len(points), np.int64)
         feature = np.zeros(len(points), np.int64)
@@ -66,10 +66,10 @@ class SurfaceShell:
     def depths(
         self, points: Float[np.ndarray, "p 3"]
     ) -> tuple[Float[np.ndarray, "p"], Int[np.ndarray, "p"]]:
-        """Return how deep points lie inside, metres (negative outside), and the nearest triangle.
+        """Return the depth of points inside, metres (negative outside), and the nearest triangle.
 
-        Outside the shell's box the distance to the box stands for that to the shell (which is no
-        shorter), and the triangle is -1.
+        Outside the shell's box, the distance to the box is returned as a lower bound, and the
+        triangle is -1.
         """
         low, high = self.bounds
         away = np.maximum(np.maximum(low - points, points - high), 0.0)
@@ -126,9 +126,9 @@ def shells(
 ) -> tuple[SurfaceShell, ...]:
     """Return the shells of a canonical mesh at ``scale`` (its extent, metres) and a world pose.
 
-    The texture's seams are joined, and two faces back to back, which bound nothing, left out. A
-    closed piece turned inside out is a cavity if another holds it, and then counts as filled;
-    otherwise it is turned.
+    Texture seams are joined, and pairs of faces back to back, which bound no volume, are removed. A
+    closed piece turned inside out is a cavity if another piece contains it, and is then filled;
+    otherwise it is inverted.
     """
     vertices, faces = weld(mesh)
     vertices = (vertices * scale) @ quaternion_matrix(quaternion).T + position
@@ -172,7 +172,7 @@ def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) ->
 
 
 def _outer(faces: Int[np.ndarray, "m 3"]) -> Int[np.ndarray, "k 3"]:
-    """Return the faces without those that lie back to back on another."""
+    """Return the faces without pairs that lie back to back."""
     key = np.sort(faces, axis=1)
     _, group = np.unique(key, axis=0, return_inverse=True)
     group = group.reshape(-1)
@@ -193,7 +193,7 @@ def _volume(corners: Float[np.ndarray, "m 3 3"]) -> float:
 
 
 def _morton(points: Float[np.ndarray, "m 3"]) -> Int[np.ndarray, "m"]:
-    """Return the places of points along a curve that keeps neighbours together (Z-order)."""
+    """Return the Z-order (Morton) codes of points."""
     low = points.min(0)
     span = max(float(np.ptp(points, axis=0).max()), 1e-12)
     cells = np.clip((points - low) / span * 1023, 0, 1023).astype(np.int64)
@@ -207,11 +207,11 @@ def _morton(points: Float[np.ndarray, "m 3"]) -> Int[np.ndarray, "m"]:
 def nearest_on_triangles(
     points: Float[np.ndarray, "p 3"], corners: Float[np.ndarray, "p 3 3"]
 ) -> tuple[Float[np.ndarray, "p 3"], Int[np.ndarray, "p"]]:
-    """Return the point of each triangle nearest to the point of the same row, and its feature.
+    """Return, per row, the point of the triangle nearest to the given point, and its feature.
 
-    Features: 0 the face, 1 to 3 the edges 01, 12, 20, 4 to 6 the corners. By the regions of the
-    triangle's plane that its edges and their normals bound (C. Ericson, "Real-Time Collision
-    Detection", 2005, 5.1.5).
+    Features: 0 the face, 1 to 3 the edges 01, 12, 20, 4 to 6 the corners. The feature is determined
+    by the Voronoi regions of the triangle (C. Ericson, "Real-Time Collision Detection", 2005,
+    5.1.5).
     """
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     ab, ac, ap, bp, cp = b - a, c - a, points - a, points - b, points - c
@@ -242,9 +242,10 @@ def nearest_on_triangles(
 def pseudonormals(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> Float[np.ndarray, "m 7 3"]:
-    """Return for each triangle the outward normals of its face, edges 01, 12, 20 and corners.
+    """Return the outward normals of each triangle's face, edges 01, 12, 20 and corners.
 
-    An edge's is the sum of its faces' unit normals, a corner's their sum weighed by their angles.
+    The normal of an edge is the sum of the unit normals of its faces; that of a corner is their sum
+    weighted by angle.
     """
     corners = vertices[faces]
     sides = np.roll(corners, -1, axis=1) - corners
@@ -265,7 +266,7 @@ def pseudonormals(
 def solid_angles(
     points: Float[np.ndarray, "p 3"], corners: Float[np.ndarray, "m 3 3"]
 ) -> Float[np.ndarray, "p"]:
-    """Return how often the triangles wind about each point: 1 inside a closed outward surface."""
+    """Return the winding number of the triangles about each point: 1 inside a closed surface."""
     a, b, c = (corners[None, :, k] - points[:, None] for k in range(3))
     la, lb, lc = (np.linalg.norm(side, axis=2) for side in (a, b, c))
     volume = _dot(a, np.cross(b, c))
@@ -274,7 +275,7 @@ def solid_angles(
 
 
 def bisect(corners: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "n 3 3"]:
-    """Return every triangle cut in two across the middle of its longest side."""
+    """Split every triangle in two at the middle of its longest side."""
     sides = np.roll(corners, -1, axis=1) - corners
     longest = np.argmax(np.einsum("mck,mck->mc", sides, sides), axis=1)
     rows = np.arange(len(corners))

@@ -1,8 +1,8 @@
-"""What a picture tells about an object's turn and size: would another fit its mask better?
+"""Yaw and size errors visible in a picture: would another yaw or size fit an object's mask better?
 
-Each object is drawn alone from the picture's camera, as it stands and otherwise turned or scaled.
-Pixels that show another object in the picture are left out, so that what is hidden counts neither
-way. Each silhouette may shift onto the mask, for a thing in a wrong place is not a turned one.
+Each object is drawn alone from the picture's camera, as it stands and with other yaws or scales.
+Pixels of other objects in the picture are ignored, so that occluded parts have no effect. Each
+silhouette may shift onto the mask, since a wrong position is not a wrong yaw.
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ from ...scene import TABLE, Object
 from .symmetry import order, yaw_error
 
 TURNS = tuple(np.deg2rad(range(15, 360, 15)).tolist())
-"""Turns tried, radians."""
+"""Tested yaws, radians."""
 
 FACTORS = (0.4, 0.5, 0.6, 0.7, 0.8, 1.25, 1.4, 1.65, 2.0, 2.5)
-"""Scales tried."""
+"""Tested scales."""
 
-_SIDE = 480  # longest side of the pictures masks are compared in
-_LEAST_PIXELS, _LEAST_SHOWN = 60, 0.5
-_SAME = 20.0  # degrees: turns nearer than this to a symmetry are not told apart
+_SIDE = 480  # longest side of the compared pictures, pixels
+_MIN_PIXELS, _MIN_SHOWN = 60, 0.5
+_SAME = 20.0  # degrees: yaws this close to a symmetry are not distinguished
 
 
 @dataclass(frozen=True)
 class SilhouetteFit:
-    """How an object's silhouette fits its mask: as it stands, best turned, best scaled.
+    """Fit of an object's silhouette to its mask: as it stands, best turned, best scaled.
 
-    ``turn`` (radians, counter-clockwise) and ``factor`` are what fits best of what was tried.
+    ``turn`` (radians, counter-clockwise) and ``factor`` are the best of the tested values.
     """
 
     name: str
@@ -46,10 +46,9 @@ class SilhouetteFit:
 
 
 def fits(compared: Comparison) -> tuple[SilhouetteFit, ...]:
-    """Return the fit of each object that the picture shows well enough to tell.
+    """Return the fit of each object that is visible enough in the picture.
 
-    Left out are objects without a mask, with one of a few pixels, and such as hide half behind
-    others.
+    Objects without a mask, with a mask of a few pixels, or more than half occluded are skipped.
     """
     height, width = compared.segments.index.shape
     factor = min(1.0, _SIDE / max(height, width))
@@ -67,15 +66,15 @@ def fits(compared: Comparison) -> tuple[SilhouetteFit, ...]:
 def _fit(
     thing: Object, camera: Camera, mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
 ) -> SilhouetteFit | None:
-    if mask.sum() < _LEAST_PIXELS:
+    if mask.sum() < _MIN_PIXELS:
         return None
     shape = _silhouette(thing, camera)
-    if not shape.any() or (shape & free).sum() < _LEAST_SHOWN * shape.sum():
+    if not shape.any() or (shape & free).sum() < _MIN_SHOWN * shape.sum():
         return None
     whole = _overlap(shape, mask, free)
-    own = order(thing.model.mesh, thing.scale, prints=False)  # a silhouette shows none
-    told = [turn for turn in TURNS if yaw_error(turn, 0.0, own) > _SAME]
-    turned = [(_overlap(_silhouette(thing, camera, turn=t), mask, free), t) for t in told]
+    own = order(thing.model.mesh, thing.scale, prints=False)  # colours do not show
+    tested = [turn for turn in TURNS if yaw_error(turn, 0.0, own) > _SAME]
+    turned = [(_overlap(_silhouette(thing, camera, turn=t), mask, free), t) for t in tested]
     scaled = [(_overlap(_silhouette(thing, camera, factor=f), mask, free), f) for f in FACTORS]
     turned_iou, turn = max(turned, default=(whole, 0.0))
     scaled_iou, factor = max(scaled)
@@ -85,7 +84,7 @@ def _fit(
 def _silhouette(
     thing: Object, camera: Camera, turn: float = 0.0, factor: float = 1.0
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of an object drawn alone, turned or scaled about the middle of its foot."""
+    """Return the pixels of an object drawn alone, turned or scaled about the centre of its foot."""
     points = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(thing.pose.quaternion).T
     foot = np.array([0.0, 0.0, points[:, 2].min()])
     points = factor * (points - foot) @ rotation_z(turn).T + foot + thing.pose.position
@@ -100,7 +99,7 @@ def _silhouette(
 def _overlap(
     shape: Bool[np.ndarray, "h w"], mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
 ) -> float:
-    """Return the silhouette's overlap with the mask, where it is or shifted middle to middle."""
+    """Return the silhouette's IoU with the mask, the better of unshifted and centred on it."""
     if not shape.any():
         return 0.0
     shown = shape & free if (shape & free).any() else shape
@@ -109,7 +108,7 @@ def _overlap(
 
 
 def _shift(mask: Bool[np.ndarray, "h w"], by: Float[np.ndarray, "2"]) -> np.ndarray:
-    """Return a mask moved by whole pixels; what leaves the picture is lost."""
+    """Return a mask shifted by whole pixels; pixels outside the picture are lost."""
     places = np.argwhere(mask) + np.round(by).astype(int)
     places = places[((places >= 0) & (places < mask.shape)).all(1)]
     moved = np.zeros(mask.shape, bool)

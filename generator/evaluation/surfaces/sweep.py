@@ -1,8 +1,7 @@
-"""The camera sweep (supplement, Sec. 8.1): a scene from 160 views, and the view nearest a picture.
+"""The camera sweep (supplement, Sec. 8.1): a scene from 160 views, and the best match of a picture.
 
-The picture's camera is unknown for a foreign method's scene, so every scene is looked at from the
-front, from straight above down to the table's own height, from near to far; each metric counts in
-the view in which it is best.
+The picture's camera is unknown for other methods' scenes, so every scene is rendered from the
+front, from straight above down to table height, from near to far; each metric uses its best view.
 """
 
 from __future__ import annotations
@@ -21,20 +20,21 @@ from ...render.sheet import scene_items
 from ...scene import Scene, View
 
 ELEVATIONS = tuple(float(e) for e in range(90, -1, -10))
-"""Degrees above the horizon, in the paper's order."""
+"""Elevations in degrees above the horizon, in the paper's order."""
 
 DISTANCES = tuple(round(1.0 + 0.1 * k, 1) for k in range(16))
-"""Multiples of the scene's radius."""
+"""Distances in multiples of the scene's radius."""
 
-_LEVEL = 1e-3  # radians: a view's elevation is above 0
+_LEVEL = 1e-3  # radians: the elevation of a view must be above 0
 
 
 @dataclass(frozen=True)
 class SweepConfig:
-    """What the sweep leaves open.
+    """Settings of the sweep.
 
-    ``fov`` is vertical, ``azimuth`` as in ``View`` (0 looks from the front), both in radians.
-    ``longest`` is the longer side of the renders in pixels; their proportions are the picture's.
+    ``fov`` is the vertical field of view and ``azimuth`` is as in ``View`` (0 looks from the
+    front), both in radians. ``longest`` is the longer side of the renders in pixels; their aspect
+    ratio is that of the picture.
     """
 
     fov: float = float(np.deg2rad(60.0))
@@ -49,30 +49,35 @@ class SweepConfig:
             raise InputError("A sweep needs at least one elevation and one distance.")
         angles = np.array(self.elevations)
         if not ((angles >= 0) & (angles <= 90)).all() or min(self.distances) <= 0:
-            raise InputError("A sweep's elevations are 0 to 90 degrees, its distances positive.")
+            raise InputError(
+                "The elevations of a sweep must be 0 to 90 degrees, and its distances positive."
+            )
         if not 16 <= self.longest <= 2048:
-            raise InputError(f"A sweep's renders are 16 to 2048 pixels long, not {self.longest}.")
+            raise InputError(
+                "The longer side of a sweep's renders must be 16 to 2048 pixels, got "
+                f"{self.longest}."
+            )
 
 
 @dataclass(frozen=True)
 class Station:
-    """Where one view was taken from: degrees, and multiples of the scene's radius."""
+    """Camera position of one view: degrees, and multiples of the scene's radius."""
 
     elevation: float
     distance: float
 
 
 class Metric(Protocol):
-    """How alike pictures are. ``name`` says what is measured and by which model."""
+    """A similarity metric. ``name`` identifies the quantity and its model."""
 
     @property
     def name(self) -> str:
-        """The key that the figure is reported under."""
+        """Key under which the value is reported."""
         ...
 
     @property
     def higher_is_better(self) -> bool:
-        """Whether a larger figure means more alike."""
+        """Whether larger values mean greater similarity."""
         ...
 
     def score(
@@ -80,13 +85,13 @@ class Metric(Protocol):
         pictures: Sequence[UInt8[np.ndarray, "_h _w 3"]],
         reference: UInt8[np.ndarray, "a b 3"],
     ) -> Float[np.ndarray, "n"]:
-        """Return one figure a picture, held against the reference."""
+        """Return one value per picture, compared with the reference."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Best:
-    """A metric in the view that suits it best, with all figures in the order of the sweep."""
+    """A metric at its best view, with all values in the order of the sweep."""
 
     metric: str
     higher_is_better: bool
@@ -96,7 +101,7 @@ class Best:
     values: Float[np.ndarray, "n"]
 
     def facts(self) -> dict[str, Any]:
-        """Return the best figure and its view as JSON values."""
+        """Return the best value and its view as JSON values."""
         return {
             "value": round(self.value, 5),
             "higher_is_better": self.higher_is_better,
@@ -106,13 +111,13 @@ class Best:
 
 
 def stations(config: SweepConfig | None = None) -> tuple[Station, ...]:
-    """Return the views of a sweep: for each elevation every distance; 160 by default."""
+    """Return the views of a sweep: all distances for each elevation; 160 by default."""
     config = config or SweepConfig()
     return tuple(Station(e, d) for e in config.elevations for d in config.distances)
 
 
 def center_and_radius(scene: Scene) -> tuple[Float[np.ndarray, "3"], float]:
-    """Return the middle of the scene's box, and half the box's diagonal, metres."""
+    """Return the centre of the scene's bounding box, and half the box's diagonal, metres."""
     points = np.concatenate([item.vertices for item in scene_items(scene)])
     low, high = points.min(0), points.max(0)
     return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
@@ -131,7 +136,7 @@ def station_camera(
 def sweep(
     scene: Scene, aspect: float = 4 / 3, config: SweepConfig | None = None
 ) -> Iterator[tuple[Station, UInt8[np.ndarray, "h w 3"]]]:
-    """Draw the scene from each view in turn, on white; ``aspect`` is width over height."""
+    """Render the scene from each view in turn, on white; ``aspect`` is width over height."""
     config = config or SweepConfig()
     wide = aspect >= 1
     width = config.longest if wide else max(1, round(config.longest * aspect))
@@ -148,7 +153,7 @@ def best_views(
     metrics: Sequence[Metric],
     config: SweepConfig | None = None,
 ) -> tuple[Best, ...]:
-    """Return, for each metric, the view of the sweep that comes nearest to ``reference``."""
+    """Return, for each metric, the view of the sweep most similar to ``reference``."""
     taken = list(sweep(scene, reference.shape[1] / reference.shape[0], config))
     pictures = [picture for _, picture in taken]
     found = []

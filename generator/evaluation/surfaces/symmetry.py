@@ -1,4 +1,4 @@
-"""Which turns about the vertical leave an object as it is, from its shape and its look."""
+"""Rotational symmetry of objects about the vertical, from shape and texture."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from ...geometry import rotation_z, wrap
 from ...scene import Mesh
 
 ORDERS = (8, 6, 5, 4, 3, 2)
-"""Finite orders that are looked for, highest first."""
+"""Tested finite orders, highest first."""
 
-_ANY_ANGLE = np.deg2rad([13.0, 37.0, 71.0, 101.0, 158.0, 223.0])  # in no symmetry of low order
-_MISFIT = 0.015  # share of the surface that may differ
-_NEAR = 1.6  # of the spacing of points: that far may a turned point lie from the surface
-_SHADE = 0.15  # difference of colours in [0, 1] that counts
+_ANY_ANGLE = np.deg2rad([13.0, 37.0, 71.0, 101.0, 158.0, 223.0])  # angles of no symmetry
+_MISFIT = 0.015  # maximum fraction of the surface that may differ
+_NEAR = 1.6  # maximum distance of a turned point from the surface, in point spacings
+_SHADE = 0.15  # minimum relevant difference of colours in [0, 1]
 _POINTS, _ASKED, _AROUND = 10_000, 2_000, 8
 
 
 @dataclass(frozen=True, eq=False)
 class Cloud:
-    """Even points of a visible textured surface: metres about the vertical through its centroid.
+    """Even points of a visible textured surface: metres, relative to the centroid's vertical.
 
-    ``color`` is in [0, 1] and smoothed over neighbours; ``spacing`` is the points' distance.
+    ``color`` is in [0, 1] and smoothed over neighbours; ``spacing`` is the distance between points.
     """
 
     position: Float[np.ndarray, "n 3"]
@@ -38,7 +38,7 @@ class Cloud:
         return self.position @ rotation_z(angle).T
 
     def thin(self, count: int) -> Cloud:
-        """Return every k-th point, about ``count``, colours smoothed over as many neighbours."""
+        """Return about ``count`` points, every k-th, with colours smoothed over neighbours."""
         step = max(1, len(self.position) // count)
         position = self.position[::step]
         smooth = _smooth(self.position, self.color, position, step * _AROUND)
@@ -46,7 +46,7 @@ class Cloud:
 
 
 def cloud(mesh: Mesh, size: Float[np.ndarray, "3"], count: int = _POINTS) -> Cloud:
-    """Sample a canonical mesh of ``size`` (metres); what lies right under a cover is left out."""
+    """Sample a canonical mesh of ``size`` (metres), without points covered by another surface."""
     from ...render.soft import sample_surface
 
     drawn = sample_surface(mesh, size, count, seed=0)
@@ -61,18 +61,18 @@ def cloud(mesh: Mesh, size: Float[np.ndarray, "3"], count: int = _POINTS) -> Clo
 def _smooth(
     position: Float[np.ndarray, "n 3"],
     color: Float[np.ndarray, "n 3"],
-    asked: Float[np.ndarray, "m 3"],
+    queries: Float[np.ndarray, "m 3"],
     around: int,
 ) -> Float[np.ndarray, "m 3"]:
-    """Return the mean colour of the points nearest to each place asked."""
-    near = KDTree(position).query(asked, k=min(around, len(position)))[1]
-    return color[near.reshape(len(asked), -1)].mean(1)
+    """Return the mean colour of the nearest points for each query position."""
+    near = KDTree(position).query(queries, k=min(around, len(position)))[1]
+    return color[near.reshape(len(queries), -1)].mean(1)
 
 
 def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"]:
-    """Return which points, turned by ``angle`` radians, lie where the surface looks different.
+    """Return which points, turned by ``angle`` radians, land where the surface looks different.
 
-    Only each ``every``-th point is asked.
+    Only every ``every``-th point is tested.
     """
     turned, color = points.turn(angle)[::every], points.color[::every]
     apart, index = KDTree(points.position).query(turned, k=6)
@@ -82,17 +82,18 @@ def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray
 
 
 def misfit(points: Cloud, angle: float) -> float:
-    """Return the share of the surface that looks different when it is turned by ``angle``."""
+    """Return the fraction of the surface that looks different when turned by ``angle`` radians."""
     every = max(1, len(points.position) // _ASKED)
     return float(find_changes(points, angle, every).mean())
 
 
 def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> float:
-    """Return the order of an object's rotational symmetry about the vertical, from shape and look.
+    """Return the order of an object's rotational symmetry about the vertical.
 
-    1 has none, n looks the same turned by 360/n degrees, infinity turned by any angle. Only
-    ``ORDERS`` are looked for. Up to ``_MISFIT`` of the surface may differ. ``size`` is the
-    canonical mesh's extent, metres; without ``prints`` the shape alone counts, not colours.
+    Shape and texture both count. 1 means no symmetry, n that the object looks the same turned by
+    360/n degrees, infinity by any angle. Only ``ORDERS`` are tested. Up to ``_MISFIT`` of the
+    surface may differ. ``size`` is the canonical mesh's extent, metres; without ``prints`` only the
+    shape is compared, not colours.
     """
     if not prints:
         mesh = Mesh(mesh.vertices, mesh.faces, 0 * mesh.uv, mesh.texture)
@@ -103,9 +104,9 @@ def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> f
 
 
 def yaw_error(found: float, true: float, order: float) -> float:
-    """Return how far two yaws (radians) are apart, at best, for an object of that order: degrees.
+    """Return the difference of two yaws (radians), modulo a symmetry of that order, in degrees.
 
-    In [0, 180 / order]; 0 if the order is infinite.
+    It is in [0, 180 / order]; 0 if the order is infinite.
     """
     if math.isinf(order):
         return 0.0

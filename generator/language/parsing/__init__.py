@@ -1,1 +1,1 @@
-"""English about tabletops: words, phrases, statements and what they refer to."""
+"""Vocabulary and lexicon of tabletop descriptions."""

@@ -1,4 +1,4 @@
-"""Words to catalogue categories: exact names first, then reviewed synonyms; never by spelling."""
+"""Words to catalogue categories: exact names first, then reviewed synonyms; no fuzzy matching."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ IRREGULAR: Mapping[str, str] = MappingProxyType(
 )  # fmt: skip
 
 _SINGULAR = frozenset({"canvas", "atlas", "gas", "christmas", "pancreas", "madras", "thermos"})
-"""Words that end like plurals and are none."""
+"""Singular nouns that end like plurals."""
 
 PLURAL_ONLY = frozenset(
     {"tweezers", "forceps", "scissors", "pliers", "tongs", "goggles", "spectacles", "sunglasses",
@@ -39,13 +39,13 @@ PLURAL_ONLY = frozenset(
      "calipers", "callipers", "scales", "overalls", "dungarees", "braces", "pruners", "loppers",
      "muffs"}
 )  # fmt: skip
-"""Nouns of one thing that have no singular: "a pair of tweezers" is one."""
+"""Plural nouns of single objects: "a pair of tweezers" is one."""
 
 
 def tokens(text: str) -> list[str]:
-    """Split a text into lower-case words, numbers and punctuation; accents and "'s" go.
+    """Split a text into lower-case words, numbers and punctuation, without accents and "'s".
 
-    A range of numbers ("2-3") becomes its upper end.
+    A range of numbers ("2-3") becomes its upper bound.
     """
     plain = unicodedata.normalize("NFKD", text.lower().replace("’", "'"))
     plain = "".join(c for c in plain if not unicodedata.combining(c))
@@ -72,7 +72,7 @@ def singular(word: str) -> str:
 
 @cache
 def _index() -> Mapping[str, str]:
-    """Return every noun the planner knows with its category key; the catalogue's own words win."""
+    """Map every known noun to its category key; the catalogue's own names take precedence."""
     index = {alias: c.key for c in reversed(list(CATEGORIES.values())) for alias in c.aliases}
     index |= {c.noun: c.key for c in CATEGORIES.values()}
     for _ in range(2):  # a synonym may lead to another synonym
@@ -86,11 +86,11 @@ def _index() -> Mapping[str, str]:
 
 
 NEVER_OBJECTS = PARTS | TABLE_NOUNS
-"""Words that never name an object, whatever the catalogue's aliases say."""
+"""Words that never name an object, even if they are aliases in the catalogue."""
 
 
 def _forms(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the ways to read a noun: as written, last word singular, first word singular."""
+    """Return the candidate forms of a noun: as written, last word singular, first word singular."""
     cut = words[-1] in PLURAL_ONLY
     last = (*words[:-1], words[-1][:-1] if cut else singular(words[-1]))
     first = (singular(words[0]), *words[1:])
@@ -99,48 +99,48 @@ def _forms(words: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def category_of(words: tuple[str, ...]) -> str | None:
-    """Return the category key that exactly these words name, or None."""
+    """Return the category key named by exactly these words, or None."""
     index = _index()
     return next((index[form] for form in _forms(words) if form in index), None)
 
 
 def is_plural(words: tuple[str, ...]) -> bool:
-    """Tell whether a noun stands for several things ("mugs", not "scissors" or "glass")."""
+    """Return whether a noun denotes several objects ("mugs", not "scissors" or "glass")."""
     written = " ".join(words)
     index = _index()
     single = " ".join((*words[:-1], singular(words[-1])))
     if written in index and written != "dice":
-        named = CATEGORIES[index[written]].noun == written  # "grapes" are one thing
+        named = CATEGORIES[index[written]].noun == written  # "grapes" are one object
         return not named and single != written and index.get(single) == index[written]
     return any(singular(word) != word for word in (words[0], words[-1]))
 
 
 def collective_of(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the categories that a word for a mixed group stands for, or nothing."""
+    """Return the categories denoted by a word for a mixed group, or an empty tuple."""
     members = COLLECTIVES.get(" ".join(words), ())
     keys = (category_of(tuple(member.split())) for member in members)
     return tuple(key for key in keys if key is not None)
 
 
 def is_phrase_start(words: tuple[str, ...]) -> bool:
-    """Tell whether these words, with an "of" or "and" among them, are one noun."""
+    """Return whether these words, including "of" or "and", are one noun."""
     return bool({"of", "and"} & set(words)) and (
         category_of(words) is not None or " ".join(words) in COLLECTIVES
     )
 
 
 def is_setting(word: str) -> bool:
-    """Tell whether a word names a place or an aspect of the picture instead of an object."""
+    """Return whether a word names a place or an aspect of the picture instead of an object."""
     return word in PLACES or singular(word) in PLACES
 
 
 def names() -> Collection[str]:
-    """Return every name of a category."""
+    """Return all names of a category."""
     return _index().keys()
 
 
 @cache
 def vocabulary() -> frozenset[str]:
-    """Return every single word of every noun the planner knows."""
+    """Return all single words of all known nouns."""
     names = [*_index(), *COLLECTIVES, *TABLE_NOUNS]
     return frozenset(word for name in names for word in name.split())

@@ -1,4 +1,4 @@
-"""The words the text planner reads: numbers, relations, colours, tables, synonyms. Data only."""
+"""Vocabulary of the text planner: numbers, relations, colours, tables, synonyms. Data only."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 
 def _table(text: str) -> Mapping[str, str]:
-    """Read lines of ``key: word, word`` into a mapping from each word to its key."""
+    """Parse lines of ``key: word, word`` into a mapping from each word to its key."""
     entries: dict[str, str] = {}
     for line in text.strip().splitlines():
         key, words = line.split(":")
@@ -16,7 +16,7 @@ def _table(text: str) -> Mapping[str, str]:
 
 
 def _pairs(text: str) -> tuple[tuple[str, str], ...]:
-    """Read the same lines into (word, key) pairs; a word may have several meanings, best first."""
+    """Parse such lines into (word, key) pairs; a word may have several meanings, best first."""
     lines = [line.split(":") for line in text.strip().splitlines()]
     return tuple((word.strip(), key.strip()) for key, words in lines for word in words.split(","))
 
@@ -45,14 +45,14 @@ VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
         "numerous": (5, 6), "plenty": (4, 5),
     }
 )  # fmt: skip
-"""Vague amounts: the lowest and highest number they stand for."""
+"""Vague amounts with their minimum and maximum number."""
 
 DEFINITE = _words("the this that these those its his her my your their our")
 LOOSE_NOUNS = _words(
     "board brush tin ring case dish compact tube powder figure deck note paint "
     "cube cutter card server plug plane seal file lens clip roller driver"
 )
-"""Heads that mean a known thing alone, but hardly after a strange word ("arduino board")."""
+"""Heads that name a known object alone, but hardly after an unknown word ("arduino board")."""
 
 
 COLORS = _words(
@@ -93,13 +93,13 @@ STATES = _words(
 """Describing words that are kept as an object's "state" or ignored; never objects themselves."""
 
 PACKAGES = _words("bottle box bag jar tube can carton tin pack packet package canister")
-"""Packages named with what is in them: "a bottle of nail polish" is no bottle and a polish."""
+"""Packages named with their contents: "a bottle of nail polish" is one object."""
 
 DRAWN: Mapping[str, str] = MappingProxyType(
     {"cartoon": "cartoon", "cartoonish": "cartoon", "toon": "cartoon", "comic": "cartoon",
      "low poly": "low-poly", "lowpoly": "low-poly", "low polygon": "low-poly"}
 )  # fmt: skip
-"""Ways to draw that a text may ask for, by the phrase for them."""
+"""Drawing styles, by the phrases that request them."""
 
 STYLES = _words(
     "modern rustic vintage minimalist cozy cosy elegant messy cluttered tidy retro scandinavian "
@@ -161,7 +161,7 @@ PARTS = _words(
     "shape rim logo cover covers foot front back left right middle center "
     "centre centerpiece spout feet frame"
 )
-"""Parts and aspects of things; never objects of their own."""
+"""Parts and aspects of objects; never objects themselves."""
 
 PLACES = _words(
     "floor room kitchen office workshop studio bedroom home house garage laboratory restaurant "
@@ -174,7 +174,7 @@ PLACES = _words(
     "arm gripper distance order place reach lighting hours hour world programmer student artist "
     "writer setting settings layout flu homework session"
 )
-"""Words for where, when and what it is about; no objects."""
+"""Words for place, time and topic; never objects."""
 
 OCCASIONS = frozenset(
     {"afternoon tea", "high tea", "coffee break", "game night", "movie night", "home bar",
@@ -213,7 +213,7 @@ SUBSTANCES = _words(
     "chips crisps popcorn nuts candy sweets liquid fluid solution broth cider whisky whiskey vodka "
     "rum gin champagne espresso cappuccino latte smoothie milkshake sake gravel compost"
 )
-"""What vessels hold; it becomes the vessel's "state", unless it is an object itself."""
+"""Contents of vessels; they become the vessel's "state", unless they are objects themselves."""
 
 SYNONYMS = _pairs(
     """
@@ -364,12 +364,12 @@ SYNONYMS = _pairs(
     controller: game controller, gamepad, joystick
     """
 )  # fmt: skip
-"""Words to a catalogue word (key, noun or alias), beside the catalogue's own aliases."""
+"""Synonyms of catalogue words (key, noun or alias), in addition to the catalogue's aliases."""
 
 _BALLS = ("baseball", "tennis_ball", "cricket_ball", "golf_ball", "ball", "easter_egg",
           "basketball")  # fmt: skip
 _LONG = ("soldering_iron", "dagger", "baton", "flute", "chef_knife", "paint_brush")
-"""What is put up on a cradle."""
+"""Objects put on a cradle."""
 
 MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
     {
@@ -410,7 +410,7 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
         "chip": (("playing_cards", "poker_chips"),),
     }
 )
-"""Words that mean a category where another one is there: pieces by a chess board."""
+"""Words whose category depends on other objects: pieces next to a chess board."""
 
 COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -464,4 +464,4 @@ COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "salt and pepper shakers": ("salt shaker", "pepper shaker"),
     }
 )
-"""Words for mixed groups, and what they stand for."""
+"""Words for mixed groups, and their categories."""

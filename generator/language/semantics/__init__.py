@@ -1,1 +1,1 @@
-"""What clauses mean: which things there are, and what is where."""
+"""Semantics of clauses: objects, and their positions and relations."""

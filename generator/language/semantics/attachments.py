@@ -1,4 +1,4 @@
-"""What a thing brings along: "with", "holding", "of"."""
+"""Objects attached to another object by "with", "holding" or "of"."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from ..syntax.phrases.tree import (
 from ..vessel_sizes import holds_things, is_lit
 from . import contents
 from .links import link, topmost
-from .members import MemberReader
 from .references import Target
 from .relations import CUTLERY
+from .members import MemberReader
 
 _DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at", "beside", "aside")
 
 
 @dataclass(eq=False)
 class CarryReader(MemberReader, ABC):
-    """Reads what things bring along, and puts it where it fits until the text says more."""
+    """Reads attached objects, and assumes a position for them until the text gives one."""
 
     def _carry(self, post: Carry, owner: Target, noun: Noun | None) -> None:
-        """Read what a thing brings along, and put it where it fits until the text says more."""
+        """Read the objects attached to an owner, and put them where they fit by default."""
         context = self._context
         outer, context.owner = context.owner, owner
         subject, context.subject = context.subject, []
@@ -118,30 +118,30 @@ class CarryReader(MemberReader, ABC):
 
     @abstractmethod
     def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
-        """Read a list of noun phrases."""
+        """Interpret a list of noun phrases."""
 
     @abstractmethod
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
-        """Read a noun phrase with what follows it; return what it means."""
+        """Interpret a noun phrase and its modifiers; return the objects it denotes."""
 
 
 def _vessel(owner: Target, noun: Noun | None) -> Noun | None:
-    """Return the noun phrase of an owner, the last one of it where a verb says what it holds."""
+    """Return the noun phrase of an owner, or its last one if a verb states the contents."""
     if noun is not None or not isinstance(owner, list):
         return noun
     return Noun("thing", (owner[0].noun,), (0, 0), owner[0].noun, owner[0].category)
 
 
 def _is_pile(group: Group) -> bool:
-    """Tell whether things are a stack, which carries others on its top."""
+    """Return whether the objects are a stack, which carries others on its top."""
     return len(group) > 1 and group[0].stacked_under is not None
 
 
 def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:
-    """Return the places said of a thing in a vessel that are the vessel's.
+    """Return the places of contents that belong to the vessel.
 
-    "A bowl with two eggs behind the pot": the bowl is behind the pot. "A bowl with crisps behind
-    it": so it is too, unless the bowl is the ``first`` thing of the text.
+    In "a bowl with two eggs behind the pot", the bowl is behind the pot. In "a bowl with crisps
+    behind it", so is the bowl, unless it is the ``first`` object of the text.
     """
     if not isinstance(owner, list) or not items:
         return []
@@ -176,14 +176,14 @@ def _is_pronoun(target: Noun | Zone) -> bool:
 
 
 def _is_that(target: Noun | Zone) -> bool:
-    """Tell whether a place is told of by "that": what was spoken of before."""
+    """Return whether a place is relative to "that", the preceding object."""
     return isinstance(target, Noun) and _is_pronoun(target) and target.head == "that"
 
 
 def _joint_places(items: Sequence[Noun], how: str, noun: Noun | None) -> Sequence[Location]:
-    """Return the places of what is beside a thing that are that thing's too.
+    """Return the places of attached objects that also apply to their owner.
 
-    "A pitcher with two glasses in the back left corner": both are there.
+    In "a pitcher with two glasses in the back left corner", all are in the corner.
     """
     own = noun is None or any(isinstance(post, Location) for post in noun.post)
     if own or how != "with" or len(items) != 1:

@@ -1,4 +1,4 @@
-"""What follows "of": a bowl of apples, a glass of orange juice, a photo of a vase."""
+"""Interpretation of "of": a bowl of apples, a glass of orange juice, a photo of a vase."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DEPICTIONS = frozenset({
     "photo", "photograph", "picture", "painting", "drawing", "poster", "portrait", "sketch",
     "print", "postcard", "image", "map", "statue", "bust", "figurine", "sculpture", "model",
 })  # fmt: skip
-"""Things "of" which only show what follows."""
+"""Objects that merely depict what follows "of"."""
 
 
 DECORATIONS = frozenset({
@@ -27,11 +27,11 @@ DECORATIONS = frozenset({
     "inscription", "engraving", "writing", "text", "slogan",
     "lid", "cap", "label", "wheel", "wax", "seal", "lids", "caps", "labels", "wheels",
 })  # fmt: skip
-"""What "with" adds to a thing's looks."""
+"""Nouns after "with" that describe an object's appearance."""
 
 
 def labels(owner: Noun, inner: Noun) -> bool:
-    """Tell whether "of" only says what a thing holds or shows, so that nothing else is there."""
+    """Return whether "of" only names contents or a motif, without adding an object."""
     head = owner.head.split()[-1] if owner.head else ""
     if head in DEPICTIONS or (owner.category or "") in ("picture_frame", "photo_print"):
         return True
@@ -48,7 +48,7 @@ def labels(owner: Noun, inner: Noun) -> bool:
         return False
     package = head in PACKAGES
     if inner.category == owner.category is not None:
-        return True  # a vase of tulips
+        return True  # "a vase of tulips"
     if inner.category is None:
         return package or not inner.plural or owner.category is not None
     vessel = CATEGORIES[owner.category] if owner.category else None
@@ -59,18 +59,18 @@ def labels(owner: Noun, inner: Noun) -> bool:
 
 
 _VESSELS = frozenset({"mug", "teacup", "glass", "wine_glass", "paper_cup", "beer_mug", "carafe"})
-"""What holds a drink, and nothing else."""
+"""Vessels for drinks only."""
 
 
 def fills(owner: Noun, items: Sequence[Noun]) -> bool:
-    """Tell whether "with tea" only says what a vessel holds."""
+    """Return whether "with tea" only names the contents of a vessel."""
     if len(items) != 1 or owner.category is None:
         return False
     (item,) = items
     if item.kind == "collective" and not item.determined and holds_things(owner.category):
         return item.head.split()[-1] in ("food", "foods", "snacks")
     if item.category in LOOSE and owner.category not in _VESSELS:
-        return False  # crisps in a bowl are poured out
+        return False  # crisps in a bowl are separate objects
     packed = bool(PACKAGES & set(owner.head.split()[-1:]))
     holds = owner.category in _VESSELS or packed or holds_things(owner.category)
     vessel = item.category is None or holds
@@ -79,11 +79,11 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
 
 
 _PILE = (5, 6)
-"""How many pieces a vessel of loose food shows."""
+"""Number of pieces in a vessel of loose food."""
 
 
 def loosen(item: Noun, owner: Target) -> Noun:
-    """Return what is poured out of its package where a vessel holds it: crisps in a bowl."""
+    """Replace packaged food by loose food in a vessel: crisps in a bowl."""
     piece = LOOSE.get(item.category or "")
     vessel = isinstance(owner, list) and owner[0].category
     packed = bool(PACKAGES & {*item.words}) or item.determined
@@ -93,14 +93,14 @@ def loosen(item: Noun, owner: Target) -> Noun:
 
 
 def repeats(owner: Noun, items: Sequence[Noun]) -> bool:
-    """Tell whether "a vase with flowers" names only what is drawn in it anyway."""
+    """Return whether "a vase with flowers" names only the default contents."""
     if len(items) != 1 or items[0].category is None or items[0].determined:
         return False
     return items[0].category == owner.category
 
 
 def decorates(item: Noun, owners: Group) -> bool:
-    """Tell whether "with a picture of a cat" only says how things look; then they are so."""
+    """Return whether "with a picture of a cat" only describes a decoration; if so, record it."""
     if item.head not in DECORATIONS or owners[0].category in ("picture_frame", "photo_print"):
         return False
     for draft in owners:
@@ -109,7 +109,7 @@ def decorates(item: Noun, owners: Group) -> bool:
 
 
 def label(owner: Noun, inner: Noun, drafts: Group) -> None:
-    """Name things after what they hold; a package of something known becomes that."""
+    """Rename objects after their contents; a package of a known object becomes that object."""
     said = " ".join(inner.words)
     known = inner.category is not None and bool(PACKAGES & set(owner.head.split()[-1:]))
     itself = known and (not inner.plural or bool(PACKAGES & set(str(inner.category).split("_"))))
@@ -127,5 +127,5 @@ def label(owner: Noun, inner: Noun, drafts: Group) -> None:
 
 
 def full_name(draft: Draft) -> str:
-    """Return what a thing is called with what it holds: "glass of orange juice"."""
+    """Return the name of an object with its contents: "glass of orange juice"."""
     return f"{draft.noun} of {draft.contents}" if draft.contents else draft.noun

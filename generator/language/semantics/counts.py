@@ -1,4 +1,4 @@
-"""How many there are of what a text names: said after all, or a half of them."""
+"""Counts of objects: stated later in the text, or for one half of a group."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from .relations import Relater
 
 @dataclass(eq=False)
 class CountReader(Relater, ABC):
-    """Keeps count.
+    """Tracks counts of groups.
 
-    ``_uncounted`` are the last several things of which the text has not said how many they are;
-    ``_halves`` is what was said of a half of them.
+    ``_uncounted`` is the last group whose count the text has not stated yet; ``_halves`` are
+    attributes stated for one half of it.
     """
 
     _uncounted: Group = field(default_factory=list)
     _halves: list[Mapping[str, str]] = field(default_factory=list)
-    _said: Sequence[Post] = ()  # what the verb of the clause says that is being read
+    _said: Sequence[Post] = ()  # predicate of the current clause
 
     def _recount(self, count: int) -> None:
-        """Have as many of the last things that were not counted as the text says after all."""
+        """Change the number of objects in the last uncounted group."""
         group = self._uncounted
         if not group or not 1 <= count <= MAX_OBJECTS:
             return
@@ -43,11 +43,11 @@ class CountReader(Relater, ABC):
                 draft.attributes.update(attributes)
 
     def _find_related(self) -> Group:
-        """Return the things that others are related to."""
+        """Return the objects that are targets of relations."""
         return [to for d in self.reading.objects for _, to in d.relations if isinstance(to, Draft)]
 
     def _halve(self, group: Group, said: Sequence[Post]) -> Group:
-        """Return half of a group; what is said of it is so, however many there are in the end."""
+        """Return half of a group, and remember its attributes in case the count changes."""
         if group is self._uncounted:
             posts = [post for post in said if isinstance(post, Description) and post.each]
             self._halves = [post.each[0] for post in posts]
@@ -57,7 +57,7 @@ class CountReader(Relater, ABC):
         return half
 
     def _rest(self) -> Group:
-        """Return those of the last several of which nothing was said while it was of others."""
+        """Return the members of the last group not mentioned yet, while others were."""
         mentioned = self._context.mentioned
         alone = [group[0] for group in mentioned if len(group) == 1]
         several = [group for group in mentioned if len(group) > 1]
@@ -65,9 +65,9 @@ class CountReader(Relater, ABC):
         return [d for group in split[-1:] for d in group if not d.told and d not in alone]
 
     def _count_claimed(self, claimed: Group, count: int) -> Group | None:
-        """Return as many of "all mugs" as the text says after them that there are.
+        """Return the group of "all mugs" with the count that the text states after them.
 
-        None where it names other things, or one of several that have their place.
+        None if the text names other objects, or a single one while the group has positions already.
         """
         group = self._uncounted
         if not claimed or claimed[0] not in group:

@@ -1,4 +1,4 @@
-"""Clauses to a draft of the scene: which things, which table, what relates to what."""
+"""Clauses to drafts of the scene: objects, the table, and relations."""
 
 from __future__ import annotations
 
@@ -30,21 +30,22 @@ from .references import Target, antecedent, find_referred
 
 @dataclass(eq=False)
 class Interpreter(SeatReader):
-    """Turns clauses into drafts.
+    """Converts clauses to drafts.
 
-    ``_named`` is how many groups the sentences before this one have named; ``_alone`` tells whether
-    this one has a single clause.
+    ``_named`` is the number of groups named by previous sentences; ``_alone`` is true if the
+    current sentence has a single clause.
     """
 
     _named: int = 0
     _alone: bool = False
-    _latest: Group | None = None  # the subject of the last clause of this sentence that had one
+    _latest: Group | None = None  # subject of the last clause with a subject in this sentence
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
-        """Read all sentences.
+        """Interpret all sentences.
 
         Raises:
-            InputError: impossible counts, a second table, the table on an object.
+            InputError: Counts are impossible, there is a second table, or the table is on an
+                object.
         """
         for sentence in sentences:
             context = self._context
@@ -60,7 +61,7 @@ class Interpreter(SeatReader):
         told = [draft for draft in self._uncounted if draft.told]
         if (
             told and not self._halves and len(told) < len(self._uncounted)
-        ):  # the text has said how many after all
+        ):  # the text implies the count
             gone = [draft for draft in self._uncounted if not draft.told and not draft.relations]
             self.reading.objects[:] = [d for d in self.reading.objects if d not in gone]
         return self.reading
@@ -70,7 +71,7 @@ class Interpreter(SeatReader):
             self._people(clause)
             return
         lead = self._resolve(clause.lead, []) if clause.lead else None
-        if clause.lead is not None and lead is None:  # somewhere, but not where
+        if clause.lead is not None and lead is None:  # the target is unknown
             known = [noun for noun in clause.subjects if noun.category or noun.family]
             clause = replace(clause, subjects=known, lead=None)
         self._said = clause.predicate
@@ -91,18 +92,18 @@ class Interpreter(SeatReader):
         told = bool(clause.predicate) and all(isinstance(p, Description) for p in clause.predicate)
         if told and len(things) == 1 and things[0] is self._uncounted:
             for draft in things[0]:
-                draft.implied = True  # "cups are blue": how many, the text may say yet
+                draft.implied = True  # "cups are blue": the count may follow
         if things and not bare:
             self._context.recent, self._latest = things, things[0]
         firsts = [d for group in things for d in group if not is_supported(d)]
         self._context.listed = firsts if len(things) > 2 else []
         if isinstance(lead, list) and self._context.topic in (None, *things):
-            self._context.topic = lead  # "next to it ... In front of it ...": the same "it"
+            self._context.topic = lead  # "next to it ... In front of it ...": the same antecedent
         if things and self._context.topic is None:
             self._context.topic = things[0]
 
     def _topic(self) -> Target | None:
-        """Return what a clause without a subject is about; None where it is the table."""
+        """Return the topic of a clause without a subject; None if it is the table."""
         context = self._context
         if self._latest is not None and self._local:
             return self._latest
@@ -114,7 +115,7 @@ class Interpreter(SeatReader):
         return context.earlier if self._alone else None
 
     def _spoken_of(self, clause: Clause) -> list[Group] | None:
-        """Return what "it" or "they" means as the subject of a clause; None of any other."""
+        """Return the groups denoted by "it" or "they" as a subject; None for other subjects."""
         subject = clause.subjects[0] if len(clause.subjects) == 1 else None
         if subject is None or subject.kind != "pronoun" or subject.post:
             return None
@@ -159,7 +160,7 @@ class Interpreter(SeatReader):
             self.reading.table.append(_describing(post))
 
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
-        """Read a noun phrase with what follows it; return what it means."""
+        """Interpret a noun phrase and its modifiers; return the objects it denotes."""
         self._read.add(noun.span)
         if noun.kind == "table":
             return self._table(noun)
@@ -201,7 +202,7 @@ class Interpreter(SeatReader):
         return group or None
 
     def _everything(self, noun: Noun) -> Group:
-        """Return what "everything except the fork" means of the things that stand there."""
+        """Return the objects denoted by "everything except the fork"."""
         apart: Group = []
         for item in (i for post in noun.post if isinstance(post, Lack) for i in post.items):
             apart += find_referred(item, self.reading.objects)
@@ -210,7 +211,7 @@ class Interpreter(SeatReader):
         return standing
 
     def _loose(self, noun: Noun) -> Target | None:
-        """Read what follows "a scene with" or "some things": it stands on the table."""
+        """Interpret "a scene with" or "some things" as objects on the table."""
         self.reading.vague = self.reading.vague or noun.kind == "vague"
         for post in noun.post:
             if isinstance(post, Carry):
@@ -224,7 +225,7 @@ class Interpreter(SeatReader):
     def _table(self, noun: Noun) -> str:
         if (noun.count or 1) > 1 or noun.amount or noun.plural:
             raise InputError(
-                "A scene has exactly one table, the text asks for several "
+                "A scene has exactly one table, but the text describes several "
                 f"({phrase_text(noun)!r}). Describe one table."
             )
         self.reading.table.append(noun)
@@ -269,7 +270,7 @@ class Interpreter(SeatReader):
                 draft.lengths = post.lengths or draft.lengths
 
     def _resolve(self, place: Location, subject: Group) -> Target | None:
-        """Return what a place refers to, reading its noun phrase; None if it cannot be told."""
+        """Resolve the target of a place, interpreting its noun phrase; None if it is unknown."""
         context = self._context
         if isinstance(place.target, Zone):
             if place.table is not None and place.table.kind == "table":
@@ -311,7 +312,7 @@ class Interpreter(SeatReader):
         return target
 
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Name what a group is said not to be at: it is there all the same."""
+        """Name the object at which a group is said not to be: it exists nevertheless."""
         context = self._context
         outer, context.subject = context.subject, group
         self._noun(noun, None)
@@ -326,7 +327,7 @@ def _is_pronoun(noun: Noun) -> bool:
 
 
 def _is_one(noun: Noun) -> bool:
-    """Tell whether a noun phrase brings in one new thing of a known kind."""
+    """Return whether a noun phrase introduces one new object of a known kind."""
     several = (noun.count or 1) != 1 or noun.plural or noun.each
     return bool(noun.category) and not noun.definite and not several
 

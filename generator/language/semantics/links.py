@@ -1,4 +1,4 @@
-"""Drafts related to drafts: one each, stacks, both sides."""
+"""Relations between groups of drafts: one each, stacks, both sides."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
 
 SIDES = ("left_of", "right_of", "in_front_of", "behind")
-_FEW = 3  # of so many things one is beside all
+_FEW = 3  # maximum number of targets that an object can be beside
 
 _OF_BOTH = ("between",)
 _BESIDE: dict[str, str] = dict.fromkeys(("against", "opposite", "beside", "at", "laid"), "next_to")
 
 
 def topmost(target: Draft | str) -> Draft | str:
-    """Return the top of a stack that ``target`` is in, else itself."""
+    """Return the top of the stack containing ``target``, or ``target`` itself."""
     while isinstance(target, Draft) and target.stacked_under is not None:
         target = target.stacked_under
     return target
 
 
 def stack(group: Group) -> None:
-    """Put the drafts on one another, the first at the bottom."""
+    """Stack the drafts, the first one at the bottom."""
     for below, above in pairwise(group):
         above.relate("on", below)
         below.stacked_under = above
 
 
 def unstack(group: Group) -> None:
-    """Take drafts of one stack apart."""
+    """Take the drafts of a stack apart."""
     for draft in group:
         draft.stacked_under = None
         others = [(k, to) for k, to in draft.relations if all(to is not d for d in group)]
@@ -40,7 +40,7 @@ def unstack(group: Group) -> None:
 
 
 def lies_flat(draft: Draft) -> bool:
-    """Tell whether things of this kind are piled one on the other, as books are."""
+    """Return whether objects of this kind are piled on each other, such as books."""
     if draft.category is None:
         return False
     x, y, z = CATEGORIES[draft.category].size
@@ -48,7 +48,7 @@ def lies_flat(draft: Draft) -> bool:
 
 
 _PILED = frozenset({"book", "notebook", "magazine", "box", "pizza", "newspaper", "open_book"})
-"""What one thing that is on several of them makes a stack: "a monitor on two books"."""
+"""Categories stacked under a single object on several of them: "a monitor on two books"."""
 
 
 def _pile(targets: Sequence[Draft | str]) -> bool:
@@ -61,7 +61,7 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
     """Relate the drafts of ``group`` to ``targets``: one each, or all to the first.
 
     Raises:
-        InputError: a draft related to itself.
+        InputError: A draft is related to itself.
     """
     kind = _BESIDE.get(kind, kind)
     if kind == "on" and len(group) == 1 and _pile(targets):
@@ -75,7 +75,7 @@ def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list
             targets = [topmost(target) for target in targets]
         chosen = [targets[i // share]] if paired else list(targets if everyone else targets[:1])
         if any(to is other for _, to in draft.relations for other in group):
-            continue  # in a stack with the others
+            continue  # already stacked with the others
         if kind == "between" and len(group) == 1 and len(chosen) == 2:
             _put_beside(draft, chosen)
         for target in chosen:
@@ -88,7 +88,7 @@ def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> 
     if kind == "under" and isinstance(target, Draft):
         target.relate("on", draft)
     elif kind == "under":
-        warnings.append(f"The {draft.noun} cannot go under the table; it stands on it.")
+        warnings.append(f"The {draft.noun} cannot be under the table; it is placed on the table.")
     elif kind == "between":
         draft.relate("next_to", target)
     elif (kind, target) not in (("on", TABLE), ("in", TABLE), ("next_to", TABLE)):
@@ -96,14 +96,14 @@ def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> 
 
 
 def _put_beside(draft: Draft, targets: Sequence[Draft | str]) -> None:
-    """Put two new things on either side of what is between them."""
+    """Put two new objects on either side of the object between them."""
     for kind, target in zip(("left_of", "right_of"), targets, strict=True):
         if isinstance(target, Draft) and target is not draft and not target.relations:
             target.relate(kind, draft)
 
 
 def flank(group: Group, targets: Group, reading: Reading) -> None:
-    """Put half of a group on either side of the targets; a single thing is doubled."""
+    """Put half of a group on either side of the targets; a single object is doubled."""
     if len(group) == 1:
         one = group[0]
         group.append(reading.add(one.noun, one.category, one.attributes))

@@ -1,4 +1,4 @@
-"""Lists of noun phrases: what is said of the last may be said of the others."""
+"""Lists of noun phrases: modifiers of the last item may apply to all."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from .links import link
 from .references import Target
 
 TURNED = InputError(
-    "The text puts the table on an object; objects stand on the table. Turn it round, for example "
-    "'a mug on the table'."
+    "The text puts the table on an object; objects stand on the table. Reverse the relation, for "
+    "example 'a mug on the table'."
 )
 
 
 @dataclass(eq=False)
 class ListInterpreter(CarryReader, ABC):
-    """Reads lists."""
+    """Interprets lists."""
 
     def _attach_lead(self, place: Location, targets: Target, groups: Sequence[Target]) -> None:
         for group in groups:
@@ -34,7 +34,7 @@ class ListInterpreter(CarryReader, ABC):
                 self._attach(place, targets, group)
 
     def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
-        """Read a list; what is said of its last item only may be said of the others, too."""
+        """Interpret a list; modifiers of only its last item may apply to the others too."""
         found: list[Target] = []
         context = self._context
         parallel, context.parallel = context.parallel, None
@@ -58,7 +58,7 @@ class ListInterpreter(CarryReader, ABC):
         return found
 
     def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
-        """Arrange "an apple, a pear and a peach in a row": what is said of the last is of all."""
+        """Arrange "an apple, a pear and a peach in a row": the arrangement applies to all."""
         posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
         groups = [group for group in found if isinstance(group, list)]
         if not posts or len(groups) < 2:
@@ -75,7 +75,7 @@ class ListInterpreter(CarryReader, ABC):
                     self._attach(place, TABLE, group)
 
     def _line_up(self, groups: Sequence[Group]) -> None:
-        """Put groups beside one another in the order in which they were named."""
+        """Put groups beside one another in the order of the text."""
         firsts = [group[:1] for group in groups if not is_supported(group[0])]
         for one, other in pairwise(firsts):
             link("left_of", one, other, self.reading.warnings)
@@ -83,7 +83,7 @@ class ListInterpreter(CarryReader, ABC):
             self._arrange(Arranged("row"), [draft for group in firsts for draft in group])
 
     def _gather(self, place: Location, found: Sequence[Target]) -> None:
-        """Put "an apple, a pear and a plum around a bowl" all around it."""
+        """Arrange "an apple, a pear and a plum around a bowl" as one circle."""
         last = [group for group in found[-1:] if isinstance(group, list)]
         inner = [to for d in last[0] for _, to in d.relations if isinstance(to, Draft)][:1]
         ring = [d for group in found if isinstance(group, list) for d in group]
@@ -92,7 +92,7 @@ class ListInterpreter(CarryReader, ABC):
             self._attach(place, inner, free)
 
     def _place_all(self, place: Location, found: Sequence[Target]) -> None:
-        """Put all things of a list where its last one is."""
+        """Put all objects of a list at the position of the last one."""
         last = found[-1]
         if not isinstance(last, list):
             return
@@ -106,7 +106,7 @@ class ListInterpreter(CarryReader, ABC):
                 self._attach(replace(place, whole=False), targets, group)
 
     def _share(self, nouns: Sequence[Noun], last: Noun, found: Sequence[Target]) -> None:
-        """Give "an apple and a pear on a plate" one place."""
+        """Apply the position of "an apple and a pear on a plate" to both."""
         places = [post for post in last.post if isinstance(post, Location)]
         if last.joint != "and" or len(nouns) < 2 or not places or len(found) < 2:
             return
@@ -137,12 +137,12 @@ class ListInterpreter(CarryReader, ABC):
 
 
 def is_supported(draft: Draft) -> bool:
-    """Tell whether a thing is on or in another one."""
+    """Return whether an object is on or in another one."""
     return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
 
 
 def _is_on_placed(draft: Draft) -> bool:
-    """Tell whether what carries a thing has a place of its own already."""
+    """Return whether an object's support has a position already."""
     return any(
         kind in ("on", "in") and isinstance(to, Draft) and to.placed for kind, to in draft.relations
     )

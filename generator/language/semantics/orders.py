@@ -1,4 +1,4 @@
-"""Things ordered by size or colour: who comes first, and sizes where the text names none."""
+"""Orders of objects by size or colour, and sizes for ordered objects that have none."""
 
 from __future__ import annotations
 
@@ -13,23 +13,22 @@ from ..drafts import Draft, Group
 _RANKS: Mapping[str, float] = {"tiny": -1.0, "small": 0.0, "medium": 1.0, "large": 2.0}
 _RAINBOW = ("red", "orange", "yellow", "green", "cyan", "blue", "indigo", "purple", "violet",
             "pink")  # fmt: skip
-_SPREAD = 0.65, 1.45  # of the sizes of things in an order, in usual sizes
+_SPREAD = 0.65, 1.45  # relative sizes of ordered objects
 
 
 def size_rank(draft: Draft) -> float:
-    """Return a number that is larger for what the text says is larger."""
+    """Return a number that increases with the size stated in the text."""
     if draft.lengths:
         return 10.0 * draft.lengths[0]
     return _RANKS.get(draft.attributes.get("size", ""), 1.0)
 
 
 def put_in_order(group: Group, order: str | None) -> Group:
-    """Return the things in an order: "size", "size down" or "color"; as they are for None.
+    """Return the objects in an order: "size", "size down" or "color"; unchanged for None.
 
-    "ranks down" is the order of the sizes that the text names, if any, the largest first.
+    "ranks down" is the order of the sizes stated in the text, if any, largest first.
 
-    Things of one kind that are to be ordered by size, and of which the text names no size, get
-    different ones.
+    Objects of one kind to be ordered by size, but without stated sizes, get different sizes.
     """
     if order == "color":
         return sorted(group, key=lambda d: _hue(d.attributes.get("color", "")))

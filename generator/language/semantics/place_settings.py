@@ -1,4 +1,4 @@
-"""Tables that a text lays: what each person gets, and what stands in the middle for all."""
+"""Tables set by the text: the setting of each person, and shared objects in the middle."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from .lists import ListInterpreter, is_supported
 from .references import Context, Target
 
 _SOME_PEOPLE = 4
-"""For how many "everyone" is where the text does not say it."""
+"""Number of people for "everyone" if the text does not state it."""
 
 
 @dataclass(eq=False)
 class SeatReader(ListInterpreter, ABC):
-    """Reads for whom things are laid."""
+    """Reads place settings."""
 
     def _people(self, clause: Clause) -> None:
-        """Read "set the table for four: a plate, a fork on the left"."""
+        """Interpret "set the table for four: a plate, a fork on the left"."""
         loose = ("setting", "vague", "table", "collective", "abstract", "adjective", "title")
         people = clause.people
         if people == EVERYONE:
@@ -44,14 +44,14 @@ class SeatReader(ListInterpreter, ABC):
         own = [noun for noun in clause.subjects if noun not in shared]
         if clause.people == EVERYONE:
             self.reading.people = 0
-        for noun in own:  # "cups and saucers": one for each
+        for noun in own:  # "cups and saucers": one for each person
             if noun.plural and noun.count is None and noun.amount is None:
                 noun.count, noun.plural = 1.0, False
         self._lay(people, lambda: self._list(own, None))
         self._list(shared, None)
 
     def _lay_table(self, clause: Clause, people: int) -> None:
-        """Read "a table set for two: a plate and a fork", of which each gets one."""
+        """Interpret "a table set for two: a plate and a fork", one of each per person."""
         tables = [noun for noun in clause.subjects if noun.kind == "table"]
         self.reading.laid = self.reading.laid or bool(tables) or not clause.subjects
         brought = [p for noun in tables for p in noun.post if isinstance(p, Carry)]
@@ -65,7 +65,7 @@ class SeatReader(ListInterpreter, ABC):
             self._predicate(post, [], [TABLE], True)
 
     def _lay_brought(self, items: Sequence[Noun], people: int) -> bool:
-        """Lay "with a plate and a fork" for each; tell whether these are things to be laid."""
+        """Lay "with a plate and a fork" for each person; return whether these are a setting."""
         own = [item for item in items if item.category in _TABLEWARE]
         first = any(item.category in _FIRST for item in own)
         if people < 2 or not first or not all(map(_is_one_each, own)):
@@ -75,7 +75,7 @@ class SeatReader(ListInterpreter, ABC):
         return True
 
     def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
-        """Lay for each person what ``read`` reads; "on the left" is left of the first thing."""
+        """Lay the result of ``read`` for each person; "left" is relative to the first object."""
         for seat in range(people):
             start = len(self.reading.objects)
             context, self._context = self._context, Context()
@@ -92,18 +92,18 @@ class SeatReader(ListInterpreter, ABC):
                     draft.relations.append(("right_of", members[0]))
             standing = tuple(d for d in members if not is_supported(d))
             if people == 1 and any(to == TABLE for d in members for _, to in d.relations):
-                return  # the text says where on the table it is laid
+                return  # the text states a position on the table
             self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
 
     @abstractmethod
     def _table(self, noun: Noun) -> str:
-        """Read what is said of the table."""
+        """Interpret the modifiers of the table."""
 
     @abstractmethod
     def _predicate(
         self, post: Post, things: Sequence[Group], groups: Sequence[Target], bare: bool
     ) -> None:
-        """Read what a verb says of things."""
+        """Interpret a predicate of objects."""
 
 
 _TABLEWARE = frozenset(
@@ -111,21 +111,21 @@ _TABLEWARE = frozenset(
      "placemat", "chopsticks", "champagne_flute", "place_card", "paper_plate", "paper_cup",
      "plastic_cup", "serving_platter", "teaspoon", "butter_knife", "menu_card"]
 )  # fmt: skip
-"""What each person gets."""
+"""Categories of which each person gets one."""
 
 
 _FIRST = frozenset(["plate", "bowl", "saucer", "placemat", "paper_plate"])
-"""What everyone gets where a table is laid."""
+"""Categories of which everyone gets one at a set table."""
 
 
 def _is_one_each(noun: Noun) -> bool:
-    """Tell whether each of several people may get such a thing: a plate, no plate of cookies."""
+    """Return whether an item is laid once per person: a plate, but not a plate of cookies."""
     filled = any(isinstance(post, Carry) for post in noun.post)
     return _is_central(noun) or (not filled and noun.count in (None, 1))
 
 
 def _is_central(noun: Noun) -> bool:
-    """Tell whether a thing stands in the middle of the table, for all."""
+    """Return whether an object is in the middle of the table, for all."""
     return any(
         isinstance(post, Location)
         and isinstance(post.target, Zone)

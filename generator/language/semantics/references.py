@@ -1,4 +1,4 @@
-"""What "it", "them", "the red mug" and "the other" mean."""
+"""References: "it", "them", "the red mug" and "the other"."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ Target = Group | str
 
 @dataclass(eq=False)
 class Context:
-    """What may be referred to at a place in the text.
+    """Possible antecedents at a position in the text.
 
     Attributes:
-        owner: what the list that is being read was brought along by.
-        subject: what a relation is said of right now.
-        parallel: what the item before in the same list was related to.
-        topic: the first subject of this sentence.
-        earlier: the first subject of the sentence before.
-        recent: the subjects of the last clause that had any.
-        listed: all things of the last sentence that listed several kinds.
-        mentioned: every group in the order it was named.
+        owner: owner of the list being interpreted.
+        subject: subject of the current relation.
+        parallel: target of the previous item in the same list.
+        topic: first subject of this sentence.
+        earlier: first subject of the previous sentence.
+        recent: subjects of the last clause with any.
+        listed: all objects of the last sentence that listed several kinds.
+        mentioned: all groups in order of mention.
     """
 
     owner: Target | None = None
@@ -42,9 +42,9 @@ class Context:
 
 
 def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
-    """Return what a pronoun means as the target of a relation; None if there is nothing."""
+    """Return the antecedent of a pronoun as the target of a relation; None if there is none."""
     several = pronoun.plural
-    if pronoun.head == "that":  # what was named last
+    if pronoun.head == "that":  # the last object named
         latest = [g for g in reversed(context.mentioned) if not _overlaps(g, context.subject)]
         return next((g for g in latest if may_carry(g[0], kind)), latest[0] if latest else None)
     if context.owner == TABLE and kind in ("on", "in", "at", "center", "edge") and not several:
@@ -57,7 +57,7 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
         *reversed(context.mentioned),
     ]  # fmt: skip
     fit = [c for c in candidates if isinstance(c, list) and c and not _overlaps(c, context.subject)]
-    if kind in ("on", "in") and not several:  # "on it" is on what can carry something
+    if kind in ("on", "in") and not several:  # "on it" prefers supports
         fit.sort(key=lambda group: group is not context.owner and not may_carry(group[0], kind))
     for group in fit:
         if (len(group) > 1) == several:
@@ -73,11 +73,11 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     return TABLE if TABLE in candidates else None
 
 
-_WIDE = 0.12  # metres: a flat thing so wide may carry another
+_WIDE = 0.12  # metres: minimum width of a flat object that can be a support
 
 
 def may_carry(draft: Draft, kind: str) -> bool:
-    """Tell whether a thing may have others on it, or in it."""
+    """Return whether other objects may be on or in an object."""
     if draft.category is None:
         return True
     known = CATEGORIES[draft.category]
@@ -90,7 +90,7 @@ def _overlaps(one: Group, other: Sequence[Draft]) -> bool:
 
 
 def same(draft: Draft, noun: Noun) -> bool:
-    """Tell whether a noun phrase may mean this object: same kind, no clashing attribute."""
+    """Return whether a noun phrase may denote this object: same kind, compatible attributes."""
     alike = draft.category == noun.category and (noun.category or draft.noun == noun.head)
     return bool(alike) and _agrees(draft, noun)
 
@@ -104,9 +104,9 @@ def _agrees(draft: Draft, noun: Noun) -> bool:
 
 
 def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft] = ()) -> Group:
-    """Return the objects that "the red mug" means among those there are; none if it is a new one.
+    """Return the existing objects denoted by "the red mug"; empty for a new object.
 
-    What is being related is not meant: "a mug on the mug" of one mug is the mug itself.
+    Objects of ``subject`` are avoided: with two mugs, "a mug on the mug" refers to the other one.
     """
     alike = [d for d in objects if same(d, noun)] or _find_by_head(objects, noun)
     alike = [d for d in alike if d.also == noun.head] or alike
@@ -136,13 +136,13 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
 
 
 def pick(group: Sequence[Draft], ordinal: int) -> Group:
-    """Return the first, second, ... or last (-1) of several; none where there are not so many."""
+    """Return the first, second, ... or last (-1) of a group; empty if it is too small."""
     at = ordinal - 1 if ordinal > 0 else ordinal
     return [group[at]] if -len(group) <= at < len(group) else []
 
 
 def _last_arranged(objects: Sequence[Draft]) -> Group:
-    """Return the last things of one kind that there are several of, the lowest of a stack only."""
+    """Return the last group of one kind with several members; only the lowest of a stack."""
     for draft in reversed(objects):
         alike = [d for d in objects if d.noun == draft.noun and d.category == draft.category]
         stacked = [d for d in alike if d.stacked_under is not None]
@@ -152,7 +152,7 @@ def _last_arranged(objects: Sequence[Draft]) -> Group:
 
 
 def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
-    """Return the objects that "the tin" may mean by their last word: the tea tin."""
+    """Return the objects that "the tin" may denote by their last word: the tea tin."""
     head = noun.head.split()[-1:]
     if len(noun.head.split()) > 1 or not head:
         return []

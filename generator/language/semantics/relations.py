@@ -1,4 +1,4 @@
-"""Relations, zones and arrangements put into drafts."""
+"""Application of relations, zones and arrangements to drafts."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _CORNERS = (("left_of", "behind"), ("right_of", "in_front_of"), ("right_of", "be
             ("left_of", "in_front_of"))  # fmt: skip
 
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
-"""What lies beside a plate; a glass "above" it stands behind it."""
+"""Objects beside a plate; a glass "above" them is behind them."""
 
 
 _OTHER_SIDE = {"left_of": "right_of", "right_of": "left_of", "behind": "in_front_of",
@@ -40,20 +40,20 @@ _SIDES = {"fork": "left_of", "knife": "right_of", "spoon": "right_of", "chopstic
 
 @dataclass(eq=False)
 class Relater(ABC):
-    """Relates drafts to one another and to the table; vague numbers are drawn by ``rng``."""
+    """Relates drafts to each other and to the table; vague numbers are drawn from ``rng``."""
 
     rng: np.random.Generator
     reading: Reading = field(default_factory=Reading)
     _context: Context = field(default_factory=Context)
-    _side: tuple[str, Target] | None = None  # the last "left of X" of this sentence
-    _local: bool = False  # whether more of this sentence has been read
-    _earlier_side: tuple[str, Target] | None = None  # that of the sentence before
-    _guests: int = 0  # for how many a table is laid; 0 where that is not said
-    _read: set[Span] = field(default_factory=set)  # where the noun phrases stand that were read
-    _seated: int | None = None  # the first object of the place setting that is being read
+    _side: tuple[str, Target] | None = None  # last "left of X" of this sentence
+    _local: bool = False  # whether a previous clause of this sentence was interpreted
+    _earlier_side: tuple[str, Target] | None = None  # ``_side`` of the previous sentence
+    _guests: int = 0  # number of people for whom the table is laid; 0 if not stated
+    _read: set[Span] = field(default_factory=set)  # spans of the interpreted noun phrases
+    _seated: int | None = None  # first object of the current place setting
 
     def _attach(self, place: Location, target: Target, group: Group) -> None:
-        """Relate a group to what a place refers to."""
+        """Relate a group to the target of a place."""
         context, kind = self._context, place.kind
         if kind == "otherside" and self._side:
             kind = _OTHER_SIDE.get(self._side[0], "next_to")
@@ -69,7 +69,7 @@ class Relater(ABC):
                 return
             if kind == "under":
                 self.reading.warnings.append(
-                    f"The {group[0].noun} cannot go under the table; it stands on it."
+                    f"The {group[0].noun} cannot be under the table; it is placed on the table."
                 )
             elif kind not in ("on", "in", "next_to", "at", "against", "around", "opposite", "laid"):
                 for draft in group:
@@ -83,15 +83,16 @@ class Relater(ABC):
             kind = held[0] if held else "on"
         apart = [draft for draft in group if all(draft is not other for other in target)]
         if apart and len(apart) < len(group):
-            group = apart  # "everything on the tray", the tray among it
+            group = apart  # "everything on the tray", which includes the tray
         if any(draft is other for draft in group for other in target):
             named = isinstance(place.target, Noun) and place.target.kind == "thing"
             if named and len(group) == len(self.reading.objects):
                 raise InputError(
-                    f"The text relates the {group[0].noun} to itself; name two different objects."
+                    f"The text places the {group[0].noun} relative to itself; name two different "
+                    "objects."
                 )
             self.reading.warnings.append(
-                f"The text relates the {group[0].noun} to itself; it stands where there is room."
+                f"The text places the {group[0].noun} relative to itself; the relation is ignored."
             )
             return
         if place.each or (isinstance(place.target, Noun) and place.target.each):
@@ -101,9 +102,10 @@ class Relater(ABC):
             self._side = kind, target
         if kind == "against":
             self.reading.warnings.append(
-                f"The {group[0].noun} does not lean against the {target[0].noun}; it is next to it."
+                f"The {group[0].noun} cannot lean against the {target[0].noun}; it is placed next "
+                "to it."
             )
-        if kind == "laid" and group[0].category in _SIDES:  # cutlery at a plate
+        if kind == "laid" and group[0].category in _SIDES:  # cutlery beside a plate
             kind = _SIDES[group[0].category]
         if kind == "flank":
             flank(group, target, self.reading)
@@ -131,12 +133,12 @@ class Relater(ABC):
         context.parallel = target
 
     def _column_of(self, targets: Group) -> Grouping | None:
-        """Return the arrangement of two things that face each other, with room between them."""
+        """Return the arrangement of two objects facing each other, with room between them."""
         columns = (g for g in self.reading.groupings if g.kind == "column")
         return next((g for g in columns if len(targets) == 2 and [*g.members] == targets), None)
 
     def _drop_assumed(self, group: Group, target: Group) -> None:
-        """Drop what was assumed of things that the text relates to something else."""
+        """Drop assumed relations of objects that the text relates to another object."""
         for draft in group:
             if draft.provisional and not any(draft.relations[0][1] is to for to in target):
                 keep = draft.relations[0][0] in ("on", "in")
@@ -158,9 +160,9 @@ class Relater(ABC):
                 self.reading.add(draft.noun, draft.category, draft.attributes).relate(kind, copy)
 
     def _put_aside(self, zone: Zone, group: Group) -> bool:
-        """Put things "to the left" of what stands in the middle, or of what the sentence is about.
+        """Put objects "to the left" of the object in the middle, or of the sentence's topic.
 
-        Return whether there is such a thing.
+        Returns whether there is such an object.
         """
         if self._seated is not None or not zone.x or zone.y:
             return False
@@ -184,7 +186,7 @@ class Relater(ABC):
         return False
 
     def _zone(self, zone: Zone, group: Group, *, loose: bool) -> None:
-        """Put a group into a part of the table, or beside what was just spoken of."""
+        """Put a group into a zone of the table, or beside the last mentioned object."""
         if self._seated is not None and zone.x and not zone.edge:
             plate = self.reading.objects[self._seated]
             for draft in group:
@@ -227,11 +229,11 @@ class Relater(ABC):
             for value, axis in ((zone.x, 0), (zone.y, 1)):
                 if value:
                     draft.relate(_ZONES[value][axis], TABLE)
-            if zone.edge:  # "left edge"; with two sides it is a corner
+            if zone.edge:  # "left edge"; two sides form a corner
                 draft.relate("edge", TABLE)
 
     def _put_in_two_corners(self, zone: Zone, group: Group) -> None:
-        """Put things "in both front corners", "in each left corner": one is doubled."""
+        """Put objects "in both front corners", "in each left corner"; a single one is doubled."""
         one = group[0]
         if len(group) == 1:
             group.append(self.reading.add(one.noun, one.category, one.attributes))
@@ -248,7 +250,7 @@ class Relater(ABC):
             for one, other in pairwise(group):
                 link("left_of", [one], [other], self.reading.warnings)
         stacked = any(draft.stacked_under is not None for draft in group)
-        if stacked or post.kind == "stack":  # the largest at the bottom
+        if stacked or post.kind == "stack":  # largest at the bottom
             group = put_in_order(group, "size down" if post.order else "ranks down")
         else:
             group = put_in_order(group, post.order)
@@ -277,20 +279,20 @@ class Relater(ABC):
             own = any((d.category or d.noun) in names for d in group)
             there = [d for d in self.reading.objects if (d.category or d.noun) in names]
             if self._local and any(not d.implied for d in there):
-                continue  # "a spoon is on the tray, but no plates": they are elsewhere
+                continue  # "a spoon is on the tray, but no plates": they may be elsewhere
             self.reading.excluded |= names
             if not group or own:
                 self.reading.banned |= names
 
     @abstractmethod
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Name what a group is said not to be at: it is there all the same."""
+        """Name the object at which a group is said not to be: it exists nevertheless."""
 
 
 def _bottom(draft: Draft) -> Draft:
-    """Return what carries a thing, as far down as the text has said.
+    """Return the lowest known support of an object.
 
-    Of "nuts in a bowl" that is the bowl.
+    For "nuts in a bowl", this is the bowl.
     """
     for kind, to in draft.relations:
         if kind in ("on", "in") and isinstance(to, Draft) and to is not draft and not to.placed:
@@ -299,6 +301,6 @@ def _bottom(draft: Draft) -> Draft:
 
 
 def _ends_of(targets: Group) -> Group:
-    """Return the two things that several others are between, if both are still free to move."""
+    """Return the two objects that several others are between, if both can still be moved."""
     free = [draft for draft in targets if not draft.relations]
     return free if len(free) == 2 else []

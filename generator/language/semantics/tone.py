@@ -1,4 +1,4 @@
-"""What a text says of its table as a whole: the theme, the style, how full it is, for how many."""
+"""Properties of the table as a whole: theme, style, density and number of people."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ _DENSITIES: Mapping[str, Density] = MappingProxyType(
         "minimal": "sparse", "uncluttered": "sparse", "spacious": "sparse",
     }
 )  # fmt: skip
-"""Words for how full a table is."""
+"""Words for the density of a table."""
 
 _PICTURES = DEPICTIONS | {"picture_frame", "photo_print"}
 _DENYING = frozenset(
     ["not", "no", "never", "without", "nothing", "hardly", "neither", "nor", "less", "isnt",
      "arent", "dont", "doesnt", "wasnt", "wont", "shouldnt", "cant", "anything"]
 )  # fmt: skip
-"""Words before what a table is not; "anything" goes before "but"."""
+"""Words before properties that a table should not have; "anything" precedes "but"."""
 _TURNING = frozenset([*",.;:!?()\n", "but", "on", "in", "at", "of", "with", "and"])
-"""What ends their reach."""
+"""Words that end the scope of a negation."""
 _REACH = 3
 _UNDRAWN = re.compile(
     r"\b(?:not|no|never|without|isnt|dont)\b(?: (?:in|a|an|any|the|want|draw))*\s*$"
@@ -47,14 +47,14 @@ _UNDRAWN = re.compile(
 
 @dataclass(frozen=True)
 class Tone:
-    """What a text says of its table as a whole.
+    """Properties of the table as a whole.
 
     Attributes:
-        theme: the kind of table, by any word of the text; None where there is none.
-        setting: the kind of table by words that are no part of a thing's name.
-        style: how it looks, "plain" where that is not said.
-        density: how full it is.
-        people: for how many people it is, 0 where that is not said.
+        theme: kind of table, from any word of the text; None if there is none.
+        setting: kind of table, from words that are not part of an object's name.
+        style: visual style, "plain" if not stated.
+        density: how full the table is.
+        people: number of people, 0 if not stated.
     """
 
     theme: str | None
@@ -65,7 +65,7 @@ class Tone:
 
 
 def read_tone(prompt: str, sentences: Sequence[Sentence]) -> Tone:
-    """Return what a text says of its table, apart from what it denies and what pictures show."""
+    """Return the properties stated in a text, ignoring negations and contents of pictures."""
     said = _blank(prompt, find_denied(sentences, _PICTURES))
     text, drawn = _split_style(_REQUEST.sub(" ", " ".join(lexicon.tokens(said))))
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
@@ -85,7 +85,7 @@ def _blank(text: str, spans: Iterable[Span]) -> str:
 
 
 def _drop_denied(words: Sequence[str]) -> list[str]:
-    """Return words without those after "not": "not too messy", "anything but cluttered"."""
+    """Return words without the scope of "not": "not too messy", "anything but cluttered"."""
     reach, out = 0, []
     for k, word in enumerate(words):
         if word in _DENYING:
@@ -99,7 +99,7 @@ def _drop_denied(words: Sequence[str]) -> list[str]:
 
 
 def _split_style(text: str) -> tuple[str, str | None]:
-    """Take "cartoon style" or "low poly" out of a text; return the rest and the way to draw."""
+    """Remove "cartoon style" or "low poly" from a text; return the rest and the style."""
     for phrase, drawn in DRAWN.items():
         found = re.search(rf"\b{phrase}\b(?: styled?\b)?", text)
         if found:
@@ -109,7 +109,7 @@ def _split_style(text: str) -> tuple[str, str | None]:
 
 
 def find_theme(words: Sequence[str]) -> str | None:
-    """Return the theme whose longest phrase occurs in a text, given by its words in lower case."""
+    """Return the theme whose longest phrase occurs in the lower-case words of a text."""
     text = f" {' '.join(words)} "
     singular = f" {' '.join(lexicon.singular(w) for w in words)} "
     found = [

@@ -1,1 +1,1 @@
-"""The grammar: a text becomes words, tokens, noun phrases and clauses, each with its place."""
+"""Grammar: text to words, tokens, noun phrases and clauses, each with its span."""

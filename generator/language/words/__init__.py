@@ -1,1 +1,1 @@
-"""The words of English: a dictionary of nouns and their kinds, and spelling."""
+"""English vocabulary: a dictionary of nouns and their families, and spelling correction."""

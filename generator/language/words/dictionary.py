@@ -1,7 +1,7 @@
-"""Words beyond the catalogue: the kind of object that a noun names, and parts of speech.
+"""Words outside the catalogue: the family of object that a noun names, and parts of speech.
 
-The tables of nouns and words are made of WordNet by ``research.language.families``; its licence is
-in NOTICE. ``substituted.txt`` lists aliases and synonyms that are not the same thing.
+The tables of nouns and words are derived from WordNet by ``research.language.families``; its
+licence is in NOTICE. ``substituted.txt`` lists aliases and synonyms that denote a different object.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ _TABLES = files("generator.language") / "words"
 
 @dataclass(frozen=True)
 class NounEntry:
-    """What a noun names.
+    """Dictionary entry of a noun.
 
     Attributes:
         noun: the noun in the singular.
-        family: kind of thing ("appliance"); "" for what is no thing, "place" for a room or a
-            building, "person".
-        category: the catalogue's category that it is a kind of ("stein" is a mug), or None.
+        family: kind of object ("appliance"); "" for a noun that is not an object, "place" for a
+            room or a building, "person".
+        category: the catalogue's category that includes it ("stein" is a mug), or None.
     """
 
     noun: str
@@ -37,7 +37,7 @@ class NounEntry:
 
     @property
     def is_thing(self) -> bool:
-        """Whether it can stand on a table."""
+        """Whether the noun is an object that can stand on a table."""
         return self.family not in ("", "place", "person")
 
 
@@ -56,7 +56,7 @@ def _english() -> frozenset[str]:
 
 
 def entry_of(words: tuple[str, ...]) -> NounEntry | None:
-    """Return the entry of the longest ending of a noun phrase that the table has, or None."""
+    """Return the entry of the longest suffix of a noun phrase in the table, or None."""
     for start in range(max(0, len(words) - 3), len(words)):
         tail = words[start:]
         for form in (tail, (*tail[:-1], singular(tail[-1]))):
@@ -72,7 +72,7 @@ def _substitutes() -> frozenset[str]:
 
 
 def is_substituted(noun: str, category: str) -> bool:
-    """Tell whether a noun is shown as a category that is not the same thing."""
+    """Return whether a noun is shown as a category that is a different object."""
     if noun.replace(" ", "") == category.replace("_", ""):
         return False  # a chessboard
     whole, words = tuple(noun.split()), tuple(noun.split(" of ")[0].split())
@@ -82,7 +82,7 @@ def is_substituted(noun: str, category: str) -> bool:
 
 
 def is_english(word: str) -> bool:
-    """Return whether a word is one of the English language, in the singular or plural."""
+    """Return whether a word is English, in the singular or plural."""
     known = _english()
     if word in known or singular(word) in known or len(word) < 3 or word in IRREGULAR:
         return True
@@ -91,9 +91,10 @@ def is_english(word: str) -> bool:
 
 
 def classify(words: tuple[str, ...]) -> tuple[str | None, str]:
-    """Return the catalogue's category of a noun phrase, or None and the family of its kind.
+    """Return the catalogue's category of a noun phrase, or None and its family.
 
-    The longest ending that the catalogue or the dictionary knows counts, the catalogue's first.
+    The longest suffix known to the catalogue or the dictionary counts; the catalogue takes
+    precedence.
     """
     tails = [words[start:] for start in range(len(words))]
     named = next((tail for tail in tails if category_of(tail) is not None), ())
@@ -104,11 +105,11 @@ def classify(words: tuple[str, ...]) -> tuple[str | None, str]:
 
 
 def warn_of_stand_ins(objects: Sequence[PlannedObject]) -> list[str]:
-    """Return a warning for each noun that something else stands for."""
+    """Return a warning for each noun that is represented by something else."""
     unknown = dict.fromkeys(o.noun for o in objects if o.category == GENERIC)
     shown = dict.fromkeys((o.noun, o.category) for o in objects if o.category != GENERIC)
     return [
-        *(f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
+        *(f"The catalogue has no {noun!r}; it is shown as a plain shape of plausible size."
           for noun in unknown),
         *(f"The catalogue has no {noun!r}; it is shown as {key.replace('_', ' ')!r}."
           for noun, key in shown if is_substituted(noun, key)),
@@ -126,7 +127,7 @@ IRREGULAR = frozenset(
      "sold", "spent", "spoke", "stole", "swam", "swept", "swung", "thought", "threw", "tore",
      "woke", "won", "wore", "wrote", "wound", "woven", "written", "wrapped"]
 )  # fmt: skip
-"""Forms that no rule makes."""
+"""Irregular forms."""
 
 
 @cache
@@ -136,18 +137,18 @@ def _table(name: str) -> frozenset[str]:
 
 
 def is_adjective(word: str) -> bool:
-    """Tell whether a word only describes: "shallow", "fluffy"."""
+    """Return whether a word is only an adjective: "shallow", "fluffy"."""
     return word in _table("adjectives")
 
 
 @cache
 def is_verb(word: str) -> bool:
-    """Tell whether a word is a form of a verb, in the infinitive, with -s, -ed or -ing."""
+    """Return whether a word is a form of a verb: infinitive, -s, -ed or -ing."""
     return word in IRREGULAR or any(stem in _table("verbs") for stem in _stems(word))
 
 
 def is_finite(word: str) -> bool:
-    """Tell whether a word is a verb's form of the third person: "gets", "watches"."""
+    """Return whether a word is a verb in the third person: "gets", "watches"."""
     return word.endswith("s") and not word.endswith("ss") and is_verb(word)
 
 

@@ -1,9 +1,9 @@
-"""Whether a text is in another language than English: by its script, else by its small words.
+"""Detection of texts in other languages than English, by script, else by function words.
 
-A text in Latin script is compared with the frequent small words of each language: articles,
-prepositions, conjunctions, numbers, and the few nouns of every table. It is foreign only where
-those of one language outweigh the English ones, so that foreign names of dishes or makes in an
-English text do not count as another language.
+A text in Latin script is compared with the frequent function words of each language: articles,
+prepositions, conjunctions, numbers, and the few nouns of every table. It is foreign only if those
+of one language outweigh the English ones, so that foreign names of dishes or brands in an English
+text do not count.
 """
 
 from __future__ import annotations
@@ -79,22 +79,22 @@ _IN_NAMES = frozenset(
     {"de", "la", "le", "el", "du", "di", "da", "al", "au", "aux", "à", "con", "los", "las", "van",
      "den", "et", "os", "uno"}
 )  # fmt: skip
-"""Words that names of dishes, makes and places bring into English texts."""
+"""Foreign words that occur in names of dishes, brands and places in English texts."""
 
 _QUOTED = re.compile(r"(?<!\w)['\"‘“«„].*?['\"’”»“](?!\w)")
 _WORD = re.compile(r"[^\W\d_]+")
-_DENSE = ("CJK", "HIRAGANA", "KATAKANA", "HANGUL")  # scripts whose signs are whole syllables
-_SHARE = 1.5  # by what factor foreign small words outweigh English ones in a foreign text
-_KNOWN = 0.25  # what a word of the English dictionary weighs
+_DENSE = ("CJK", "HIRAGANA", "KATAKANA", "HANGUL")  # scripts whose characters are syllables
+_SHARE = 1.5  # minimum ratio of foreign to English function words in a foreign text
+_KNOWN = 0.25  # weight of a word in the English dictionary
 
 
 def is_foreign(text: str) -> bool:
-    """Tell whether a text is in another language; False where it cannot be told."""
+    """Return whether a text is in another language; False if undecidable."""
     return is_in_other_script(text) or _is_in_other_words(_QUOTED.sub(" ", text))
 
 
 def is_in_other_script(text: str) -> bool:
-    """Tell whether more of the text is in another script than Latin."""
+    """Return whether more of the text is in another script than in Latin."""
     latin = other = 0
     for letter in filter(str.isalpha, unicodedata.normalize("NFKC", text)):
         script = unicodedata.name(letter, "").split()
@@ -111,10 +111,10 @@ def _is_in_other_words(text: str) -> bool:
 
 
 def _outweighs(words: Sequence[str], table: frozenset[str]) -> bool:
-    """Tell whether a language's small words outweigh the English ones.
+    """Return whether a language's function words outweigh the English ones.
 
-    Words that are English as well weigh half on either side. One word that is not suffices where
-    no small word is English and the dictionary knows no more than half of the others.
+    Words of both languages count half on either side. One other word suffices if there is no
+    English function word and at most half of the remaining words are in the dictionary.
     """
     small = small_words()
     theirs = [word for word in words if word in table]
@@ -132,7 +132,7 @@ def _outweighs(words: Sequence[str], table: frozenset[str]) -> bool:
 
 
 def _is_shared(word: str) -> bool:
-    """Tell whether a foreign small word also stands in English texts."""
+    """Return whether a foreign function word also occurs in English texts."""
     if word in small_words() or word in _IN_NAMES or (len(word) == 1 and word.isascii()):
         return True
     entry = entry_of((word,))
@@ -145,7 +145,7 @@ def _is_known(word: str) -> bool:
 
 @cache
 def _languages() -> Mapping[str, frozenset[str]]:
-    """Return each language's words, also without accents where that is no English small word."""
+    """Return each language's words, with and without accents, except English function words."""
     small = small_words()
     found = {}
     for language, listed in _TABLES.items():

@@ -1,4 +1,4 @@
-"""Misspelt words read as what they most likely are."""
+"""Correction of misspelt words."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ _SHORT = frozenset(
 def correct(
     words: Sequence[Word], known: Collection[str]
 ) -> tuple[tuple[Word, ...], dict[str, str]]:
-    """Return words with the misspelt ones corrected, and what was corrected to what.
+    """Return words with misspelt ones corrected, and the corrections.
 
-    A word that is neither English nor in ``known`` is read as the word of the catalogue, or of
-    grammar, that is nearest to it, one edit away (two for long words). Of several, the one counts
-    whose things belong with the others of the text. In a text that has such words, a rare English
-    word that is one edit from a common one is read as that, too.
+    A word that is neither English nor in ``known`` becomes the nearest word of the catalogue or of
+    the grammar, at most one edit away (two for long words). Among several, the one is preferred
+    whose objects match the others of the text. If a text has such words, a rare English word that
+    is one edit from a common one is corrected too.
     """
     strange = [w.text for w in words if _is_strange(w, known)]
     found = {word: best for word in sorted({*strange}) if (best := _best(word, words, strange))}
@@ -76,7 +76,7 @@ def _is_known(text: str, known: Collection[str]) -> bool:
 
 
 def _best(word: str, words: Sequence[Word], strange: Sequence[str]) -> str | None:
-    """Return what a strange word is read as: two words run together, or the nearest one."""
+    """Return the correction of an unknown word: two words run together, or the nearest word."""
     if split := _split(word):
         return split
     themes = {
@@ -89,7 +89,7 @@ def _best(word: str, words: Sequence[Word], strange: Sequence[str]) -> str | Non
 
 
 def _split(word: str) -> str | None:
-    """Return "sand timer" for "sandtimer"."""
+    """Split "sandtimer" into "sand timer"."""
     for at in range(3, len(word) - 2):
         if lexicon.category_of((word[:at], word[at:])) is not None:
             return f"{word[:at]} {word[at:]}"
@@ -104,7 +104,7 @@ def _candidates() -> tuple[str, ...]:
 
 
 def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> str | None:
-    """Return the word that another one is a misspelling of, or None."""
+    """Return the word that was probably intended by a misspelt word, or None."""
     plural = word.endswith("s") and not word.endswith("ss")
     before = {a.text for a, b in itertools.pairwise(words) if b.text == word}
     ranked = []
@@ -130,7 +130,7 @@ def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> 
 
 
 def _sound_alike(a: str, b: str) -> bool:
-    """Tell whether a word of the one initial may be written with the other: "kutlery"."""
+    """Return whether words with different initials may sound alike: "kutlery"."""
     return a == b or any({a, b} <= set(group) for group in ("ckqs", "sz", "fpv", "gj", "iey", "uw"))
 
 
@@ -139,7 +139,7 @@ def _means(word: str) -> bool:
 
 
 def _whole(word: str | None) -> str | None:
-    """Return "chess board" for "chessboard", which the catalogue knows as two words."""
+    """Return "chess board" for "chessboard", a name of two words in the catalogue."""
     if word is None or lexicon.category_of((word,)) is not None or word in lexicon.vocabulary():
         return word
     return _split(word) or word

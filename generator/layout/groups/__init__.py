@@ -1,1 +1,1 @@
-"""Things arranged as one: rows, circles, heaps, pyramids, and settings at seats."""
+"""Groups: rows, circles, heaps, pyramids, and place settings at seats."""

@@ -1,4 +1,4 @@
-"""Heaps and pyramids: things close together, and some on those below them."""
+"""Heaps and pyramids: objects close together, some on top of others."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from jaxtyping import Float
 
 from ..footprint import Footprint
 
-_GAP = 0.002  # between neighbours of a layer, metres
-_ROUND = 1.4  # length to width up to which things lie in a lattice
-_SHARE = 4  # of so many things one lies on others
+_GAP = 0.002  # gap between neighbours in a layer, metres
+_ROUND = 1.4  # maximum ratio of length to width for a lattice
+_SHARE = 4  # one in this many objects lies on others
 
 
 @dataclass(frozen=True, eq=False)
 class Pile:
-    """Where the members of a heap lie.
+    """Positions of the members of a heap.
 
     Attributes:
-        offsets: of each from the middle of the lowest layer, metres.
-        below: for each the numbers of those that it lies on; none of the lowest layer.
+        offsets: position of each from the middle of the lowest layer, metres.
+        below: for each, the indices of the members it lies on; empty in the lowest layer.
     """
 
     offsets: tuple[Float[np.ndarray, "2"], ...]
@@ -30,9 +30,9 @@ class Pile:
 
 
 def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
-    """Return the places of a heap: a close layer, and one of four things on three others.
+    """Return the positions of a heap: a close layer, with one object in four on three others.
 
-    None for things that are too long to lie in a lattice.
+    None for objects too long to lie in a lattice.
     """
     pitch = _pitch(shapes)
     if pitch is None:
@@ -61,10 +61,10 @@ def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
 
 
 def pile_pyramid(shapes: Sequence[Footprint], *, balls: bool) -> Pile | None:
-    """Return the places of a pyramid: rows (3, 2, 1), or triangles of balls (6, 3, 1).
+    """Return the positions of a pyramid: rows (3, 2, 1), or triangles of balls (6, 3, 1).
 
-    Members beyond whole rows widen the lowest; balls that are no whole pyramid are a heap. None for
-    things that are too long.
+    Members beyond complete rows widen the lowest row; balls that do not form a complete pyramid are
+    a heap. None for objects that are too long.
     """
     flat = not balls
     if balls and len(shapes) not in (4, 10, 20):
@@ -106,7 +106,7 @@ def _layer(size: int, flat: bool) -> int:
 
 
 def _pitch(shapes: Sequence[Footprint]) -> float | None:
-    """Return the distance of neighbours; None for long things."""
+    """Return the distance between neighbours; None for long objects."""
     halves = np.array([shape.half for shape in shapes])
     if (halves.max(1) > _ROUND * halves.min(1)).any():
         return None
@@ -114,7 +114,7 @@ def _pitch(shapes: Sequence[Footprint]) -> float | None:
 
 
 def _lattice(pitch: float, count: int) -> Float[np.ndarray, "n 2"]:
-    """Return the first places of a triangular lattice about the middle of one triangle."""
+    """Return the first positions of a triangular lattice about the centre of one triangle."""
     reach = int(np.ceil(np.sqrt(count))) + 2
     a, b = np.meshgrid(np.arange(-reach, reach + 1), np.arange(-reach, reach + 1))
     points = np.column_stack([(a + b / 2).ravel(), (b * np.sqrt(3) / 2).ravel()]) * pitch

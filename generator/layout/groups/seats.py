@@ -1,4 +1,4 @@
-"""Seats around a table: where people sit, and which way they look."""
+"""Seats around a table: where people sit, and which way they face."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from jaxtyping import Float
 from ..footprint import DIRECTIONS, Footprint
 
 MARGIN = 0.025
-"""Distance of what is laid for a person from the table's edge, metres."""
+"""Distance of a place setting from the table's edge, metres."""
 
 WIDTH = 0.52
-"""Room for one person along an edge, metres."""
+"""Length of edge per person, metres."""
 
-_LONG = 1.35  # length over depth from which nobody sits at the ends of a table for four
+_LONG = 1.35  # ratio of length to depth above which tables for four have no seats at the ends
 
 
 @dataclass(frozen=True)
@@ -23,9 +23,9 @@ class Seat:
     """One seat.
 
     Attributes:
-        turn: how far the table is turned for who sits there, radians; 0 sits in front of it.
-        side: direction from the table's middle to the seat, unit vector.
-        along: how far along its edge the seat is, as a share of half the edge, in [-1, 1].
+        turn: yaw of the place setting, radians; 0 is the seat in front of the table.
+        side: direction from the table's centre to the seat, unit vector.
+        along: position along the edge, as a fraction of half the edge, in [-1, 1].
     """
 
     turn: float
@@ -53,7 +53,7 @@ def seats(count: int, outline: str, size: tuple[float, float]) -> list[Seat]:
 
 
 def _at_ends(count: int, length: float) -> int:
-    """Return how many people sit at the ends of a rectangular table."""
+    """Return the number of people at the ends of a rectangular table."""
     if count <= 2:
         return 0
     if count % 2:
@@ -64,7 +64,7 @@ def _at_ends(count: int, length: float) -> int:
 def seat_center(
     seat: Seat, shape: Footprint, outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "2"]:
-    """Return where the middle of a setting goes: at the edge before the seat."""
+    """Return the centre of a place setting: at the edge in front of the seat."""
     side = np.asarray(seat.side)
     along = np.array([-side[1], side[0]])
     if abs(side[0]) == 1.0:

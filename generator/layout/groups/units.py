@@ -1,7 +1,7 @@
-"""Things arranged as one: rows, columns, circles, fans, heaps side by side, and place settings.
+"""Units of objects: rows, columns, circles, fans, heaps side by side, and place settings.
 
-A unit is placed on the table as a whole, by the hull of its members; inside it each member keeps
-its offset and yaw.
+A unit is placed on the table as a whole, by the hull of its members; within it each member has a
+fixed offset and yaw.
 """
 
 from __future__ import annotations
@@ -21,22 +21,23 @@ from .heaps import Pile, pile_heap, pile_pyramid
 from .seats import Seat, seats
 
 SPACING = 0.02
-"""Gap between neighbours in a unit, metres; more than two footprints need on a table."""
+"""Gap between neighbours in a unit, metres; larger than the minimum gap of two footprints."""
 
-_GAP = 0.016  # metres between the things of a place setting
+_GAP = 0.016  # gap between the objects of a place setting, metres
 
 
 @dataclass(frozen=True, eq=False)
 class Unit:
-    """A group with the places of its members about its own centre.
+    """A group with the positions of its members relative to its centre.
 
     Attributes:
-        planned: what stands for it: its first member's name, the relations of all to others.
+        planned: object that represents the unit: the first member's name, the relations of all
+            members to other objects.
         offsets: of the members from the unit's centre, metres.
-        turns: what is added to each member's yaw, radians.
-        shape: the hull of all.
-        below: what each member lies on that does not stand on the table, by name.
-        seat: the seat that it is laid for; None for none.
+        turns: added to each member's yaw, radians.
+        shape: hull of all members.
+        below: for each member that is not directly on the table, the members it lies on, by name.
+        seat: the seat of a place setting, else None.
     """
 
     planned: PlannedObject
@@ -54,10 +55,10 @@ def units_of(
     table: PlannedTable,
     rng: np.random.Generator,
 ) -> list[Unit]:
-    """Return the units of a plan; each object is in one at most.
+    """Return the units of a plan; each object belongs to at most one.
 
-    ``objects`` are those that stand on the table, ``shapes`` their footprints with all they carry.
-    ``table`` tells where the seats are.
+    ``objects`` are the objects on the table, ``shapes`` their footprints including everything they
+    carry. ``table`` determines the seats.
     """
     taken: set[str] = set()
     found = []
@@ -113,7 +114,7 @@ def _pile(
     shapes: Sequence[Footprint],
     objects: Mapping[str, PlannedObject],
 ) -> Pile | None:
-    """Return how things lie on one another, None where all of a group are on the table."""
+    """Return how the objects of a group are piled, None if all of them are on the table."""
     if group.kind == "heap":
         return pile_heap(shapes)
     if group.kind == "pyramid":
@@ -128,7 +129,7 @@ def _center(
     shapes: Mapping[str, Footprint],
     turn: float,
 ) -> tuple[dict[str, Float[np.ndarray, "2"]], dict[str, float], Footprint]:
-    """Return offsets about the middle of all members, turned to a seat, and their hull."""
+    """Return offsets relative to the centre of all members, turned to a seat, and their hull."""
     matrix = rotation_z(turn)[:2, :2]
     corners = [shapes[n].outline @ rotation_z(turns[n])[:2, :2].T + places[n] for n in places]
     points = np.concatenate(corners)
@@ -143,7 +144,7 @@ def _center(
 def _merge(
     places: Mapping[str, Float[np.ndarray, "2"]], objects: Mapping[str, PlannedObject]
 ) -> PlannedObject:
-    """Return the first member with the relations that any member has to what is no member."""
+    """Return the first member, with the relations of all members to objects outside the group."""
     relations: list[Relation] = []
     for name in places:
         relations += [
@@ -160,7 +161,7 @@ Arranger = Callable[[Sequence[Footprint], Footprint | None, np.random.Generator]
 def _row(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """Side by side along x, front edges in line."""
+    """Arrange members side by side along x, with front edges aligned."""
     offsets, x = [], 0.0
     for k, shape in enumerate(shapes):
         x += float(shape.reach[LEFT]) + (min(SPACING, 0.3 * float(shape.half[0])) if k else 0.0)
@@ -172,7 +173,7 @@ def _row(
 def _column(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """One behind the other along y, the first in front."""
+    """Arrange members one behind the other along y, the first in front."""
     offsets, y = [], 0.0
     for k, shape in enumerate(shapes):
         y += float(shape.reach[FRONT]) + (SPACING if k else 0.0)
@@ -184,7 +185,7 @@ def _column(
 def _grid(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """Rows of equal cells, about as wide as deep."""
+    """Arrange members in a grid of equal cells, about as wide as deep."""
     cell = np.max([2 * shape.reach[[RIGHT, BACK]] for shape in shapes], axis=0) + SPACING
     width = int(np.ceil(np.sqrt(len(shapes))))
     offsets = [cell * np.array([k % width, k // width]) for k in range(len(shapes))]
@@ -194,7 +195,7 @@ def _grid(
 def _circle(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """Around a middle, evenly."""
+    """Arrange members evenly around a centre."""
     widest = max(float(shape.reach.max()) for shape in shapes)
     count = len(shapes)
     needed = (widest + SPACING / 2) / np.sin(np.pi / count) if count > 1 else 0.0
@@ -207,7 +208,7 @@ def _circle(
 def _group(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """Close together: each as near to the middle as those before let it."""
+    """Arrange members close together, each as near to the centre as the previous ones allow."""
     offsets: list[np.ndarray] = []
     for shape in shapes:
         if not offsets:
@@ -244,7 +245,7 @@ def _setting(
     objects: Mapping[str, PlannedObject],
     shapes: Mapping[str, Footprint],
 ) -> list[Float[np.ndarray, "2"]]:
-    """Return where the things of a place setting lie about its first, as who sits there sees."""
+    """Return the positions of a place setting about its first object, as seen from the seat."""
     first = members[0]
     edges = {"left_of": -float(shapes[first].reach[LEFT]), "right_of": shapes[first].reach[RIGHT]}
     places = {first: np.zeros(2)}

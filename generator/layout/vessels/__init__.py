@@ -1,1 +1,1 @@
-"""Things in vessels and racks: what room there is, and how each thing stands in its place."""
+"""Objects in vessels and racks: the available room, and how each object stands in its place."""

@@ -1,7 +1,7 @@
-"""Long things in a vessel: each leans in its own direction, none through another or the wall.
+"""Long objects in a vessel, each leaning in its own direction without intersections.
 
-Their feet stand at the far side of the floor and their stems at the rim, as flowers are put in a
-vase: turned about the axis, lines like that pass each other.
+Their feet stand at the far side of the floor and their stems at the rim, like flowers in a vase:
+lines twisted about the axis in this way pass each other.
 """
 
 from __future__ import annotations
@@ -20,20 +20,20 @@ from ...scene import Model
 from .cavities import Cavity
 
 _SLICES = 18
-_POINTS = 40  # places along a thing's axis that are compared
-_CLEAR = 6e-4  # metres that things keep from each other and from the wall
-_HEAD = 1.25  # how much thicker than a stem its head is
-_MANY = 7  # from so many things on some stand inside of the others
-_TILT = np.deg2rad(58.0)  # how far a thing may lean
+_POINTS = 40  # places compared along an object's axis
+_CLEAR = 6e-4  # minimum distance of objects from each other and from the wall, metres
+_HEAD = 1.25  # minimum ratio of a head's radius to its stem's
+_MANY = 7  # minimum number of objects for an inner ring
+_TILT = np.deg2rad(58.0)  # maximum lean
 
 Rotation = Float[np.ndarray, "3 3"]
 
 
 @dataclass(frozen=True, eq=False)
 class Stem:
-    """A standing thing along its height: its axis starts at ``foot``; all in metres.
+    """A standing object along its height: its axis starts at ``foot``; all in metres.
 
-    ``core`` is its usual radius; ``spheres`` are (x, y, z, radius) from the foot up.
+    ``core`` is its typical radius; ``spheres`` are (x, y, z, radius) from the foot up.
     """
 
     foot: Float[np.ndarray, "3"]
@@ -44,7 +44,7 @@ class Stem:
 
 @dataclass(frozen=True, eq=False)
 class Stance:
-    """How a thing is turned in the vessel's frame, and where its foot then is, metres."""
+    """Rotation of an object in the vessel's frame, and the position of its foot, metres."""
 
     turn: Rotation
     foot: Float[np.ndarray, "3"]
@@ -52,9 +52,9 @@ class Stance:
 
 @dataclass(frozen=True)
 class _Ring:
-    """Where one of ``count`` things is to stand: its angle, radians, and its share of the radius.
+    """Target position of one of ``count`` objects: angle in radians, and fraction of the radius.
 
-    ``twist`` is how far its foot is from being right across from its top, radians.
+    ``twist`` is the angle between its foot and the point opposite its top, radians.
     """
 
     angle: float
@@ -64,7 +64,7 @@ class _Ring:
 
 
 def measure_stem(model: Model) -> Stem:
-    """Return the axis and the thickness of a model that stands, in the frame of its box."""
+    """Return the axis and thickness of a standing model, in the frame of its box."""
     points = _surface(model)
     low, high = points[:, 2].min(), points[:, 2].max()
     edges = np.linspace(low, high, _SLICES + 1)
@@ -82,7 +82,7 @@ def measure_stem(model: Model) -> Stem:
 
 
 def _cover(slab: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "k 4"]:
-    """Return spheres in a row that cover a slice at height ``z``: of what is flat, several."""
+    """Return spheres in a row that cover a slice at height ``z``; flat slices need several."""
     middle = (slab.min(0) + slab.max(0)) / 2
     _, axes = np.linalg.eigh(np.cov((slab - slab.mean(0)).T))
     spread = (slab - middle) @ axes
@@ -115,10 +115,10 @@ def _surface(model: Model) -> Float[np.ndarray, "n 3"]:
 def arrange_bunch(
     stems: Sequence[Stem], cavity: Cavity, upright: Sequence[bool], *, strict: bool
 ) -> list[Stance | None]:
-    """Return how each thing stands in a vessel; None for one that finds no room.
+    """Return the stance of each object in a vessel; None for an object without room.
 
-    ``strict`` gives up at the first of these. What is ``upright`` by itself stands straight where
-    it can; all else leans against the rim.
+    ``strict`` gives up at the first such object. Objects that are ``upright`` by themselves stand
+    straight if possible; all others lean against the rim.
     """
     order = sorted(range(len(stems)), key=lambda k: -stems[k].core)
     placed: list[tuple[Stem, Stance]] = []
@@ -142,7 +142,7 @@ def _stand(
     *,
     straight: bool,
 ) -> Stance | None:
-    """Return the best free stance of a thing among those ``placed``."""
+    """Return the best free stance of an object among those ``placed``."""
     feet, tops, cost = _proposals(stem, cavity, ring, straight=straight)
     way = tops - feet
     lean = np.arctan2(np.hypot(way[:, 0], way[:, 1]), way[:, 2])
@@ -163,7 +163,7 @@ def _stand(
 
 
 def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
-    """Return the rotation that leans +z along ``axis``, the -x side turned outwards."""
+    """Return the rotation that leans +z along ``axis``, with the -x side facing outwards."""
     lean = float(np.arctan2(np.hypot(axis[0], axis[1]), axis[2]))
     heading = float(np.arctan2(axis[1], axis[0]))
     c, s = np.cos(lean), np.sin(lean)
@@ -172,9 +172,9 @@ def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
 
 
 def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
-    """Return where the ``number``-th of so many things is to stand: of many, some are inside.
+    """Return the target position of an object by its number; with many, some stand inside.
 
-    All are twisted as little as lets them pass each other where they are closest to the axis.
+    All are twisted just enough to pass each other where they are closest to the axis.
     """
     inner = 0 if count < _MANY else round(count / 4)
     outer = count - inner
@@ -194,7 +194,7 @@ def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
 def _proposals(
     stem: Stem, cavity: Cavity, ring: _Ring, *, straight: bool
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Float[np.ndarray, "n"]]:
-    """Return feet on the floor, where the axes pass the rim, and how bad each is."""
+    """Return feet on the floor, the points where the axes pass the rim, and costs."""
     steps = (0.15, 0.3, 0.5, 0.75, 1.0, 1.3, 1.6, 2.0, 2.4, 2.8, 3.1)
     spread = np.array([0.0, *(s * v for v in steps for s in (1, -1))])
     twists = np.array([ring.twist] if ring.count == 1 else
@@ -207,7 +207,7 @@ def _proposals(
     feet = _at(cavity, ring.angle + turn + np.pi - twist, low, cavity.floor, stem.core)
     cost = 0.35 * np.abs(turn) + 1.5 * np.abs(high - ring.share)
     cost += 0.4 * np.abs(low - ring.share) + 0.2 * np.abs(twist - ring.twist)
-    if straight:  # above its foot, at any place of the floor
+    if straight:  # the top is directly above the foot, anywhere on the floor
         tops = np.concatenate([feet + np.array([0, 0, cavity.depth]), tops])
         best = 0.15 if ring.count == 1 else 0.7 if ring.count < _MANY else ring.share
         cost = np.concatenate([0.05 * np.abs(turn) + 0.3 * np.abs(low - best), 3.0 + cost])
@@ -222,7 +222,7 @@ def _at(
     z: float,
     radius: float,
 ) -> Float[np.ndarray, "n 3"]:
-    """Return places at a height, at a share of the way from the axis to the wall."""
+    """Return points at a height, at a fraction of the way from the axis to the wall."""
     ways = np.column_stack([np.cos(angle), np.sin(angle)])
     height = min(max(z, float(cavity.levels[0])), float(cavity.levels[-1]))
     probe = np.column_stack([cavity.middle + 1e-3 * ways, np.full(len(angle), height)])
@@ -231,7 +231,7 @@ def _at(
 
 
 def _thickness(stem: Stem, along: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
-    """Return the radius of a stem at places along its axis, a head's no larger than the stem's."""
+    """Return the radii of a stem along its axis, with the head limited to the stem's radius."""
     heights, where = np.unique(stem.spheres[:, 2], return_inverse=True)
     radii = np.zeros(len(heights))
     np.maximum.at(radii, where, np.minimum(stem.spheres[:, 3], _HEAD * stem.core))
@@ -246,7 +246,7 @@ def _is_free(
     cavity: Cavity,
     placed: Sequence[tuple[Stem, Stance]],
 ) -> Bool[np.ndarray, "n"]:
-    """Tell which stances keep clear of the vessel's wall and of what is placed."""
+    """Return which stances are clear of the vessel's wall and of the placed objects."""
     steps = np.linspace(0, stem.length, _POINTS)
     thick = _thickness(stem, steps)
     line = feet[:, None] + steps[None, :, None] * axes[:, None]

@@ -1,4 +1,4 @@
-"""The room inside a vessel, from its collision parts."""
+"""The interior of a vessel, from its collision parts."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from ...physics.parts import body_parts
 from ...scene import ConvexPart, Model
 
 SECTORS = 24
-"""Directions from a vessel's middle in which its wall is looked for."""
+"""Number of directions from a vessel's axis in which its wall is searched."""
 
 _LEVELS = 14
-_STEPS = 64  # places looked at between the middle and the outside
-_CLOSED = 0.9  # share of the directions in which a rim has a wall
+_STEPS = 64  # steps between the axis and the outside
+_CLOSED = 0.9  # minimum fraction of directions with a wall at the rim
 _ANGLES = 2 * np.pi * np.arange(SECTORS) / SECTORS
 _WAYS = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])
-_ROUNDS = 3  # times that the middle is moved to where the walls are equally far
+_ROUNDS = 3  # iterations that centre the axis between the walls
 
 
 @dataclass(frozen=True, eq=False)
 class Cavity:
-    """The room that can be reached from above, metres, in the frame of the vessel's box.
+    """Room reachable from above, metres, in the frame of the vessel's box.
 
     Attributes:
         middle: x and y of its axis.
-        floor, rim: its lowest and its highest z.
+        floor, rim: its lowest and highest z.
         levels: heights from the floor to the rim.
-        radii: how far the wall is from the axis, for each level and direction.
+        radii: distance of the wall from the axis, for each level and direction.
     """
 
     middle: Float[np.ndarray, "2"]
@@ -42,18 +42,18 @@ class Cavity:
 
     @property
     def depth(self) -> float:
-        """How deep it is."""
+        """Depth from the rim to the floor, metres."""
         return self.rim - self.floor
 
     @property
     def mouth(self) -> float:
-        """The least width of the opening."""
+        """Minimum width of the opening, metres."""
         half = SECTORS // 2
         across = self.radii[-1, :half] + self.radii[-1, half:]
         return float(across.min())
 
     def wall(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
-        """Return how far the wall is from the axis at the height and in the direction of points."""
+        """Return the wall's distance from the axis at the height and in the direction of points."""
         offset = points[..., :2] - self.middle
         angle = np.arctan2(offset[..., 1], offset[..., 0]) % (2 * np.pi)
         sector = (angle / (2 * np.pi) * SECTORS).round().astype(int) % SECTORS
@@ -63,7 +63,7 @@ class Cavity:
 
 
 def find_cavity(model: Model) -> Cavity | None:
-    """Return the room inside a vessel; None where it has no wall around its middle."""
+    """Return the cavity of a vessel; None if there is no wall around its middle."""
     parts = body_parts(model, model.size)
     height, reach = float(model.size[2]), float(np.hypot(*model.size[:2])) / 2
     column = np.linspace(-height / 2, height / 2, 8 * _LEVELS)
@@ -95,7 +95,7 @@ def _look_around(
     levels: Float[np.ndarray, "l"],
     reach: float,
 ) -> Float[np.ndarray, "l s"]:
-    """Return how far the first wall is at each level in each direction; inf where there is none."""
+    """Return the distance of the first wall per level and direction; inf where there is none."""
     away = np.linspace(0, reach, _STEPS)
     flat = middle + away[:, None, None] * _WAYS  # (steps, sectors, 2)
     points = np.empty((len(levels), SECTORS, _STEPS, 3))
@@ -107,7 +107,7 @@ def _look_around(
 
 
 def _inside(parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
-    """Tell which points are inside of a part."""
+    """Return which points are inside a part."""
     found = np.zeros(len(points), bool)
     for part in parts:
         low, high = part.bounds

@@ -1,4 +1,4 @@
-"""Racks and boxes: models that stand in their slots, flat objects filed on their edges."""
+"""Racks and boxes: models that stand in slots, flat objects filed on edge."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from ...scene.quarter_turns import Steps, turn
 from .bunches import Stance, Stem, arrange_bunch, measure_stem
 from .cavities import SECTORS, Cavity, find_cavity
 
-_LEAN = np.deg2rad(9.0)  # towards the end
-_SQUARE = 1.2  # how much farther a box's corners are from its middle than its sides
-_FLAT = 0.22  # thickness to width of what is filed
-_LEAST = 0.1  # metres that it is wide
-_GAP = 8e-4  # metres between things
+_LEAN = np.deg2rad(9.0)  # tilt towards the end of the row
+_SQUARE = 1.2  # minimum ratio of corner distance to side distance of a box
+_FLAT = 0.22  # maximum ratio of thickness to width of filed objects
+_MIN_WIDTH = 0.1  # minimum width of filed objects, metres
+_GAP = 8e-4  # gap between objects, metres
 
 
 @dataclass(frozen=True)
 class _Box:
-    """Half of a box's room along a row of things and across it; it runs along x (0) or y (1)."""
+    """Half extents of a box along and across a row of objects; axis 0 is x, 1 is y."""
 
     length: float
     width: float
@@ -33,7 +33,7 @@ class _Box:
 
 
 def _boxes(cavity: Cavity) -> list[_Box]:
-    """Return the two ways in which a row may run in a rectangular vessel; none in a round one."""
+    """Return the two possible rows in a rectangular vessel; none in a round one."""
     radii = cavity.radii[0]
     across, corner = radii[:: SECTORS // 4], radii[SECTORS // 8 :: SECTORS // 4]
     if corner.min() < _SQUARE * across.min():
@@ -43,22 +43,22 @@ def _boxes(cavity: Cavity) -> list[_Box]:
 
 
 def is_flat(model: Model) -> bool:
-    """Tell whether a lying thing is as flat and wide as a book or a record."""
+    """Return whether a lying object is flat and wide like a book or a record."""
     x, y, z = (float(v) for v in model.size)
-    return z < _FLAT * min(x, y) and min(x, y) > _LEAST
+    return z < _FLAT * min(x, y) and min(x, y) > _MIN_WIDTH
 
 
 def file_away(
     things: Mapping[str, Model], cavity: Cavity
 ) -> dict[str, tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]] | None:
-    """Return how each of flat lying things is turned in a box, and where its middle then is.
+    """Return the rotation and centre of each flat lying object filed in a box.
 
-    None where the box is round, or has no room for the row.
+    None if the box is round, or has no room for the row.
     """
     sizes = [np.sort(np.asarray(m.size, float)) for m in things.values()]
     thick = sum(float(size[0]) for size in sizes) / np.cos(_LEAN) + _GAP * len(sizes)
     for box in _boxes(cavity):
-        for side in (1, 2):  # how high things stand: on the longer edge, or on the shorter one
+        for side in (1, 2):  # standing heights: on the longer edge, or on the shorter one
             tall = max(min(float(size[side]), cavity.depth) for size in sizes)
             wide = max(float(size[3 - side]) for size in sizes)
             start = _start(box, wide, cavity)
@@ -69,7 +69,7 @@ def file_away(
 
 
 def _start(box: _Box, wide: float, cavity: Cavity) -> float:
-    """Return how far from the end a row has room for its width: boxes have posts in corners."""
+    """Return the distance from the end where a row fits in width: corners may have posts."""
     for start in np.linspace(0.0, 0.2 * box.length, 12):
         ends = np.array([[start - box.length, s * wide / 2, z] for s in (-1, 1)
                          for z in (cavity.floor, cavity.rim)])  # fmt: skip
@@ -106,23 +106,23 @@ def _row(
 
 
 def _on_edge(model: Model, side: int) -> Float[np.ndarray, "3 3"]:
-    """Return the turn that stands a lying thing as high as its ``side``, its face to +x."""
-    face = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x, x down
+    """Return the rotation that stands a lying object on edge, ``side`` upright and facing +x."""
+    face = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x, x to -z
     if (model.size[0] <= model.size[1]) == (side == 1):
         return face
     return face @ np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
 
 
 LIES = 0.95
-"""Share of a vessel's mouth up to whose length a long thing lies in it."""
+"""Maximum length of a long object that lies in a vessel, as a fraction of the vessel's mouth."""
 
-_SLENDER = 1.9  # height to width from which a thing leans in a vessel
-_WIDER = 1.1  # how much wider than its other end a thing's head is
-_BLOSSOM = 4.0  # how much thicker than its stem a thing's head is that is to be seen
-_SHOWN = 0.56  # share of its length that such a thing may be in a vessel
-_FEW = 4  # of more things that stand together some are longer than others
-_LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # of flowers that stand together
-_LARGER = (1.0, 1.12, 1.25, 1.4, 1.55)  # how much a vessel may grow until all find room
+_SLENDER = 1.9  # minimum ratio of height to width of objects that lean in a vessel
+_WIDER = 1.1  # minimum ratio of the widths of an object's head and its other end
+_BLOSSOM = 4.0  # minimum ratio of head to stem for objects with a visible head
+_SHOWN = 0.56  # maximum fraction of the length of such objects inside a vessel
+_FEW = 4  # maximum number of objects of equal length in a vessel
+_LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # relative lengths of flowers standing together
+_LARGER = (1.0, 1.12, 1.25, 1.4, 1.55)  # growth factors of a vessel, tried until all objects fit
 
 _WAYS: Mapping[str, tuple[Steps, ...]] = {
     "edge": ((("y", -90),), (("z", 90), ("y", -90)), (), (("z", 90),), (("x", 90), ("z", 90)),
@@ -131,11 +131,11 @@ _WAYS: Mapping[str, tuple[Steps, ...]] = {
             (("x", 90), ("z", 90))),
     "side": ((("x", 90),), (), (("z", 90),), (("y", 90), ("z", 90))),
 }  # fmt: skip
-"""Turns to try, for each stance in a holder."""
+"""Rotations to try, for each stance in a holder."""
 
 
 def stand_in_holder(model: Model, holder: Holder) -> Model:
-    """Return a model turned as it stands in its place of a holder."""
+    """Return a model turned as it stands in its slot of a holder."""
     wanted = np.array(holder.stand((float(model.size[0]), float(model.size[1]),
                                     float(model.size[2]))))  # fmt: skip
     turned = [turn(model, steps) for steps in _WAYS[holder.stance]]
@@ -143,13 +143,13 @@ def stand_in_holder(model: Model, holder: Holder) -> Model:
 
 
 def room_of(models: Sequence[Model]) -> Extent:
-    """Return the extent of the largest of things that stand, metres."""
+    """Return the extent of the largest of the standing objects, metres."""
     across, along, up = np.max([model.size for model in models], axis=0)
     return float(across), float(along), float(up)
 
 
 def name_slots(holder: Model, names: Sequence[str]) -> Model:
-    """Return a holder's model with its places given to things, in order."""
+    """Return a holder's model with its slots assigned to objects, in order."""
     pairs = zip(holder.slots, names, strict=False)
     return replace(holder, slots=tuple(replace(slot, name=name) for slot, name in pairs))
 
@@ -166,10 +166,10 @@ def head_up(model: Model) -> Model:
 def fill_vessel(
     vessel: Model, things: Mapping[str, Model], upright: Mapping[str, bool], *, may_grow: bool
 ) -> tuple[Model, dict[str, Model]]:
-    """Return a vessel with places for long things, and those as they lean in it.
+    """Return a vessel with slots for long objects, and the models leaning in it.
 
-    ``things`` stand straight; the vessel grows a little where it has no room for all, if it may.
-    What finds no room is not among those returned.
+    ``things`` stand straight; the vessel grows slightly if it is too small, if this is allowed.
+    Objects without room are not returned.
     """
     if len(things) > _FEW:
         things = {
@@ -203,7 +203,7 @@ def fill_vessel(
 
 
 def _make_shallow(vessel: Model, stems: Sequence[Stem]) -> Model:
-    """Return a vessel that is not so deep that flowers vanish in it."""
+    """Return a vessel shallow enough that flowers remain visible in it."""
     cavity = find_cavity(vessel)
     heads = [s.length for s in stems if s.spheres[:, 3].max() > _BLOSSOM * s.core]
     if cavity is None or not heads:
@@ -213,7 +213,7 @@ def _make_shallow(vessel: Model, stems: Sequence[Stem]) -> Model:
 
 
 def leans(model: Model, cavity: Cavity) -> bool:
-    """Tell whether a standing thing is so long that it leans in a vessel, or stands out of it."""
+    """Return whether a standing object is long enough to lean in a vessel or protrude from it."""
     slender = float(model.size[2]) > _SLENDER * float(model.size[:2].min())
     return slender and float(model.size[2]) > 0.6 * cavity.depth
 
@@ -221,7 +221,7 @@ def leans(model: Model, cavity: Cavity) -> bool:
 def file_in_box(
     vessel: Model, flat: Mapping[str, Model], cavity: Cavity
 ) -> tuple[Model, dict[str, Model]] | None:
-    """Return a box with places for flat things on their edges, and those; None: no room."""
+    """Return a box with slots for flat objects on edge, and their models; None if too small."""
     turned = file_away(flat, cavity)
     if turned is None:
         return None
@@ -234,7 +234,7 @@ def file_in_box(
 
 
 def _lean(model: Model, stem: Stem, stance: Stance) -> tuple[Model, Float[np.ndarray, "3"]]:
-    """Return a model as it leans, and the middle of its underside in the vessel's frame, metres."""
+    """Return a leaning model, and the centre of its underside in the vessel's frame, metres."""
     mesh = model.mesh
     turned = (mesh.vertices * model.size - stem.foot) @ stance.turn.T + stance.foot
     unit, center, extent = to_unit_box(

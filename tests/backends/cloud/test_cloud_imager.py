@@ -145,8 +145,8 @@ def test_the_form_is_told_by_names(make_imager: Make, model: str, url: str, form
     ("data", "told"),
     [
         (b"<html>busy</html>", "the picture is HTML"),
-        (b"GIF89a....", "no PNG, JPEG or WebP"),
-        (bomb(), "more than 40,000,000 pixels"),
+        (b"GIF89a....", "use PNG, JPEG or WebP"),
+        (bomb(), "at most 40,000,000 are allowed"),
         (b"", "holds no picture"),
     ],
     ids=("html", "gif", "bomb", "nothing"),

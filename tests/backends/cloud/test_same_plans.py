@@ -37,7 +37,7 @@ def check(plan: ScenePlan, expected: Expected) -> None:
         assert wanted.items() <= planned.attributes.items()
     stand_ins = [o for o in plan.objects if o.category == "generic"]
     assert all(o.family and o.size for o in stand_ins)
-    assert bool(stand_ins) == any("stands for it" in warning for warning in plan.warnings)
+    assert bool(stand_ins) == any("plain shape" in warning for warning in plan.warnings)
     assert plan.table.outline == expected.table.get("outline", "rectangle")
 
 

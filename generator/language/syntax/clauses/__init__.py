@@ -1,1 +1,1 @@
-"""Statements: lists of noun phrases, what follows each, what is said of all."""
+"""Clauses: lists of noun phrases, their modifiers, and predicates."""

@@ -1,4 +1,4 @@
-"""What is set apart after a noun phrase: brackets, numbers, kinds, orders."""
+"""Appositions after a noun phrase: brackets, numbers, kinds, orders."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ _THEM = frozenset(
 
 
 class BracketReader(PlaceReader):
-    """Reads what is set apart by brackets, dashes and commas."""
+    """Parses appositions in brackets, dashes and commas."""
 
     def _bracket(self, noun: Noun, out: list[Post]) -> bool:
-        """Read a number or a length set apart: "candles (4)", "plates - four to six -"."""
+        """Parse a number or a length in an apposition: "candles (4)", "plates - four to six -"."""
         opening = self._tag()
         if opening not in ("open", "dash", "comma", "colon"):
             return False
@@ -79,7 +79,7 @@ class BracketReader(PlaceReader):
         return False
 
     def _colors_listed(self, noun: Noun, out: list[Post]) -> bool:
-        """Read "three cans (red, green, orange)"."""
+        """Parse "three cans (red, green, orange)"."""
         k, colors = 0, []
         while self._text(k) in COLORS and self._tag(k + 1) in ("comma", "and", "close"):
             colors.append(self._text(k))
@@ -96,7 +96,7 @@ class BracketReader(PlaceReader):
         return True
 
     def _kinds_listed(self, noun: Noun) -> bool:
-        """Read "cookie cutters (star, heart, moon)": which they are, and so how many."""
+        """Parse "cookie cutters (star, heart, moon)": the kinds, and thus the count."""
         k, kinds = self.i, 0
         while k < len(self.tokens):
             one, end = read_noun(self.tokens, k)
@@ -116,7 +116,7 @@ class BracketReader(PlaceReader):
         return True
 
     def _of_each(self, noun: Noun, out: list[Post]) -> bool:
-        """Read ", two of each colour": so many of each kind or each item of the list."""
+        """Parse ", two of each colour": a count per kind or list item."""
         k = int(self._tag() in ("comma", "open", "dash"))
         number = fw.NUMBERS.get(self._text(k), 0.0)
         if k and self._tag(k) == "number":
@@ -145,7 +145,7 @@ class BracketReader(PlaceReader):
         return True
 
     def _order_by_ends(self) -> str | None:
-        """Read "from the largest on the left to the smallest on the right"."""
+        """Parse "from the largest on the left to the smallest on the right"."""
         if order := self._order_from_bottom():
             return order
         apart = self._tag() == "comma" and self._text(1) in fw.SUPERLATIVES
@@ -180,7 +180,7 @@ class BracketReader(PlaceReader):
         return "size" if first == "small" else "size down"
 
     def _order_from_bottom(self) -> str | None:
-        """Read "so that the largest is at the bottom and the smallest on top"."""
+        """Parse "so that the largest is at the bottom and the smallest on top"."""
         k, small = 0, None
         while True:
             start = k
@@ -203,7 +203,7 @@ class BracketReader(PlaceReader):
         return "size" if small else "size down"
 
     def _aside(self) -> bool:
-        """Skip a bracket in which nothing is understood."""
+        """Skip a bracket that is not understood."""
         if self._tag() != "open":
             return False
         end = next((k for k in range(1, 12) if self._tag(k) in ("close", *ENDS)), 0)
@@ -221,13 +221,13 @@ class BracketReader(PlaceReader):
         return True
 
     def _counts_them(self, found: Noun, end: int) -> bool:
-        """Tell whether ", three of them" counts what was just named."""
+        """Return whether ", three of them" counts the previous noun."""
         following = [token.text for token in self.tokens[end - 2 : end + 2]]
         bare = not found.words and (found.count is not None or found.amount is not None)
         return bare and "them" in following
 
     def _parcels(self, found: Noun, noun: Noun, out: list[Post]) -> bool:
-        """Read "5 blue, 2 red": how many there are of each."""
+        """Parse "5 blue, 2 red": a count per attribute."""
         each: list[Mapping[str, str]] = []
         one: Noun | None = found
         while one is not None and one.kind == "adjective" and one.count:
@@ -242,7 +242,7 @@ class BracketReader(PlaceReader):
         return True
 
     def _listed_attributes(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Read ", small, medium and large" and ", one red and one blue" after several things."""
+        """Parse ", small, medium and large" and ", one red and one blue" after several objects."""
         if noun is None or not (noun.plural or (noun.count or 1) > 1):
             return False
         before, each = self.i, []
@@ -267,6 +267,6 @@ def _describes(noun: Noun) -> bool:
 
 
 def _explains(found: Noun, noun: Noun) -> bool:
-    """Tell whether a known word in brackets explains an unknown one before them."""
+    """Return whether a known word in brackets explains an unknown one before them."""
     strange = noun.kind == "thing" and noun.category is None
     return strange and found.category is not None and not found.determined

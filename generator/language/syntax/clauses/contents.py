@@ -1,4 +1,4 @@
-"""What a thing is said to hold, bring along, lack or be for."""
+"""Objects that a noun phrase contains, carries or lacks, and its purpose."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .cursor import SUPPORTING
 
 
 class HoldingReader(BracketReader):
-    """Reads "with", "holding", "of" and "without"."""
+    """Parses "with", "holding", "of" and "without"."""
 
     def _lacks(self, out: list[Post]) -> bool:
         self.i += 1
@@ -41,13 +41,13 @@ class HoldingReader(BracketReader):
                 break
             self.i += 1
         if self._text() in ("there", "here"):
-            self.i += 1  # elsewhere there may be some
+            self.i += 1  # the object may be elsewhere
             return True
         out.append(Lack(tuple(items)))
         return bool(items)
 
     def _denial(self, place: Location, out: list[Post]) -> None:
-        """Take in "not on the book", and where the thing is instead: "but next to it"."""
+        """Parse "not on the book", and the alternative: "but next to it"."""
         out.append(Lack((), place))
         target = place.target
         if self._tag() == "comma" and self._text(1) == "which" and isinstance(target, Noun):
@@ -88,7 +88,7 @@ class HoldingReader(BracketReader):
         return True
 
     def _until_named_apart(self, items: list[Noun]) -> list[Noun]:
-        """Return the contents of "full of berries, an empty jar": what has an article is not in."""
+        """Return the contents in "full of berries, an empty jar", up to an item with an article."""
         named = (k for k, item in enumerate(items) if k and item.determined and _is_apart(item))
         apart = next(named, 0)
         if not apart or items[0].determined:
@@ -131,7 +131,7 @@ class HoldingReader(BracketReader):
         return True
 
     def _kinds(self, noun: Noun, inner: Noun) -> tuple[Noun, ...]:
-        """Read "bottles of gin, rum and vermouth": one of each."""
+        """Parse "bottles of gin, rum and vermouth": one of each."""
         several = noun.plural and noun.amount is None
         if (
             not several
@@ -157,7 +157,7 @@ class HoldingReader(BracketReader):
         return ()
 
     def _purpose(self) -> bool:
-        """Skip what something is for ("for meal prep"), unless it is for so many people."""
+        """Skip a purpose ("for meal prep"), unless it states the number of people."""
         before = self.i
         if self._people():
             self.i = before
@@ -180,7 +180,7 @@ class HoldingReader(BracketReader):
         return end
 
     def _aspect(self, owner: Noun | None, out: list[Post]) -> bool:
-        """Read "in different colours", "of various sizes", "in red"."""
+        """Parse "in different colours", "of various sizes", "in red"."""
         if self._text() not in ("in", "of"):
             return False
         noun, end = read_noun(self.tokens, self.i + 1)
@@ -213,6 +213,6 @@ class HoldingReader(BracketReader):
 
 
 def _is_apart(item: Noun) -> bool:
-    """Tell whether an item of what fills a vessel is no contents: "and a glass full of ice"."""
+    """Return whether an item after a vessel's contents is separate: "and a glass full of ice"."""
     holds = any(isinstance(post, Carry) and post.how == "hold" for post in item.post)
     return item.joint != "and" or item.count == 1 or holds

@@ -1,4 +1,4 @@
-"""A place in a list of tokens, and what comes next there."""
+"""A position in a list of tokens, and lookahead from there."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from ..text import function_words as fw
 from ..text.tokens import Token
 
 ENDS = ("stop", "line")
-"""Tags of the end of a sentence."""
+"""Tags of sentence ends."""
 
 SUPPORTING = ("on", "in")
-"""Relations to what carries something."""
+"""Relations to a support."""
 
 
 class Cursor(ABC):
-    """A place in tokens; the classes above it read places, posts, lists and clauses.
+    """A position in tokens; base class of the parsers of places, modifiers, lists and clauses.
 
-    They call one another: a list has posts, and a post has lists.
+    The parsers are mutually recursive: a list has modifiers, and a modifier has lists.
     """
 
     def __init__(self, tokens: Sequence[Token]) -> None:
         self.tokens = list(tokens)
         self.i = 0
         self.skipped: list[Token] = []
-        self.lost: list[str] = []  # phrases that were read but say nothing that a plan has
+        self.lost: list[str] = []  # parsed phrases that do not affect the plan
         self._heading: Location | None = None
-        self._pending: list[Clause] = []  # clauses that were read with the one before them
-        self._task = ""  # the verb of the task that this sentence tells a robot
-        self._guests = 0  # how many people are there, where the text says only that
+        self._pending: list[Clause] = []  # clauses parsed together with the previous one
+        self._task = ""  # verb of the robot task in this sentence
+        self._guests = 0  # number of people, if nothing else is stated
         self._ordered = False  # whether a list goes from left to right
-        self._each_count = 0.0  # how many of each item of a list there are
-        self._seats = False  # whether the text has said for how many people it is
+        self._each_count = 0.0  # count for each item of a list
+        self._seats = False  # whether the number of people is known
 
     def _starts_noun(self, ahead: int, *, determined: bool = False) -> bool:
         if self._tag(ahead) not in ("word", "name", "number", "each"):
@@ -54,7 +54,7 @@ class Cursor(ABC):
         return noun.determined or noun.plural if determined else noun.kind != "member"
 
     def _starts_category(self) -> bool:
-        """Tell whether the name of something in the catalogue comes next."""
+        """Return whether the next tokens name something in the catalogue."""
         noun, _ = read_noun(self.tokens, self.i)
         return noun is not None and noun.category is not None
 
@@ -85,7 +85,7 @@ class Cursor(ABC):
         return self.tokens[k].value if k < len(self.tokens) else None
 
     def _skip(self, words: frozenset[str] | set[str]) -> bool:
-        """Skip words of a set that are no noun's; return whether there were any."""
+        """Skip words of a set unless they belong to a noun; return whether any were skipped."""
         before = self.i
         while self._tag() == "word" and self._text() in words:
             noun, _ = read_noun(self.tokens, self.i)
@@ -103,7 +103,7 @@ class Cursor(ABC):
         return self.i > before
 
     def _connector(self) -> str:
-        """Read a comma, "and" or both; return "and", "comma" or "comma and"."""
+        """Parse a comma, "and" or both; return "and", "comma" or "comma and"."""
         said = []
         while self._tag() in ("comma", "and", "close", "open"):
             said.append("and" if self._tag() == "and" else "comma")
@@ -112,28 +112,28 @@ class Cursor(ABC):
 
     @abstractmethod
     def _items(self, owner: Noun | None, how: How) -> list[Noun]:
-        """Read a list of noun phrases, each with what belongs to it."""
+        """Parse a list of noun phrases, each with its modifiers."""
 
     @abstractmethod
     def _leads(self) -> bool:
-        """Tell whether a place before its things comes next."""
+        """Return whether a place precedes its objects here."""
 
     @abstractmethod
     def _people(self) -> int:
-        """Read "for four people"; return how many, 0 for none."""
+        """Parse "for four people"; return the number, 0 for none."""
 
     @abstractmethod
     def _returns(self) -> str | None:
-        """Return "on" or "in" where the rest of a list puts all of it "on it" or "in it"."""
+        """Return "on" or "in" if the rest of a list puts all of it "on it" or "in it"."""
 
     @abstractmethod
     def _posts(self, noun: Noun | None, out: list[Post], *, nested: bool = False) -> None:
-        """Read all that follows a noun phrase and belongs to it."""
+        """Parse all modifiers of a noun phrase."""
 
     @abstractmethod
     def _carried(self, noun: Noun | None, out: list[Post], each: bool) -> bool:
-        """Read what a thing brings along."""
+        """Parse the objects attached to an object."""
 
     @abstractmethod
     def _contents(self, noun: Noun, out: list[Post]) -> bool:
-        """Read what follows "of"."""
+        """Parse the contents after "of"."""

@@ -1,4 +1,4 @@
-"""Lists of things, and where the list of what a thing brings along ends."""
+"""Lists of objects, and the ends of lists of attached objects."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from .posts import PostReader
 
 
 class ListReader(PostReader):
-    """Reads lists of noun phrases."""
+    """Parses lists of noun phrases."""
 
     def _lead(self) -> Location | None:
-        """Read a place before its things: "On the tray are ...", "to its left a book"."""
+        """Parse a place before its objects: "On the tray are ...", "to its left a book"."""
         before = self.i
         place = self._place(leading=True)
         if place is None:
@@ -57,7 +57,7 @@ class ListReader(PostReader):
         return None
 
     def _items(self, owner: Noun | None, how: How) -> list[Noun]:
-        """Read a list of noun phrases, each with what belongs to it."""
+        """Parse a list of noun phrases, each with its modifiers."""
         out = self._entry()
         bare: list[Noun] = []
         while out:
@@ -78,7 +78,7 @@ class ListReader(PostReader):
                 noun.count, noun.amount = self._each_count, None
         self._each_count = 0.0
         out = _describe_before(out)
-        for noun in out:  # "a red and a blue mug": the first borrows the noun
+        for noun in out:  # "a red and a blue mug": the first one shares the noun
             if noun.kind == "adjective" and noun.definite and noun.other:
                 noun.kind = "member"  # "the other four blue"
             elif noun.kind == "adjective" and (noun.determined or noun.attributes):
@@ -100,7 +100,7 @@ class ListReader(PostReader):
         return [noun for noun in out if noun not in bare]
 
     def _entry(self) -> list[Noun]:
-        """Read one noun phrase with its posts, or a part of the table with what is there."""
+        """Parse one noun phrase with its modifiers, or a zone of the table with its objects."""
         headed = self._zone_heading()
         if headed:
             return headed
@@ -116,7 +116,7 @@ class ListReader(PostReader):
         return [noun]
 
     def _zone_heading(self) -> list[Noun]:
-        """Read "left side decorated with plants and bottles"."""
+        """Parse "left side decorated with plants and bottles"."""
         found = read_zone(self.tokens, self.i, heading=True)
         if found is None or found.of:
             return []
@@ -140,14 +140,14 @@ class ListReader(PostReader):
         return found
 
     def _leads(self) -> bool:
-        """Tell whether a place before its things comes next."""
+        """Return whether a place precedes its objects here."""
         before, heading, ordered = self.i, self._heading, self._ordered
         found = self._lead() is not None
         self.i, self._heading, self._ordered = before, heading, ordered
         return found
 
     def _closes(self, owner: Noun | None, how: How, items: list[Noun], joint: str) -> bool:
-        """Tell whether the list of what ``owner`` brings along ends here."""
+        """Return whether the list of objects attached to ``owner`` ends here."""
         if owner is None or owner.kind in ("table", "setting", "vague", "title"):
             return False
         noun, end = read_noun(self.tokens, self.i)
@@ -176,7 +176,7 @@ class ListReader(PostReader):
         return not (_carries(owner) and _may_hold(owner, noun))
 
     def _ends_with_and(self) -> bool:
-        """Tell whether a plain list goes on to an "and": "a syringe, a thermometer and a swab"."""
+        """Return whether a list continues up to an "and": "a syringe, a thermometer and a swab"."""
         k = self.i
         while k < len(self.tokens):
             noun, end = read_noun(self.tokens, k)
@@ -192,7 +192,7 @@ class ListReader(PostReader):
         return False
 
     def _returns(self) -> str | None:
-        """Return "on" or "in" where the rest of a list puts all of it "on it" or "in it"."""
+        """Return "on" or "in" if the rest of a list puts all of it "on it" or "in it"."""
         k = 0
         while self._tag(k) not in (*ENDS, "", "carry", "colon", "dash", "relative"):
             if self._text(k) in fw.BE:
@@ -213,9 +213,9 @@ class ListReader(PostReader):
 
 
 def _describe_before(items: list[Noun]) -> list[Noun]:
-    """Return a list where "a vase, tall and slim, and a candle" is of two things."""
+    """Return a list in which "a vase, tall and slim, and a candle" has two items."""
     out: list[Noun] = []
-    open_to = False  # whether the item before was described by the one after it
+    open_to = False  # whether the following item describes this one
     for noun in items:
         before = out[-1] if out else None
         open_to = "comma" in noun.joint or open_to
@@ -230,7 +230,7 @@ def _describe_before(items: list[Noun]) -> list[Noun]:
 
 
 def _describes(noun: Noun, before: Noun) -> bool:
-    """Tell whether describing words of a list are said of the item before them."""
+    """Return whether describing words in a list apply to the previous item."""
     bare = noun.kind == "adjective" and noun.words and not (noun.determined or noun.other)
     if not bare or before.kind != "thing" or not before.determined:
         return False
@@ -241,7 +241,7 @@ def _describes(noun: Noun, before: Noun) -> bool:
 
 
 def _is_elsewhere(item: Noun, how: How) -> bool:
-    """Tell whether an item of a list "with ..." stands at something else by its own words."""
+    """Return whether an item of a list "with ..." has a position of its own elsewhere."""
     return how == "with" and any(
         isinstance(post, Location)
         and post.kind in ("left_of", "right_of", "behind", "in_front_of", "next_to")
@@ -253,7 +253,7 @@ def _is_elsewhere(item: Noun, how: How) -> bool:
 
 
 def _may_hold(owner: Noun, item: Noun) -> bool:
-    """Tell whether an item may be in or on its owner by the sizes of their kinds."""
+    """Return whether an item may be in or on its owner, given the sizes of their categories."""
     if owner.category is None:
         return True
     outer = CATEGORIES[open_category(owner.category)]
@@ -278,7 +278,7 @@ def _is_food(item: Noun) -> bool:
 
 
 def _carries(owner: Noun) -> bool:
-    """Tell whether a thing is there to carry others: a tray, a basket, a board."""
+    """Return whether an object's purpose is to carry others: a tray, a basket, a board."""
     if owner.category is None or owner.head.split()[-1:] == ["plate"]:
         return False
     outer = CATEGORIES[owner.category]

@@ -1,4 +1,4 @@
-"""How statements open, for whom they are, and what a verb says of their subjects."""
+"""Openings of clauses, numbers of people, and predicates."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .lists import ListReader
 
 
 class OpeningReader(ListReader):
-    """Reads openings, people and verbs."""
+    """Parses openings, people and verbs."""
 
     def _opening(self) -> Arranged | None:
-        """Skip politeness and verbs at the start; return how a verb arranges what follows."""
+        """Skip politeness and verbs at the start; return the arrangement implied by a verb."""
         while not self._ended():
             if self._tag() == "task":
                 self._task = "robot"
@@ -62,7 +62,7 @@ class OpeningReader(ListReader):
         return None
 
     def _heading_line(self) -> Zone | None:
-        """Read a line that names a part of the table: "BACK ROW", "Left side"."""
+        """Parse a line that names a zone of the table: "BACK ROW", "Left side"."""
         opens = self.i == 0 or self._tag(-1) in ENDS
         found = read_zone(self.tokens, self.i, heading=True) if opens else None
         if found is None or found.of:
@@ -76,7 +76,7 @@ class OpeningReader(ListReader):
         return found.zone
 
     def _listing(self) -> Arranged | None:
-        """Read "from left to right:" before a list, and "stacked on the left are ..."."""
+        """Parse "from left to right:" before a list, and "stacked on the left are ..."."""
         if self._tag() != "arranged":
             return None
         if "left to right" not in self._text():
@@ -94,7 +94,7 @@ class OpeningReader(ListReader):
         return Arranged("row", "listed")
 
     def _is_opening(self) -> bool:
-        """Tell whether a word opens the sentence and is no noun ("can", "set", "place")."""
+        """Return whether a word opens the sentence and is not a noun ("can", "set", "place")."""
         noun, end = read_noun(self.tokens, self.i)
         if noun is None or (noun.category is None and noun.kind == "thing"):
             return True
@@ -103,7 +103,7 @@ class OpeningReader(ListReader):
         return self._text(1) != "of" and end > self.i
 
     def _everyone(self) -> int:
-        """Read "everyone gets", "each guest has", "for each person", "at every place"."""
+        """Parse "everyone gets", "each guest has", "for each person", "at every place"."""
         k = int(self._text() in ("for", "at", "in"))
         if self._text(k) in ("everyone", "everybody"):
             k += 1
@@ -128,7 +128,7 @@ class OpeningReader(ListReader):
         return self._guests or EVERYONE
 
     def _people(self) -> int:
-        """Read "for four people", "for two"; return how many, 0 for none."""
+        """Parse "for four people", "for two"; return the number, 0 for none."""
         k = self.i
         while self._text(k - self.i) in ("set", "laid", "the", "table", "ready"):
             k += 1
@@ -153,7 +153,7 @@ class OpeningReader(ListReader):
         return int(number)
 
     def _seats_named(self, subjects: list[Noun]) -> int:
-        """Return for how many "two places side by side: ..." is, 0 if it is no such thing."""
+        """Return the number of seats in "two places side by side: ...", 0 for other phrases."""
         count = int(subjects[0].count or 0)
         if not is_seat(subjects[0]) or not 1 < count <= 24 or not self._starts_noun(1):
             return 0
@@ -161,14 +161,14 @@ class OpeningReader(ListReader):
         return count
 
     def _is_fragment(self, noun: Noun) -> bool:
-        """Tell whether a phrase that stands alone asks for nothing: "Tonight's buffet.", "Hiya"."""
+        """Return whether an isolated phrase requests nothing: "Tonight's buffet.", "Hiya"."""
         if noun.kind != "thing" or noun.category is not None or noun.post or noun.plural:
             return False
         counted = noun.count is not None or noun.amount is not None or noun.each
         return not counted and self._tag() in (*ENDS, "colon", "dash", "comma", "")
 
     def _is_left_out(self) -> bool:
-        """Read "should be left out", "stays in the attic", "are not wanted"."""
+        """Parse "should be left out", "stays in the attic", "are not wanted"."""
         k = 2 if self._text() in ("has", "have") and self._text(1) == "to" else 0
         while (self._text(k), self._text(k + 1)) not in fw.LEFT_OUT and (
             self._text(k) in fw.BE or self._text(k) in ("that", "usually", "not", "always")
@@ -191,7 +191,7 @@ class OpeningReader(ListReader):
         return False
 
     def _is_predicate(self, subjects: list[Noun]) -> bool:
-        """Tell whether a verb follows that only says where its subject is: "sleeps", "comes"."""
+        """Return whether the next verb only locates its subject: "sleeps", "comes"."""
         if not subjects or self._tag() != "word" or self._text() in fw.BE:
             return False
         if self._text().endswith("s") and self._text(1) in ("it", "them"):
@@ -199,7 +199,7 @@ class OpeningReader(ListReader):
         return is_verb(self._text()) and not self._starts_category()
 
     def _pronoun_clause(self) -> Clause | None:
-        """Read "It is red.", "They stand on a book." and "It contains three apples."."""
+        """Parse "It is red.", "They stand on a book." and "It contains three apples."."""
         whole = self._text() in ("all", "both") and self._tag(1) == "of"
         k = 2 * whole  # "all of them are red"
         verbal = self._text(k + 1) in fw.BE or self._tag(k + 1) == "carry"
@@ -225,7 +225,7 @@ class OpeningReader(ListReader):
         return Clause([noun], predicate)
 
     def _complement(self) -> list[Post]:
-        """Read "is a red one", "is red and shiny": describing words after a verb."""
+        """Parse "is a red one", "is red and shiny": describing words after a verb."""
         each: list[Mapping[str, str]] = []
         while True:
             k = self.i
@@ -250,7 +250,7 @@ class OpeningReader(ListReader):
 
 
 def describe_each(said: Sequence[Mapping[str, str]]) -> tuple[Mapping[str, str], ...]:
-    """Return "red and blue" as one for each of two, "red and shiny" as what is true of all."""
+    """Return "red and blue" as one attribute per object, "red and shiny" as shared attributes."""
     if len(said) > 1 and all(words and words.keys() == said[0].keys() for words in said):
         return tuple(said)
     merged: dict[str, str] = {}
@@ -260,13 +260,13 @@ def describe_each(said: Sequence[Mapping[str, str]]) -> tuple[Mapping[str, str],
 
 
 def is_seat(noun: Noun) -> bool:
-    """Tell whether a phrase means the places at a table: "places", "settings"."""
+    """Return whether a phrase denotes the places at a table: "places", "settings"."""
     return noun.kind in ("setting", "collective") and bool(
         {singular(word) for word in noun.words[-1:]} & fw.SEATED
     )
 
 
 def people_of(noun: Noun) -> int:
-    """Return how many people "five guests" are; 0 for anything else."""
+    """Return the number of people in "five guests"; 0 for other phrases."""
     people = noun.kind == "setting" and noun.words[-1] in fw.PEOPLE_WORDS
     return int(noun.count) if people and noun.count and 1 < noun.count <= 24 else 0

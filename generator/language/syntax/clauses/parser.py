@@ -1,4 +1,4 @@
-"""Tokens to clauses: lists of things, what follows each, what is said of all."""
+"""Tokens to clauses: lists of objects, their modifiers, and predicates."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from .openings import OpeningReader, is_seat, people_of
 
 
 class Parser(OpeningReader):
-    """Reads sentences by recursive descent; what it skips is kept in ``skipped``."""
+    """Recursive descent parser of sentences; skipped tokens are in ``skipped``."""
 
     def sentences(self) -> list[Sentence]:
         """Return all sentences."""
@@ -43,7 +43,7 @@ class Parser(OpeningReader):
             "colon", "dash") else ""  # fmt: skip
         self.i += 2 * bool(self._task)
         if not stated:
-            self._task = ""  # a goal alone is what is to be shown
+            self._task = ""  # a goal without a task describes the scene
         while not self._ended():
             before = self.i
             clause = self._clause()
@@ -153,7 +153,7 @@ class Parser(OpeningReader):
         return Clause(subjects, predicate, lead, people)
 
     def _places(self, subjects: list[Noun], people: int) -> Clause:
-        """Read "places for five with plates only", the last of a list."""
+        """Parse "places for five with plates only", the last item of a list."""
         self.i += 1
         laid = Clause(self._items(None, "with"), people=people)
         self._skip({"only"})
@@ -163,7 +163,7 @@ class Parser(OpeningReader):
         return Clause(subjects[:-1])
 
     def _read_headed(self, subjects: list[Noun], predicate: list[Post]) -> None:
-        """Read "an office desk: a laptop, a mug": what follows belongs to the first."""
+        """Parse "an office desk: a laptop, a mug": the list belongs to the heading."""
         told = ("setting", "abstract", "title", "adjective")
         if subjects and all(noun.kind in told for noun in subjects[:-1]):
             del subjects[:-1]  # "a still life, everything on a cloth: ..."
@@ -176,7 +176,7 @@ class Parser(OpeningReader):
         if (_is_title(first) or named) and self._starts_noun(1):
             first.kind = "title"
             if not first.post:
-                return  # what follows is a clause of its own
+                return  # a separate clause follows
         roles = CATEGORIES[first.category].roles if first.category else ()
         if {"container", "support"} & {*roles} and not first.plural and self._starts_noun(1):
             self.i += 1
@@ -192,7 +192,7 @@ class Parser(OpeningReader):
                 first.post.append(Carry("with", tuple(items)))
 
     def _read_everything(self, subjects: list[Noun], predicate: list[Post]) -> bool:
-        """Read "everything except the fork is on the tray: a plate, a fork and a knife"."""
+        """Parse "everything except the fork is on the tray: a plate, a fork and a knife"."""
         first = subjects[0]
         places = [p for p in (*first.post, *predicate) if isinstance(p, Location)]
         if not is_everything(first) or not places or not self._starts_noun(1):
@@ -209,7 +209,7 @@ class Parser(OpeningReader):
 
 
 def _is_rest(noun: Noun) -> bool:
-    """Tell whether a phrase means those not spoken of: "the others", "the rest"."""
+    """Return whether a phrase denotes the objects not mentioned yet: "the others", "the rest"."""
     return noun.kind == "member" and noun.definite and noun.other and noun.plural
 
 
@@ -218,12 +218,12 @@ def _is_same(noun: Noun, other: Noun) -> bool:
 
 
 def _as_aim(post: Post) -> Post:
-    """Return a place as one to which a robot is to bring something."""
+    """Return a place as the goal to which a robot moves an object."""
     return replace(post, kind="aim") if isinstance(post, Location) else post
 
 
 def _is_title(noun: Noun) -> bool:
-    """Tell whether a phrase before a colon only names what it is about: "Shaving kit: ..."."""
+    """Return whether a phrase before a colon is only a title: "Shaving kit: ..."."""
     if noun.determined or noun.kind not in ("thing", "abstract"):
         return False
     roles = CATEGORIES[noun.category].roles if noun.category else ()

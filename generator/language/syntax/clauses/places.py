@@ -1,4 +1,4 @@
-"""Where something is: relations to noun phrases and parts of the table."""
+"""Places of objects: relations to noun phrases, and zones of the table."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ _DEGREES = frozenset({"right", "just", "directly", "immediately", "slightly", "f
 
 
 _DIRECTED = frozenset({"left_of", "right_of", "in_front_of", "behind", "next_to", "under"})
-"""Relations that a distance may go before."""
+"""Relations that may follow a distance."""
 
-_BESIDE = 0.15  # metres: how far from another a thing may be that is next to it
+_BESIDE = 0.15  # metres: maximum distance of "next to"
 
 
 class PlaceReader(Cursor):
-    """Reads places."""
+    """Parses places."""
 
     def _place(self, *, leading: bool = False) -> Location | None:
-        """Read where something is; None where no place starts here."""
+        """Parse a place; return None if no place starts here."""
         before = self.i
         if (distance := self._distance()) is not None:
             return self._place_apart(distance, leading=leading)
@@ -95,7 +95,7 @@ class PlaceReader(Cursor):
         return None
 
     def _distance(self) -> tuple[int, float] | None:
-        """Return where the "5 cm" of "5 cm behind the banana" ends, and how far it is in metres."""
+        """Return the end of "5 cm" in "5 cm behind the banana", and the distance in metres."""
         noun, end = read_noun(self.tokens, self.i)
         if noun is None:
             return None
@@ -116,12 +116,12 @@ class PlaceReader(Cursor):
         k += away
         directed = self._tag(k) in ("relation", "here") and self._value_at(k) in _DIRECTED
         directed = directed and self._text(k) not in ("by", "along", "at")
-        sided = self._text(k) == "to" and self._text(k + 1) in fw.DEFINITE  # no "4 cm to a side"
+        sided = self._text(k) == "to" and self._text(k + 1) in fw.DEFINITE  # not "4 cm to a side"
         led = sided or self._text(k) in ("from", "left", "right")
         return (self.i + k, meters) if directed or led or away else None
 
     def _read_size(self, out: list[Post]) -> None:
-        """Read "3 m long and 1 m wide", and "that is 3 m long", after a table."""
+        """Parse "3 m long and 1 m wide", and "that is 3 m long", after a table."""
         k = self.i
         if self._text() in ("that", "which") and self._text(1) in fw.BE:
             k += 2
@@ -140,7 +140,7 @@ class PlaceReader(Cursor):
             out.append(Description(({},), tuple(lengths)))
 
     def _place_apart(self, distance: tuple[int, float], *, leading: bool) -> Location | None:
-        """Read a place after a distance, which no plan has; things far apart are not beside."""
+        """Parse a place after a distance, which plans omit; distant objects are not "next to"."""
         before, (self.i, meters) = self.i, distance
         said = " ".join(token.text for token in self.tokens[before : self.i])
         place = self._place(leading=leading)
@@ -157,7 +157,7 @@ class PlaceReader(Cursor):
         return place
 
     def _far_from(self) -> Location | None:
-        """Read "far from the candle" and "away from it", which no plan has."""
+        """Parse "far from the candle" and "away from it", which plans omit."""
         before = self.i
         k = 1 + (self._text() == "far" and self._text(1) == "away")
         if self._text() not in ("far", "away") or self._text(k) != "from":
@@ -172,7 +172,7 @@ class PlaceReader(Cursor):
         return Location("aim", target)
 
     def _apart(self) -> bool:
-        """Step over "10 cm apart"."""
+        """Skip "10 cm apart"."""
         distance = self._distance()
         if distance is None:
             return False
@@ -181,7 +181,7 @@ class PlaceReader(Cursor):
         return True
 
     def _owned_side(self) -> Location | None:
-        """Read "to the bowl's right" and "along the tray's left side"."""
+        """Parse "to the bowl's right" and "along the tray's left side"."""
         if self._text() not in ("to", "on", "at", "along", "by"):
             return None
         first = self.i + 1
@@ -198,7 +198,7 @@ class PlaceReader(Cursor):
         return Location(kind, whose)
 
     def _target(self, *, nested: bool) -> Noun | None:
-        """Read what a relation goes to; ``nested``: what follows is said of that."""
+        """Parse the target of a relation; ``nested``: subsequent modifiers belong to it."""
         if self._text() in ("both", "all") and not self._starts_noun(1) and self._tag(1) != "word":
             token = self._take()
             return Noun("pronoun", ("them",), token.span, "them", plural=True, definite=True)
@@ -250,14 +250,14 @@ class PlaceReader(Cursor):
         return noun
 
     def _brings_back(self) -> bool:
-        """Tell whether "with tongs in it" comes next: it belongs to what is spoken of."""
+        """Return whether "with tongs in it" comes next, whose "it" is the topic of the sentence."""
         self.i += 1
         back = self._returns()
         self.i -= 1
         return back is not None
 
     def _each_of_them(self) -> Noun | None:
-        """Read "each", "each one", "every one of them" and "each of these"."""
+        """Parse "each", "each one", "every one of them" and "each of these"."""
         if self._tag() != "each":
             return None
         k = 1
@@ -273,11 +273,11 @@ class PlaceReader(Cursor):
         return Noun("pronoun", ("them",), span, "them", plural=True, definite=True, each=True)
 
     def _starts_longer(self) -> bool:
-        """Tell whether a pronoun's word opens a noun phrase: "these two cups", "one plate"."""
+        """Return whether a pronoun begins a noun phrase: "these two cups", "one plate"."""
         return self._text() in ("these", "those", "one") and self._starts_noun(1)
 
     def _between(self, target: Noun) -> None:
-        """Read the second of "between the plate and the cup"."""
+        """Parse the second target of "between the plate and the cup"."""
         if target.plural or (target.count or 1) > 1 or self._tag() != "and":
             return
         before = self.i

@@ -1,4 +1,4 @@
-"""What follows a noun phrase and belongs to it."""
+"""Modifiers after a noun phrase."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from .cursor import ENDS, SUPPORTING
 
 
 class PostReader(HoldingReader):
-    """Reads what is said of a noun phrase after it."""
+    """Parses modifiers after a noun phrase."""
 
     def _posts(self, noun: Noun | None, out: list[Post], *, nested: bool = False) -> None:
-        """Read all that follows a noun phrase, or a verb, and belongs to it.
+        """Parse all modifiers of a noun phrase, or of a verb.
 
-        ``nested``: of the target of a relation, to which nothing after a comma belongs.
+        ``nested``: of the target of a relation, whose modifiers end at a comma.
         """
         while not self._ended() and not (nested and self._tag() in ("comma", "open", "and")):
             before = self.i
@@ -99,7 +99,7 @@ class PostReader(HoldingReader):
         return False
 
     def _holds_aside(self, noun: Noun) -> bool:
-        """Tell whether dashes set apart what a plate or a bowl holds."""
+        """Return whether dashes enclose the contents of a plate or a bowl."""
         roles = CATEGORIES[noun.category].roles if noun.category else ()
         ahead = self.tokens[self.i + 1 :]
         end = next((k for k, token in enumerate(ahead) if token.tag in (*ENDS, "dash")), 0)
@@ -108,7 +108,7 @@ class PostReader(HoldingReader):
         return bool(carries) and closed and self._starts_noun(1, determined=True)
 
     def _places_on(self, ahead: int) -> bool:
-        """Tell whether a place that ends there, or what a thing holds, comes next."""
+        """Return whether contents, or a place up to the closing dash, come next."""
         if self._tag(ahead) == "carry" and self._value_at(ahead) == "hold":
             return True
         before = self.i
@@ -121,7 +121,7 @@ class PostReader(HoldingReader):
         return (arranged or place is not None) and ends
 
     def _compared(self, out: list[Post]) -> bool:
-        """Read "half as tall as the mug", "bigger than the plate": small or large."""
+        """Parse "half as tall as the mug", "bigger than the plate" as small or large."""
         k = int(self._tag() == "comma")
         k += self._text(k) in ("slightly", "much", "somewhat", "far")
         k += 2 * ((self._text(k), self._text(k + 1)) == ("a", "bit"))
@@ -144,18 +144,18 @@ class PostReader(HoldingReader):
         return True
 
     def _side_apart(self, out: list[Post]) -> bool:
-        """Read ", centre" after "at the back"."""
+        """Parse ", centre" after "at the back"."""
         side = fw.SIDES.get(self._text(1)) if self._tag() == "comma" else None
         placed = any(isinstance(p, Location) and isinstance(p.target, Zone) for p in out)
         if side is None or not placed or self._tag(2) not in (*ENDS, "", "comma"):
             return False
         self.i += 2
-        if side != (0, 0):  # "at the back, centre" is the middle of the back, as things are
+        if side != (0, 0):  # "at the back, centre" is the middle of the back
             out.append(Location("at", Zone(*side)))
         return True
 
     def _one_at_each(self, noun: Noun, out: list[Post]) -> bool:
-        """Read "price tags - one in front of each of them"."""
+        """Parse "price tags - one in front of each of them"."""
         bare = noun.plural and noun.count is None and noun.amount is None
         if not bare or self._tag() not in ("dash", "comma", "open", "colon"):
             return False
@@ -174,7 +174,7 @@ class PostReader(HoldingReader):
         return True
 
     def _in_which(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Read "on which are two eggs"."""
+        """Parse "on which are two eggs"."""
         if not (
             self._tag() == "relation" and self._tag(1) == "relative" and self._value() in SUPPORTING
         ):
@@ -188,7 +188,7 @@ class PostReader(HoldingReader):
         return bool(items)
 
     def _one_each(self, noun: Noun | None) -> bool:
-        """Read "a dinner plate each", once the text has said for how many people it is."""
+        """Parse "a dinner plate each", if the number of people is known."""
         ends = self._tag(1) in (*ENDS, "", "comma", "and")
         if noun is None or not self._seats or self._tag() != "each" or not ends:
             return False
@@ -197,7 +197,7 @@ class PostReader(HoldingReader):
         return True
 
     def _distributes(self) -> bool:
-        """Read "each", "all" and "every one of them" before what is said of each."""
+        """Parse "each", "all" and "every one of them" before a distributive modifier."""
         each = self._tag() == "each" or self._text() in ("all", "both")
         if self._tag() == "each" and self._text(1) == "one" and self._tag(2) == "of":
             self.i += 3
@@ -207,7 +207,7 @@ class PostReader(HoldingReader):
         return each
 
     def _told(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Read what adds nothing: "that is", "sorted by the robot", "like soldiers"."""
+        """Skip irrelevant phrases: "that is", "sorted by the robot", "like soldiers"."""
         if self._text() in fw.HANDLED and self._text(1) == "by" and self._starts_noun(2):
             self.i = read_noun(self.tokens, self.i + 2)[1]
             return True
@@ -232,7 +232,7 @@ class PostReader(HoldingReader):
         return True
 
     def _ordered_so(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Read an order, an arrangement or how things are turned."""
+        """Parse an order, an arrangement or a posture."""
         if order := self._order_by_ends():
             out.append(Arranged("row", order))
         elif self._tag() == "order":
@@ -244,7 +244,7 @@ class PostReader(HoldingReader):
         return True
 
     def _seated_so(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Read "per person" and "for each guest"."""
+        """Parse "per person" and "for each guest"."""
         each = 1 if self._text() == "per" else 2 if self._text() == "for" else 0
         if noun is None or not each or self._text(each) not in fw.SEATED:
             return False
@@ -255,7 +255,7 @@ class PostReader(HoldingReader):
         return True
 
     def _ellipsis(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Read what one of several has, without a verb: "the third two doughnuts"."""
+        """Parse a verbless clause about one of several objects: "the third two doughnuts"."""
         told = noun is not None and noun.kind == "member" and (noun.ordinal or noun.other)
         if not told or out or not self._starts_noun(0, determined=True):
             return False
@@ -263,7 +263,7 @@ class PostReader(HoldingReader):
         return True
 
     def _is_participle(self) -> bool:
-        """Tell whether a verb's form comes next that adds nothing to a place: "parked in front"."""
+        """Return whether an irrelevant participle comes next: "parked in front"."""
         word = self._text()
         placed = self._tag(1) in ("relation", "here", "arranged") or (
             read_zone(self.tokens, self.i + 1) is not None
@@ -272,7 +272,7 @@ class PostReader(HoldingReader):
         return placed and verbal and is_verb(word) and not self._starts_category()
 
     def _goes_on(self) -> bool:
-        """Tell whether more about the same thing follows a comma or "and"."""
+        """Return whether more about the same object follows a comma or "and"."""
         if self._tag(1) in ("each", "arranged", "order", "posture", "relative", "no"):
             return True
         if self._text(1) in fw.SUPERLATIVES and read_zone(self.tokens, self.i + 2) is not None:
@@ -316,7 +316,7 @@ class PostReader(HoldingReader):
         return True
 
     def _described(self, out: list[Post]) -> bool:
-        """Read describing words after the noun: "a book open", "three mugs upside down"."""
+        """Parse describing words after the noun: "a book open", "three mugs upside down"."""
         word = self._text()
         colored = word.endswith("ed") and is_verb(word) and self._text(1) in COLORS
         noun, end = read_noun(self.tokens, self.i + colored)  # "a towel dyed blue"

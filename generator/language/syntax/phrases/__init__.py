@@ -1,1 +1,1 @@
-"""Noun phrases and places on the table."""
+"""Noun phrases and zones of the table."""

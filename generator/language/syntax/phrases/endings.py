@@ -1,4 +1,4 @@
-"""Where a noun phrase ends: verbs, prepositions and places that follow it."""
+"""Ends of noun phrases: verbs, prepositions and places that follow them."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from .zones import read_zone
 STOPS = fw.BE | fw.PARTICIPLES | fw.FILLERS | fw.RELATIVE
 
 _CLOSING = frozenset({"comma", "stop", "line", "and", "colon", "dash", "open", "close"})
-"""Tags of what may follow the last word of a noun phrase."""
+"""Tags of tokens that may follow the last word of a noun phrase."""
 
 
 def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Tell whether a word is none of this noun phrase's any more."""
+    """Return whether a word no longer belongs to this noun phrase."""
     word = tokens[i].text
     telling = all(is_describing(w) or w in fw.SIDES for w in run.words)
     if word in ("one", "ones") and run.words and telling:
@@ -93,7 +93,7 @@ def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
 
 
 def _is_said_of_stuff(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Tell whether a word says how what a material names is: "a cloth folded in the corner"."""
+    """Return whether a participle modifies a noun of material: "a cloth folded in the corner"."""
     if not tokens[i].text.endswith(("ed", "en")) or not is_stuff(run.words):
         return False
     after = [token for token in tokens[i + 1 : i + 3] if token.text not in COLORS]
@@ -101,12 +101,12 @@ def _is_said_of_stuff(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool
 
 
 def is_stuff(words: Sequence[str]) -> bool:
-    """Tell whether words end with a material that names a thing, too: a "glass", a "cloth"."""
+    """Return whether words end with a material that also names an object: a "glass", a "cloth"."""
     return bool(words) and words[-1] in MATERIALS and bool(lexicon.category_of((words[-1],)))
 
 
 def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
-    """Tell whether "round" is a preposition here: "six cups round it", no "round table"."""
+    """Return whether "round" is a preposition here: "six cups round it", not "round table"."""
     if tokens[i].text != "round" or not nouns or i + 1 >= len(tokens):
         return False
     following = tokens[i + 1].text
@@ -114,7 +114,7 @@ def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
 
 
 def _is_place(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Tell whether "front left" or a last "centre" says where the noun before it is."""
+    """Return whether "front left" or a final "centre" locates the preceding noun."""
     opens = tokens[i].text in fw.SIDES or tokens[i].text in ("dead", "smack", "bang")
     if not opens or not _is_known(run.words):
         return False
@@ -126,10 +126,10 @@ _OBJECTS = fw.DEFINITE | fw.INDEFINITE | fw.PRONOUNS | frozenset(fw.NUMBERS)
 
 
 def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Tell whether a word is a verb that says something of the noun before it.
+    """Return whether a word is a verb whose subject is the preceding noun.
 
-    "A gnome watches them", "the salad comes in a bowl", "books piled on it", but "dinner plates
-    on it".
+    Examples: "a gnome watches them", "the salad comes in a bowl", "books piled on it"; not "dinner
+    plates on it".
     """
     word = tokens[i].text
     if lexicon.is_setting(word):
@@ -154,7 +154,7 @@ def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
 
 
 def _is_single(run: PhraseStart) -> bool:
-    """Tell whether a noun phrase began as one of a single thing: "a", "the", "one", "each"."""
+    """Return whether a noun phrase began as singular: "a", "the", "one", "each"."""
     return run.each or run.article or run.definite or run.numbers == [1.0]
 
 

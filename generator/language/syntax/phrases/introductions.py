@@ -1,4 +1,4 @@
-"""How a noun phrase begins: articles, numbers, lengths and "a stack of"."""
+"""Beginnings of noun phrases: articles, numbers, lengths and "a stack of"."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ _EXTENTS = ("tall", "high", "long", "wide", "deep", "across", "diameter", "thick
 _UPRIGHT = ("tall", "high")
 _MADE = (("out", "of"), ("from",), ("made", "of"), ("made", "from"), ("made", "out", "of"),
          ("built", "of"), ("built", "from"), ("using",))  # fmt: skip
-"""Words between an arrangement and its things: "a pyramid out of six blocks"."""
+"""Words between an arrangement and its objects: "a pyramid out of six blocks"."""
 
 
 @dataclass
 class PhraseStart:
-    """What is read of a noun phrase so far."""
+    """State of a noun phrase while its introduction is parsed."""
 
     numbers: list[float] = field(default_factory=list)
-    described: bool = False  # "a 300 page book": the number came after "a"
+    described: bool = False  # "a 300 page book": the number follows "a"
     amount: tuple[int, int] | None = None
     article: bool = False
     pair: bool = False
@@ -51,7 +51,7 @@ class PhraseStart:
     arrangement: Arrangement | None = None
     posture: str = ""
     several: bool = False  # "the others"
-    portion: bool = False  # "a slice of": one, whatever the noun's form
+    portion: bool = False  # "a slice of": singular, whatever the form of the noun
     words: list[str] = field(default_factory=list)
     variants: list[list[str]] = field(default_factory=list)
     lengths: list[float] = field(default_factory=list)
@@ -61,7 +61,7 @@ class PhraseStart:
 
 
 def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read articles, numbers, lengths and "a stack of"; return where they end."""
+    """Parse articles, numbers, lengths and "a stack of"; return where they end."""
     while i < len(tokens) and not run.closed:
         token = tokens[i]
         step = (
@@ -144,7 +144,7 @@ def read_introduction(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 
 
 def _names(tokens: Sequence[Token], i: int) -> bool:
-    """Tell whether an ordinal is the first word of a name: "the first aid box"."""
+    """Return whether an ordinal is the first word of a name: "the first aid box"."""
     words = tuple(t.text for t in tokens[i : i + 3] if t.tag == "word")
     return any(category_of(words[:k]) is not None for k in (2, 3) if len(words) >= k)
 
@@ -154,13 +154,13 @@ def _is_of(tokens: Sequence[Token], i: int) -> int:
 
 
 def may_continue(tokens: Sequence[Token], i: int) -> bool:
-    """Tell whether a noun may follow here, perhaps after "of"."""
+    """Return whether a noun may follow here, optionally after "of"."""
     i += _is_of(tokens, i)
     return i < len(tokens) and tokens[i].tag in ("word", "name", "number")
 
 
 def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read "three", "half a dozen of", "2 x", "2 by 3"; return how many tokens they take."""
+    """Parse "three", "half a dozen of", "2 x", "2 by 3"; return the number of tokens."""
     value = _value(tokens[i])
     if (
         tokens[i].text == "another"
@@ -199,12 +199,12 @@ def _value(token: Token) -> float | None:
 
 
 def _is_figure(token: Token) -> bool:
-    """Tell whether a number is one in digits or a word like "seven", unlike "dozen"."""
+    """Return whether a number is in digits or a word like "seven", unlike "dozen"."""
     return token.tag == "number" or token.text in SPELT
 
 
 def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read "20 cm", "120 x 60 cm" and "30 cm tall"; return how many tokens they take."""
+    """Parse "20 cm", "120 x 60 cm" and "30 cm tall"; return the number of tokens."""
     values: list[float] = []
     k = i
     while k < len(tokens) and tokens[k].tag == "number":
@@ -231,7 +231,7 @@ def _measure(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 
 
 def _weight(tokens: Sequence[Token], i: int) -> int:
-    """Read "500 g of" and "1 l"; return how many tokens they take."""
+    """Parse "500 g of" and "1 l"; return the number of tokens."""
     if tokens[i].tag != "number" or i + 1 >= len(tokens):
         return 0
     known = tokens[i + 1].text in fw.WEIGHTS
@@ -239,7 +239,7 @@ def _weight(tokens: Sequence[Token], i: int) -> int:
 
 
 def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read "stack of" and "neat little pile of"; return how many tokens they take."""
+    """Parse "stack of" and "neat little pile of"; return the number of tokens."""
     k = i
     while k < len(tokens) and tokens[k].tag == "word" and is_describing(tokens[k].text):
         k += 1
@@ -267,13 +267,13 @@ def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 
 
 def is_describing(word: str) -> bool:
-    """Tell whether a word only describes: a colour, a material, a size, a state."""
+    """Return whether a word only describes: a colour, a material, a size, a state."""
     listed = any(word in words for words in (COLORS, SHADES, MATERIALS, SIZES, STATES, MORE))
     return listed or is_adjective(word) or (word.endswith("ly") and len(word) > 4)
 
 
 def multiply(numbers: Sequence[float]) -> float | None:
-    """Return "twenty five", "two hundred", "three pairs" as one number."""
+    """Return the value of "twenty five", "two hundred", "three pairs"."""
     total: float | None = None
     for value in numbers:
         if total is None:

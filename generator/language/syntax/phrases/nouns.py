@@ -13,7 +13,7 @@ from .tree import Noun
 
 
 def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
-    """Return the noun phrase that starts at a token and where it ends; None where there is none."""
+    """Return the noun phrase that starts at a token and its end; None if there is none."""
     if (some := _share(tokens, start)) is not None:
         return some
     run = PhraseStart(first=start)
@@ -29,7 +29,7 @@ def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
 
 
 def _share(tokens: Sequence[Token], start: int) -> tuple[Noun, int] | None:
-    """Read "half of the apples", "half of them", "the other half" and "the rest"."""
+    """Parse "half of the apples", "half of them", "the other half" and "the rest"."""
     texts = [token.text for token in tokens[start : start + 5]]
     for phrase in _REMAINDER:
         if tuple(texts[: len(phrase)]) == phrase:
@@ -60,7 +60,7 @@ _REMAINDER = (("the", "rest"), ("the", "remainder"), ("the", "other", "half"))
 
 
 def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read describing words and the noun; return where they end."""
+    """Parse describing words and the noun; return where they end."""
     while i < len(tokens):
         token = tokens[i]
         if token.tag == "name":
@@ -94,7 +94,7 @@ def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 
 
 def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Read the comma or "and" between describing words: "red, green and blue cubes"."""
+    """Parse the comma or "and" between describing words: "red, green and blue cubes"."""
     if tokens[i].tag not in ("comma", "and") or not run.words:
         return 0
     if not all(is_describing(w) or w in fw.SIDES for w in run.words):
@@ -113,7 +113,7 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
         return 0
     start = i + 1 + (tokens[i].tag == "comma" and tokens[i + 1].tag == "and")
     if ends_here(tokens, start, PhraseStart()):
-        return 0  # "empty and clean," of which the last may be a verb
+        return 0  # "empty and clean," where the last word may be a verb
     if is_stuff(run.words) and not _noun_follows(tokens, k):
         return 0  # "a glass, empty, and a plate", but "a glass, steel and oak table"
     run.variants.append(list(run.words))
@@ -122,7 +122,7 @@ def _joined_adjectives(tokens: Sequence[Token], i: int, run: PhraseStart) -> int
 
 
 def _noun_follows(tokens: Sequence[Token], k: int) -> bool:
-    """Tell whether a noun comes after describing words, with or without commas."""
+    """Return whether a noun follows the describing words, with or without commas."""
     while k < len(tokens) and (tokens[k].tag in ("comma", "and") or is_describing(tokens[k].text)):
         k += 1
     if k == len(tokens):

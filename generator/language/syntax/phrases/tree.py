@@ -1,4 +1,4 @@
-"""Parse tree of a text: noun phrases, their modifiers, clauses; a walk over all phrases."""
+"""Parse tree of a text: noun phrases, their modifiers, clauses; traversal of all phrases."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 NounKind = Literal[
-    "thing",  # a category of the catalogue, or a word that may be a thing
+    "thing",  # a category of the catalogue, or an unknown object
     "collective",  # "cutlery": several categories
     "table",
     "pronoun",
-    "part",  # of a thing: legs, lid, surface
-    "setting",  # a room, an hour, an occasion: no thing
-    "title",  # "Shaving kit: ...": what a list is about
+    "part",  # part of an object: legs, lid, surface
+    "setting",  # a room, a time, an occasion: not an object
+    "title",  # "Shaving kit: ...": title of a list
     "vague",  # "things", "stuff"
-    "abstract",  # what is no thing: "happiness"
+    "abstract",  # not an object: "happiness"
     "member",  # "one", "the other", "two of them"
-    "adjective",  # describing words alone
+    "adjective",  # only describing words
 ]
 Arrangement = Literal[
     "stack", "heap", "pyramid", "row", "column", "circle", "fan", "scatter", "grid", "group"
@@ -28,13 +28,13 @@ Span = tuple[int, int]
 
 @dataclass(frozen=True)
 class Zone:
-    """A place on the table, seen from in front of it.
+    """A zone of the table, as seen from the front.
 
     Attributes:
-        x: -1 left, 0 middle, 1 right; None where it is not said.
-        y: -1 front, 0 middle, 1 back; None where it is not said.
-        edge: at the edge there; alone, at any edge.
-        spread: one thing in each: "in the corners".
+        x: -1 left, 0 middle, 1 right; None if not stated.
+        y: -1 front, 0 middle, 1 back; None if not stated.
+        edge: at the edge there; without x and y, at any edge.
+        spread: one object in each: "in the corners".
     """
 
     x: int | None = None
@@ -45,11 +45,11 @@ class Zone:
 
 @dataclass(frozen=True)
 class Location:
-    """Where a thing is: a relation to a noun phrase, or a zone of the table.
+    """Place of an object: a relation to a noun phrase, or a zone of the table.
 
-    ``each``: every single one of the subjects has its own ("each on a saucer") or every target
-    its own subject ("on every plate"). ``table``: what is said of the table in a zone ("in the
-    middle of a round table"). ``whole``: said of all that is listed ("..., all on a tray").
+    ``each``: each subject has its own target ("each on a saucer"), or each target its own subject
+    ("on every plate"). ``table``: modifiers of the table in a zone ("in the middle of a round
+    table"). ``whole``: applies to the whole list ("..., all on a tray").
     """
 
     kind: str
@@ -61,9 +61,9 @@ class Location:
 
 @dataclass(frozen=True)
 class Carry:
-    """What a thing brings along: "with", "holding" or "of" (a bowl of apples).
+    """Objects attached to an object by "with", "holding" or "of" (a bowl of apples).
 
-    ``back`` is "on" or "in" where the list ends so ("with an apple and a pear on it").
+    ``back`` is "on" or "in" for lists that end accordingly ("with an apple and a pear on it").
     """
 
     how: How
@@ -74,7 +74,7 @@ class Carry:
 
 @dataclass(frozen=True)
 class Lack:
-    """What a thing is said to be without; ``place``: where it is said not to be."""
+    """Objects that an object lacks; ``place``: a place that is denied."""
 
     items: tuple[Noun, ...]
     place: Location | None = None
@@ -82,10 +82,10 @@ class Lack:
 
 @dataclass(frozen=True)
 class Arranged:
-    """How several things are arranged.
+    """Arrangement of several objects.
 
-    ``order`` is "size", "size down" (the largest first), "color" or "listed" (from left to right
-    as they are named) where it is said.
+    ``order`` is "size", "size down" (largest first), "color" or "listed" (from left to right in the
+    order of the text), if stated.
     """
 
     kind: Arrangement
@@ -94,9 +94,9 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Description:
-    """Attributes said after the noun: all the same, or one after the other for each.
+    """Attributes after the noun: the same for all, or one entry for each object.
 
-    ``lengths``: "20 cm long", metres; ``upright`` where they are its height.
+    ``lengths``: "20 cm long", metres; ``upright`` if they are heights.
     """
 
     each: tuple[Mapping[str, str], ...]
@@ -106,7 +106,7 @@ class Description:
 
 @dataclass(frozen=True)
 class Counted:
-    """How many there are of what was named without a number: "... (there are 5)"."""
+    """Count of a noun that was named without a number: "... (there are 5)"."""
 
     count: float
 
@@ -116,7 +116,7 @@ VARIED: Mapping[str, tuple[Mapping[str, str], ...]] = {
         "red", "blue", "yellow", "green", "white", "orange", "purple", "black")),
     "size": tuple({"size": word} for word in ("small", "medium", "large")),
 }  # fmt: skip
-"""What "in different colours" and "of various sizes" mean, one after the other."""
+"""Attributes for "in different colours" and "of various sizes", used in turn."""
 
 
 Post = Location | Carry | Lack | Arranged | Description | Counted
@@ -124,33 +124,33 @@ Post = Location | Carry | Lack | Arranged | Description | Counted
 
 @dataclass
 class Noun:
-    """A noun phrase with all that is said of it.
+    """A noun phrase with all its modifiers.
 
     Attributes:
-        kind: what sort of noun it is.
-        words: its describing words and head, as they were said.
-        span: where it stands in the text.
+        kind: sort of noun.
+        words: describing words and head, as written.
+        span: position in the text.
         head: the noun in the singular ("teapot").
-        category: key of the catalogue; None where it has none.
-        count: the number that is said; None where none is.
+        category: key of the catalogue; None if there is none.
+        count: the stated number; None if there is none.
         amount: range of a vague number ("a few").
         definite: "the", "this".
         other: "the other", "a second".
         each: "each", "every".
-        ordinal: which one of several, from 1 on; -1 the last; 0 where it is not said.
-        plural: several things by its form.
-        attributes: "color", "material", "size", "state", ... to words.
-        variants: attributes of single ones ("red, green and blue cubes").
+        ordinal: index of one of several, from 1; -1 for the last; 0 if not stated.
+        plural: several objects by its form.
+        attributes: maps "color", "material", "size", "state", ... to words.
+        variants: attributes of individual objects ("red, green and blue cubes").
         members: categories of a collective.
         lengths: lengths in metres ("20 cm long").
-        half: whether half of them are meant ("half of the apples").
-        upright: whether its one length is its height ("20 cm tall").
+        half: whether only half of them are meant ("half of the apples").
+        upright: whether its only length is its height ("20 cm tall").
         arrangement: "a stack of", "stacked".
         position: "left", "right", ... ("the left plate").
-        post: what follows the noun and belongs to it.
-        seated: so many for each person.
-        joint: how it is joined to the item before it in its list: "", "and", "comma".
-        family: kind of thing that stands for one without a category ("appliance").
+        post: modifiers after the noun.
+        seated: number per person.
+        joint: connector to the previous item of its list: "", "and", "comma".
+        family: kind of object that represents a noun without a category ("appliance").
     """
 
     kind: NounKind
@@ -180,31 +180,31 @@ class Noun:
 
     @property
     def determined(self) -> bool:
-        """Whether an article, a number or a vague amount introduces it."""
+        """Whether the phrase has an article, a number or a vague amount."""
         return self.definite or self.count is not None or self.amount is not None or self.each
 
 
 def is_everything(noun: Noun) -> bool:
-    """Tell whether a phrase means all there is: "everything", "all things"."""
+    """Return whether a phrase means all objects: "everything", "all things"."""
     return noun.words == ("everything",) or (
         noun.kind == "vague" and noun.definite and noun.plural and len(noun.words) == 1
     )
 
 
 EVERYONE = -1
-"""People of whom the text has said before how many they are."""
+"""Value of ``Clause.people`` if their number was stated earlier."""
 
 
 @dataclass
 class Clause:
-    """A list of things and what is said of all of them.
+    """A list of objects and its predicate.
 
     Attributes:
         subjects: the list.
-        predicate: what a verb says of all of them ("... are on the tray").
-        lead: the place said before them ("On the tray are ...").
-        people: for how many the things are laid; 0 where it is not said, ``EVERYONE`` for as many
-            as were said before.
+        predicate: modifiers by a verb for all of them ("... are on the tray").
+        lead: the place before them ("On the tray are ...").
+        people: number of people for whom the objects are laid; 0 if not stated, ``EVERYONE`` for
+            the number stated earlier.
     """
 
     subjects: list[Noun]
@@ -221,7 +221,7 @@ class Sentence:
 
 
 def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[str]:
-    """Return the things of the sentences, in the text's words, whose place was never read."""
+    """Return the objects of the sentences, as written, whose place was not interpreted."""
     return [
         " ".join(noun.words)
         for noun in _nouns(sentences)
@@ -230,17 +230,17 @@ def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[s
 
 
 def find_spans(noun: Noun) -> list[Span]:
-    """Return where a noun phrase and all those in it stand."""
+    """Return the spans of a noun phrase and of all noun phrases in it."""
     return [inner.span for inner in _nouns_of(noun)]
 
 
 def find_things(sentences: Sequence[Sentence]) -> list[Span]:
-    """Return where the names of things stand: of a lab coat, no lab."""
+    """Return the spans of object names: of a lab coat, but not of a lab."""
     return [noun.span for noun in _nouns(sentences) if noun.kind == "thing"]
 
 
 def find_denied(sentences: Sequence[Sentence], pictures: Collection[str]) -> list[Span]:
-    """Return where stands what is not there, and what ``pictures`` only show."""
+    """Return the spans of denied objects and of objects that ``pictures`` depict."""
     shown = [
         item.span
         for noun in _nouns(sentences)

@@ -1,4 +1,4 @@
-"""Places on the table: "in the far left corner", "on the right side of the desk", "centrally"."""
+"""Zones: "in the far left corner", "on the right side of the desk", "centrally"."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ class FoundZone:
     """A zone in tokens.
 
     Attributes:
-        zone: which part.
-        end: the token after it.
-        of: whether "of" follows, so that it may be a part of something else than the table.
-        table: the tokens that name the table, first and end, where they do.
+        zone: the part of the table.
+        end: index of the token after it.
+        of: whether "of" follows, so that it may be a part of another object than the table.
+        table: first and end token of the table's name, if present.
         aside: "to the left".
-        loose: "on the left", without "side", "corner" or "of the table": perhaps of a thing.
+        loose: "on the left", without "side", "corner" or "of the table": possibly of an object.
     """
 
     zone: Zone
@@ -48,7 +48,7 @@ class FoundZone:
 def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> FoundZone | None:
     """Return the zone that starts at a token, or None.
 
-    ``heading`` allows one without a preposition: "left side with a lamp", "back: a plant".
+    ``heading`` allows a zone without a preposition: "left side with a lamp", "back: a plant".
     """
     i = start
     while _text(tokens, i) in ("just", "right", "slightly", "further", *fw.PARTICLES) and _text(
@@ -90,7 +90,7 @@ _MIDDLE = frozenset(["centre", "center", "middle"])
 
 
 def _stands_alone(tokens: Sequence[Token], i: int) -> FoundZone | None:
-    """Read "dead centre", "centre stage", and a bare "left" or "centre" after a thing."""
+    """Parse "dead centre", "centre stage", and a bare "left" or "centre" after an object."""
     k = i + (_text(tokens, i) in ("dead", "smack", "right", "bang", "front"))
     if _text(tokens, k) in _MIDDLE and (k > i or _text(tokens, k + 1) == "stage"):
         end = k + 1 + (_text(tokens, k + 1) == "stage")
@@ -112,7 +112,7 @@ _NAMING = frozenset(["word", "name", "close", "arranged"])
 
 
 def _is_corner(tokens: Sequence[Token], i: int) -> bool:
-    """Tell whether "front right" stands alone here, without a preposition."""
+    """Return whether "front right" is a zone here, without a preposition."""
     sides = [fw.SIDES.get(_text(tokens, k), (None, None)) for k in (i, i + 1)]
     named = next((k for k in (i + 1, i + 2) if _text(tokens, k) in fw.ZONE_NOUNS), 0)
     if named and all(_text(tokens, k) in fw.SIDES for k in range(i, named)):
@@ -172,7 +172,7 @@ def _zone(sides: Sequence[str], noun: str) -> Zone:
 
 
 def _after_table(tokens: Sequence[Token], i: int) -> int | None:
-    """Return where "the wooden table" ends, or None if something else stands there."""
+    """Return the end of "the wooden table", or None for other phrases."""
     i += _text(tokens, i) in _ARTICLES
     for k in range(i, min(i + 4, len(tokens))):
         word = _text(tokens, k)
@@ -192,7 +192,7 @@ def _tag(tokens: Sequence[Token], i: int) -> str:
 
 
 def _is_noun(tokens: Sequence[Token], i: int) -> bool:
-    """Tell whether a word that may belong to a noun phrase goes on here."""
+    """Return whether a word that may belong to a noun phrase continues it here."""
     if _tag(tokens, i) == "name":
         return True
     word = _text(tokens, i)
@@ -201,5 +201,5 @@ def _is_noun(tokens: Sequence[Token], i: int) -> bool:
 
 
 def _is_thing(tokens: Sequence[Token], i: int) -> bool:
-    """Tell whether a zone's noun is rather the first word of a thing ("side plate")."""
+    """Return whether a zone's noun is rather the first word of an object ("side plate")."""
     return _tag(tokens, i + 1) == "word" and _text(tokens, i + 1) in ("plate", "table", "lamp")

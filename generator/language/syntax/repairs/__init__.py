@@ -1,1 +1,1 @@
-"""What a text takes back, and what it only tells."""
+"""Corrections in a text, and talk that does not affect the plan."""

@@ -1,4 +1,4 @@
-"""What a text takes back: "two cups - no, three", "on the left, or rather on the right"."""
+"""Corrections: "two cups - no, three", "on the left, or rather on the right"."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ _MARKERS = tuple(
         "no just", "forget that", "but forget that", "forget it",
     )
 )  # fmt: skip
-"""Words that take back what was said just before, or that change it."""
+"""Phrases that retract or change the preceding words."""
 
 _WEAK = frozenset(
     {("no",), ("make",), ("wait",), ("better",), ("er",), ("actually",), ("no", "make")}
 )
-"""Those that are such words only where what follows shows it."""
+"""Phrases that are corrections only if the following words confirm it."""
 
 _LED = frozenset(
     [
@@ -61,7 +61,7 @@ _LED = frozenset(
         "change",
     ]
 )
-"""Words between a marker and what is right."""
+"""Words between a marker and the corrected words."""
 
 _INTERJECTIONS = frozenset(
     ["hm", "hmm", "oh", "er", "ah", "um", "well", "okay", "ok", "oops", "uh"]
@@ -70,7 +70,7 @@ _PAUSES = ("comma", "dash", "stop", "open", "close", "colon")
 
 
 def correct_course(tokens: Sequence[Token]) -> list[Token]:
-    """Return the tokens of a text as it would be without what it takes back."""
+    """Apply all corrections in a text to its tokens."""
     out = list(tokens)
     i = 0
     while i < len(out):
@@ -88,7 +88,7 @@ def correct_course(tokens: Sequence[Token]) -> list[Token]:
 
 
 def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
-    """Return where a correction begins, with its pauses, and where what is right begins."""
+    """Return where a correction begins, with its pauses, and where the corrected words begin."""
     if i == 0 or tokens[i - 1].tag not in _PAUSES:
         return None
     words = _words(tokens, i)
@@ -129,7 +129,7 @@ def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
 
 
 def _words(tokens: Sequence[Token], i: int) -> tuple[str, ...]:
-    """Return up to four words from a token on, up to the next mark."""
+    """Return up to four words from a token on, up to the next punctuation mark."""
     words: list[str] = []
     for token in tokens[i : i + 4]:
         if token.tag in (*_PAUSES, *ENDS):
@@ -139,7 +139,7 @@ def _words(tokens: Sequence[Token], i: int) -> tuple[str, ...]:
 
 
 def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
-    """Return the tokens with what stands before ``start`` put right; None if nothing fits."""
+    """Return the tokens before ``start`` as corrected; None if nothing matches."""
     before, after = tokens[:start], tokens[right:]
     if after[0].tag == "no":  # "some ants - kidding, no ants"
         return [*before, Token("stop", after[0].words), *after]
@@ -181,7 +181,7 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
 def _swap(
     before: list[Token], span: tuple[int, int], new: list[Token], rest: list[Token]
 ) -> list[Token] | None:
-    """Put something new where what is not wanted was named first; None if it was not."""
+    """Replace the earlier mention of an unwanted object by another; None if there is none."""
     unwanted, _ = read_noun(before, span[0])
     named = [p for p in _nouns(before[: span[0] - 1]) if unwanted and p[2].head == unwanted.head]
     if not named:
@@ -194,7 +194,7 @@ def _swap(
 
 
 def _drop_pause(tokens: list[Token], *, first: bool = False) -> list[Token]:
-    """Drop the dash or bracket that closes an aside, the next one or the first token."""
+    """Remove the dash or bracket that closes an aside; ``first`` checks only the first token."""
     for k, token in enumerate(tokens):
         if token.tag in ENDS or (first and k):
             break
@@ -204,7 +204,7 @@ def _drop_pause(tokens: list[Token], *, first: bool = False) -> list[Token]:
 
 
 def _place_before(before: Sequence[Token]) -> int | None:
-    """Return where the last place or arrangement that was said begins."""
+    """Return where the last place or arrangement begins."""
     for k in range(len(before) - 1, 0, -1):
         if before[k].tag in ENDS and k < len(before) - 1:
             break
@@ -221,7 +221,7 @@ def _place_before(before: Sequence[Token]) -> int | None:
 
 
 def _nouns(before: Sequence[Token]) -> list[tuple[int, int, Noun]]:
-    """Return the noun phrases of tokens, each with where it begins and ends."""
+    """Return the noun phrases of tokens, each with its start and end."""
     found, k = [], 0
     while k < len(before):
         noun, end = read_noun(before, k)
@@ -241,7 +241,7 @@ def _last_noun(before: Sequence[Token]) -> tuple[int, int] | None:
 def _recount(
     before: list[Token], said: Sequence[Token], noun: Noun, head: str | None, rest: list[Token]
 ) -> list[Token] | None:
-    """Give the last things that were counted, those of a name if one is given, another number."""
+    """Change the number of the last counted objects, optionally only those with a given head."""
     number = [t for t in said if t.tag == "number" or t.text in fw.NUMBERS or t.text in fw.AMOUNTS]
     if not number or (noun.count is None and noun.amount is None):
         return None
@@ -263,7 +263,7 @@ def _recount(
 
 
 def _repaint(before: list[Token], noun: Noun, rest: list[Token]) -> list[Token] | None:
-    """Change the colour, size or material of the last thing that has one."""
+    """Change the colour, size or material of the last object that has one."""
     for start, end, _ in reversed(_nouns(before)):
         for k in range(start, end):
             kinds = set(attributes_of((before[k].text,))) & set(noun.attributes)
@@ -275,5 +275,5 @@ def _repaint(before: list[Token], noun: Noun, rest: list[Token]) -> list[Token] 
 
 
 def _word_token(token: Token, word: str) -> Token:
-    """Return a token of another word at the same place."""
+    """Return a token with another word at the same position."""
     return Token("word", (replace(token.words[0], text=word),), word)

@@ -1,9 +1,9 @@
-"""Numbers of a text that its reading does not use: masses, percentages, powers, distances, ...
+"""Numbers in a text that its interpretation does not use: masses, percentages, powers, ...
 
-Every number that is written in digits, with its sign, exponent and unit, is compared with what was
-read: how many there are, for how many people, and how long things are. Numbers of parts ("a pot
-with 2 handles") decide nothing, in words as in digits. Ages, years, hours, ordinals, numbers of
-list items and numbers in names ("WD-40", "iPhone 15") are no quantities.
+Every number in digits, with its sign, exponent and unit, is compared with the interpretation:
+counts, numbers of people, and lengths. Numbers of parts ("a pot with 2 handles") have no effect,
+neither in words nor in digits. Ages, years, hours, ordinals, numbers of list items and numbers in
+names ("WD-40", "iPhone 15") are not quantities.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from ..text.figures import WrittenNumber, written_numbers
 from ..text.numbers import SPELT
 from ..text.tokens import Token
 
-_TIMES = (10, 12, 20, 100, 1000)  # what fractions are counted in
+_TIMES = (10, 12, 20, 100, 1000)  # possible units of a fraction
 _SPELT = re.compile(rf"(?i)(?<![\w-])(?:{'|'.join(SPELT)})(?![\w-])")
 _UNCOUNTED = ("part", "setting")
 _NO_QUANTITY = ("title", "abstract")
@@ -37,10 +37,10 @@ _NO_QUANTITY = ("title", "abstract")
 
 @dataclass(frozen=True)
 class NumberUse:
-    """What became of the numbers of a text, each in its order.
+    """Use of the numbers of a text, each in order of appearance.
 
     Attributes:
-        unused: numbers that the reading does not use.
+        unused: numbers that the interpretation does not use.
         ranges: ranges of which it uses the lower bound.
     """
 
@@ -56,18 +56,18 @@ def check_numbers(
     people: Iterable[int],
     objects: int,
 ) -> NumberUse:
-    """Return which numbers of a text that are quantities were used.
+    """Return which quantities in a text were used.
 
     Args:
         text: the whole text.
         spelt: its tokens.
-        said: the tokens that are left after corrections and without what is only talk.
-        sentences: what was read of them.
-        people: for how many people the table is.
-        objects: how many there are on it; no larger count is used.
+        said: the tokens after corrections and without talk.
+        sentences: their parse.
+        people: numbers of people at the table.
+        objects: number of objects on it; larger counts are not used.
     """
     quantities = _quantities(sentences, people, objects)
-    withdrawn = _places_of(spelt) - _places_of(said)  # taken back, or talk about the text
+    withdrawn = _places_of(spelt) - _places_of(said)  # retracted by the text, or part of talk
     numbers = [
         number
         for number in written_numbers(text)
@@ -83,14 +83,14 @@ def check_numbers(
 
 @dataclass(frozen=True)
 class _Quantities:
-    """Counts and lengths that were read, and the noun phrases with their places."""
+    """Counts and lengths of the interpretation, and the noun phrases with their spans."""
 
     nouns: tuple[Noun, ...]
     counts: frozenset[float]
     lengths: tuple[float, ...]
 
     def use(self, number: WrittenNumber) -> bool:
-        """Tell whether the reading uses a number."""
+        """Return whether the interpretation uses a number."""
         around = [n for n in self.nouns if n.span[0] < number.end and number.start < n.span[1]]
         if any(noun.kind in _UNCOUNTED for noun in around):
             return False
@@ -103,7 +103,7 @@ class _Quantities:
 
 
 def _quantities(sentences: Sequence[Sentence], people: Iterable[int], objects: int) -> _Quantities:
-    """Return the quantities of sentences; those of parts and places are not used."""
+    """Return the quantities of sentences; those of parts and zones are not used."""
     nouns = tuple(
         noun
         for sentence in sentences
@@ -122,7 +122,7 @@ def _quantities(sentences: Sequence[Sentence], people: Iterable[int], objects: i
 
 
 def _read_counts(nouns: Sequence[Noun], posts: Sequence[Counted | Description]) -> set[float]:
-    """Return how many there are of what noun phrases and what is said of them name."""
+    """Return the counts in noun phrases and their modifiers."""
     counts = {n.count for n in nouns if n.count is not None and (n.words or n.count % 1 == 0)}
     counts |= {float(n) for noun in nouns for n in noun.amount or ()}
     for post in posts:
@@ -141,7 +141,7 @@ def _spelt_unused(text: str, nouns: Iterable[Noun]) -> Iterator[WrittenNumber]:
 
 
 def _places_of(tokens: Sequence[Token]) -> set[int]:
-    """Return the places in the text at which tokens stand."""
+    """Return the positions of tokens in the text."""
     return {place for token in tokens for place in range(*token.span)}
 
 
@@ -158,7 +158,7 @@ def _is_count(number: WrittenNumber, around: Sequence[Noun], elsewhere: Iterable
 
 
 def _counts(noun: Noun, value: float) -> bool:
-    """Tell whether a noun phrase counts its things by a number, perhaps times another."""
+    """Return whether a noun phrase has this count, possibly times another number."""
     if value in (noun.amount or ()) or abs(noun.ordinal) == value:
         return True
     count = noun.count or 0.0
@@ -176,12 +176,12 @@ def _is_length(number: WrittenNumber, lengths: Sequence[float]) -> bool:
 
 
 def _alike(variants: Sequence[Mapping[str, str]]) -> set[float]:
-    """Return how many of several things are described alike: "2 blue, 3 white"."""
+    """Return how many of several objects share a description: "2 blue, 3 white"."""
     return set(map(float, Counter(tuple(sorted(each.items())) for each in variants).values()))
 
 
 def _kept_lengths(noun: Noun) -> tuple[float, ...]:
-    """Return the lengths of a noun that decide a size: of a thing's, the largest alone."""
+    """Return the lengths of a noun that determine a size: only the largest, except for a table."""
     if noun.kind == "table" or not noun.lengths:
         return noun.lengths
     return (max(noun.lengths),)
@@ -191,7 +191,7 @@ def _kept_lengths(noun: Noun) -> tuple[float, ...]:
 
 
 def _nouns(sentence: Sentence) -> Iterator[Noun]:
-    """Yield the noun phrases of a sentence, with those that belong to others."""
+    """Yield the noun phrases of a sentence, including nested ones."""
     for clause in sentence.clauses:
         for noun in clause.subjects:
             yield from _with_inner(noun)
@@ -219,7 +219,7 @@ def _nouns_of(post: Post) -> Iterator[Noun]:
 
 
 def _posts_of(predicate: Sequence[Post], nouns: Sequence[Noun]) -> list[Counted | Description]:
-    """Return descriptions and counts; "a mug (2)" has its count before."""
+    """Return descriptions and counts; in "a mug (2)" the count comes first."""
     posts = [*predicate]
     for noun in nouns:
         posts += [p for p in noun.post if not isinstance(p, Counted) or noun.count is None]

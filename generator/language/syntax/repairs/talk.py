@@ -1,4 +1,4 @@
-"""What a text says besides what stands on the table: "I hate it", "the iron? Leave it"."""
+"""Phrases that do not describe the table: "I hate it", "the iron? Leave it"."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _WANTING = frozenset(
      "take", "bring", "choose", "would", "could", "can", "should", "will", "please", "find",
      "left", "leave", "d", "ll"]
 )  # fmt: skip
-"""Verbs by which somebody asks for things."""
+"""Verbs of requests."""
 
 _MODIFYING = frozenset(
     ["really", "just", "also", "am", "was", "were", "is", "are", "always", "never", "only", "do",
@@ -34,7 +34,7 @@ _PAUSES = ("comma", "dash", "close", "open", "colon", *ENDS)
 
 
 def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
-    """Return tokens without clauses that ask for nothing, and those clauses as they were said."""
+    """Return tokens without clauses that request nothing, and the text of these clauses."""
     out: list[Token] = []
     lost: list[str] = []
     i = 0
@@ -93,7 +93,7 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
 
 
 def _contrast(tokens: Sequence[Token], i: int) -> Token | None:
-    """Return what is said after all by "not black but white"; None where it is none of that."""
+    """Return the valid word of "not black but white"; None for other phrases."""
     if tokens[i].tag != "no" or i + 3 >= len(tokens) or tokens[i + 2].text != "but":
         return None
     told = all(is_describing(tokens[k].text) for k in (i + 1, i + 3))
@@ -101,17 +101,17 @@ def _contrast(tokens: Sequence[Token], i: int) -> Token | None:
 
 
 def _left_out_end(tokens: Sequence[Token], i: int) -> int:
-    """Return where the things of "leave the shoes out" end; ``i`` if it is none of that."""
+    """Return the end of the objects in "leave the shoes out"; ``i`` for other phrases."""
     if tokens[i].text not in ("leave", "keep", "take"):
         return i
     noun, end = read_noun(tokens, i + 1)
     out = end < len(tokens) and tokens[end].text in ("out", "off", "away")
     ended = end + 1 >= len(tokens) or tokens[end + 1].tag in (*_PAUSES, "and")
-    return end if noun is not None and out and ended else i  # no "leave it out on the desk"
+    return end if noun is not None and out and ended else i  # not "leave it out on the desk"
 
 
 def _is_also(tokens: Sequence[Token], i: int) -> bool:
-    """Tell whether "so does" or "as do" comes next, which goes on like "and"."""
+    """Return whether "so does" or "as do" comes next, which is equivalent to "and"."""
     if tokens[i].text not in ("so", "as") or i + 2 >= len(tokens):
         return False
     verb = tokens[i + 1].text in ("do", "does", "is", "are")
@@ -124,7 +124,7 @@ _ADVERBS = frozenset(
     ["obviously", "naturally", "clearly", "preferably", "ideally", "basically", "literally",
      "maybe", "perhaps", "possibly", "certainly", "surely", "hopefully"]
 )  # fmt: skip
-"""What says nothing of the table, wherever it stands."""
+"""Adverbs that do not affect the plan."""
 
 _PICTURES = frozenset(["picture", "photo", "image", "shot", "render", "scene"])
 
@@ -132,7 +132,7 @@ _LINKING = frozenset(["however", "though", "meanwhile", "instead", "therefore"])
 
 
 def _join_subject(out: list[Token], tokens: Sequence[Token], i: int) -> int:
-    """Add the things after "so does" to the subject of their sentence; return where they end."""
+    """Add the objects after "so does" to the subject of their sentence; return where they end."""
     start = max((k + 1 for k, token in enumerate(out) if token.tag in ENDS), default=0)
     verb = next((k for k in range(start, len(out)) if out[k].text in fw.BE), len(out))
     end = i
@@ -151,7 +151,7 @@ def _join_subject(out: list[Token], tokens: Sequence[Token], i: int) -> int:
 
 
 def _open_brackets(tokens: list[Token]) -> list[Token]:
-    """Return tokens where a bracket that is a statement of its own is a sentence."""
+    """Return tokens in which bracketed statements are sentences."""
     out = list(tokens)
     for i, token in enumerate(tokens):
         if token.tag != "open":
@@ -170,7 +170,7 @@ _DOING = (["has", "to"], ["needs", "to"], ["should"], ["must"], ["can"], ["will"
 
 
 def _robot(texts: Sequence[str]) -> int:
-    """Return how many words "the robot has to" takes."""
+    """Return the number of words in "the robot has to"."""
     if texts[:2] not in (["the", "robot"], ["the", "gripper"], ["a", "robot"]):
         return 0
     k = 2 + (texts[2:3] in (["arm"], ["gripper"], ["hand"]))
@@ -227,7 +227,7 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
         end = texts.index("but")
         marks = [token.tag for token in tokens[i + 1 : i + end]]
         after = tokens[i + end + 1].tag if i + end + 1 < len(tokens) else ""
-        denied = marks[:1] == ["relation"]  # the grammar reads "not on it but beside it"
+        denied = marks[:1] == ["relation"]  # the grammar handles "not on it but beside it"
         plain = not denied and not any(tag in (*_PAUSES, "and") for tag in marks)
         if plain and after == "relation":
             return i + end + 1
@@ -235,7 +235,7 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
 
 
 def _talk_end(tokens: Sequence[Token], i: int) -> int:
-    """Return where a clause ends in which somebody only tells something; ``i`` if it is none."""
+    """Return the end of a clause that only tells something; ``i`` for other clauses."""
     k = i
     while k < len(tokens) and tokens[k].text in (
         "because",
@@ -290,7 +290,7 @@ _DENYING = frozenset(["no", "none", "leave", "skip", "forget", "not", "nope", "n
 
 
 def _read_answers(tokens: list[Token]) -> list[Token]:
-    """Read "remote control? Yes, on the right" and "the iron? Leave it in the cupboard"."""
+    """Interpret "remote control? Yes, on the right" and "the iron? Leave it in the cupboard"."""
     out: list[Token] = []
     i = 0
     while i < len(tokens):
@@ -337,7 +337,7 @@ def _is_number(tokens: Sequence[Token]) -> bool:
 
 
 def _asked_about(tokens: Sequence[Token]) -> int | None:
-    """Return where the one noun phrase begins that makes up the last sentence, if it does."""
+    """Return the start of the last sentence if it is a single noun phrase."""
     start = max((k + 1 for k, token in enumerate(tokens) if token.tag in ENDS), default=0)
     if not start < len(tokens) <= start + 5:
         return None

@@ -1,1 +1,1 @@
-"""A text as words and tokens, and the small words that English goes by."""
+"""Text to words and tokens, and the function words of English."""

@@ -1,9 +1,9 @@
-"""Numbers as they are written in a text, and what the grammar reads in their place.
+"""Numbers as written in a text, and their replacements for the grammar.
 
 A number that neither counts nor measures ("24/7", "5°", "$5", "#2", "Windows 11", "1950s") is
-blanked before the grammar reads the text, so that it never becomes a count. A range, a sum and a
-decimal comma are replaced by the one number that they are read as. Replacements keep the length of
-the text, so that words keep their places.
+blanked before parsing, so that it never becomes a count. A range, a sum and a decimal comma are
+replaced by a single number. Replacements preserve the length of the text and thus the positions of
+words.
 """
 
 from __future__ import annotations
@@ -36,17 +36,17 @@ Role = Literal["count", "range", "aside", "name"]
 
 @dataclass(frozen=True)
 class WrittenNumber:
-    """A number as it stands in a text.
+    """A number as written in a text.
 
     Attributes:
-        text: how it is written, with its unit.
-        start: where it begins in the text.
-        end: where it ends.
-        value: None where it is no plain number ("10^9"); the lower bound of a range.
-        unit: "" where it has none.
-        role: a "count" may count or measure, as may the lower bound of a "range"; an "aside"
-            does neither; a "name" is no quantity.
-        read: what the grammar reads in its place; None for the text itself.
+        text: the number with its unit, as written.
+        start: start in the text.
+        end: end in the text.
+        value: None if it is not a plain number ("10^9"); the lower bound of a range.
+        unit: "" if it has none.
+        role: a "count" may count or measure, as may the lower bound of a "range"; an "aside" does
+            neither; a "name" is not a quantity.
+        read: replacement for the grammar; None for the text itself.
     """
 
     text: str
@@ -62,7 +62,7 @@ _ROLES: Mapping[str, Role] = MappingProxyType(
     {"code": "aside", "clock": "name", "ratio": "aside", "decade": "name", "date": "name",
      "label": "name", "turned": "aside"}
 )  # fmt: skip
-"""Roles of the kinds that are blanked as a whole."""
+"""Roles of the kinds that are blanked completely."""
 
 _SCALE = re.compile(r"(?i)\b(?:scale|ratio)(?:\s(?:of|is))?\s*$")
 _PART = re.compile(r"(?i)-[a-z]+")
@@ -70,7 +70,7 @@ _FULL = re.compile(r"(?i) (?:full|filled|empty)\b(?! (?:of|with)\b)")
 
 
 def written_numbers(text: str) -> Iterator[WrittenNumber]:
-    """Yield the numbers that a text has in digits, ranges in words, and masses etc. in words."""
+    """Yield the numbers of a text: digits, ranges in words, and masses etc. in words."""
     place = 0
     while found := ANY.search(text, place):
         kind = next((k for k in SPECIAL if found[k] is not None), None)
@@ -86,7 +86,7 @@ def written_numbers(text: str) -> Iterator[WrittenNumber]:
 
 
 def settle_numbers(text: str) -> str:
-    """Return the text as the grammar reads it, as long as it was."""
+    """Return the text with numbers replaced for the grammar; its length is unchanged."""
     parts: list[str] = []
     place = 0
     for number in written_numbers(text):
@@ -100,7 +100,7 @@ def settle_numbers(text: str) -> str:
 
 
 def _special(kind: str, text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Return a number of a special kind; None where it is a plain one after all."""
+    """Return a number of a special kind; None if it is a plain number."""
     if kind not in _ROLES:
         return _READERS[kind](text, found)
     scaled = kind == "clock" and (
@@ -114,21 +114,21 @@ def _blank(found: re.Match[str], role: Role) -> WrittenNumber:
 
 
 def _ordinal(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Read "2nd", which the words take for "second"; the grammar knows no "7th"."""
+    """Parse "2nd", which the vocabulary knows as "second"; the grammar does not know "7th"."""
     if 1 <= int(found.group()[:-2][:9]) <= max(fw.ORDINALS.values()):
         return WrittenNumber(found.group(), *found.span(), role="name")
     return _blank(found, "aside")
 
 
 def _label(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Read "Windows 11": the name stays, without its number."""
+    """Parse "Windows 11": the name remains, without its number."""
     said = found.group()
     name = said.rstrip("0123456789 -–")
     return WrittenNumber(said, *found.span(), role="name", read=name.ljust(len(said)))
 
 
 def _sum(text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Read "2+2" as 4; "plates 2 + 2 mugs" is a list."""
+    """Parse "2+2" as 4; "plates 2 + 2 mugs" is a list."""
     said = found.group()
     if " " in said and noun_before(words_before(text, found)):
         return None
@@ -139,7 +139,7 @@ def _sum(text: str, found: re.Match[str]) -> WrittenNumber | None:
 
 
 def _range(text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Read "5-6", "two or three" and "between 2 and 3" as the lower bound."""
+    """Parse "5-6", "two or three" and "between 2 and 3" as the lower bound."""
     said, low, high, unit = found.group(), found["low"], found["high"], found["range_unit"] or ""
     joined = found["to"].strip()
     spaced = found["to"] in (" - ", " – ", " — ", " ~ ")
@@ -162,7 +162,7 @@ def _range(text: str, found: re.Match[str]) -> WrittenNumber | None:
 
 
 def _restatement(text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Read "twelve (12)" as one number."""
+    """Parse "twelve (12)" as one number."""
     value = _bound(found["once"])
     if value != _bound(found["again"]):
         return None
@@ -171,13 +171,13 @@ def _restatement(text: str, found: re.Match[str]) -> WrittenNumber | None:
 
 
 def _least(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Read "5+" as 5."""
+    """Parse "5+" as 5."""
     said = found.group()
     return WrittenNumber(said, *found.span(), float(said[:-1]), "", "range", said[:-1] + " ")
 
 
 def _share(text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Read "2 of 3 mugs" as all of them; the grammar knows "two of the three"."""
+    """Parse "2 of 3 mugs" as all of them; the grammar knows "two of the three"."""
     part, whole = found["part"], found["whole"]
     spelt = found["the"] and not part[0].isdigit()
     if spelt or _bound(part) > _bound(whole):
@@ -186,7 +186,7 @@ def _share(text: str, found: re.Match[str]) -> WrittenNumber | None:
 
 
 def _thousands(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Read "1.000" as a thousand."""
+    """Parse "1.000" as a thousand."""
     said = found.group()
     plain = said.replace(".", "")
     return WrittenNumber(said, *found.span(), float(plain), read=plain.rjust(len(said)))
@@ -206,7 +206,7 @@ def _bound(said: str) -> float:
 
 
 def _plain(text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Return a plain number; None where the digits are part of a word ("PS5")."""
+    """Return a plain number; None if the digits are part of a word ("PS5")."""
     if found["name"]:
         return None
     digits = found["digits"] or ""
@@ -230,7 +230,7 @@ def _plain(text: str, found: re.Match[str]) -> WrittenNumber | None:
 
 
 def _role(text: str, found: re.Match[str], unit: str) -> tuple[Role, str | None]:
-    """Return what a plain number is, and what the grammar reads in its place."""
+    """Return the role of a plain number, and its replacement for the grammar."""
     said, digits = found.group(), found["digits"] or ""
     blank = " " * len(said)
     if unit and re.match(SIGNS, unit):
@@ -249,13 +249,13 @@ def _role(text: str, found: re.Match[str], unit: str) -> tuple[Role, str | None]
 
 
 def _is_fraction(digits: str) -> bool:
-    """Tell whether digits are a fraction alone; halves are states of things ("1/2 a lemon")."""
+    """Return whether digits are just a fraction; halves are states of objects ("1/2 a lemon")."""
     alone = re.fullmatch(rf"\d+/\d+|[{FRACTIONS}]", digits) is not None
     return alone and digits not in ("1/2", "½")
 
 
 def _value(digits: str) -> float | None:
-    """Return the value of "1,000", "2.5", "2,5", "3 1/2" and "3½"; None of other texts."""
+    """Return the value of "1,000", "2.5", "2,5", "3 1/2" and "3½"; None for other texts."""
     if re.fullmatch(r"\d+,\d{1,2}", digits):
         return float(digits.replace(",", "."))
     if digits and digits in FRACTIONS:

@@ -1,4 +1,4 @@
-"""The small words of English that the grammar goes by. Data only."""
+"""Function words of English used by the grammar. Data only."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 
 def _table(text: str) -> Mapping[str, str]:
-    """Read lines of ``key: phrase, phrase`` into a mapping from each phrase to its key."""
+    """Parse lines of ``key: phrase, phrase`` into a mapping from each phrase to its key."""
     entries: dict[str, str] = {}
     for line in text.strip().splitlines():
         key, phrases = line.split(":")
@@ -46,10 +46,10 @@ LEFT_OUT = frozenset(
      ("taken", "away"), ("taken", "off"), ("kept", "away"), ("not", "available"),
      ("not", "required")}
 )  # fmt: skip
-"""Two words that say of things that they are not to be there."""
+"""Two-word phrases that exclude objects."""
 ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed garage wardrobe car "
                    "basement pantry closet hall bag")  # fmt: skip
-"""Where things are that "stay" there."""
+"""Places of objects that "stay" away from the table."""
 
 KINDS = _words("color colour kind type sort flavor flavour size shape one")
 
@@ -61,23 +61,23 @@ BOUNDS = tuple(
         "a maximum of", "a minimum of", "a total of", "as many as",
     )
 )  # fmt: skip
-"""What a number is only the most or the least of."""
+"""Phrases that bound a number."""
 
 AWAY = frozenset({"away", "apart", "off", "further", "farther"})
-"""What may follow a distance: "5 cm away"."""
+"""Words that may follow a distance: "5 cm away"."""
 
 ASPECTS = frozenset({("color",), ("colour",), ("size",), ("shape",), ("style",), ("height",)})
-"""What a thing is said to be so "in": "blue in colour"."""
+"""Nouns after "in" with an attribute: "blue in colour"."""
 
 NOBODY = _words("nothing nobody somebody someone something anything everybody anybody everyone")
 
 GETS = _words("gets get has have having receives needs is are should must will there sits")
-"""Verbs after those for whom things are laid."""
+"""Verbs after the people for whom objects are laid."""
 
 ORDINALS: Mapping[str, int] = MappingProxyType(
     {"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "last": -1}
 )
-"""Which one of several a word means; -1 is the last."""
+"""Ordinals as an index; -1 is the last."""
 
 AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
@@ -86,7 +86,7 @@ AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
         "plenty": (4, 5), "handful": (4, 5), "bunch": (3, 4), "mixed": (3, 4),
     }
 )  # fmt: skip
-"""Vague amounts: the lowest and highest number they stand for."""
+"""Vague amounts with their minimum and maximum number."""
 
 DEFINITE = _words("the this that these those its his her my your their our")
 INDEFINITE = _words("a an any")
@@ -130,7 +130,7 @@ RELATIONS = _table(
     around: surrounds, surround, encircles, encircle
     """
 )
-"""Prepositions to relations of two things. ``surrounded`` and ``under`` turn the other way."""
+"""Prepositions to relations of two objects. ``surrounded`` and ``under`` are inverted."""
 
 HERE = _table(
     """
@@ -149,7 +149,7 @@ HERE = _table(
     under: underneath, below, beneath
     """
 )
-"""Phrases that relate to what was named last."""
+"""Phrases that relate to the last mentioned object."""
 
 CARRIES = _table(
     """
@@ -167,10 +167,10 @@ CARRIES = _table(
     top: topped with, topped by, garnished with, sprinkled with, crowned with, crowned by
     """
 )
-"""Phrases by which a thing brings others along ("a bowl containing two apples")."""
+"""Phrases that attach other objects ("a bowl containing two apples")."""
 
 FULL = _words("full filled stuffed packed brimming heaped piled")
-"""First words of phrases for vessels that hold several things."""
+"""First words of phrases for vessels with several contents."""
 
 NEGATIONS = _words("no without not never except excluding minus lacking neither nor none hardly")
 NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any", "with no",
@@ -214,7 +214,7 @@ ARRANGED = _table(
     group: close together, bundled, bundled together
     """
 )
-"""Phrases for how several things are arranged."""
+"""Phrases for arrangements of several objects."""
 
 GROUPS = _table(
     """
@@ -237,7 +237,7 @@ GROUPS = _table(
     group: items, plenty, spread, sprig, clump
     """
 )
-"""Nouns before "of" that only say how many, or how they are arranged."""
+"""Nouns before "of" that only state a count or an arrangement."""
 
 FORMING = ("in", "into", "as", "forming", "form", "forms", "to form", "making", "make", "makes",
            "to make", "to build", "building", "arranged in", "set in", "set out in",
@@ -248,7 +248,7 @@ FORM_ARTICLES = ("a", "one", "a single", "a straight", "a neat", "a little", "a 
                  "one straight")  # fmt: skip
 FORMS = ("stack", "tower", "pile", "heap", "pyramid", "row", "line", "column", "circle", "ring",
          "arc", "semicircle", "fan", "grid", "cluster", "bunch")  # fmt: skip
-"""Phrases for arrangements: one word of each, in this order: "forming a neat circle"."""
+"""Patterns of arrangement phrases: one word from each set, in order: "forming a neat circle"."""
 
 SUPERLATIVES: Mapping[str, str] = MappingProxyType(
     {
@@ -266,7 +266,7 @@ COMPARED: Mapping[str, str] = MappingProxyType(
         "wider": "large", "longer": "large", "higher": "large", "thicker": "large",
     }
 )  # fmt: skip
-"""What one thing is said to be beside another."""
+"""Phrases for a neighbouring object."""
 
 ORDERS = _table(
     """
@@ -298,7 +298,7 @@ POSTURES = _table(
     upright: upright, standing upright, standing up, on end, standing on end, stood on end
     """
 )
-"""Phrases for how a thing is turned, unlike it stands otherwise."""
+"""Phrases for postures that differ from the usual one."""
 
 ARRANGING_VERBS = _table(
     """
@@ -310,32 +310,32 @@ ARRANGING_VERBS = _table(
     group: group, cluster, gather, bundle
     """
 )
-"""Verbs at the start of a sentence that arrange what follows."""
+"""Verbs at the start of a sentence that imply an arrangement."""
 
 BE = _words("is are was were be been being sits sit stands stand lies lie lays rests rest lay sat "
             "stood remain remains stays stay goes go belongs belong appears appear hangs hang "
             "leans lean faces face should must can could shall will would may might")  # fmt: skip
-"""Verbs between subjects and what is said of them."""
+"""Verbs between subjects and predicates."""
 
 SINGULAR = _words(
     "is sits stands lies rests hangs leans goes stays belongs was remains faces being"
 )
-"""Verbs of one thing: in a list they are said of its last thing alone."""
+"""Singular verbs: in a list they apply only to its last item."""
 
 MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put "
                 "bring "
                 "sweep reach weigh rotate open close wipe hang insert press pour "
                 "stack")  # fmt: skip
-"""Verbs by which a robot is told what to do."""
+"""Verbs of instructions to a robot."""
 TASKS = MOVING - _words("place put drop stack open close hang turn bring take pour press")
-"""Those that tell of a task, so that what is moved is not yet where it is to go."""
+"""Those that describe a task, so that the moved object is not at its goal yet."""
 CARRYING = _words("move slide push pull bring drag sweep")
-"""Those of them after which each place is where a thing is to go."""
+"""Those for which every place is a goal."""
 
 HANDLED = _words("sorted moved grasped picked handled cleaned cleared used seen made tidied "
                  "collected "
                  "done packed eaten washed left arranged")  # fmt: skip
-"""What somebody does with things: "sorted by the robot"."""
+"""Participles of actions: "sorted by the robot"."""
 
 PARTICIPLES = _words(
     "sitting standing lying resting placed put located positioned laying leaning hanging seen "
@@ -345,7 +345,7 @@ PARTICIPLES = _words(
     "conveniently politely flat turned flipped somewhere far further slightly close very quite "
     "rather so too only even both all alone usually always normally going guard proudly"
 )
-"""Words between a noun and its place that add nothing of their own."""
+"""Words between a noun and its place that do not affect the plan."""
 
 STARTERS = _words(
     "make create generate show draw give build design render want need like please imagine shows "
@@ -359,7 +359,7 @@ STARTERS = _words(
     "use stick park leave keep hide tuck see find pick grab push pull take move slide lift pour "
     "turn spread start begin place putting balance wash clean clear tidy sort build pack"
 )
-"""Words that only open a sentence; skipped up to its first thing."""
+"""Words that only open a sentence; skipped up to its first object."""
 
 FILLERS = _words(
     "of from for at to as or than about onto through per via during after until while when where "
@@ -390,7 +390,7 @@ NO_NOUNS = _words(
     "beside besides beyond inside outside within without upon onto into off out up down over "
     "under through throughout via per than as if so then there here"
 )
-"""Words that are never the head of a noun phrase, unless the catalogue has them."""
+"""Words that are never the head of a noun phrase, unless they are in the catalogue."""
 
 RELATIVE = _words("that which who whose where")
 JOINING = _words("and plus or")
@@ -398,19 +398,19 @@ PEOPLE_WORDS = _words("people persons guests diners children kids adults players
                       "guest us everyone couples students pupils participants")  # fmt: skip
 SEATED = _words("person guest diner child kid adult player friend place seat setting student pupil "
                 "participant head cover")  # fmt: skip
-"""Words after "each" and "per" for whom, or what seat, the things are laid for."""
+"""Nouns after "each" and "per" for people or seats."""
 
 AT_SEATS = frozenset(
     {"on each side", "on either side", "on both sides", "at each end", "at both ends"}
 )
-"""Phrases that mean every seat once the text has said for how many the table is."""
+"""Phrases for all seats, once the number of people is known."""
 
 WEIGHTS = _words(
     "kg g gram grams kilo kilos kilogram kilograms ml l litre litres liter liters oz "
     "degree degrees percent ounce ounces lb lbs pound pounds pint pints cl dl watt w v volt "
     "volts gb tb"
 )
-"""Units of weight, volume and the like, which say nothing of a thing's place or form."""
+"""Units of weight, volume and the like, which do not affect positions or shapes."""
 
 MEASURES: Mapping[str, float] = MappingProxyType(
     {
@@ -435,7 +435,7 @@ SIDES: Mapping[str, tuple[int | None, int | None]] = MappingProxyType(
         "centrally": (0, 0),
     }
 )  # fmt: skip
-"""Words for parts of the table; "far" and "near" only before another one."""
+"""Words for zones of the table; "far" and "near" only before another zone."""
 
 ZONE_NOUNS = _words("side sides corner corners edge edges half part end area portion section third "
                     "zone region hand quarter spot position border margin ends")  # fmt: skip

@@ -1,4 +1,4 @@
-"""Patterns of written numbers, and the context that makes a number part of a name."""
+"""Patterns of written numbers, and contexts in which a number is part of a name."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from . import function_words as fw
 
 SPELT = ("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
          "twelve", "fifteen", "twenty", "thirty", "forty", "fifty")  # fmt: skip
-"""Numbers in one word that measure and bound ranges."""
+"""Single-word numbers that may measure and bound ranges."""
 
 _OTHER_UNITS = (
     r"kg|kilos?|kilograms?|kilogrammes?|mg|g|grams?|grammes?|tonnes?|tons?|"
@@ -37,7 +37,7 @@ _MONTHS = (
 NAMES = ("page", "chapter", "volume", "version", "room", "route", "channel", "level", "windows",
          "iphone", "ipad", "playstation", "xbox", "galaxy", "pixel", "formula",
          "apollo")  # fmt: skip
-"""Words whose number is part of a name."""
+"""Words followed by a number that is part of a name."""
 
 SPECIAL: Mapping[str, str] = MappingProxyType(
     {
@@ -64,7 +64,7 @@ SPECIAL: Mapping[str, str] = MappingProxyType(
         "thousands": rf"(?<!,)[1-9]\d{{0,2}}(?:\.\d{{3}})+(?![\w.])(?!{_UNITS})",  # "1.000"
     }
 )  # fmt: skip
-"""What numbers are besides plain ones: kinds and patterns, the first that fits wins."""
+"""Kinds of numbers besides plain ones, with their patterns; the first match wins."""
 
 _PLAIN = rf"""
     (?P<name>(?<![a-z])[a-z]+[-_]?(?={DIGITS}))?            # "WD-40", "PS5", "block_2"
@@ -103,14 +103,14 @@ _SMALL = frozenset(
     for phrase in phrases
     for word in phrase.split()
 )  # fmt: skip
-"""Words that are no nouns."""
+"""Words that are not nouns."""
 
 
 def ends_name(text: str, found: re.Match[str]) -> int | None:
-    """Return how many letters follow digits that belong to a name; None where they do not.
+    """Return the number of letters after digits that belong to a name; None if they do not.
 
-    In "4K monitor" they begin a name; in "a Boeing 747 model" a determiner and a capital come
-    before them, and no plural of which they would be the count comes after.
+    In "4K monitor" they begin a name; in "a Boeing 747 model" a determiner and a capitalised word
+    precede them, and no plural follows that they could count.
     """
     if found["unit"] or found["power"] or found["sign"]:
         return None
@@ -131,7 +131,7 @@ def ends_name(text: str, found: re.Match[str]) -> int | None:
 
 
 def is_name(text: str, found: re.Match[str]) -> bool:
-    """Tell whether digits are no quantity: an age, a year, a number of an item, or of a name."""
+    """Return whether digits are no quantity: an age, a year, a list number, or in a name."""
     before, after = text[: found.start("digits")], text[found.end() :]
     if (found["unit"] or "").strip(' "') or found["power"]:
         return False
@@ -139,14 +139,14 @@ def is_name(text: str, found: re.Match[str]) -> bool:
     if AGE.match(after) or YEAR.fullmatch(digits) or re.match(r"[A-Za-z]*[A-Z]|up\b", after):
         return True  # "5-year-old", "1990", "7up"
     if re.match(r"[.)](?:\s|$)", after) and _ITEM.search(before) and "(" not in before[-2:]:
-        return after[0] == ")" or not before.rpartition("\n")[2].strip()  # of a list
+        return after[0] == ")" or not before.rpartition("\n")[2].strip()  # number of a list item
     sentence = re.split(r"[.!?\n]\s*", before)[-1].strip()
     named = _NAMED.search(before)
     return named is not None and named.group().strip() != sentence
 
 
 def noun_before(before: str) -> bool:
-    """Tell whether a noun stands right before, so that a list goes on."""
+    """Return whether a noun immediately precedes, so that a list continues."""
     last = re.search(r"([a-z]+)\s*$", before, re.IGNORECASE)
     return last is not None and last[1].lower() not in _SMALL
 

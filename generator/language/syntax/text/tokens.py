@@ -1,4 +1,4 @@
-"""Words with what the grammar takes them for: the longest phrase that has a meaning wins."""
+"""Words to tokens of the grammar: the longest phrase with a meaning wins."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .words import Word
 
 @dataclass(frozen=True)
 class Token:
-    """One or more words read as one.
+    """One or more words with a common meaning.
 
     ``tag``: "relation", "here", "carry", "no", "arranged", "order", "posture", "be", "and",
     "comma", "stop", "colon", "open", "close", "of", "relative", "each", "word", "number".
-    ``value`` is what the phrase means.
+    ``value`` is the meaning of the phrase.
     """
 
     tag: str
@@ -27,12 +27,12 @@ class Token:
 
     @property
     def text(self) -> str:
-        """The words as they are read."""
+        """The words, joined by spaces."""
         return " ".join(word.text for word in self.words)
 
     @property
     def span(self) -> tuple[int, int]:
-        """Where it stands in the text."""
+        """Start and end in the text."""
         return self.words[0].start, self.words[-1].end
 
 
@@ -62,7 +62,7 @@ def _phrases() -> Mapping[tuple[str, ...], tuple[str, str]]:
 
 
 def _forms() -> dict[tuple[str, ...], tuple[str, str]]:
-    """Return "in a straight line", "forming one circle" and the like with what they mean."""
+    """Return arrangement phrases such as "in a straight line" and "forming one circle"."""
     return {
         (*verb, *article, noun): ("arranged", fw.GROUPS[noun])
         for verb in map(tuple, map(str.split, fw.FORMING))
@@ -77,8 +77,8 @@ _LONGEST = 6
 def tokens_of(words: Sequence[Word], is_noun: Any) -> list[Token]:
     """Return the tokens of words.
 
-    ``is_noun`` tells whether these words, with small words among them, are the name of one thing
-    ("salt and pepper shakers"); such a name stays single words.
+    ``is_noun`` returns whether words, including function words, name one object ("salt and pepper
+    shakers"); the words of such a name remain separate tokens.
     """
     out: list[Token] = []
     i = 0
@@ -103,7 +103,7 @@ def tokens_of(words: Sequence[Word], is_noun: Any) -> list[Token]:
 
 
 def _name_length(words: Sequence[Word], i: int, is_noun: Any) -> int:
-    """Return how many words from ``i`` on name one thing with a small word among them."""
+    """Return the number of words from ``i`` on that name one object and include a function word."""
     for length in range(min(_LONGEST, len(words) - i), 1, -1):
         run = words[i : i + length]
         if all(w.kind == "word" for w in run) and is_noun(tuple(w.text for w in run)):
@@ -130,14 +130,14 @@ def _phrase(words: Sequence[Word], i: int) -> tuple[int, str, Any]:
 
 
 def list_skipped(tokens: Sequence[Token]) -> list[str]:
-    """Return the words of skipped tokens that say something."""
+    """Return the words of skipped tokens that have a meaning."""
     empty = small_words() | fw.FILLERS
     return [t.text for t in tokens if t.tag in ("word", "name") and t.text not in empty]
 
 
 @cache
 def small_words() -> frozenset[str]:
-    """Return every word that the grammar goes by."""
+    """Return all words known to the grammar."""
     sets = (fw.NUMBERS, fw.AMOUNTS, fw.DEFINITE, fw.INDEFINITE, fw.PRONOUNS, fw.BE, fw.PARTICIPLES,
             fw.STARTERS, fw.FILLERS, fw.RELATIVE, fw.PEOPLE_WORDS, fw.MEASURES, fw.SIDES,
             fw.ZONE_NOUNS, fw.GROUPS, fw.ORDINALS)  # fmt: skip

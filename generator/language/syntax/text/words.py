@@ -1,4 +1,4 @@
-"""A text cut into words, numbers and marks, each with its place in the text."""
+"""Text to words, numbers and punctuation marks, each with its span."""
 
 from __future__ import annotations
 
@@ -48,9 +48,9 @@ _PARTS = re.compile(
     r"year|level|ring|hole|string|button|key|arm|branch|wick|pack|page|card|star|"
     r"pointed|way|wheeled|headed|bladed)s?\b"
 )
-"""What "two-tier" and the like say of one thing."""
+"""Words like "two-tier" that describe one object."""
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
-"""How many there are, said last: "forks x4"."""
+"""Counts after the noun: "forks x4"."""
 _SPELT_LENGTH = re.compile(
     rf"(?i)(?<![\w-])({'|'.join(SPELT)})[ -]"
     r"(?=(?:mm|cm|millimet(?:er|re)|centimet(?:er|re)|inch|f(?:oo|ee)t\b)(?:e?s)?\b)"
@@ -63,7 +63,7 @@ _PREDICATE = re.compile(
     r"(?i)\((?=[^()]{0,80}[_\d])"
     r"(on|in|inside|left_of|right_of|behind|in_front_of|next_to|near|under)\s+([a-z_]\w*)\s+([a-z_]\w*)\s*\)"
 )
-"""A fact of a planning language: "(on red_block blue_block)"."""
+"""A fact in a planning language: "(on red_block blue_block)"."""
 _AGE = re.compile(r"(?i)\b(?:the )?[a-z0-9]+(?:-| )years?(?:-| )olds?\b")
 _JOINED_UP = re.compile(r"(?i)(?<=[a-z])(?<!upside)-(?:up|down|out|off)\b")
 _BAKERS = re.compile(r"(?i)\bbaker[’']s dozen\b")
@@ -71,19 +71,19 @@ _VAGUE_COUNT = re.compile(r"(?i)\b(?:some|several|a few|a couple of) ?\( *(\d+)\
 _LIKE = re.compile(
     r"(?i)\b[a-z]+-(?:shaped|sized|style|styled|themed|scented|flavoured|flavored|inspired|like|free)\b"
 )
-"""What only says how a thing looks or smells: "cat-shaped"."""
+"""Suffixes of shapes and scents: "cat-shaped"."""
 _AMOUNT = re.compile(r"(?i)\(\s*\d+(?:[.,]\d+)?\s*(?:ml|l|cl|dl|g|kg|oz|lb|lbs|w|v|gb|mb)\s*\)")
 _SLASHED = re.compile(r"(?<![\d/.,])(?:(\d+)(?: +| ?- ?))?([1-9])/([2-8])(?![\d/])")
-"""A fraction with a slash: "3 1/2", but no "1/2/3"."""
+"""A fraction with a slash: "3 1/2", but not "1/2/3"."""
 _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 
 @dataclass(frozen=True)
 class Word:
-    r"""A word in lower case without accents, a number, or a mark.
+    r"""A word in lower case without accents, a number, or a punctuation mark.
 
-    ``start`` and ``end`` are where it stands in the text. Marks are punctuation, "\n" for the end
-    of a line, "'s" for a possessive, and "-" for a dash between parts of a sentence.
+    ``start`` and ``end`` are its span in the text. Marks are punctuation, "\n" for the end of a
+    line, "'s" for a possessive, and "-" for a dash between parts of a sentence.
     """
 
     text: str
@@ -93,7 +93,7 @@ class Word:
 
 
 def words_of(text: str) -> tuple[Word, ...]:
-    """Return the words of a text; bullets and numbers of list items are line ends."""
+    """Return the words of a text; bullets and numbers of list items become line ends."""
     text = settle_numbers(text)
     text = _TAG.sub(lambda found: " " * len(found.group()), text)
     text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
@@ -131,7 +131,7 @@ def _facts_of(text: str) -> list[Word]:
 
 
 def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
-    """Return what a piece of text is read as."""
+    """Return the words of a piece of text after normalisation."""
     said, name = piece.group(), piece.lastgroup
     if name == "number":
         return [(said.replace(",", ""), "number")]
@@ -159,7 +159,7 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
 
 
 def _fraction(found: re.Match[str]) -> str:
-    """Return "3 1/2" as "3½", as long as it was; what is no fraction of a thing stays."""
+    """Replace "3 1/2" by "3½" of equal length; other fractions are unchanged."""
     sign = _FRACTIONS.get(int(found[2]) / int(found[3]))
     return found.group() if sign is None else f"{found[1] or ''}{sign}".ljust(len(found.group()))
 
@@ -171,7 +171,7 @@ _UNIT = re.compile(rf"\s*(?:{'|'.join(MEASURES)})\b", re.IGNORECASE)
 
 
 def _decimal(letters: list[str], letter: str, rest: str) -> str:
-    """Return a fraction's sign as a decimal after a number, "half" before a thing."""
+    """Return a fraction sign as a decimal after a number, or "half" before an object."""
     value = f"{unicodedata.numeric(letter):.3g}"
     if letters and letters[-1].isdigit():
         return value[1:]
@@ -179,7 +179,7 @@ def _decimal(letters: list[str], letter: str, rest: str) -> str:
 
 
 def _plain(text: str) -> tuple[str, list[int]]:
-    """Return the text in lower case without accents, and where each letter of it stood."""
+    """Return the text in lower case without accents, and the original position of each letter."""
     letters: list[str] = []
     places: list[int] = []
     for place, letter in enumerate(text):
