@@ -179,7 +179,7 @@ def test_weights_that_cannot_be_used_say_what_to_do(tmp_path: Path) -> None:
     refused(PATH.read_bytes()[:1000], "cannot be used")
     refused(b"x" * 2**23, "more than 4194304 bytes")
     save_weights({**sound, "0.bias": np.zeros(3)}, path, {})
-    refused(None, "of another network")
+    refused(None, "belongs to another network")
     save_weights({**sound, "0.bias": np.full(16, np.nan, np.float32)}, path, {})
     refused(None, "not finite")
     read_detector.cache_clear()

@@ -92,7 +92,7 @@ def test_where_there_is_nothing_to_do_the_scenes_are_counted_once(count: int) ->
     box = (toy_object("box_1", (0.3, 0.3, 0.3), (0.0, 0.0)),)
     env = make_env([toy_scene(box, name=f"bare_{k}") for k in range(count)], task="Lift")
     said = "the one scene drawn" if count == 1 else "2 drawn scenes"
-    with pytest.raises(SceneError, match=f"^Nothing to do in {said}. Scene 'bare_0'"):
+    with pytest.raises(SceneError, match=f"^No valid task in {said}. Scene 'bare_0'"):
         env.reset(seed=0)
 
 

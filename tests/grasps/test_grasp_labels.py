@@ -173,7 +173,7 @@ def test_labels_that_are_a_link_or_no_json_are_refused(made: Path, tmp_path: Pat
         read_grasps(made)
     file.unlink()
     file.write_text("[NaN]")
-    with pytest.raises(BundleError, match="no sound labels"):
+    with pytest.raises(BundleError, match="no valid labels"):
         read_grasps(made)
     file.unlink()
 
@@ -211,7 +211,7 @@ def test_workers_and_the_command(made: Path, tmp_path: Path, shell: Shell) -> No
     assert "box_1: 4 grasps" in said and "cube_1: 0 grasps" in said
     assert picture.read_bytes().startswith(b"\x89PNG")
     two = (made / FILE).read_bytes()
-    assert "1 of 1 bundles are labelled" in shell(*words).out
+    assert "1 of 1 bundles are already labelled" in shell(*words).out
     shell(*words, "--again")
     assert (made / FILE).read_bytes() == two
     shell("grasps", "no-such-bundle", code=4)

@@ -277,7 +277,7 @@ def test_a_source_that_fails_fails_the_reset() -> None:
 @pytest.mark.slow
 def test_an_episode_with_nothing_to_do_is_the_same_error_as_in_one_process() -> None:
     envs = TabletopVectorEnv(2, task="Stack", scenes=toy_scene([]), processes=1)
-    with pytest.raises(SceneError, match="Nothing to do") as caught:
+    with pytest.raises(SceneError, match="No valid task") as caught:
         envs.reset()
     assert "slot 0" in caught.value.__notes__[0]
     envs.close()
