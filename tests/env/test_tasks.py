@@ -253,5 +253,5 @@ def test_stack_asks_for_no_top_that_the_arm_cannot_hold_a_thing_over() -> None:
     text = "A dining table with a cutting board at the front and two wine glasses at the back."
     near, far = (make_env(compose(text, seed), task="Stack") for seed in (1, 0))
     assert near.reset(seed=0)[1]["goal"] == "cutting_board_1"
-    with pytest.raises(SceneError, match="wine_glass_1: no flat top in reach that carries it"):
+    with pytest.raises(SceneError, match="wine_glass_1: no flat top in reach that can carry it"):
         far.reset(seed=0)

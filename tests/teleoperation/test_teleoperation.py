@@ -260,7 +260,7 @@ def test_seeds_with_nothing_to_do_are_passed_over(env, monkeypatch) -> None:
     person = Scripted([keys("a"), keys("enter"), keys("a"), keys("enter")])
     made = play(session, person, env, "front", enumerate([0, 2, 1, *[3] * 50]))
     assert [next(made).number, next(made).number] == [0, 2]
-    with pytest.raises(SceneError, match=r"50 seeds in a row .* nothing to do with 3"):
+    with pytest.raises(SceneError, match=r"50 consecutive seeds .* nothing to do with 3"):
         next(made)
 
 

@@ -39,7 +39,7 @@ def test_bundles_by_path_name_glob_and_list(store) -> None:
 def test_nothing_found_says_what_there_is(store) -> None:
     with pytest.raises(BundleError, match="desk_0"):
         resolve("desk_o")
-    with pytest.raises(BundleError, match="No bundle fits"):
+    with pytest.raises(BundleError, match="No bundle matches"):
         resolve(str(store / "kitchen_*"))
 
 
