@@ -141,7 +141,7 @@ def test_a_given_container_draws_a_target_that_fits_it() -> None:
         ({"colour": "red"}, "Unknown reset option 'colour'"),
         ({"target": "cann_1"}, "No object 'cann_1'.*Did you mean 'can_1'"),
         ({"goal": "bole_1"}, "No object 'bole_1'.*bottle_1, bowl_1"),
-        ({"target": "can_1", "goal": "cube_1"}, "no container"),
+        ({"target": "can_1", "goal": "cube_1"}, "not a container"),
         ({"goal": (3.0, 0.0)}, "not on the table"),
         ({"goal": (np.nan, 0.0)}, "two finite numbers"),
         *((kind, r"options must be a dict.*Available: goal, scene, target")

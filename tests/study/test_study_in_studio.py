@@ -45,7 +45,9 @@ def running_studio(folder: Path, *studies: Path, port: int = 0) -> Iterator[tupl
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "bufsize": 0}
     with running(*command, **pipes) as process:
         own = re.fullmatch(r"Open (http://\S+)\n", line_of(process).decode())
-        raters = re.fullmatch(r"Raters of study \w+ open (http://\S+)\n", line_of(process).decode())
+        raters = re.fullmatch(
+            r"Address for raters of study \w+: (http://\S+)\n", line_of(process).decode()
+        )
         assert own and raters
         yield own[1], raters[1]
 
