@@ -105,7 +105,7 @@ def test_a_study_that_does_not_fit_is_refused(name: str, tmp_path: Path) -> None
 def test_the_messages_say_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     tiny.served_study(tmp_path)
     path = tmp_path / "study.html"
-    with pytest.raises(InputError, match=r"another version.*Make it again with the same options"):
+    with pytest.raises(InputError, match=r"another version.*Create it again with the same options"):
         read_page(path, tiny.TEMPLATE.replace("a = 1", "a = 2"), tiny.POST)
     path.write_text(tiny.small_study(tmp_path / "other").page)
     with pytest.raises(InputError, match=r"--post '/api/studies/\{study\}/answers'"):

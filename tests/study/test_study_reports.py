@@ -98,7 +98,7 @@ def test_the_fast_and_the_inattentive_do_not_count(key: StudyKey) -> None:
     assert report.excluded.too_fast == ("b" * 16, "c" * 16)
     tiny.check_table(json.loads(json.dumps(report.facts())))
     assert measure(found, [], key, min_seconds=0, allowed_failures=1).raters == 6
-    with pytest.raises(InputError, match="No rater is left: of 3 read, 2 failed"):
+    with pytest.raises(InputError, match="No rater remains: of 3 read, 2 failed"):
         measure(found[3:], [], key)
 
 
@@ -227,7 +227,7 @@ def test_answers_that_a_studio_kept_are_read(key: StudyKey, tmp_path: Path) -> N
     assert book.add(key.study, chinese["rater"], chinese) == 2
     found, left = read_all([tmp_path / key.study], key)
     assert [answers.rater for answers in found] == ["0" * 16, "0" * 15 + "1"]
-    assert ["the same in" in one.reason for one in left] == [True]
+    assert ["the same answers in" in one.reason for one in left] == [True]
 
 
 def test_a_rater_counts_once(key: StudyKey, tmp_path: Path) -> None:
@@ -240,7 +240,7 @@ def test_a_rater_counts_once(key: StudyKey, tmp_path: Path) -> None:
     found, left = read_all([tmp_path, tmp_path], key)
     assert [answers.rater for answers in found] == ["0" * 16]
     reasons = {Path(one.file).name: one.reason for one in left}
-    assert "the same in" in reasons.pop("two.json")
+    assert "the same answers in" in reasons.pop("two.json")
     assert {*reasons} == {"three.json", "four.json"}
 
 

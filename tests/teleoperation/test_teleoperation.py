@@ -243,7 +243,7 @@ def test_policies_of_what_no_dataset_holds_are_refused(env, tmp_path, monkeypatc
     acting = command._load("reach-clone")
     other = replace(acting, card=replace(acting.card, env=env))
     monkeypatch.setattr(command, "_load", lambda _: other)
-    with pytest.raises(InputError, match="which datasets do not hold"):
+    with pytest.raises(InputError, match="which datasets do not support"):
         command.teleop("mine", config=RecordConfig(), out=tmp_path / "set")
 
 
