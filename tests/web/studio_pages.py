@@ -82,7 +82,7 @@ def drag(page: Page, name: str, right: float, down: float, *, shift: bool = Fals
     page.mouse.up()
     if shift:
         page.keyboard.up("Shift")
-    remedy = page.get_by_role("button", name="Put it there")  # where the place is taken
+    remedy = page.get_by_role("button", name="Place it there")  # where the place is taken
     for _ in range(600):
         if page.url != before:
             break
