@@ -125,7 +125,7 @@ def keep_certificates(old: Path, new: Path) -> int:
             kept += 1
         except BundleError as error:
             (path / FILE).unlink()
-            print(f"not kept: {error}")
+            print(f"certificate not kept: {error}")
     return kept
 
 

@@ -1,8 +1,8 @@
 """Affordances of scene objects for a parallel gripper, computed from their collision shapes.
 
 Pure functions of ``generator.scene.Object``. Poses are in the world frame, openings in the object's
-body frame (metres). The functions tell which objects a robot could manipulate; the expert plans the
-grasps themselves.
+body frame (metres). The functions determine which objects a robot could manipulate; the expert
+plans the grasps themselves.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ LEVEL = 0.003
 
 _GRID = 48
 _FINE = 0.002  # metres, about the thickness of walls
-_LEAST_HOLLOW = 8 / _GRID**2  # fraction of the bounding rectangle
+_MIN_HOLLOW = 8 / _GRID**2  # fraction of the bounding rectangle
 _BLOCK = 2**16  # numbers per block, sized to fit the processor's cache
 _UPRIGHT = np.cos(np.deg2rad(20.0))
 
@@ -267,7 +267,7 @@ def _hollow(
     sizes[0] = 0
     sizes[labels[outside]] = 0
     best = int(sizes.argmax())
-    return (labels == best) & (sizes[best] > _LEAST_HOLLOW * top.size)
+    return (labels == best) & (sizes[best] > _MIN_HOLLOW * top.size)
 
 
 def scan_surface(

@@ -32,9 +32,9 @@ PATH = Path(__file__).with_name("grasps.safetensors")
 CARD = "tabletopgen_grasps"
 """The key of the JSON training summary in the file's header."""
 
-_MOST_BYTES = 2**22
+_MAX_BYTES = 2**22
 _WIDEST = 2 * franka.FINGER_STROKE
-_MOST = 40  # grasps that are checked for reachability
+_MAX_GRASPS = 40  # grasps that are checked for reachability
 _POSSIBLE = -2.0  # minimum logit of a grasp
 _RESTORE = (
     "Install the package again, or train the detector: python -m research.grasps.training --help"
@@ -80,7 +80,7 @@ def _peaks(rated: Rated) -> list[tuple[int, int, int]]:
 
     around = maximum_filter(rated.best, (1, 3, 3), mode="nearest")
     chosen = np.argwhere((rated.best == around) & (rated.possible > _POSSIBLE))
-    order = np.argsort(-rated.best[tuple(chosen.T)], kind="stable")[:_MOST]
+    order = np.argsort(-rated.best[tuple(chosen.T)], kind="stable")[:_MAX_GRASPS]
     return [(int(turn), int(i), int(j)) for turn, i, j in chosen[order]]
 
 
@@ -95,8 +95,8 @@ def read_detector(path: Path = PATH) -> GraspDetector:
     from safetensors.numpy import load
 
     try:
-        if path.stat().st_size > _MOST_BYTES:
-            raise ValueError(f"it has more than {_MOST_BYTES} bytes")
+        if path.stat().st_size > _MAX_BYTES:
+            raise ValueError(f"it has more than {_MAX_BYTES} bytes")
         weights = {key: value.astype(np.float32) for key, value in load(path.read_bytes()).items()}
         if {key: value.shape for key, value in weights.items()} != _shapes():
             raise ValueError("it belongs to another network")

@@ -31,7 +31,7 @@ SCHEMA = 1
 MOST_GRASPS, MOST_TRIALS = 1000, 1000
 """Maximum number of labels per object, and of trials per label."""
 
-_MOST_FILE, _DEPTH = 64 * 2**20, 6
+_MAX_FILE, _DEPTH = 64 * 2**20, 6
 _FARTHEST = 10.0  # maximum distance of a grasp from the object's centre, metres
 _COLUMNS = {"position": 3, "quaternion": 4, "width": 0, "opening": 0, "quality": 0, "lifted": 0}
 _DIGITS = {"position": 6, "quaternion": 8, "width": 5, "opening": 5, "quality": 6, "lifted": 6}
@@ -162,10 +162,10 @@ def read_file(path: str | Path) -> GraspFile | None:
     scene = bundle.load_fingerprint(folder)
     if not os.path.lexists(folder / FILE):
         return None
-    raw = bundle.read_inside(folder, FILE, _MOST_FILE)
+    raw = bundle.read_inside(folder, FILE, _MAX_FILE)
     advice = "Remove it, or label the bundle again (tabletopgen grasps --again)."
     try:
-        payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE, max_depth=_DEPTH)
+        payload = parse_object(raw, "It", BundleError, max_bytes=_MAX_FILE, max_depth=_DEPTH)
         if check_type(payload.get("schema"), int) != SCHEMA:
             raise ValueError(f"it is of schema {payload['schema']}, not {SCHEMA}")
         found = _decode_file(payload)

@@ -42,7 +42,7 @@ USUAL = GraspTerms()
 """Default settings of labels."""
 
 _VERSIONS = ("tabletopgen", "mujoco", "numpy", "scipy")
-_MOST_KEPT = 2**20  # maximum size of the labels of one object, bytes
+_MAX_KEPT = 2**20  # maximum size of the labels of one object, bytes
 _ALONE = PoolOptions()
 
 
@@ -171,8 +171,8 @@ class _Begun:
     def read(self, name: str) -> GraspLabels | None:
         """Return the cached labels of an object; None if there are no valid ones."""
         with contextlib.suppress(StorageError, ValueError, TypeError, KeyError, InputError):
-            what = "The kept labels"
-            raw = read_regular(self._file(name), what, StorageError, max_bytes=_MOST_KEPT)
+            what = "The cached labels"
+            raw = read_regular(self._file(name), what, StorageError, max_bytes=_MAX_KEPT)
             return decode_labels(parse_object(raw, what, StorageError))
         return None
 
@@ -182,7 +182,7 @@ class _Begun:
             file = self._file(name)
             file.parent.mkdir(parents=True, exist_ok=True)
             text = json.dumps(encode_labels(labels), allow_nan=False)
-            write_whole(file, text, "The kept labels", "")
+            write_whole(file, text, "The cached labels", "")
 
     def remove(self) -> None:
         """Remove all cached labels."""

@@ -169,7 +169,7 @@ class GraspBench:
 
 
 def _pulls(stage: str) -> Iterator[Float[np.ndarray, "3"]]:
-    """Yield the gravity of a stage (m/s², along the axes of the object at the closing)."""
+    """Yield the gravity of a stage (m/s², along the axes of the object when the hand closed)."""
     span = _STEP * _EVERY
     if stage == "lift":
         for k in range(round((_RAMP + _HOLD) / span)):

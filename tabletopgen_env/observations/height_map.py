@@ -53,7 +53,7 @@ CELL, STEP = 0.005, 0.002
 
 _FINE = CELL / 2  # spacing of the sampled points, metres: walls are thinner than a cell
 _PLACE, _TURN, _TILT = 5e-4, 5e-3, 0.01  # resolution of poses: metres, radians, of an axis
-_MOST = 1024  # number of cached shapes
+_MAX_SHAPES = 1024  # number of cached shapes
 
 
 def height_map_space() -> spaces.Box:
@@ -135,7 +135,7 @@ class HeightLook:
         key = (world.digest, name, tilt.tobytes())
         found = self._shapes.get(key)
         if found is None:
-            if len(self._shapes) >= _MOST:
+            if len(self._shapes) >= _MAX_SHAPES:
                 self._shapes.clear()
             parts = move_parts(world.scene.object(name).parts, np.zeros(3), tilt)
             bounds = np.abs(np.stack([part.bounds[:, :2] for part in parts])).max((0, 1))

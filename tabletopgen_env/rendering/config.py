@@ -47,7 +47,7 @@ RENDER_MODES: tuple[RenderMode, ...] = get_args(RenderMode)
 
 _CAMERAS: tuple[CameraName, ...] = get_args(CameraName)
 _SMALLEST, _USUAL, _LARGEST, _LARGEST_SHOWN = 8, 128, 2048, 4096  # pixels along a side
-_MOST_POINTS = 1 << 16
+_MAX_POINTS = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -99,8 +99,8 @@ class ObservationConfig:
         alike = len(set(sizes.values())) == 1
         object.__setattr__(self, "image_size", sizes[cameras[0]] if alike else sizes)
         object.__setattr__(self, "kinds", _some("kind", self.kinds, get_args(Kind)))
-        if not _is_whole(self.points, 1, _MOST_POINTS):
-            raise InputError(f"points must be between 1 and {_MOST_POINTS}, got {self.points!r}.")
+        if not _is_whole(self.points, 1, _MAX_POINTS):
+            raise InputError(f"points must be between 1 and {_MAX_POINTS}, got {self.points!r}.")
         _check_name("observation mode", self.mode, MODES)
         _check_name("geometry", self.geometry, get_args(GeometryKind))
         if self.looks and self.mode == "goal":
@@ -222,7 +222,8 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
         _check_name(what, name, known)
     if not names or len(set(names)) < len(names):
         raise InputError(
-            f"An observation needs one {what} or more, each once, got {names}." + choices("", known)
+            f"An observation needs at least one {what}, each at most once, got {names}."
+            + choices("", known)
         )
     return names
 

@@ -31,6 +31,6 @@ def check_core(
     ):
         if wrong:
             raise InputError(
-                f"{who} shows observation={' or '.join(map(repr, shown))} without a grasp hint, "
-                f"and cannot have {why}."
+                f"{who} supports observation={' or '.join(map(repr, shown))} without a grasp hint, "
+                f"and does not support {why}."
             )

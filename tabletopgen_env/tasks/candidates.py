@@ -25,7 +25,7 @@ from .task import Choice, Episode
 ROOM = 0.008
 """Minimum clearance between a container's hollow and an object in it at any yaw, metres."""
 
-NO_GRASP = "the arm reaches no grasp of it, or its neighbours leave no room for the hand"
+NO_GRASP = "the arm cannot reach any grasp of it, or its neighbours leave no room for the hand"
 """Reason for objects without a reachable grasp according to ``has_grasp``."""
 
 _TURNS = tuple(k * math.pi / 6 for k in range(-6, 6))

@@ -38,7 +38,7 @@ MOST_BYTES = 4096
 
 _PAGE = Path(__file__).with_name("page.html")
 _QUALITY = 80  # quality of the JPEG pictures
-_MOST_HELD, _MOST_BUTTONS = 16, 32
+_MAX_HELD, _MAX_BUTTONS = 16, 32
 
 
 class TeleopPage:
@@ -178,11 +178,11 @@ def read_input(message: str | bytes) -> HumanInput:
             [...]}``, is too long, or has numbers out of range.
     """
     try:
-        said = json.loads(message)
-        keys, axes, buttons = (_list_of(said, name) for name in ("keys", "axes", "buttons"))
+        payload = json.loads(message)
+        keys, axes, buttons = (_list_of(payload, name) for name in ("keys", "axes", "buttons"))
         if not all(isinstance(key, str) for key in keys):
             raise ValueError("keys that are not strings")
-        if not all(type(b) is int and 0 <= b < _MOST_BUTTONS for b in buttons):
+        if not all(type(b) is int and 0 <= b < _MAX_BUTTONS for b in buttons):
             raise ValueError("buttons that are not small integers")
         given = tuple(float(axis) if type(axis) in (int, float) else np.nan for axis in axes)
         if not all(-1.0 <= axis <= 1.0 for axis in given):
@@ -194,8 +194,8 @@ def read_input(message: str | bytes) -> HumanInput:
     return HumanInput(known_keys(keys), given, frozenset(buttons))
 
 
-def _list_of(said: Any, name: str) -> Sequence[Any]:
-    found = said[name] if isinstance(said, dict) and name in said else None
-    if not isinstance(found, list) or len(found) > _MOST_HELD:
-        raise ValueError(f"no list of at most {_MOST_HELD} {name}")
+def _list_of(payload: Any, name: str) -> Sequence[Any]:
+    found = payload[name] if isinstance(payload, dict) and name in payload else None
+    if not isinstance(found, list) or len(found) > _MAX_HELD:
+        raise ValueError(f"no list of at most {_MAX_HELD} {name}")
     return found

@@ -13,7 +13,7 @@ from generator.errors import BackendError, InputError, escape, require_number
 if TYPE_CHECKING:
     from ..study.page_data import StudyPage
 
-_MOST_STUDIES = 16
+_MAX_STUDIES = 16
 _POST = "/api/studies/{study}/answers"
 
 
@@ -89,8 +89,8 @@ def _read_studies(paths: tuple[Path, ...]) -> dict[str, StudyPage]:
     """Return the pages of studies by study id."""
     from ..study.page_data import read_page, read_template
 
-    if len(paths) > _MOST_STUDIES:
-        raise InputError(f"--study got {len(paths)} files; the maximum is {_MOST_STUDIES}.")
+    if len(paths) > _MAX_STUDIES:
+        raise InputError(f"--study got {len(paths)} files; the maximum is {_MAX_STUDIES}.")
     template = read_template() if paths else ""
     found: dict[str, StudyPage] = {}
     for path in paths:

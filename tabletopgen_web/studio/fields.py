@@ -76,7 +76,7 @@ class Fields:
         if found is None:
             return None
         if not isinstance(found, str):
-            raise InputError(f"{name} is a text, not {type(found).__name__}.")
+            raise InputError(f"{name} must be a string, not {type(found).__name__}.")
         require_known(found[:MOST_SHOWN], known, f"{self._what}: {name} cannot be")
         return found
 
@@ -111,7 +111,7 @@ class Fields:
 
 def _check_text(found: object, name: str, max_length: int, multiline: bool) -> None:
     if not isinstance(found, str):
-        raise InputError(f"{name} is a text, not {type(found).__name__}.")
+        raise InputError(f"{name} must be a string, not {type(found).__name__}.")
     if not found.strip():
         raise InputError(f"{name} is empty.")
     if len(found) > max_length:

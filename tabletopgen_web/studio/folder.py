@@ -31,7 +31,8 @@ from generator.errors import StorageError, TabletopError
 from generator.io.bounded import parse_object, read_regular
 from generator.io.files import check_folder, make_private, write_whole
 
-_MOST_BYTES = 4096  # of studio.json
+_MAX_BYTES = 4096  # of studio.json
+_ADDRESS = "The studio's address"
 _WHO, _SECRET = "studio.json", "studies.secret"
 
 
@@ -128,7 +129,7 @@ class StudioFolder:
     def announce(self, address: str) -> None:
         """Record the studio's address, without its token, for the error of a second studio."""
         facts = json.dumps({"process": os.getpid(), "address": address})
-        write_whole(self.root / _WHO, facts, "Where the studio is", "Free space there.")
+        write_whole(self.root / _WHO, facts, _ADDRESS, "Free space there.")
 
     def make_token(self, study: str) -> str:
         """Return the token of a study's raters, which is constant for the lifetime of the folder.
@@ -142,15 +143,15 @@ class StudioFolder:
         if not path.exists():
             new = secrets.token_hex(32)
             write_whole(path, new, "The studies' secret", "Free space there.", mode=0o600)
-        secret = read_regular(path, "The studies' secret", StorageError, max_bytes=_MOST_BYTES)
+        secret = read_regular(path, "The studies' secret", StorageError, max_bytes=_MAX_BYTES)
         if len(secret) != 64:
             raise StorageError(f"{path} is damaged. Remove it; raters then need new addresses.")
         return hmac.new(secret, study.encode(), "sha256").hexdigest()[:48]
 
     def _who(self) -> str:
         try:
-            raw = read_regular(self.root / _WHO, "Where it is", StorageError, max_bytes=_MOST_BYTES)
-            facts = parse_object(raw, "Where it is", StorageError)
+            raw = read_regular(self.root / _WHO, _ADDRESS, StorageError, max_bytes=_MAX_BYTES)
+            facts = parse_object(raw, _ADDRESS, StorageError)
             return f" (process {facts['process']}, at {facts['address']})"
         except (TabletopError, KeyError):
             return ""

@@ -31,7 +31,7 @@ SCENE_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,79}-[0-9a-f]{12}")
 
 PICTURE_ID = re.compile(r"[0-9a-f]{32}")
 
-_MOST_BUDGET = 1e6
+_MAX_BUDGET = 1e6
 _FAR = 10.0  # maximum distance from a table's centre, metres
 _EDITS = {
     "swap": "words [NAME, WHAT]",
@@ -215,4 +215,4 @@ def _read_paid(fields: Fields, always: bool) -> Paid:
         names["backend"] = "embedded"
     mix = Mix(**names)
     check_names(mix.default, mix.roles())
-    return Paid(mix, fields.number("budget", 0, _MOST_BUDGET))
+    return Paid(mix, fields.number("budget", 0, _MAX_BUDGET))

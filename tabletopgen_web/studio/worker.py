@@ -25,7 +25,7 @@ from .work.files import export_scene, record
 from .work.order import JobOrder, Telling
 from .work.scenes import compose_scene, edit_scene, generate_scene
 
-_MOST_BYTES = 2**20  # maximum size of an order
+_MAX_BYTES = 2**20  # maximum size of an order
 
 
 def do(order: JobOrder, telling: Telling) -> Mapping[str, Any]:
@@ -54,7 +54,7 @@ def main() -> int:
     """Run the job from standard input; return the process's exit code."""
     signal.signal(signal.SIGINT, signal.default_int_handler)  # a background process ignores Ctrl-C
     speech = _take_over_output()
-    line = sys.stdin.buffer.readline(_MOST_BYTES)
+    line = sys.stdin.buffer.readline(_MAX_BYTES)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     telling = Telling(speech, Path())
     try:

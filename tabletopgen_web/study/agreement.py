@@ -46,5 +46,5 @@ def krippendorff(units: Iterable[Sequence[int]], metric: Metric) -> float | None
 def _distances(sums: Float[np.ndarray, "v"], metric: Metric) -> Float[np.ndarray, "v v"]:
     if metric == "nominal":
         return 1.0 - np.eye(len(sums))
-    middle = np.cumsum(sums) - sums / 2  # of each value's ranks
+    middle = np.cumsum(sums) - sums / 2  # mean rank of each value
     return (middle[:, None] - middle[None, :]) ** 2

@@ -18,7 +18,7 @@ from .pictures import ENDINGS, decode, digest_of, encode, read_picture
 ABOVE = ".above"
 """Suffix of the stem of a plain picture from above: ``desk.above.png`` beside ``desk.png``."""
 
-_MOST_ENTRIES = 5000  # maximum number of entries of a folder
+_MAX_ENTRIES = 5000  # maximum number of entries of a folder
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,8 +135,8 @@ def _entries(folder: Path) -> list[Path]:
         raise InputError(
             f"{str(folder)!r} cannot be read: {error.strerror or error}. Pass a folder."
         ) from error
-    if len(found) > _MOST_ENTRIES:
-        raise InputError(f"{str(folder)!r} has more than {_MOST_ENTRIES} entries, the maximum.")
+    if len(found) > _MAX_ENTRIES:
+        raise InputError(f"{str(folder)!r} has more than {_MAX_ENTRIES} entries, the maximum.")
     return found
 
 
@@ -185,8 +185,8 @@ def _inputs_of(found: Mapping[str, Sequence[FoundResult]]) -> list[_Input]:
             known.setdefault(digest, _Input(result.stem, digest, result.path, True))
     if not known:
         raise InputError(
-            "No result has its input picture. Pass a folder of input pictures with the names of "
-            "the results as --inputs."
+            "None of the results includes its input picture. Pass a folder of input pictures with "
+            "the names of the results as --inputs."
         )
     return list(known.values())
 

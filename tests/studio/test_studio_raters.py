@@ -135,7 +135,7 @@ def test_a_rater_cannot_fill_the_disk(
     assert send(0, 1.0) == 201, "what is there already is no more"
     folder = tmp_path / "studio" / "answers" / key.study
     size = sum(path.stat().st_size for path in folder.iterdir())
-    monkeypatch.setattr(books, "_MOST_SHARED_BYTES", int(size * 1.5))
+    monkeypatch.setattr(books, "_MAX_SHARED_BYTES", int(size * 1.5))
     found = [send(k, 1.0) for k in range(1, 9)]
     assert {201, 507} == {*found} and found == sorted(found)
     assert sum(path.stat().st_size for path in folder.iterdir()) <= size * 1.5

@@ -200,7 +200,7 @@ def test_results_that_do_not_fit_are_refused(tmp_path: Path) -> None:
         with pytest.raises((InputError, BundleError), match=said):
             collect(folders, where, Drawing(**drawing))
 
-    refused("No result has its input picture", None)
+    refused("None of the results includes its input picture", None)
     refused("no picture from above.*scene-0.above.png", above=True)
     (folders["other"] / "scene-3.png").rename(tmp_path / "kept.png")
     refused("other has none for scene-3")

@@ -17,8 +17,8 @@ from ...study.answers import MAX_FILE_BYTES
 from ..refusals import RefusedError
 
 _NAME = re.compile(r"[a-z0-9-]{1,64}")
-_MOST_RATERS, _MOST_STUDIES = 1000, 1000
-_MOST_SHARED, _MOST_SHARED_BYTES = 8, 64 * 2**20  # answers per rater; bytes per study
+_MAX_RATERS, _MAX_STUDIES = 1000, 1000
+_MAX_SHARED, _MAX_SHARED_BYTES = 8, 64 * 2**20  # answers per rater; bytes per study
 
 
 @dataclass(frozen=True)
@@ -41,8 +41,8 @@ class AnswerBook:
         """
         folder, path = self._find(study), self._path(study, rater)
         if not path.exists() and (
-            (not folder.exists() and _count(self.folder) >= _MOST_STUDIES)
-            or (folder.exists() and _count(folder) >= _MOST_RATERS)
+            (not folder.exists() and _count(self.folder) >= _MAX_STUDIES)
+            or (folder.exists() and _count(folder) >= _MAX_RATERS)
         ):
             raise RefusedError(507, "There are too many raters or studies; no more are accepted.")
         kept = self._read(path)
@@ -50,9 +50,9 @@ class AnswerBook:
             return len(kept)
         kept.append(dict(answer))
         content = json.dumps(kept, ensure_ascii=False, indent=1).encode()
-        if len(content) > MAX_FILE_BYTES or (shared and len(kept) > _MOST_SHARED):
+        if len(content) > MAX_FILE_BYTES or (shared and len(kept) > _MAX_SHARED):
             raise RefusedError(507, f"{rater} has sent too many answers; no more are accepted.")
-        if shared and _size(folder, path) + len(content) > _MOST_SHARED_BYTES:
+        if shared and _size(folder, path) + len(content) > _MAX_SHARED_BYTES:
             raise RefusedError(507, "The study has too many answers; no more are accepted.")
         make_private(folder)
         write_whole(path, content, "The answer", "Free space there.")

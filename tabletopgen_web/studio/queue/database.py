@@ -32,7 +32,7 @@ _TABLES = (
     "CREATE INDEX events_of_jobs ON events (job, seq)",
     f"CREATE INDEX removals ON events (seq) WHERE {REMOVAL}",
 )
-_MOST_VALUE_BYTES = 4 * 2**20
+_MAX_VALUE_BYTES = 4 * 2**20
 
 
 def open_database(path: Path) -> sqlite3.Connection:
@@ -49,7 +49,7 @@ def open_database(path: Path) -> sqlite3.Connection:
         path.chmod(0o600)
         database = sqlite3.connect(path, timeout=10, isolation_level=None, check_same_thread=False)
         try:
-            database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _MOST_VALUE_BYTES)
+            database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _MAX_VALUE_BYTES)
             database.execute("PRAGMA trusted_schema = OFF")
             database.execute("PRAGMA journal_mode = WAL")
             database.execute("PRAGMA synchronous = NORMAL")

@@ -67,10 +67,10 @@ class JobHistory:
         self, row: sqlite3.Row, figures: Mapping[str, FigureRow] | None = None, whole: bool = False
     ) -> JobRow:
         if figures is None:
-            told = self._select(
+            events_of_job = self._select(
                 "SELECT data FROM events WHERE job = ? AND type = 'figure' ORDER BY seq", row["id"]
             )
-            shown = [FigureRow(**json.loads(data)) for (data,) in told]
+            shown = [FigureRow(**json.loads(data)) for (data,) in events_of_job]
             figures = {each.name: each for each in shown}
         stage, result = row["stage"], row["result"]
         return JobRow(

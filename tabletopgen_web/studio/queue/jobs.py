@@ -35,8 +35,8 @@ MOST_LOG = 64 * 2**10
 MOST_INTERRUPTED = 3
 """Maximum number of interrupted runs before a job is not restarted automatically."""
 
-_MOST_JOBS = 5000  # stored jobs; the oldest finished ones are dropped
-_MOST_DELETED = 1000  # stored removal events, for clients that reconnect
+_MAX_JOBS = 5000  # stored jobs; the oldest finished ones are dropped
+_MAX_DELETED = 1000  # stored removal events, for clients that reconnect
 _RESERVED = 256 * 2**10  # bytes
 _OVER = ("done", "failed", "cancelled", "interrupted")
 _RESUMABLE = ("failed", "cancelled", "interrupted")
@@ -184,14 +184,14 @@ class JobStore(JobHistory):
     def _finish(
         self, job: str, state: JobState, error: str | None, result: JobResult | None
     ) -> None:
-        told = None if result is None else encode(result)
+        encoded = None if result is None else encode(result)
         with self._changing():
             self._database.execute(
                 "UPDATE jobs SET state = ?, finished = ?, error = ?, result = ? WHERE id = ?",
-                (state, time.time(), error, None if told is None else json.dumps(told), job),
+                (state, time.time(), error, None if encoded is None else json.dumps(encoded), job),
             )
-            if told is not None:
-                self._tell(job, "result", told)
+            if encoded is not None:
+                self._tell(job, "result", encoded)
             self._tell(job, "state", {"state": state, **({"error": error} if error else {})})
 
     def _check_room(self) -> None:
@@ -225,14 +225,14 @@ class JobStore(JobHistory):
         self._tell(job, "state", {"state": "deleted"})
         self._database.execute(
             f"DELETE FROM events WHERE {REMOVAL} AND seq NOT IN (SELECT seq FROM events "
-            f"WHERE {REMOVAL} ORDER BY seq DESC LIMIT ?)", (_MOST_DELETED,),
+            f"WHERE {REMOVAL} ORDER BY seq DESC LIMIT ?)", (_MAX_DELETED,),
         )  # fmt: skip
 
     def _drop_old(self) -> list[str]:
         (count,) = self._database.execute("SELECT count(*) FROM jobs").fetchone()
         rows = self._select(
             f"SELECT id FROM jobs WHERE state IN {_OVER} ORDER BY number LIMIT ?",
-            max(count - _MOST_JOBS, 0),
+            max(count - _MAX_JOBS, 0),
         )
         old = [row["id"] for row in rows]
         for job in old:

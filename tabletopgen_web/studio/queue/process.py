@@ -28,9 +28,9 @@ MODULE = "tabletopgen_web.studio.worker"
 GRACE = 10.0
 """Seconds between the cancellation of a job and the kill of its process."""
 
-_MOST_LINE = 2**20  # maximum size of a message, bytes
-_MOST_TOLD = 500  # maximum length of a log line, characters
-_MOST_LINES = 400  # maximum log of one run
+_MAX_LINE = 2**20  # maximum size of a message, bytes
+_MAX_TOLD = 500  # maximum length of a log line, characters
+_MAX_LINES = 400  # maximum log of one run
 _PIECE = 8192
 _AFTER = 5.0  # seconds that pipes may stay open after the process has ended
 
@@ -115,7 +115,7 @@ class JobProcess:
             self._process = await asyncio.create_subprocess_exec(
                 sys.executable, "-P", "-m", MODULE,
                 stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
-                stderr=asyncio.subprocess.PIPE, start_new_session=True, limit=_MOST_LINE,
+                stderr=asyncio.subprocess.PIPE, start_new_session=True, limit=_MAX_LINE,
                 env={**os.environ, "PYTHONPATH": path},
             )  # fmt: skip
         except OSError as error:
@@ -141,7 +141,7 @@ class JobProcess:
         assert process.stdout is not None
         try:
             while line := await process.stdout.readline():
-                self._heard(parse_object(line, "What a job's process said", BackendError))
+                self._heard(parse_object(line, "The message of the job's process", BackendError))
         except TabletopError as error:
             self._give_up(process, error)
         except (ValueError, TypeError, KeyError):  # too long, or not a known message
@@ -158,10 +158,10 @@ class JobProcess:
         self._log(process, rest, count)
 
     def _log(self, process: asyncio.subprocess.Process, line: bytes, count: int) -> bool:
-        text = escape(redact(line.decode("utf-8", "replace"), _secrets())).strip()[:_MOST_TOLD]
-        if not text or count > _MOST_LINES:
+        text = escape(redact(line.decode("utf-8", "replace"), _secrets())).strip()[:_MAX_TOLD]
+        if not text or count > _MAX_LINES:
             return False
-        if count == _MOST_LINES:
+        if count == _MAX_LINES:
             text = "(further lines are omitted)"
         try:
             self._logged(text + "\n")

@@ -20,7 +20,7 @@ Order = Callable[[JobRow], Mapping[str, Any]]
 
 _LOG = logging.getLogger(__name__)
 _AGAIN = 2.0  # seconds between attempts to take a job, or to record a result
-_MOST_ERROR = 2000  # maximum length of a message, characters
+_MAX_ERROR = 2000  # maximum length of a message, characters
 
 
 class Runner:
@@ -79,10 +79,10 @@ class Runner:
 
     async def _do(self, job: JobRow) -> None:
         """Run one job and record its result, whatever happens."""
-        said: dict[str, Any] = {}
+        latest: dict[str, Any] = {}
         try:
             work = JobProcess(
-                self._order(job), lambda message: self._hear(job.id, message, said),
+                self._order(job), lambda message: self._hear(job.id, message, latest),
                 lambda text: self._store.note_log(job.id, text),
             )  # fmt: skip
             self._running[job.id] = work
@@ -100,15 +100,15 @@ class Runner:
             _LOG.exception("The job %s failed internally.", job.id)
             self._finish(job.id, "failed", "Internal error of the studio; see its terminal.")
             return
-        if "result" in said and ending.code == 0:
-            self._finish(job.id, "done", result=said["result"])
+        if "result" in latest and ending.code == 0:
+            self._finish(job.id, "done", result=latest["result"])
         elif work.cancelled:
             self._finish(job.id, "cancelled")
         else:
-            self._finish(job.id, "failed", said.get("error") or ending.describe())
+            self._finish(job.id, "failed", latest.get("error") or ending.describe())
 
-    def _hear(self, job: str, message: Mapping[str, Any], said: dict[str, Any]) -> None:
-        """Record a message of the process; ``said`` keeps the last one."""
+    def _hear(self, job: str, message: Mapping[str, Any], latest: dict[str, Any]) -> None:
+        """Record a message of the process; ``latest`` keeps the last one."""
         kind = message.get("type")
         if kind == "stage":
             stage = StageRow(message["name"], message["number"], message["total"])
@@ -117,9 +117,9 @@ class Runner:
             url = f"/api/jobs/{job}/figures/{message['name']}"
             self._store.note_figure(job, FigureRow(message["name"], message["stage"], url))
         elif kind == "result":
-            said["result"] = _as_result(job, message)
+            latest["result"] = _as_result(job, message)
         elif kind == "error":
-            said["error"] = str(message["message"])[:_MOST_ERROR]
+            latest["error"] = str(message["message"])[:_MAX_ERROR]
 
     def _finish(
         self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None

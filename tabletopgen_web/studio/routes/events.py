@@ -28,10 +28,10 @@ async def listen(request: Request) -> Response:
     services = services_of(request)
     if services.listeners.locked():
         raise RefusedError(503, "Too many pages listen to this studio. Close some.")
-    said = request.headers.get("last-event-id") or request.query_params.get("since") or "0"
-    if not said.isascii() or not said.isdecimal() or len(said) > 15:
-        raise InputError(f"since must be the number of an event, not {said[:40]!r}.")
-    since = int(said)
+    position = request.headers.get("last-event-id") or request.query_params.get("since") or "0"
+    if not position.isascii() or not position.isdecimal() or len(position) > 15:
+        raise InputError(f"since must be the number of an event, not {position[:40]!r}.")
+    since = int(position)
     if since > services.store.last_event:  # of another studio's folder
         since = 0
     return EventStream(services, since)

@@ -32,14 +32,14 @@ async def add_answer(request: Request) -> Response:
 
     Answers of a served study must be complete, and have lower limits.
     """
-    services, said = services_of(request), await read_json(request, MAX_ANSWER_BYTES)
+    services, payload = services_of(request), await read_json(request, MAX_ANSWER_BYTES)
     study = request.path_params["study"]
     page = services.studies.get(study)
     if page is not None:
-        await asyncio.to_thread(page.check, said)
+        await asyncio.to_thread(page.check, payload)
     async with services.writing:
         count = await asyncio.to_thread(
-            services.answers.add, study, said.get("rater", ""), said, shared=page is not None
+            services.answers.add, study, payload.get("rater", ""), payload, shared=page is not None
         )
     return answer({"answers": count}, 201)
 

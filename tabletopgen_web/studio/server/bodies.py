@@ -15,7 +15,7 @@ from ..refusals import RefusedError
 MOST_JSON = 64 * 2**10
 """Default size limit of a JSON object, bytes."""
 
-_MOST_DEPTH = 16
+_MAX_DEPTH = 16
 _SECONDS = 60.0  # time limit of a body
 
 
@@ -26,8 +26,8 @@ async def read_body(request: Request, most: int) -> bytes:
         RefusedError: the body exceeds ``most`` bytes, after which reading stops, or arrives too
             slowly.
     """
-    told = request.headers.get("content-length", "0")
-    if not told.isdecimal() or len(told) > 18 or int(told) > most:
+    declared = request.headers.get("content-length", "0")
+    if not declared.isdecimal() or len(declared) > 18 or int(declared) > most:
         raise _excess(most)
     body = bytearray()
     try:
@@ -52,7 +52,7 @@ async def read_json(request: Request, most: int = MOST_JSON) -> dict[str, Any]:
     if kind != "application/json":
         raise RefusedError(415, "The body must be JSON, with content-type application/json.")
     raw = await read_body(request, most)
-    return parse_object(raw, "The body", InputError, max_bytes=most, max_depth=_MOST_DEPTH)
+    return parse_object(raw, "The body", InputError, max_bytes=most, max_depth=_MAX_DEPTH)
 
 
 def _excess(most: int) -> RefusedError:

@@ -27,8 +27,8 @@ from ..specs import GenerateSpec, JobSpec, read_spec, scene_of
 from ..work.order import JobOrder
 from .changes import Changes
 
-_MOST_ESTIMATE = 180.0  # seconds
-_MOST_CLIENTS = 64  # maximum number of event listeners
+_MAX_ESTIMATE = 180.0  # seconds
+_MAX_CLIENTS = 64  # maximum number of event listeners
 
 
 @dataclass(eq=False)
@@ -49,7 +49,7 @@ class StudioServices:
     uploads: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(2))
     writing: asyncio.Lock = field(default_factory=asyncio.Lock)
     estimates: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(1))
-    listeners: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(_MOST_CLIENTS))
+    listeners: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(_MAX_CLIENTS))
 
     def __post_init__(self) -> None:
         self.scenes = SceneLibrary(self.folder)
@@ -93,18 +93,18 @@ class StudioServices:
         Raises:
             TabletopError: the job is invalid, or the dry run fails.
         """
-        said: dict[str, Any] = {}
+        messages: dict[str, Any] = {}
 
         def hear(message: dict[str, Any]) -> None:
-            said[message["type"]] = message
+            messages[message["type"]] = message
 
         async with self.estimates:
             process = JobProcess(self._order("estimate", request, "estimate"), hear)
-            ending = await process.run(_MOST_ESTIMATE)
-        if "result" in said:
-            return {k: v for k, v in said["result"].items() if k != "type"}
-        told = said.get("error", {}).get("message")
-        raise BackendError(told or ending.describe())
+            ending = await process.run(_MAX_ESTIMATE)
+        if "result" in messages:
+            return {k: v for k, v in messages["result"].items() if k != "type"}
+        reason = messages.get("error", {}).get("message")
+        raise BackendError(reason or ending.describe())
 
     def _order(self, kind: str, request: Mapping[str, Any], job: str) -> Mapping[str, Any]:
         spec = read_spec(request)

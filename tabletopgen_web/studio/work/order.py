@@ -52,8 +52,8 @@ class JobOrder:
     def plain(self) -> dict[str, Any]:
         """Return the order as JSON values."""
         paths = ("scenes", "figures", "files", "bundle", "picture")
-        told = {k: None if (v := getattr(self, k)) is None else str(v) for k in paths}
-        return {"kind": self.kind, "request": dict(self.request), **told}
+        paths_as_text = {k: None if (v := getattr(self, k)) is None else str(v) for k in paths}
+        return {"kind": self.kind, "request": dict(self.request), **paths_as_text}
 
     @property
     def start(self) -> Path:
