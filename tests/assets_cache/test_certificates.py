@@ -1,4 +1,4 @@
-"""The certificates of the shipped bundles; CONTRIBUTING.md has the command that makes them."""
+"""The certificates of the shipped bundles; CONTRIBUTING.md has the command to regenerate them."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Published or absent: savers, removers and readers of one store at the same time."""
+"""Concurrent saving, removal and reading of one store: bundles are published or absent."""
 
 import os
 import shutil

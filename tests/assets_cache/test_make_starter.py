@@ -1,4 +1,4 @@
-"""Remaking the shipped bundles: what stays the same keeps its certificate."""
+"""Regeneration of the shipped bundles: unchanged ones keep their certificates."""
 
 import shutil
 from collections.abc import Mapping

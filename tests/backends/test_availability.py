@@ -1,4 +1,4 @@
-"""What is said of backends: each of the table, and what it lacks here."""
+"""Availability of backends: all of the table, and their missing requirements."""
 
 from pathlib import Path
 

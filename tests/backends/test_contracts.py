@@ -1,4 +1,4 @@
-"""What the protocols promise, held against every backend that answers them.
+"""The contracts of the protocols, tested with every backend.
 
 The cloud's models are played by a local server that answers from the truth of the painted table,
 the open segmenting models by objects that do: what is checked is what the backend makes of right

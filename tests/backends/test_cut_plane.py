@@ -1,4 +1,4 @@
-"""Tabletops cut by the frame: outlines from a region and a known camera."""
+"""Table tops cut by the frame: outlines from a region and a known camera."""
 
 import cv2
 import numpy as np

@@ -1,4 +1,4 @@
-"""Plane, sizes, places and stacking measured in rendered depth maps, whose truth is known."""
+"""Plane, sizes, positions and stacking from rendered depth maps with ground truth."""
 
 from dataclasses import replace
 

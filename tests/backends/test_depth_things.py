@@ -1,4 +1,4 @@
-"""What an eye found held against depth: flat finds, spilt and broken masks, missed things."""
+"""Detections compared with depth: flat ones, spilled and broken masks, missed objects."""
 
 from dataclasses import replace
 

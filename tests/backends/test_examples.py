@@ -1,4 +1,4 @@
-"""Words that the eye never learned are told apart by examples and sizes."""
+"""Classification of unlearned words by examples and sizes."""
 
 from collections.abc import Mapping
 

@@ -1,4 +1,4 @@
-"""Poses read naively off masks and boxes: what stands in for DRO and TSA in an ablation."""
+"""Naive poses from masks and boxes: the replacement of DRO and TSA in ablations."""
 
 import cv2
 import numpy as np

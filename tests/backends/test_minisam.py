@@ -1,4 +1,4 @@
-"""The prompted segmenter: which masks are things, which are parts; files fetched and checked."""
+"""The prompted segmenter: masks of objects and of parts; download and verification of files."""
 
 from __future__ import annotations
 

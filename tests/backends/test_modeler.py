@@ -1,4 +1,4 @@
-"""Analysis by synthesis: what the modeler makes of rendered shapes it is told nothing about."""
+"""Analysis by synthesis: the modeler on rendered shapes without further information."""
 
 from functools import cache
 

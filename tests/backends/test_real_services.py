@@ -1,4 +1,4 @@
-"""The services and installed models themselves: what costs money only where it is said how much.
+"""Real services and installed models; paid calls only with an explicit budget.
 
     TABLETOPGEN_TEST_BUDGET=2 pytest -m real tests/backends/test_real_services.py
 

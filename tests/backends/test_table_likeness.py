@@ -1,4 +1,4 @@
-"""A table rebuilt from its picture: the top's outline, legs, height and colours."""
+"""A table reconstructed from its picture: outline, legs, height and colours."""
 
 from dataclasses import replace
 

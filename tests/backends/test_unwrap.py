@@ -1,4 +1,4 @@
-"""Texture atlases: every chart has a place of its own, however many there are."""
+"""Texture atlases: every chart has a separate place, for any number of charts."""
 
 import numpy as np
 import pytest

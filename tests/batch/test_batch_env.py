@@ -1,4 +1,4 @@
-"""The batch as a Gymnasium vector environment: the single environment's episodes, many at once."""
+"""The batch as a Gymnasium vector environment, with the single environment's episodes."""
 
 import re
 from typing import Any

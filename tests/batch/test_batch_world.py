@@ -1,4 +1,4 @@
-"""Batches against MuJoCo itself, and what one world of a batch may do to the others."""
+"""Batches compared with MuJoCo, and isolation of the worlds in a batch."""
 
 import re
 from functools import partial

@@ -1,4 +1,4 @@
-"""Which episodes of a deck come next."""
+"""Choice of the next episodes of a deck."""
 
 import numpy as np
 import pytest

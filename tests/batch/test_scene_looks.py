@@ -1,4 +1,4 @@
-"""What is drawn of scenes, and the one model that draws them all."""
+"""Visual geoms of scenes, and the single model that draws them all."""
 
 import mujoco
 import numpy as np

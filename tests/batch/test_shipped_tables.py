@@ -1,4 +1,4 @@
-"""Every shipped table in one batch, and the expert's lifts replayed there."""
+"""Every shipped table in one batch, with replays of the expert's lifts."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""Results are checked: by their own figures, and by playing some of their episodes again."""
+"""Checks of results: consistency of the figures, and replays of some episodes."""
 
 import dataclasses
 import json

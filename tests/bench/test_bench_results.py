@@ -1,4 +1,4 @@
-"""Results: read only as they were written, compared in pairs, and put on one page."""
+"""Results: strict reading, paired comparison, and the leaderboard."""
 
 import dataclasses
 import html

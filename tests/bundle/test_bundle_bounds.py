@@ -1,4 +1,4 @@
-"""Bundles that are too large, or damaged in a mesh or picture: one error, before any decoding."""
+"""Oversized bundles, or ones with damaged meshes or pictures: one error before decoding."""
 
 import zlib
 from collections.abc import Callable

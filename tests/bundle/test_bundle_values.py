@@ -1,4 +1,4 @@
-"""Self-consistent bundles whose values are hostile: what loads, shows, compiles and runs."""
+"""Consistent bundles with hostile values: loading, display, compilation and simulation."""
 
 import copy
 import json

@@ -1,4 +1,4 @@
-"""The store of answers: whole or absent, bounded, shared, and never in the way."""
+"""The response cache: atomic, bounded, shared, and never blocking."""
 
 import hashlib
 import os

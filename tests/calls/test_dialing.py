@@ -1,4 +1,4 @@
-"""Servers that never come to an end: each is left when the time of the call is over."""
+"""Endless server responses: each call ends at its timeout."""
 
 import gzip
 import shutil

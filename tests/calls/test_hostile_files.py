@@ -1,4 +1,4 @@
-"""What was spent, answers and prices as somebody else may have written them."""
+"""Spending records, cached responses and prices written by others."""
 
 import contextlib
 import hashlib

@@ -1,4 +1,4 @@
-"""Ctrl-C while calls are under way: no new ones, what is answered soon is kept, twice ends all."""
+"""Ctrl-C during calls: no new calls, pending ones may finish; a second Ctrl-C ends all."""
 
 import os
 import signal

@@ -1,4 +1,4 @@
-"""Commands that ask servers: the ledger, the budget, the dry run, the folder of answers."""
+"""Commands with paid calls: the ledger, the budget, the dry run, the response cache."""
 
 import errno
 import json

@@ -1,4 +1,4 @@
-"""One key, sent to a server that repeats it wherever it can: found nowhere afterwards."""
+"""A key sent to a server that repeats it everywhere does not leak."""
 
 import logging
 import traceback

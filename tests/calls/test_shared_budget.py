@@ -1,4 +1,4 @@
-"""A sum of money that processes spend together: never overdrawn, whoever dies."""
+"""A budget shared by processes: never overdrawn, even if processes die."""
 
 import os
 import pickle

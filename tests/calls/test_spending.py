@@ -1,4 +1,4 @@
-"""What a scene's calls cost outlives the runs that paid for them."""
+"""The cost of a scene's calls persists across runs."""
 
 import os
 import sqlite3

@@ -1,4 +1,4 @@
-"""How things slide, against published pairs of materials."""
+"""Friction of objects compared with published pairs of materials."""
 
 import json
 from pathlib import Path

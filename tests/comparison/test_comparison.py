@@ -1,4 +1,4 @@
-"""A scene held against its picture: known camera, known silhouettes, figures and sheet."""
+"""Comparison of a scene with its picture: known camera and silhouettes, figures and sheet."""
 
 import dataclasses
 

@@ -1,4 +1,4 @@
-"""The batched core gives the numbers of the single environment, term by term."""
+"""The batched core gives the values of the single environment, term by term."""
 
 from dataclasses import dataclass, fields, replace
 from typing import Any

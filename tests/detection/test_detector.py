@@ -1,4 +1,4 @@
-"""The grasp detector: what it answers, what it is given, and what of it is kept."""
+"""The grasp detector: its detections, its inputs, and its file."""
 
 from dataclasses import replace
 from pathlib import Path

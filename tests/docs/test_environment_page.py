@@ -1,4 +1,4 @@
-"""The page of the environment: its table of ``info`` is what there is."""
+"""The environment page: its table of ``info`` matches the code."""
 
 import re
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Links within README.md, CONTRIBUTING.md and the docs lead somewhere."""
+"""Internal links of README.md, CONTRIBUTING.md and the docs are valid."""
 
 import re
 import tomllib

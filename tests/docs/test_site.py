@@ -1,4 +1,4 @@
-"""The site builds without a warning, offline, and its generated pages say what the code says."""
+"""The site builds offline without warnings, and its generated pages match the code."""
 
 import json
 import os

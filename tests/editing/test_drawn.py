@@ -1,4 +1,4 @@
-"""An edit by backends: the thing is drawn, cut out, modelled and turned, by the protocols alone."""
+"""Edits by backends: the object is drawn, cut out, modelled and rotated through the protocols."""
 
 from dataclasses import dataclass, field
 from pathlib import Path

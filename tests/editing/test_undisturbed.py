@@ -1,4 +1,4 @@
-"""What an edit does not disturb stays to the byte: pose, model, parts and mass."""
+"""Objects not affected by an edit remain identical: pose, model, parts and mass."""
 
 import zlib
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Action modes: documented amounts, limits, and bad input."""
+"""Action modes: documented step sizes, limits, and bad input."""
 
 import numpy as np
 import pytest

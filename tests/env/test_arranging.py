@@ -1,4 +1,4 @@
-"""Objects that stand elsewhere, and objects that are taken away."""
+"""Displaced objects, and removed objects."""
 
 from dataclasses import replace
 

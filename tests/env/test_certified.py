@@ -1,4 +1,4 @@
-"""Environments draw what a bundle's certificate says can be done, unless told otherwise."""
+"""By default, environments draw certified instances."""
 
 import pickle
 import shutil

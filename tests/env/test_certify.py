@@ -1,4 +1,4 @@
-"""Certificates: made by the expert, kept beside a bundle, refused where they are not its own."""
+"""Certificates: created by the expert, stored beside a bundle, rejected for other scenes."""
 
 import itertools
 import json

@@ -1,4 +1,4 @@
-"""The environment as Gymnasium and SB3 use it: determinism, options, vectors, training, errors."""
+"""The environment with Gymnasium and SB3: determinism, options, vectors, training, errors."""
 
 import pickle
 

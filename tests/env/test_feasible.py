@@ -1,4 +1,4 @@
-"""Starts that an episode can be played from: what is to be taken still has a grasp."""
+"""Feasible starts: targets keep a reachable grasp."""
 
 from dataclasses import replace
 

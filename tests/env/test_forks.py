@@ -1,4 +1,4 @@
-"""Forked processes draw, although OpenGL does not survive a fork: in software, or with an error."""
+"""Rendering in forked processes, which cannot use OpenGL: in software, or with an error."""
 
 import multiprocessing
 import os

@@ -1,4 +1,4 @@
-"""Every task: success exactly where its page says, a full reward there and nowhere else."""
+"""Every task succeeds exactly as documented, with full reward only then."""
 
 from dataclasses import replace
 

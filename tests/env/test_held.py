@@ -1,4 +1,4 @@
-"""What tasks ask for is true of the settled scene, whatever its plan asked for."""
+"""Tasks use the settled scene, not the plan."""
 
 from dataclasses import replace
 

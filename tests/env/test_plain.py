@@ -1,4 +1,4 @@
-"""What is fast gives what the plain formulas give, to the bit or to rounding."""
+"""Fast implementations agree with the plain formulas, exactly or up to rounding."""
 
 import mujoco
 import numpy as np

@@ -1,4 +1,4 @@
-"""Domain randomisation: settings, independent draws, exact undoing, the environment with it."""
+"""Domain randomisation: settings, independent draws, exact restoration, the environment."""
 
 import json
 from dataclasses import fields, replace

@@ -1,4 +1,4 @@
-"""What a real robot has: pictures with calibrations, proprioception, instructions, marks."""
+"""Inputs of a real robot: pictures with calibration, proprioception, instructions, marks."""
 
 import gymnasium as gym
 import numpy as np

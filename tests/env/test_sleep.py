@@ -1,4 +1,4 @@
-"""Sleeping and grasping: what the hand touches wakes, what it holds stays awake, touch is told."""
+"""Sleep and grasps: touched objects wake, held ones stay awake, contacts are reported."""
 
 import mujoco
 import numpy as np

@@ -1,4 +1,4 @@
-"""Starts that are a little off: how far, what stays as it must, and that they repeat themselves."""
+"""Perturbed starts: magnitude, constraints, and reproducibility."""
 
 import hashlib
 import os

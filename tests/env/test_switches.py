@@ -1,4 +1,4 @@
-"""What each switch of the randomisation does: lights to table height, delay and noise."""
+"""Effects of each randomisation switch: lights to table height, delay and noise."""
 
 from typing import Any
 

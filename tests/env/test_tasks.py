@@ -1,4 +1,4 @@
-"""PickPlace: what is drawn, when it is a success, and where the reward peaks."""
+"""PickPlace: draws, success, and maximum of the reward."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Overlaps of drawn meshes: known depths, hollow things, and what is no collision."""
+"""Overlaps of visual meshes: known depths, hollow objects, and contacts."""
 
 import dataclasses
 

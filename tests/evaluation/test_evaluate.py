@@ -1,4 +1,4 @@
-"""Every defect put into a scene on purpose is reported, and a sound scene has none."""
+"""Every deliberate defect of a scene is reported, and a valid scene has none."""
 
 import dataclasses
 import functools

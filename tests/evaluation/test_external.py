@@ -1,4 +1,4 @@
-"""Another method's result: read as it states, scored as ours are, refused where it is no good."""
+"""Results of other methods: read as specified, scored like ours, rejected if invalid."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""Marks from 1 to 7: a judge is asked once for all criteria, and its answer is checked."""
+"""Scores from 1 to 7: one request for all criteria, with validation of the answer."""
 
 from collections.abc import Mapping
 from typing import Any

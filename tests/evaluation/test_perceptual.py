@@ -1,4 +1,4 @@
-"""Scores of likeness: the embedded ones work, the published ones are there or told missing."""
+"""Similarity scores: embedded ones work; published ones work or are reported missing."""
 
 import dataclasses
 import sys

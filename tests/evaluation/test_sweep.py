@@ -1,4 +1,4 @@
-"""The camera sweep: which views it takes, what they show, and which is picked."""
+"""The camera sweep: its views, their content, and the choice among them."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""Errors against a true scene: yaw modulo symmetry, place, size, support."""
+"""Errors relative to a ground-truth scene: yaw modulo symmetry, position, size, support."""
 
 import dataclasses
 import json

@@ -1,4 +1,4 @@
-"""What the arm reaches, which way the hand turns, and the way around the base."""
+"""Reach of the arm, rotation of the hand, and paths around the base."""
 
 from typing import Any
 

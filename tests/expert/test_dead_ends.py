@@ -1,4 +1,4 @@
-"""Marked spots can be reached, and the expert gets out of dead ends of the arm's joints."""
+"""Marked spots are reachable, and the expert escapes dead ends of the joints."""
 
 from typing import Any
 

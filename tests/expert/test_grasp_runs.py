@@ -1,4 +1,4 @@
-"""Cross-sections cut into runs: where they begin and end, and what the fingers would slide off."""
+"""Cross-sections cut into runs: their ends, and surfaces from which fingers would slip."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Exports in other physics engines: what each needs is written, and scenes stay and slide there."""
+"""Exports in other physics engines: required elements, and stable and sliding scenes."""
 
 import csv
 import json

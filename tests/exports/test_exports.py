@@ -1,4 +1,4 @@
-"""Exports, read back by others: the same bodies, masses, poses, extents and collision parts."""
+"""Exports read by other programs: equal bodies, masses, poses, extents and collision parts."""
 
 import dataclasses
 import importlib.util

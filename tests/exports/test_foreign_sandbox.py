@@ -1,4 +1,4 @@
-"""Foreign scenes are read in a child process with limits; this process parses nothing."""
+"""Foreign scenes are parsed only in a child process with limits."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""An object that cannot be used costs itself alone; an outcome says what was done with each."""
+"""A faulty object does not affect the others; the outcome reports each object."""
 
 import json
 from dataclasses import replace

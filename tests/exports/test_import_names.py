@@ -1,4 +1,4 @@
-"""An import ends the same way, whatever its objects are called."""
+"""Imports do not depend on the names of objects."""
 
 from pathlib import Path
 

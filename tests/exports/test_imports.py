@@ -1,4 +1,4 @@
-"""Foreign scenes as bundles: MJCF, GLB and folders, what is refused, and exports read again."""
+"""Foreign scenes as bundles: MJCF, GLB and folders, rejections, and imports of exports."""
 
 import dataclasses
 import json

@@ -1,4 +1,4 @@
-"""Exports held against other programs, and pictures of what is read again."""
+"""Exports checked by other programs, and pictures of their results."""
 
 import dataclasses
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Every shipped bundle as GLB: valid, readable, the same when imported again; its meshes too."""
+"""Every shipped bundle as GLB: valid, readable, and identical after reimport."""
 
 import json
 import shutil

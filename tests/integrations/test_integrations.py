@@ -1,4 +1,4 @@
-"""TabletopGen in LeRobot and in vla-eval: as far as it needs neither, and with both."""
+"""TabletopGen in LeRobot and in vla-eval, with and without these packages."""
 
 import importlib
 import os

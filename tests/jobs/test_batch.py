@@ -1,4 +1,4 @@
-"""Many scenes: all that can be made are made, once, whatever happens in between."""
+"""Batches: every valid scene is generated exactly once, despite interruptions."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""Records and prompts that somebody else wrote: nothing outside is touched, nothing hangs."""
+"""Records and prompts written by others: no changes outside the folder, no hangs."""
 
 import json
 import os

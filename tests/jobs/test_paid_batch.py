@@ -1,4 +1,4 @@
-"""Batches that cost money: one sum for all scenes, workers and runs."""
+"""Batches with paid calls: one budget for all scenes, workers and runs."""
 
 import json
 import pickle

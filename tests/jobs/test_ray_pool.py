@@ -1,4 +1,4 @@
-"""The pool over a Ray cluster of two nodes: the same as processes, whatever happens to a worker."""
+"""The pool on a Ray cluster of two nodes: equal to processes, even if workers fail."""
 
 import logging
 import os

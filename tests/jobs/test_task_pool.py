@@ -1,4 +1,4 @@
-"""What all pools have: results in order, few tasks ahead, and things made once a process."""
+"""Properties of all pools: ordered results, limited lookahead, one-time setup per process."""
 
 import itertools
 import sys

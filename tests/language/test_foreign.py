@@ -1,4 +1,4 @@
-"""Texts in other languages are refused in one clear line; English with foreign words is not."""
+"""Texts in other languages are rejected in one line; English with foreign words is not."""
 
 from __future__ import annotations
 

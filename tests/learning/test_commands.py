@@ -1,4 +1,4 @@
-"""The commands: what they print, what they write, and their exit codes."""
+"""The learning commands: output, files, and exit codes."""
 
 import ast
 import dataclasses

@@ -1,4 +1,4 @@
-"""A policy that looks: where its head sees what, the ways it makes of it, and how it is taught."""
+"""The policy with height maps: its attention, its paths, and its training."""
 
 import math
 import os

@@ -1,4 +1,4 @@
-"""Bands over seeds: the numbers, and that they are drawn."""
+"""Bands over seeds: the numbers, and the plots."""
 
 import sys
 from pathlib import Path

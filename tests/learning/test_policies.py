@@ -1,4 +1,4 @@
-"""Policy files: what they hold comes back to the bit, and what is not one is refused."""
+"""Policy files: exact round trips, and rejection of invalid files."""
 
 import dataclasses
 import json

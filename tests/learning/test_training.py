@@ -1,4 +1,4 @@
-"""Training: every family runs, repeats itself, goes on where it was, and leaves what it says."""
+"""Training: every algorithm runs, is reproducible, resumes, and writes its files."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""TSA: Eqs. 5 and 6 on numbers worked by hand, scales, and contact of real meshes."""
+"""TSA: Eqs. 5 and 6 on hand-computed numbers, scales, and contact of real meshes."""
 
 from dataclasses import replace
 from typing import Any

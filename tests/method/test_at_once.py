@@ -1,4 +1,4 @@
-"""Questions about many things go to a server at once, and to what computes here in turn."""
+"""Requests about many objects: parallel to a server, sequential for local computation."""
 
 import dataclasses
 import threading

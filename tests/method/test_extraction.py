@@ -1,4 +1,4 @@
-"""Extraction: names, cleaning, and what happens when something is missing."""
+"""Extraction: names, cleaning, and missing objects."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""A text's plan puts right what a reconstruction lacks, doubles, or has otherwise."""
+"""A text's plan corrects missing, duplicate and deviating objects of a reconstruction."""
 
 from dataclasses import replace
 

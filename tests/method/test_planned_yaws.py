@@ -1,4 +1,4 @@
-"""Yaws found in the drawing are used for shapes that are the plan's."""
+"""Yaws from the drawing are applied to shapes from the plan."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What is published: a scene that fails its gate gives up what spoils it, and says so.
+"""Publication: a scene that fails its gate loses the offending objects, with a report.
 
 A joint refinement that assembly undoes does not stay; the report says what is published.
 """

@@ -1,4 +1,4 @@
-"""Joint refinement: yaw, place and size of all objects come nearer to the truth, never farther."""
+"""Joint refinement: errors of yaw, position and size of objects decrease, and never increase."""
 
 import dataclasses
 

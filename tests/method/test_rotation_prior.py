@@ -1,4 +1,4 @@
-"""A modeler's own pose as a hint: it decides where renders cannot, and nowhere else."""
+"""A modeler's pose as a prior: it decides only where renders cannot."""
 
 import dataclasses
 

@@ -1,4 +1,4 @@
-"""A top view that moved, dropped or missized things is repaired from the reference picture."""
+"""Repair of top views with moved, missing or wrongly sized objects, from the reference picture."""
 
 from dataclasses import replace
 

@@ -56,7 +56,7 @@ class Watch:
     _open: dict[int, Asked] = field(default_factory=dict)
 
     def note(self, question: str, content: bytes, began: float | None = None) -> None:
-        """Record a request of the calling thread, which responds; it arrived now or at ``began``."""
+        """Record a request of the calling thread, which responds; it came now or at ``began``."""
         came = time.monotonic() if began is None else began
         made = Asked(question, hashlib.sha256(content).hexdigest(), came)
         with self._lock:

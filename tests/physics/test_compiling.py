@@ -1,4 +1,4 @@
-"""What is compiled in memory, or once for many poses, is what the document compiles to."""
+"""Models compiled in memory, or once for many poses, equal the compiled document."""
 
 import dataclasses
 

@@ -1,4 +1,4 @@
-"""The gate must catch every kind of unsound scene: one that cannot fail is a defect."""
+"""The gate detects every kind of invalid scene."""
 
 import dataclasses
 

@@ -1,4 +1,4 @@
-"""MuJoCo's log file: no simulation of the product writes one into the working directory."""
+"""MuJoCo's log file: simulations never write one into the working directory."""
 
 import contextlib
 import re

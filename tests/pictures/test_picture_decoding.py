@@ -1,4 +1,4 @@
-"""Pictures are decoded in a child with limits; whatever goes wrong is one error."""
+"""Pictures are decoded in a child process with limits; every failure is one error."""
 
 import contextlib
 import io

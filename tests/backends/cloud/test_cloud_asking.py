@@ -1,4 +1,4 @@
-"""One question over HTTP: the ladder of forms, asking again, refusals, and servers that fail."""
+"""One question over HTTP: fallback formats, retries, refusals, and failing servers."""
 
 import json
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Where the cloud backend's server, models and keys come from, and where keys go."""
+"""Sources of the cloud backend's server, models and keys, and destinations of keys."""
 
 import importlib.util
 import sys

@@ -1,4 +1,4 @@
-"""The imager's pictures over HTTP, in both forms that servers have, and what is done with them."""
+"""The imager's pictures over HTTP, in both server formats, and their processing."""
 
 import io
 import json

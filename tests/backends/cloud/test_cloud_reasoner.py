@@ -1,4 +1,4 @@
-"""The reasoner's questions over HTTP: what is asked, and the project's values that come of it."""
+"""The reasoner's questions over HTTP: prompts, and the resulting values."""
 
 import dataclasses
 import json

@@ -1,4 +1,4 @@
-"""What is kept of answers of no use: nothing, where they ended the question; else all of them."""
+"""Caching of invalid answers: none are cached if they ended the question, else all."""
 
 import json
 from collections.abc import Callable

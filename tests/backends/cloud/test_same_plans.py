@@ -1,4 +1,4 @@
-"""The cloud reasoner's plans are of the same type, and as right, as the embedded planner's."""
+"""The cloud reasoner's plans have the type and quality of the embedded planner's."""
 
 import json
 from collections import Counter

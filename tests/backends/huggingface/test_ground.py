@@ -1,4 +1,4 @@
-"""What stands on the table."""
+"""Detection of the objects that stand on the table."""
 
 import numpy as np
 

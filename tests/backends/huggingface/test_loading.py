@@ -1,4 +1,4 @@
-"""Pinned models read from a folder: what is there is read, what is not is told, offline."""
+"""Pinned models loaded from a folder, offline: existing files are read, missing ones reported."""
 
 import dataclasses
 import json

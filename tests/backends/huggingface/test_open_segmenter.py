@@ -1,4 +1,4 @@
-"""The segmenter by open models: with right answers from players, and with the real classes."""
+"""The segmenter with open models: with correct answers from players, and with real classes."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Words as Grounding DINO is asked about them: one of them is the answer, whole."""
+"""Words in Grounding DINO's prompts: the answer is one complete word."""
 
 import numpy as np
 import pytest

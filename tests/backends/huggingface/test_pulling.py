@@ -1,4 +1,4 @@
-"""Fetching models: the pinned commit, the named files, checked; over real HTTP."""
+"""Model downloads over HTTP: the pinned commit, the named files, and their verification."""
 
 import dataclasses
 import errno

@@ -1,4 +1,4 @@
-"""What every modeler keeps, whoever makes the mesh."""
+"""The contract of every modeler, whatever the mesh generator."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path

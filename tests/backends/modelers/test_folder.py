@@ -1,4 +1,4 @@
-"""Your own files as models: which one is taken, what of it stays, what is refused."""
+"""User files as models: selection, conversion and rejection."""
 
 import io
 import os

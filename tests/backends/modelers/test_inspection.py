@@ -1,4 +1,4 @@
-"""Files that would do harm, or cannot be read, are refused before they are decoded."""
+"""Harmful or unreadable files are rejected before decoding."""
 
 import base64
 import io

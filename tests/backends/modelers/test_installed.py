@@ -1,4 +1,4 @@
-"""Models in this process: fakes with the signatures of the real ones, and what is asked of them."""
+"""Models in this process: fakes with the real signatures, and their inputs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Meshes of servers, of folders and of other methods are parsed in a child process alone."""
+"""Meshes of servers, of folders and of other methods are parsed only in a child process."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Foreign meshes as models of the project: upright, closed, light, in one texture."""
+"""Conversion of foreign meshes to models: upright, closed, light, with one texture."""
 
 import tracemalloc
 

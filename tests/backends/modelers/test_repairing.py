@@ -1,4 +1,4 @@
-"""Foreign meshes that are no clean surface: repaired where that changes little, else refused."""
+"""Repair of defective foreign meshes, or rejection if it would change too much."""
 
 import numpy as np
 import pytest

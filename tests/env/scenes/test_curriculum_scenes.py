@@ -1,4 +1,4 @@
-"""Scenes of the difficulty at which the policy learns most."""
+"""Scenes at the difficulty from which the policy learns most."""
 
 import pickle
 

@@ -1,4 +1,4 @@
-"""Scenes that are there: finding and drawing them, what is gone, and keeping compiled worlds."""
+"""Existing scenes: search, draws, removed bundles, and the cache of compiled worlds."""
 
 import pickle
 import shutil

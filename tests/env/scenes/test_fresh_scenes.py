@@ -1,4 +1,4 @@
-"""Scenes made on demand: what decides them, and how they are made."""
+"""Scenes generated on demand: dependence on seeds, and generation."""
 
 import pickle
 import sys

@@ -1,4 +1,4 @@
-"""A pool that is renewed while training goes on, whatever happens to who renews it."""
+"""A pool of scenes renewed during training, including failures of the producers."""
 
 import multiprocessing
 import os

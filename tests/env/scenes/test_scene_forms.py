@@ -1,4 +1,4 @@
-"""What may be passed as ``scenes``, and what is said of anything else."""
+"""Valid forms of ``scenes``, and errors for all others."""
 
 import pickle
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Scenes to train on and scenes held out: two sides that never meet."""
+"""Training and held-out scenes: two disjoint splits."""
 
 import json
 import os

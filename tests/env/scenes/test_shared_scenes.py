@@ -1,4 +1,4 @@
-"""One source for the slots of a vector environment, whatever is dropped or renewed meanwhile."""
+"""One source for the slots of a vector environment, with concurrent changes."""
 
 import pickle
 import shutil

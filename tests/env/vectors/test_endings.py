@@ -1,4 +1,4 @@
-"""However shards, or the process that has them, end: nothing is left behind, and one error says so.
+"""Ends of worker processes and their parent: no remains, and a single error.
 
 Scripts run without a main guard, in processes of their own, each with a limit of time.
 """

@@ -1,4 +1,4 @@
-"""Infos that travel between processes are those that Gymnasium's vectors would have."""
+"""Infos sent between processes equal those of Gymnasium's vector environments."""
 
 import pickle
 from typing import Any

@@ -1,4 +1,4 @@
-"""Slots that are stepped together do what they do alone, to rounding."""
+"""Slots stepped together equal slots stepped alone, up to rounding."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""Slots in processes do what they do on threads, to the bit, and can be asked the same."""
+"""Slots in processes equal slots on threads, bit for bit, with the same interface."""
 
 import copy
 import multiprocessing
