@@ -40,7 +40,7 @@ def certificate(path: Path) -> Certificate:
 
 
 def solved(path: Path, name: TaskName) -> set[Asked]:
-    """What the certificate of a bundle says the expert solves of a task."""
+    """Return the instances of a task that the expert solves according to the certificate."""
     listed = certificate(path).instances
     return {asked(i) for i in listed if i.name == name and i.certified}
 
@@ -50,7 +50,7 @@ def asked(instance: TaskInstance) -> Asked:
 
 
 def played(env: TabletopEnv, seed: int) -> Asked:
-    """What a reset asks for; it has to be certified."""
+    """Return the episode of a reset, which must be certified."""
     assert env.reset(seed=seed)[1]["certified"] is True
     return asked(instance_of(env.task, env.episode))
 

@@ -18,7 +18,7 @@ def scene(name: str, x: float = 0.0) -> Scene:
 
 @pytest.fixture
 def store(tmp_path: Path, monkeypatch) -> Path:
-    """An empty store; the environment and the user's home are out of the way."""
+    """An empty store, isolated from the environment and the user's home."""
     monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
     monkeypatch.setattr("platformdirs.user_cache_dir", lambda *a, **k: str(tmp_path / "user"))
     shipped, tasks = tmp_path / "shipped", tmp_path / "tasks"

@@ -16,7 +16,7 @@ VARIABLES = (
 
 @pytest.fixture(autouse=True)
 def bare(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """An environment that names nothing, and no weights."""
+    """An environment without settings and weights."""
     for name in VARIABLES:
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("TABLETOPGEN_MODELS", str(tmp_path / "models"))

@@ -8,7 +8,7 @@ from generator.scene.triangles import weld_index
 
 
 def soup(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Triangles that share nothing, each a chart of its own."""
+    """Return triangles without shared vertices, each a separate chart."""
     rng = np.random.default_rng(0)
     vertices = rng.uniform(-1.0, 1.0, (3 * count, 3))
     return vertices, np.arange(3 * count).reshape(-1, 3)

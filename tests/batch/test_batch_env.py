@@ -48,7 +48,7 @@ def in_turn(env: TabletopBatchEnv) -> tuple[Any, dict[str, Any]]:
 
 
 def play(env: TabletopBatchEnv, steps: int) -> list[dict[str, Any]]:
-    """Play every episode of a batch alone, by the expert; return what was seen and done."""
+    """Play every episode of a batch alone with the expert; return observations and actions."""
     played = []
     single = make_env(SCENES, task=env.task, randomization="starts")
     for row, seed in enumerate(env.episodes.seeds):

@@ -30,7 +30,7 @@ def put(env: TabletopEnv, name: str, x: float, y: float, on: float = TOP) -> Non
 
 
 def is_done(env: TabletopEnv) -> bool:
-    """Whether it is a success, by info and by reward alike."""
+    """Return whether info and reward both report success."""
     reward, info = wait(env)
     assert (reward == pytest.approx(1.0)) == info["success"]
     return info["success"]

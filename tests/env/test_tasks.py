@@ -28,7 +28,7 @@ AHEAD = np.pi / 2
 
 
 def start(target: str, goal, scene=None, at=None) -> TabletopEnv:
-    """An environment asked to put a target at a goal, the target put ``at`` a place."""
+    """Return an environment with a target and a goal, the target placed ``at`` a position."""
     env = make_env(scene or toy_scene())
     env.reset(seed=0, options={"target": target, "goal": goal})
     if at is not None:
@@ -191,7 +191,7 @@ def test_left_and_right_are_the_robots(degrees: float) -> None:
     assert [the(world, name) for name in ("mug_0", "mug_1")] == ["the left mug", "the right mug"]
 
     def across(camera: str) -> bool:
-        """Whether the camera shows the robot's left on the right."""
+        """Return whether the camera shows the robot's left on the right."""
         shown = world.model.cam_mat0[world.model.camera(camera).id].reshape(3, 3)[:, 0]
         return bool(shown[:2] @ left > 0.99)
 

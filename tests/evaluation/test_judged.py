@@ -23,7 +23,7 @@ WHITE = np.full((8, 8, 3), 255, np.uint8)
 
 
 class Friendly:
-    """A judge that gives what it was made with."""
+    """A judge with the given answers."""
 
     def __init__(self, marks: Mapping[str, Any], order: tuple[str, ...] = ()) -> None:
         self.marks, self.order, self.seen = marks, order, []

@@ -53,7 +53,7 @@ def labels() -> GraspLabels:
 
 @pytest.fixture
 def made(box: Object, tmp_path: Path) -> Path:
-    """A bundle with a box that fingers hold and a cube that is too wide for them."""
+    """A bundle with a box that the fingers can hold and a cube that is too wide."""
     wide = toy_object("cube_1", (0.085, 0.085, 0.085), (0.3, 0.0))
     return save(toy_scene((box, wide)), tmp_path / "bundles", allow_failed=True)
 

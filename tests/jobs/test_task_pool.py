@@ -15,7 +15,7 @@ from generator.jobs.workers import WorkerPool
 
 
 class Here(TaskPool):
-    """Runs tasks at once, and counts them."""
+    """Runs tasks immediately, and counts them."""
 
     width = 2
 

@@ -12,7 +12,7 @@ from tabletopgen_web.studio.server import listener
 
 @pytest.fixture
 def serving(monkeypatch: pytest.MonkeyPatch, static: Path) -> list[tuple]:
-    """What the command would serve; it serves nothing."""
+    """Return the application of the command without serving it."""
     served: list[tuple] = []
     monkeypatch.setattr(frontend, "static_folder", lambda: static)
     monkeypatch.setattr(listener, "serve", lambda *told: served.append(told))

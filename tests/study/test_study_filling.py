@@ -16,7 +16,7 @@ from tabletopgen_web.study.page_data import read_page
 
 
 def refill(page: str, change: Callable[[dict[str, Any]], object]) -> str:
-    """Fill the built page with a study that was changed, as an attacker can."""
+    """Fill the built page with a modified study, as an attacker could."""
     found = re.search(r'<script id="study" type="application/json">(.*?)</script>', page)
     assert found
     facts = json.loads(found[1])

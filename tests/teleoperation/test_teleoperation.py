@@ -78,7 +78,7 @@ def test_events_count_when_keys_go_down() -> None:
 
 # -------------------------------------------------------------------------------------- session
 class Still:
-    """A policy that lowers the hand, gripper closed."""
+    """A policy that lowers the hand with a closed gripper."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[np.ndarray, None]:
         return np.array([0, 0, -0.2, 0, -1], np.float32), None
@@ -140,7 +140,7 @@ def test_only_ee_delta_is_driven() -> None:
 
 # -------------------------------------------------------------------------------------- dataset
 class Scripted:
-    """A person who does what a script says, then closes the window."""
+    """A person who follows a script, then closes the window."""
 
     def __init__(self, script: list[HumanInput]) -> None:
         self._script = iter(script)
@@ -184,7 +184,7 @@ def test_what_is_kept_becomes_a_dataset_that_replays(format, tmp_path) -> None:
 
 
 class Leaving(Scripted):
-    """A scripted person's device, for the command."""
+    """A scripted operator's display, for the command."""
 
     def close(self) -> None:
         pass

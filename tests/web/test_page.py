@@ -34,7 +34,7 @@ def bundle() -> Path:
 
 @pytest.fixture
 def static(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A front end that is not the real one, so that nothing is built."""
+    """A fake front end, so that nothing is built."""
     folder = tmp_path / "static"
     (folder / "assets").mkdir(parents=True)
     for name in frontend.PAGES:

@@ -32,14 +32,14 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
 
 @pytest.fixture
 def own(tmp_path: Path) -> Iterator[Studio]:
-    """A studio of one test's own."""
+    """A separate studio for one test."""
     (tmp_path / "store").mkdir()
     with running(tmp_path / "studio", tmp_path / "store") as found:
         yield found
 
 
 def play(page: Page, path: str, value: Any, status: int = 200) -> None:
-    """Answer a request in place of the server."""
+    """Answer a request instead of the server."""
     page.context.route(path, lambda route: route.fulfill(status=status, json=value))
 
 

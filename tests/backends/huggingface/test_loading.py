@@ -37,7 +37,7 @@ DINOV2 = pins()["dinov2"]
 
 @pytest.fixture
 def folder(tiny_models: Path, tmp_path: Path) -> Path:
-    """A copy of the tiny DINOv2, to be damaged."""
+    """A copy of the tiny DINOv2, for tests that damage it."""
     shutil.copytree(snapshot(DINOV2, tiny_models), snapshot(DINOV2, tmp_path))
     return tmp_path
 

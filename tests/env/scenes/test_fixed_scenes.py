@@ -64,7 +64,7 @@ def test_an_environment_plays_bundles(store) -> None:
 
 def test_an_own_source_is_taken_as_it_is() -> None:
     class Growing:
-        """Draws tables with one cube more each time."""
+        """Draws tables with an additional cube each time."""
 
         count = 0
 

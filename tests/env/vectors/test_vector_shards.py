@@ -27,7 +27,7 @@ STILL = np.zeros((3, 5))
 
 @pytest.fixture(scope="module")
 def shards() -> Any:
-    """Three slots in two processes; a test leaves them reset."""
+    """Three slots in two processes; tests leave them reset."""
     envs = TabletopVectorEnv(3, scenes=two_scenes(), processes=2, autoreset_mode="Disabled")
     yield envs
     envs.close()
