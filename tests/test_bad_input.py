@@ -155,8 +155,7 @@ IMPOSSIBLE: dict[str, Callable[[], Any]] = {
             PlannedObject("b", "book", "book", {}, (Relation("in", "a"),)),
         ),
     ),
-    "unknown "
-    "relation": lambda: replace(MUG, relations=(Relation("above"),)),  # type: ignore[arg-type]
+    "unknown relation": lambda: replace(MUG, relations=(Relation("above"),)),  # type: ignore[arg-type]
     "no size": lambda: replace(MUG, size=(0.0, 0.1, 0.1)),
     "NaN size": lambda: PlannedTable(size=(float("nan"), 1.0, 0.7)),
     "unknown outline": lambda: PlannedTable(outline="star"),  # type: ignore[arg-type]
