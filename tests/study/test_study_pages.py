@@ -106,10 +106,10 @@ def test_nothing_in_the_title_is_markup(tmp_path: Path) -> None:
     ("options", "said"),
     [
         ({"title": "Is Other better?"}, "names the method 'other'"),
-        ({"scenes": 7}, "there are 6"),
+        ({"scenes": 7}, "only 6 are available"),
         ({"scenes": 2, "attention": 3}, "at most one"),
         ({"seed": -1}, "seed"),
-        ({"post": "//evil.example/x"}, "no path"),
+        ({"post": "//evil.example/x"}, "not a path"),
         ({"min_seconds": float("nan")}, "min-seconds"),
         ({"title": "a\nb"}, "title"),
     ],
@@ -220,7 +220,7 @@ def test_results_that_do_not_fit_are_refused(tmp_path: Path) -> None:
     folders["empty"] = tmp_path / "empty"
     refused("cannot be read: No such file")
     folders["empty"].mkdir()
-    refused("holds no results")
+    refused("contains no results")
 
 
 @pytest.mark.parametrize("names", [("one",), ("a", "A"), ("a", "b|c"), ("a", "=b"), ("a", "")])

@@ -197,5 +197,5 @@ def test_a_missing_front_end_says_what_is_missing(
     monkeypatch.setattr(frontend, "STATIC", tmp_path / "static")
     monkeypatch.setattr(frontend, "SOURCE", source)
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(BackendError, match=r"Node\.js" if checkout else "Install tabletopgen"):
+    with pytest.raises(BackendError, match=r"Node\.js" if checkout else "Reinstall tabletopgen"):
         frontend.static_folder()
