@@ -1,12 +1,12 @@
-"""The store of scene bundles: those shipped here, and a user cache.
+"""The store of scene bundles: shipped bundles, and a user cache.
 
-``starter/`` holds tables for any task, ``tasks/`` those that single tasks need ("kitchen-task-*",
+``starter/`` holds tables for any task, ``tasks/`` tables for specific tasks ("kitchen-task-*",
 "coffee-table-task-*", "tidy-task-*").
 
-Bundles are found by name, digest, glob or path, in this order of places: the ``cache`` argument,
-the environment variable ``TABLETOPGEN_CACHE``, the bundles of this package, the user's cache
-folder. New ones go to the first of them that is not the package's own. A bundle is published
-by one rename, so readers and writers need no lock.
+Bundles are found by name, digest, glob or path. The search order is the ``cache`` argument, the
+environment variable ``TABLETOPGEN_CACHE``, the bundles of this package, and the user's cache
+folder. New bundles go to the first of these that is not part of the package. A bundle is published
+by a single rename, so readers and writers need no lock.
 """
 
 from .store import STARTER as STARTER

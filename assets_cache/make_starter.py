@@ -1,9 +1,9 @@
 """Regenerate the starter bundles: ``python -m assets_cache.make_starter``.
 
 Fourteen tables over eight themes and several table outlines go into ``assets_cache/starter``, and
-the tables that single tasks need into ``assets_cache/tasks``: composed, judged and published. The
-same catalogue gives the same bundles, byte for byte; unchanged bundles keep their certificates. The
-others are certified afterwards; an interrupted certification resumes::
+the tables for specific tasks into ``assets_cache/tasks``: composed, checked and published. The same
+catalogue gives the same bundles, byte for byte; unchanged bundles keep their certificates. Certify
+the others afterwards; an interrupted certification resumes::
 
     python -m tabletopgen_env certify assets_cache/starter assets_cache/tasks --workers 2
 """
@@ -39,7 +39,7 @@ PROMPTS: Mapping[str, str] = {
     "vanity": "a round vanity table with a lipstick, a perfume bottle, a cream jar and a mirror",
     "lab": "a lab bench with a beaker, a flask, a test tube rack, a bottle and a notebook",
 }
-"""Name and text of each table for any task."""
+"""Names and texts of the tables for any task."""
 
 _KITCHEN = (
     "A wooden kitchen table with a large bowl, a wide cutting board, a small cucumber, a carrot "
@@ -65,20 +65,20 @@ TASKS: Mapping[str, Recipe] = {
     "tidy-task-2": ("An office desk with a desk tray, a marker, a glue stick, a die and a mug", 1),
     "tidy-task-3": ("A kitchen table with a large tray, two eggs, a lime and a salt shaker", 2),
 }
-"""The tables that hold what a task needs, by name: Sequence's presets and Tidy.
+"""Tables with the objects that a task needs, by name: the presets of Sequence, and Tidy.
 
-With other seeds the apple may be wider than the gripper, or a neighbour stand too near.
+With other seeds the apple may be wider than the gripper, or a neighbour may be too close.
 """
 
 MOST_BYTES = 40 * 2**20
-"""All bundles together stay below this."""
+"""Maximum total size of all bundles, bytes."""
 
 
 def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:
-    """Compose scenes into ``folder``; return their bundles.
+    """Compose scenes into ``folder``; return their bundle paths.
 
     Raises:
-        SceneError: a scene does not come to rest soundly.
+        SceneError: a scene fails the checks.
     """
     paths = []
     for name, (text, seed) in recipes.items():
@@ -89,7 +89,7 @@ def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:
 
 
 def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
-    """Replace the folders of bundles in ``here``, by name, once all scenes are made.
+    """Replace the folders of bundles in ``here``, by name, once all scenes are composed.
 
     Raises:
         SceneError: a scene does not come to rest soundly, or all weigh too much.
@@ -102,16 +102,16 @@ def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
         weight = sum(p.stat().st_size for p in Path(made).rglob("*") if p.is_file())
         print(f"{len(paths)} bundles, {weight / 2**20:.1f} MB; {kept} keep their certificates")
         if weight > MOST_BYTES:
-            raise SceneError(f"The bundles weigh {weight} bytes; at most {MOST_BYTES} may be.")
+            raise SceneError(f"The bundles have {weight} bytes; the maximum is {MOST_BYTES}.")
         for name in folders:
             shutil.rmtree(here / name, ignore_errors=True)
             shutil.copytree(Path(made) / name, here / name)
 
 
 def keep_certificates(old: Path, new: Path) -> int:
-    """Carry certificates over to the bundles in ``new`` that they fit; return how many.
+    """Copy certificates to the bundles in ``new`` that they fit; return their number.
 
-    Damaged certificates, and those of another scene, are not carried over.
+    Damaged certificates, and those of another scene, are not copied.
     """
     from tabletopgen_env.certificates.certificate import FILE, read_certificate
 
@@ -125,12 +125,12 @@ def keep_certificates(old: Path, new: Path) -> int:
             kept += 1
         except BundleError as error:
             (path / FILE).unlink()
-            print(f"not kept: {error}")
+            print(f"certificate not kept: {error}")
     return kept
 
 
 def main() -> int:
-    """Remake the shipped bundles.
+    """Regenerate the shipped bundles.
 
     Raises:
         SceneError: a scene does not come to rest soundly, or all weigh too much.

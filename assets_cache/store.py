@@ -1,4 +1,4 @@
-"""Finding, adding and removing bundles."""
+"""Search, addition and removal of bundles."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from generator.scene import Scene
 
 STARTER = "starter"
-"""What to ask :func:`find` for to get the shipped bundles that are for any task."""
+"""Argument of :func:`find` for the shipped bundles for any task."""
 
 _VARIABLE = "TABLETOPGEN_CACHE"  # names a folder of bundles
 _STARTERS = Path(__file__).parent / "starter"
@@ -27,7 +27,7 @@ _BUNDLE = re.compile(r"(?P<name>.+)-(?P<digest>[0-9a-f]{12})")
 
 
 def user_root(cache: str | Path | None = None) -> Path:
-    """Return where new bundles go: ``cache``, else TABLETOPGEN_CACHE, else the user's cache."""
+    """Return the folder for new bundles: ``cache``, TABLETOPGEN_CACHE, or the user's cache."""
     chosen = cache or os.environ.get(_VARIABLE)
     return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("tabletopgen")) / "scenes"
 
@@ -40,13 +40,13 @@ def roots(cache: str | Path | None = None) -> tuple[Path, ...]:
 
 
 def entries(cache: str | Path | None = None) -> list[Path]:
-    """Return every bundle of the store, by name; one shadowed by an earlier place is left out."""
+    """Return all bundles of the store, by name, without those shadowed by an earlier place."""
     found = {path.name: path for root in reversed(roots(cache)) for path in _bundles(root)}
     return [found[name] for name in sorted(found)]
 
 
 def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
-    """Return the bundles that ``wanted`` names, sorted by folder name.
+    """Return the bundles that match ``wanted``, sorted by folder name.
 
     Args:
         wanted: a scene's name, a folder's name, a digest or its first 6 digits, a glob on folder
@@ -56,35 +56,35 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
         cache: a folder of bundles to search first.
 
     Raises:
-        MissingError: no bundle matches; the message names the nearest match and what exists.
+        MissingError: no bundle matches; the message gives the nearest match and the existing names.
     """
     text = str(wanted)
     if text == STARTER:
         found = list(_bundles(_STARTERS))
-    elif not text.strip():  # such as an unset variable; not the current folder
+    elif not text.strip():  # such as an unset variable; must not mean the current folder
         found = []
     else:
         found = _bundles_of(text, cache) or _in_folder(text)
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
-        raise MissingError(f"No bundle fits {text!r} in {places}." + choices(text, names))
+        raise MissingError(f"No bundle matches {text!r} in {places}." + choices(text, names))
     return sorted(found, key=lambda p: p.name)
 
 
 def add(scene: Scene, cache: str | Path | None = None, **options: Any) -> Path:
-    """Publish a scene in the store; ``options`` are those of ``generator.bundle.save``."""
+    """Add a scene to the store; ``options`` are those of ``generator.bundle.save``."""
     from generator.bundle import save
 
     return save(scene, user_root(cache), **options)
 
 
 def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
-    """Remove one bundle; return where it was.
+    """Remove one bundle; return its path.
 
     Raises:
         MissingError: ``wanted`` matches no bundle, or another process removed it.
-        BundleError: it matches several bundles.
+        BundleError: ``wanted`` matches several bundles.
         StorageError: the bundle is not in the user's store, or cannot be removed.
     """
     text = str(wanted)
@@ -93,42 +93,44 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
         raise BundleError(f"{text!r} is a folder of bundles. Name one bundle.")
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
-        raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
+        raise BundleError(f"{wanted!r} matches {len(found)} bundles: {names}. Name one.")
     path, root = found[0], user_root(cache)
     check_removable(path, root)
     if not _discard(path):
-        raise MissingError(f"There is no bundle at {path} any more: another process removed it.")
+        raise MissingError(f"There is no bundle at {path} anymore: another process removed it.")
     return path
 
 
 def check_removable(path: Path, root: Path) -> None:
-    """Check that a bundle may be removed from the folder of bundles ``root``.
+    """Check that a bundle may be removed from the store folder ``root``.
 
     Raises:
-        StorageError: it is not there, or ships with the package.
+        StorageError: the bundle is not in ``root``, or ships with the package.
     """
     if path.resolve().parent != root.resolve() or _ships(root):
-        raise StorageError(f"{path} is not in the store {root}; only what is there is removed.")
+        raise StorageError(
+            f"{path} is not in the store {root}; only bundles in the store can be removed."
+        )
 
 
 def check_own(path: Path) -> None:
-    """Check that a bundle may be written to.
+    """Check that a bundle is writable.
 
     Raises:
-        InputError: it ships with the package.
+        InputError: the bundle ships with the package.
     """
     if _ships(path.resolve().parent):
         raise InputError(
-            f"{path} ships with the package and is never written to. Copy its folder to a place of "
-            "your own, and name the copy by its path."
+            f"{path} ships with the package and is read-only. Copy its folder elsewhere, and pass "
+            f"the path of the copy."
         )
 
 
 def clear(cache: str | Path | None = None) -> int:
-    """Remove every bundle of the user's store (see :func:`user_root`); return how many.
+    """Remove every bundle of the user's store (see :func:`user_root`); return their number.
 
     Raises:
-        StorageError: the folder holds something that is not a bundle; then nothing is removed.
+        StorageError: the folder contains something other than bundles; nothing is removed.
     """
     from generator.bundle import sweep
 
@@ -140,17 +142,17 @@ def clear(cache: str | Path | None = None) -> int:
                      - {p.name for p in found})  # fmt: skip
     if foreign or _ships(root):
         raise StorageError(
-            f"{root} is not only a store of bundles: it holds {foreign[:5] or 'the starters'}. "
-            "Nothing was removed; remove bundles one by one, or choose another folder."
+            f"{root} contains more than bundles: {foreign[:5] or 'the starters'}. "
+            "Nothing was removed. Remove bundles individually, or choose another folder."
         )
     sweep(root)
     return sum(_discard(path) for path in found)
 
 
 def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
-    """Return the defects of each bundle of the store, by folder name; an empty list means none.
+    """Return the defects of each bundle of the store by folder name; an empty list means none.
 
-    Bundles removed in the meantime are left out.
+    Bundles that are removed in the meantime are omitted.
     """
     from generator.bundle import check
 
@@ -166,7 +168,7 @@ def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
 
 
 def _ships(root: Path) -> bool:
-    """Tell whether a folder holds the bundles of the package."""
+    """Return whether a folder holds the bundles of the package."""
     return root.resolve() in {place.resolve() for place in _SHIPPED}
 
 
@@ -178,27 +180,27 @@ def _bundles(root: Path) -> Iterator[Path]:
 
 
 def _bundles_of(text: str, cache: str | Path | None) -> list[Path]:
-    """Return the bundles of a path, a glob or a name, without those in a folder."""
+    """Return the bundles that match a path, a glob or a name, except those inside a folder."""
     return _by_path(text) or _by_name(text, entries(cache))
 
 
 def _by_path(text: str) -> list[Path]:
-    """Return the bundle at a path, or those a glob of paths fits."""
+    """Return the bundles at a path, or that match a glob of paths."""
     try:
         path = Path(text).expanduser()
         if (path / "scene.json").is_file():
             return [path]
-        if path.is_dir() or (len(path.parts) < 2 and not text.startswith("./")):  # or a name
+        if path.is_dir() or (len(path.parts) < 2 and not text.startswith("./")):  # else a name
             return []
         anchor = Path(path.anchor)
         pattern = str(path.relative_to(anchor))
         return [p for p in sorted(anchor.glob(pattern)) if (p / "scene.json").is_file()]
-    except (OSError, ValueError, RuntimeError):  # too long, "a/**b", an unknown user's home
+    except (OSError, ValueError, RuntimeError):  # too long, "a/**b", or the home of an unknown user
         return []
 
 
 def _in_folder(text: str) -> list[Path]:
-    """Return the bundles in a folder, or nothing where there is none."""
+    """Return the bundles in a folder, or an empty list if it does not exist."""
     try:
         return list(_bundles(Path(text).expanduser()))
     except (OSError, ValueError, RuntimeError):
@@ -217,7 +219,7 @@ def _stem(path: Path) -> str:
 
 
 def _discard(path: Path) -> bool:
-    """Remove a bundle; return False if another process has done so."""
+    """Remove a bundle; return False if another process has already removed it."""
     from generator.bundle import discard
 
     try:

@@ -65,7 +65,7 @@ def shoot_make(page: Page, _site: str, studio: str) -> None:
     """Show the studio's form with a text half understood."""
     page.goto(studio)
     page.get_by_label("Describe the table").fill(_TEXT)
-    page.get_by_text("How each phrase was read").wait_for()
+    page.get_by_text("Interpretation of each phrase").wait_for()
     page.wait_for_timeout(1500)
 
 

@@ -1,4 +1,4 @@
-"""Gymnasium environments: a Franka Panda at generated tables.
+"""Gymnasium environments with a Franka Panda at generated tables.
 
 Importing this package registers the environments and loads nothing heavy::
 
@@ -28,7 +28,8 @@ for _task, _steps in STEPS.items():
         vector_entry_point="tabletopgen_env.parallel.vector:TabletopVectorEnv",
         kwargs={"task": _task},
         max_episode_steps=_steps,
-        # The wrapper checks the first reset and step alone, as the tests of this package do in
-        # every mode, and takes a reset that raises for the first: later steps would fail in it.
+        # The passive checker checks only the first reset and step, which the tests of this package
+        # do in every mode. It also counts a reset that raises as the first, so later steps would
+        # fail.
         disable_env_checker=True,
     )

@@ -1,4 +1,4 @@
-"""``python -m tabletopgen_env``: the same as ``tabletopgen``."""
+"""``python -m tabletopgen_env``: an alias of the ``tabletopgen`` command."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""What a parallel gripper can do with an object of a scene, from its collision shape.
+"""Affordances of scene objects for a parallel gripper, computed from their collision shapes.
 
-Pure functions of ``generator.scene.Object``; poses are world poses, openings are in the object's
-body frame (metres). They say what is worth asking a robot to do; where to put the fingers is the
-expert's affair.
+Pure functions of ``generator.scene.Object``. Poses are in the world frame, openings in the object's
+body frame (metres). The functions determine which objects a robot could manipulate; the expert
+plans the grasps themselves.
 """
 
 from __future__ import annotations
@@ -21,37 +21,37 @@ from generator.geometry import convex_outline, hull_points, quaternion_matrix
 from generator.scene import ConvexPart, Object
 
 GRIPPER_OPENING = 0.08
-"""How far the fingers of a Franka hand open, metres."""
+"""Maximum opening of the Franka hand, metres."""
 
 FINGER_CLEARANCE = 0.006
-"""Opening that must be left over on both sides together, metres."""
+"""Opening that must remain free, both sides together, metres."""
 
 WIDEST = GRIPPER_OPENING - FINGER_CLEARANCE
-"""Widest thing that the fingers span, metres."""
+"""Width of the widest object that the fingers can span, metres."""
 
 MAX_MASS = 1.5
-"""Heaviest object worth grasping by friction, kg (the arm's payload is 3 kg)."""
+"""Largest mass to grasp by friction, kg (the arm's payload is 3 kg)."""
 
 MIN_HEIGHT = 0.012
-"""Flattest thing the fingers can take from a table top, metres."""
+"""Height of the flattest object that the fingers can take from a table top, metres."""
 
 WALL_DEPTH = 0.015
-"""Least depth of a hollow for it to count as an opening, metres."""
+"""Minimum depth of a hollow that counts as an opening, metres."""
 
 THICKEST_WALL = 0.03
-"""Thickest wall that is taken by its rim, metres."""
+"""Maximum thickness of a wall that is grasped at its rim, metres."""
 
 WIDEST_FLARE = 0.5
-"""Most that a wall may lean outwards to be taken by its rim, metres a metre: a hand that points
-straight down slips off walls that lean more."""
+"""Maximum outward slope of a wall that is grasped at its rim (metres per metre). A hand that points
+straight down slips off walls that slope more."""
 
 LEVEL = 0.003
-"""By how much a flat top may be uneven, metres."""
+"""Maximum unevenness of a flat top, metres."""
 
 _GRID = 48
-_FINE = 0.002  # metres, about as thin as walls are
-_LEAST_HOLLOW = 8 / _GRID**2  # of the bounding rectangle
-_BLOCK = 2**16  # numbers at once: what the processor keeps near
+_FINE = 0.002  # metres, about the thickness of walls
+_MIN_HOLLOW = 8 / _GRID**2  # fraction of the bounding rectangle
+_BLOCK = 2**16  # numbers per block, sized to fit the processor's cache
 _UPRIGHT = np.cos(np.deg2rad(20.0))
 
 
@@ -60,9 +60,9 @@ class Opening:
     """The hollow of a container in its body frame: an upright elliptic cylinder.
 
     ``center`` (x, y) and ``semi`` (semi-axes along the body's x and y, metres) describe the clear
-    cross-section; ``floor`` (of the hollow) and ``rim`` are heights z; ``wall`` is the thickness of
-    the wall at the rim and ``thickness`` that of the floor; ``flare`` is how much the hollow's
-    radius grows with height (0 for upright walls, 1 for 45 degrees).
+    cross-section; ``floor`` (of the hollow) and ``rim`` are z coordinates; ``wall`` is the
+    thickness of the wall at the rim and ``thickness`` that of the floor; ``flare`` is the slope of
+    the hollow's radius over height (0 for upright walls, 1 for 45 degrees).
     """
 
     center: Float[np.ndarray, "2"]
@@ -85,9 +85,9 @@ def collision_points(obj: Object) -> Float[np.ndarray, "n 3"]:
 
 
 def outer_points(obj: Object, most: int) -> Float[np.ndarray, "n 3"]:
-    """Return the vertices of the convex hull of an object's collision parts, in the body frame.
+    """Return the hull vertices of an object's collision parts, in the body frame.
 
-    Of more than ``most`` those are left that reach farthest in as many directions.
+    At most ``most`` vertices are returned: the extreme ones in as many directions.
     """
     points = hull_points(collision_points(obj))
     if len(points) <= most:
@@ -100,7 +100,7 @@ def outer_points(obj: Object, most: int) -> Float[np.ndarray, "n 3"]:
 
 
 def grasp_width(obj: Object) -> float:
-    """Return the smallest horizontal width of the object as it rests, over all yaw angles."""
+    """Return the smallest horizontal width of the resting object over all yaw angles, metres."""
     points = (collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T)[:, :2]
     angles = np.linspace(0, np.pi, 36, endpoint=False)
     across = points @ np.stack([np.cos(angles), np.sin(angles)])
@@ -108,20 +108,21 @@ def grasp_width(obj: Object) -> float:
 
 
 def resting_height(obj: Object) -> float:
-    """Return the object's height as it rests, metres."""
+    """Return the height of the resting object, metres."""
     return float(np.ptp(collision_points(obj) @ quaternion_matrix(obj.pose.quaternion)[2]))
 
 
 def footprint(obj: Object) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline of an object seen from above where it rests, world frame."""
+    """Return the convex outline of the resting object seen from above, world frame."""
     turned = collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T
     return convex_outline((turned + obj.pose.position)[:, :2])
 
 
 def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
-    """Return why a parallel gripper cannot take the object as it rests, or None if it can.
+    """Return why a parallel gripper cannot grasp the resting object, or None if it can.
 
-    ``hollow`` is its ``opening``: things too wide to be spanned can be taken by a thin wall.
+    ``hollow`` is the object's ``opening``: objects too wide for the fingers can be grasped at a
+    thin wall.
     """
     if (reason := why_not_liftable(obj)) is not None:
         return reason
@@ -133,7 +134,7 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
 
 
 def why_not_liftable(obj: Object) -> str | None:
-    """Return why no grasp of whatever kind would lift the object, or None."""
+    """Return why no grasp could lift the object, or None if one might."""
     if obj.mass > MAX_MASS:
         return f"{obj.mass:.3g} kg is heavier than {MAX_MASS} kg"
     height = resting_height(obj)
@@ -143,22 +144,23 @@ def why_not_liftable(obj: Object) -> str | None:
 
 
 def is_too_wide(obj: Object) -> bool:
-    """Return whether the fingers cannot span the object as it rests, from whatever side."""
+    """Return whether the resting object is too wide for the fingers from every side."""
     return grasp_width(obj) > WIDEST
 
 
 def is_upright(obj: Object) -> bool:
-    """Return whether the object rests within 20 degrees of its canonical up direction."""
+    """Return whether the object rests within 20 degrees of its canonical orientation."""
     return bool(quaternion_matrix(obj.pose.quaternion)[2, 2] >= _UPRIGHT)
 
 
 def opening(obj: Object) -> Opening | None:
-    """Return the hollow of an object that can hold things, or None if it has none.
+    """Return the hollow of a container, or None if the object has none.
 
-    The collision parts are scanned from above on a grid: the hollow is the region that lies at
-    least ``WALL_DEPTH`` below the rim, the highest surface around it. If that shows none, what the
-    model calls a container is scanned more finely (its wall may be thinner than a cell, or a handle
-    rise above its rim); the rim is then where the hollow would spill.
+    The collision parts are scanned from above on a grid. The hollow is the region at least
+    ``WALL_DEPTH`` below the rim, which is the highest surface around it. If the scan shows no
+    hollow in an object whose model is a container, a finer scan follows (the wall may be thinner
+    than a cell, or a handle may rise above the rim); the rim is then the height at which the hollow
+    would overflow.
     """
     scan = _scan(obj, np.array([_GRID, _GRID]))
     top, outside = scan.top, _outside(scan.top)
@@ -173,13 +175,13 @@ def opening(obj: Object) -> Opening | None:
     for rim in np.arange(scan.high[2], scan.low[2] + WALL_DEPTH, -LEVEL):
         basin = _hollow(top, float(rim), outside)
         inner = basin & (top < rim - WALL_DEPTH)
-        if 2 * inner.sum() > basin.sum():  # not the hem of a full cup
+        if 2 * inner.sum() > basin.sum():  # ignore the rim of a full cup
             return _opening(scan, float(rim), inner)
     return None
 
 
 class _Scan(NamedTuple):
-    """A body seen from above: its box, and the places and heights of a grid's cells, metres."""
+    """A body scanned from above: its box, and position and height of each grid cell, metres."""
 
     low: Float[np.ndarray, "3"]
     high: Float[np.ndarray, "3"]
@@ -198,7 +200,7 @@ def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
 
 
 def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Opening | None:
-    """Return the opening with this rim over the cells ``inner``, None if it is too shallow."""
+    """Return the opening with this rim over the cells ``inner``, or None if it is too shallow."""
     low, high, x, y, top = scan
     if not inner.any():
         return None
@@ -219,17 +221,17 @@ def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Openi
 
 @dataclass(frozen=True, eq=False)
 class Plateau:
-    """The flat top of an object, body frame: the largest disc in it, metres."""
+    """The flat top of an object: its largest disc, in the body frame, metres."""
 
     center: Float[np.ndarray, "3"]
     radius: float
 
 
 def plateau(obj: Object) -> Plateau | None:
-    """Return the flat top on which things can stand as the object rests, or None if it has none.
+    """Return the flat top of the resting object, or None if it has none.
 
-    On a grid, flat is what lies within ``LEVEL`` of the highest surface; the disc is the largest
-    whose cells all are.
+    A grid cell is flat if it lies within ``LEVEL`` of the highest surface. The disc is the largest
+    one that covers only flat cells.
     """
     turn = quaternion_matrix(obj.pose.quaternion)
     parts = tuple(ConvexPart(part.vertices @ turn.T) for part in obj.parts)
@@ -249,7 +251,7 @@ def plateau(obj: Object) -> Plateau | None:
 
 
 def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
-    """Return the cells beside the solid, and those of its own that touch them."""
+    """Return the cells outside the solid, and those cells of the solid that touch them."""
     # Parts may leave hairline gaps between them.
     whole = np.asarray(ndimage.binary_fill_holes(np.isfinite(top)), dtype=bool)
     return ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
@@ -258,14 +260,14 @@ def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
 def _hollow(
     top: Float[np.ndarray, "nx ny"], level: float, outside: Bool[np.ndarray, "nx ny"]
 ) -> Bool[np.ndarray, "nx ny"]:
-    """Return the largest connected region below a level that never reaches the outside."""
+    """Return the largest connected region below a level that does not reach the outside."""
     labels = np.empty(top.shape, dtype=np.int32)
     ndimage.label(np.isfinite(top) & (top < level), output=labels)  # type: ignore[arg-type]
     sizes = np.bincount(labels.ravel())
     sizes[0] = 0
     sizes[labels[outside]] = 0
     best = int(sizes.argmax())
-    return (labels == best) & (sizes[best] > _LEAST_HOLLOW * top.size)
+    return (labels == best) & (sizes[best] > _MIN_HOLLOW * top.size)
 
 
 def scan_surface(
@@ -282,7 +284,7 @@ def scan_surface(
 def cells_under(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
-    """Yield each part over a grid with the cells within its bounds, and where they are."""
+    """Yield each part over a grid, with the cells within its bounds and their positions."""
     for part in parts:
         low, high = part.bounds
         i, j = (
@@ -297,7 +299,7 @@ def cells_under(
 def top_surface(
     parts: tuple[ConvexPart, ...], points: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n"]:
-    """Return the height of the highest surface over each (x, y), -inf where there is none."""
+    """Return the height of the highest surface at each (x, y), -inf where there is none."""
     best = np.full(len(points), -np.inf)
     for part in parts:
         hit, _, ceiling = part_span(part, points)
@@ -308,9 +310,9 @@ def top_surface(
 def part_span(
     part: ConvexPart, points: Float[np.ndarray, "n 2"]
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
-    """Return which of the points (x, y) lie over a part, and from where to where it reaches there.
+    """Return which of the points (x, y) lie over a part, and its lower and upper surface there.
 
-    Of its hull's planes these are the highest downward-facing and the lowest upward-facing one.
+    These are the highest downward-facing and the lowest upward-facing plane of its hull.
     """
     low, high = part.bounds[:, :2]
     near = np.flatnonzero(((points >= low) & (points <= high)).all(1))
@@ -325,15 +327,15 @@ def part_span(
 
 @lru_cache(maxsize=1024)
 def _planes(part: ConvexPart) -> Float[np.ndarray, "p 4"]:
-    """Return the planes of a hull's faces: outward normal and offset, metres."""
+    """Return the planes of a hull's faces: outward normals and offsets, metres."""
     return ConvexHull(part.vertices, qhull_options="QJ").equations
 
 
 def _span(
     planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
 ) -> tuple[Bool[np.ndarray, "n"], Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
-    """Return whether half-spaces meet over each point, and from where to where they do there."""
-    # No matrix product: one of this size wakes BLAS's threads, which then spin for 80 ms.
+    """Return whether half-spaces intersect over each point, and the bounds of the intersection."""
+    # Avoid a matrix product: at this size it wakes BLAS threads, which then spin for 80 ms.
     nz = planes[:, 2]
     upper, lower, wall = (planes[k] for k in (nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9))
     ceiling = (_over(upper, points) / -upper[:, 2:3]).min(0, initial=np.inf)
@@ -344,5 +346,5 @@ def _span(
 def _over(
     planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "p n"]:
-    """Return how far outside of each plane its points at height 0 are, over each (x, y)."""
+    """Return the signed distance of each point at height 0 from each plane."""
     return planes[:, :1] * points[:, 0] + planes[:, 1:2] * points[:, 1] + planes[:, 3:]

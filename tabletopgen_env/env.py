@@ -1,4 +1,4 @@
-"""The environment: a scene source × a robot × a task × an action × an observation × a reward."""
+"""The environment: scene source × robot × task × action × observation × reward."""
 
 from __future__ import annotations
 
@@ -49,25 +49,26 @@ from .world.composition import FRONT_CAMERA
 from .world.world import World
 
 OPTIONS = ("scene", "target", "goal")
-"""What ``TabletopEnv.reset`` takes as ``options``."""
+"""The ``options`` of ``TabletopEnv.reset``."""
 
 DRAWS = 25
-"""How many scenes a reset draws before it gives up finding one with something to do."""
+"""Maximum number of scenes that a reset draws in search of one with a valid task."""
 
 
 class TabletopEnv(gym.Env[Any, np.ndarray]):
-    """A Panda at generated tables.
+    """An environment with a Panda at generated tables.
 
     Args:
-        scenes: where tables come from; see ``scenes.resolve``.
-        task: what to do; None for ``PickPlace()``. See ``tasks``.
-        settings: how it is played: ``reward``, ``randomization``, ``certified`` and the groups of
-            ``settings.EnvConfig``, each as a whole (``observation=ObservationConfig("pixels",
-            image_size=64)``) or by its fields as keywords of their own:
+        scenes: the source of tables; see ``scenes.resolve``.
+        task: the task; None for ``PickPlace()``. See ``tasks``.
+        settings: ``reward``, ``randomization``, ``certified`` and the groups of
+            ``settings.EnvConfig``. A group is passed as a whole
+            (``observation=ObservationConfig("pixels", image_size=64)``) or by its fields as
+            separate keywords:
 
-            - ``observation`` (the mode; of "goal" it takes a ``GoalTabletopEnv``, see
-              ``make_env``), ``cameras``, ``kinds``, ``image_size``, ``points``, ``grasp_hint``,
-              ``geometry``, ``instruction``, ``target_mark``, ``calibration``;
+            - ``observation`` (the mode; "goal" requires a ``GoalTabletopEnv``, see ``make_env``),
+              ``cameras``, ``kinds``, ``image_size``, ``points``, ``grasp_hint``, ``geometry``,
+              ``instruction``, ``target_mark``, ``calibration``;
             - ``action`` (the mode), ``gripper``, ``control_hz``;
             - ``render`` (a ``RenderConfig``): ``render_mode``, ``render_size``, ``renderer``;
             - ``worlds`` (a ``WorldConfig``): ``robot``, ``cache``, ``masters``.
@@ -75,29 +76,31 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             ``reward`` is "dense" or "sparse", ``infos`` "all" or "numbers".
 
     Raises:
-        InputError: a setting that there is not, or a wrong one; a group and its field together.
-        BundleError: no bundle fits ``scenes``.
+        InputError: a setting is unknown or invalid, or a group and one of its fields are both set.
+        BundleError: no bundle matches ``scenes``.
 
-    ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
-    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page). They
-    need not be certified. A certificate is of the table as the scene has it: where
-    ``randomization`` has moved things, or it was not made for the task, targets and goals are
-    drawn freely. A scene of which it lists only what the expert fails at offers nothing to do.
+    ``reset`` accepts ``options``: "scene" (any value of ``scenes``), "target" (the name of an
+    object) and "goal" (the name of an object, "spot", or a point in the world frame; see the task's
+    page). They need not be certified. A certificate applies to the original arrangement of the
+    table: if ``randomization`` has moved objects, or if the certificate does not cover the task,
+    targets and goals are drawn freely. A scene whose certificate lists only instances that the
+    expert fails has no valid task.
 
-    ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
+    ``info`` holds "reward_terms" by name, "success" (and "is_success", the name that SB3 expects),
     "instruction", "scene", "target" (of the active goal; None for the tool), "goal" (the object
     that carries the active goal, "spot" for a marked spot on the table, else None), "goals" (the
-    active goal's index and how many there are), "certified" (whether the episode was drawn among
-    certified instances), "off_table" (the objects that fell off the table) and, where observations
-    have pictures or points, "cameras" (of each its "intrinsics" and "extrinsics", see
-    ``rendering.views.camera_calibration``); that of ``reset`` also "randomization", what was drawn.
-    With ``infos="numbers"`` it holds numbers alone: the reward's terms as "reward_<name>",
-    "success", "is_success" and "certified".
-    An episode never terminates by itself, since the dense reward stays highest where the task stays
-    done; the time limit truncates it.
+    index of the active goal and the number of goals), "certified" (whether the episode was drawn
+    from certified instances), "off_table" (the objects that fell off the table) and, if
+    observations have pictures or points, "cameras" (the "intrinsics" and "extrinsics" of each, see
+    ``rendering.views.camera_calibration``). The ``info`` of ``reset`` also holds the drawn
+    "randomization". With ``infos="numbers"`` it holds only numbers: the reward terms as
+    "reward_<name>", "success", "is_success" and "certified".
 
-    A copy (``pickle``, ``copy.deepcopy``) has the same settings and random state, so the same next
-    ``reset``, but no episode, compiled world or window: it has to be reset first.
+    An episode never terminates, because the dense reward is highest while the task remains solved;
+    the time limit truncates it.
+
+    A copy (``pickle``, ``copy.deepcopy``) has the same settings and random state, and therefore the
+    same next ``reset``, but no episode, compiled world or window. Call ``reset`` before using it.
     """
 
     def __init__(
@@ -110,7 +113,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._config = config = read_settings(settings)
         self.task = task or PickPlace()
         self.source = resolve(scenes, self.task.needs, self.task.scenes)
-        self._closes_source = self.source is not scenes  # else others may draw from it, too
+        self._closes_source = self.source is not scenes  # otherwise others may draw from it, too
         self._randomizer = Randomizer(config.randomization)
         self._views = config.observation
         self.hint = grasp_hint_of(config.observation.grasp_hint)
@@ -131,7 +134,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._certified = False
         self._instruction = ""
         self._active = 0
-        self._ref: SceneRef | None = None  # of the episode, if the source drew its scene
+        self._ref: SceneRef | None = None  # the scene of the episode, if the source drew it
         self._succeeded: bool | None = None  # None before the first step of an episode
         self._order: list[str] = []
         self._state: FlatState | None = None
@@ -143,24 +146,24 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     ) -> tuple[Any, dict[str, Any]]:
         """Draw a scene, a target and a goal, and start an episode.
 
-        What runs:
+        Steps:
 
-        1. The scene source learns how the last episode that it drew ended (``scenes/``).
-        2. Up to ``DRAWS`` times, until a scene offers something to do: the source draws one, or
+        1. The scene source receives the outcome of the last episode that it drew (``scenes/``).
+        2. Up to ``DRAWS`` times, until a scene has a valid task: the source draws a scene, or
            ``options`` name it; its world is compiled or taken from the cache (``world/``);
-           ``Randomizer.begin`` undoes what was randomised there and draws anew
-           (``randomization/``); an episode is sampled, a certified one if there are any
+           ``Randomizer.begin`` reverts the previous randomisation of that world and draws a new one
+           (``randomization/``); an episode is sampled, from the certified ones if there are any
            (``certificates/``, ``tasks/``).
         3. ``Randomizer.finish`` perturbs the start and removes distractors.
         4. The controller is reset (``actions/``).
         5. The first observation is read (``observations/``).
 
-        After a reset that fails there is no episode: ``step`` asks for another reset.
+        After a failed reset there is no episode, and ``step`` raises until the next reset.
 
         Raises:
-            InputError: an unknown option, or one that names nothing in the scene; ``options`` is
-                not a dict, or ``seed`` is invalid.
-            SceneError: none of the scenes drawn offers anything to do.
+            InputError: an option is unknown or names nothing in the scene, ``options`` is not a
+                dict, or ``seed`` is invalid.
+            SceneError: none of the drawn scenes has a valid task.
             BundleError: a scene or its certificate is damaged.
         """
         options = as_options(options)
@@ -175,11 +178,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise
 
     def step(self, action: ArrayLike) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Act for 50 ms, or what ``control_hz`` makes of it.
+        """Apply an action for 50 ms, or for ``1 / control_hz`` seconds.
 
         Raises:
-            InputError: an action of wrong shape or with NaN; no ``reset`` before, or one that
-                failed.
+            InputError: the action has the wrong shape or contains NaN, or ``reset`` was not called
+                or failed.
         """
         world = self.world
         wanted = check_action(action, self.controller.space)
@@ -198,7 +201,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._observe(achieved, desired), float(reward), False, False, info
 
     def render(self) -> Any:
-        """Return the picture of ``render_mode``, or show it ("human")."""
+        """Return the picture in ``render_mode``, or show it ("human")."""
         if self.render_mode is None:
             return None
         if self.render_mode == "human":
@@ -208,14 +211,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._drawer(self._config.render.shape, "full").depth(self.world, FRONT_CAMERA)
 
     def picture(self, camera: CameraName) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what a camera sees now, drawn for people, of the size of ``render``."""
+        """Return the current picture of a camera, drawn for people, in the size of ``render``."""
         require_known(camera, CAMERAS, "Unknown camera")
         return self._drawer(self._config.render.shape, "full").rgb(self.world, CAMERAS[camera])
 
     def close(self) -> None:
-        """Free renderers and windows, and what ``scenes`` has running. May be called twice.
+        """Close renderers and windows, and stop processes of ``scenes``. May be called twice.
 
-        A ``SceneSource`` that was passed in is left to who made it.
+        A ``SceneSource`` that was passed in remains open; the caller closes it.
         """
         if self._closes_source:
             close(self.source)
@@ -225,7 +228,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._window.close()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what a copy keeps: all but the episode and what it is played and shown with."""
+        """Return the state of a copy, without episode, worlds, renderers and windows."""
         return {
             **self.__dict__,
             "_drawers": {},
@@ -241,21 +244,21 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def world(self) -> World:
-        """The world of the current episode (InputError: there is none yet)."""
+        """The world of the current episode (InputError: no episode has begun)."""
         if self._world is None:
-            raise InputError("Call reset() before stepping, rendering or looking at the world.")
+            raise InputError("Call reset() before stepping, rendering or accessing the world.")
         return self._world
 
     @property
     def episode(self) -> Episode:
-        """What the current episode asks for (InputError: there is none yet)."""
+        """The goals of the current episode (InputError: no episode has begun)."""
         if self._episode is None:
-            raise InputError("Call reset() before asking for the episode.")
+            raise InputError("Call reset() before accessing the episode.")
         return self._episode
 
     @property
     def goal(self) -> Goal:
-        """The goal that the state shows: the first of the episode's that is not met."""
+        """The goal shown in the state: the first unmet goal of the episode."""
         return self.episode.goals[self._active]
 
     @property
@@ -265,7 +268,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def order(self) -> list[str]:
-        """The objects by their slot in the state."""
+        """The objects by slot in the state."""
         return self._order
 
     @property
@@ -274,9 +277,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._views.mode == "goal"
 
     def follow(self, active: int, terms: Mapping[str, float]) -> dict[str, Any]:
-        """Take over a step that was made and judged elsewhere; return its info.
+        """Take over the result of a step that was simulated elsewhere; return its info.
 
-        ``active`` is the index of the first goal that is not met, ``terms`` are the reward's.
+        ``active`` is the index of the first unmet goal, ``terms`` are the reward terms.
         """
         if active != self._active:
             self._activate(active)
@@ -284,14 +287,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._info(terms)
 
     def give_up(self) -> None:
-        """Let the episode that is under way not count: its scene source does not hear of it."""
+        """Discard the current episode without reporting its outcome to the scene source."""
         self._ref = None
 
     def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
-        """Start an episode; return what ``reset`` does."""
+        """Start an episode; return the result of ``reset``."""
         for key in options:
             require_known(key, OPTIONS, "Unknown reset option")
-        if self._ref is not None and self._succeeded is not None:  # the source drew what is over
+        if self._ref is not None and self._succeeded is not None:  # the source drew its scene
             record(self.source, self._ref, self._succeeded)
         self._ref = self._succeeded = None
         ref, self._world, self._episode, self._certified = self._draw(options)
@@ -308,7 +311,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._observe(achieved, desired), info
 
     def _look(self) -> tuple[np.ndarray, np.ndarray, dict[str, float]]:
-        """Return achieved and desired goal vector and reward terms; the active goal follows."""
+        """Return achieved and desired goal vectors and reward terms; update the active goal."""
         world, episode = self.world, self.episode
         desired = self.task.desired_goal(world, episode)
         achieved = self.task.achieved_goal(world, episode, desired)
@@ -318,7 +321,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return achieved, desired, self.task.terms(world, episode, gaps)
 
     def _activate(self, index: int) -> None:
-        """Show a goal of the episode from now on."""
+        """Make a goal of the episode the active one."""
         self._active, world, goal = index, self.world, self.episode.goals[index]
         self._order = slot_order(world, goal)
         bare, hinted = self._views.mode == "goal", self.hint is not None
@@ -328,7 +331,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         world.show_marker(goal.spot, self.task.marker_radius, self.task.marker_shape)
 
     def _draw(self, options: dict[str, Any]) -> tuple[SceneRef, World, Episode, bool]:
-        """Draw scenes until one can be made and offers something; tell whether it is certified."""
+        """Draw scenes until one has a valid task; return whether the episode is certified."""
         source = self.source
         if "scene" in options:
             source = resolve(options["scene"], self.task.needs, self.task.scenes)
@@ -348,10 +351,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 return ref, world, self._randomizer.finish(world, episode), known
             except (SceneError, BundleError) as error:
                 if isinstance(error, BundleError) and is_there(ref):
-                    raise  # else a pool dropped it between its draw and its loading
+                    raise  # else a pool dropped the scene between its draw and its loading
                 tried.add(str(error))
         drawn = "the one scene drawn" if len(seen) == 1 else f"{len(seen)} drawn scenes"
-        raise SceneError(f"Nothing to do in {drawn}. " + " ".join(sorted(tried)[:3]))
+        raise SceneError(f"No valid task in {drawn}. " + " ".join(sorted(tried)[:3]))
 
     def _forget(self, world: World) -> None:
         for held in self._drawers.values():
@@ -359,11 +362,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def weights(self) -> Mapping[str, float]:
-        """Weights of the reward's terms, if it is dense."""
+        """Weights of the reward terms if the reward is dense, else None."""
         return self.task.weights
 
     def _weigh(self, terms: Mapping[str, Any]) -> Any:
-        """Return the reward of terms, numbers or arrays."""
+        """Return the weighted reward of terms that are numbers or arrays."""
         if self.reward == "sparse":
             return terms["success"] - 1.0
         return sum(weight * terms[name] for name, weight in self.weights.items())
@@ -387,7 +390,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return seen
 
     def _see(self) -> dict[str, Any]:
-        """Return what the cameras show, and what is to be done."""
+        """Return the observation from the cameras, with the instruction."""
         views, world, drawers = self._views, self.world, self._drawer
         if views.mode.startswith("pixels"):
             seen: dict[str, Any] = pictures(views, world, drawers, self._order, self.goal.target)
@@ -399,7 +402,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return seen
 
     def _read_state(self, noise: Noise | None) -> np.ndarray:
-        """Return the flat state as it is now, with its hint."""
+        """Return the current flat state, with the grasp hint."""
         assert self._state is not None
         hint = None if self.hint is None else self.hint.entries(self.world, self.goal)
         return self._state.read(noise, hint)
@@ -427,7 +430,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         }
 
     def _drawer(self, size: tuple[int, int], profile: Profile = "fast") -> Drawer:
-        """Return what draws pictures of a size, made on first use, anew in a fork."""
+        """Return the drawer of a picture size, created on first use and again after a fork."""
         key = profile, size, os.getpid()
         if key not in self._drawers:
             self._drawers[key] = drawer(self._config.render.renderer, *size, profile)
@@ -435,18 +438,18 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
 
 class GoalTabletopEnv(TabletopEnv):
-    """The same with goal-dict observations, whose reward follows from the two goals alone.
+    """The environment with goal-dict observations, whose reward follows from the two goals alone.
 
-    Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with goals of its own.
+    Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with relabelled goals.
     """
 
     @property
     def weights(self) -> Mapping[str, float]:
-        """Weights of the terms that follow from goals."""
+        """Weights of the reward terms that follow from goals."""
         return GOAL_WEIGHTS
 
     def compute_reward(self, achieved_goal: np.ndarray, desired_goal: np.ndarray, info: Any) -> Any:
-        """Return the reward of reaching ``achieved_goal`` when ``desired_goal`` was wanted.
+        """Return the reward for ``achieved_goal`` given ``desired_goal``.
 
         Vectorised: goals of shape (8,) or (n, 8) give a float or (n,). ``info`` is not used.
         """
@@ -460,10 +463,10 @@ class GoalTabletopEnv(TabletopEnv):
 
 
 def as_options(options: Any) -> dict[str, Any]:
-    """Return the options of a reset as a dict of its own; None is none.
+    """Return the options of a reset as a new dict, empty for None.
 
     Raises:
-        InputError: they are not a dict.
+        InputError: the options are not a dict.
     """
     if options is None:
         return {}
@@ -479,16 +482,16 @@ def make_env(
     preset: str | None = None,
     **settings: Unpack[Settings],
 ) -> TabletopEnv:
-    """Make the environment that fits ``observation``; the entry point of the registered ids.
+    """Create the environment for ``observation``; the entry point of the registered ids.
 
     Args:
-        scenes: where tables come from; None for the task's own (``Task.scenes``).
+        scenes: the source of tables; None for the default of the task (``Task.scenes``).
         task: a task or its name.
-        preset: a name of ``tasks.sequence.PRESETS``, for the task "Sequence".
-        settings: those of ``TabletopEnv``.
+        preset: a key of ``tasks.sequence.PRESETS``, for the task "Sequence".
+        settings: as for ``TabletopEnv``.
 
     Raises:
-        InputError: a setting that there is not, or a wrong one.
+        InputError: a setting is unknown or invalid.
     """
     config = read_settings(settings)
     kind = GoalTabletopEnv if config.observation.mode == "goal" else TabletopEnv
@@ -499,10 +502,10 @@ def make_env(
 def played_at(
     scenes: SceneChoice | None, task: Task | str, preset: str | None
 ) -> tuple[SceneChoice, Task]:
-    """Return what the arguments of ``make_env`` of these names mean: where to play, and what.
+    """Return the scenes and the task that the arguments of ``make_env`` select.
 
     Raises:
-        InputError: there is no such task or preset.
+        InputError: the task or preset is unknown.
     """
     if isinstance(task, str):
         task = task_named(task, preset)

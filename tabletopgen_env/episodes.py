@@ -1,4 +1,4 @@
-"""Episodes: their seeds, and when one is a success, the same wherever one is played."""
+"""Episode seeds and the common criterion for a successful episode."""
 
 from __future__ import annotations
 
@@ -9,34 +9,34 @@ import gymnasium as gym
 import numpy as np
 
 HOLD = 10
-"""Steps in a row for which ``info["success"]`` has to hold."""
+"""Number of consecutive steps for which ``info["success"]`` must hold."""
 
 
 def episode_seeds(*key: int) -> Iterator[int]:
-    """Yield episodes' seeds without end; a key of other numbers gives others."""
+    """Yield an endless sequence of episode seeds; different keys give different seeds."""
     rng = np.random.default_rng(key)
     while True:
         yield int(rng.integers(2**31))
 
 
 class Held:
-    """Tells when a success has held for ``steps`` in a row; of one episode, told of each step."""
+    """Counts consecutive successful steps of one episode and reports when ``steps`` are reached."""
 
     def __init__(self, steps: int = HOLD) -> None:
         self._steps = steps
         self._in_a_row = 0
 
     def after(self, info: Mapping[str, Any]) -> bool:
-        """Return whether success has held, now that a step gave ``info``."""
+        """Return whether success has held for long enough, given the ``info`` of the next step."""
         self._in_a_row = self._in_a_row + 1 if info["success"] else 0
         return self._in_a_row >= self._steps
 
 
 class EndOnSuccess(gym.Wrapper):
-    """Ends an episode (``terminated``) once success has held, as evaluations of this package do.
+    """Terminates an episode once success has held, as this package's evaluations do.
 
-    For evaluations of others. Not for training with the dense reward, which is highest where the
-    task stays done.
+    For evaluation in other libraries. Do not train on the dense reward with it: that reward is
+    highest while the task remains solved.
     """
 
     def __init__(self, env: gym.Env[Any, Any], steps: int = HOLD) -> None:
@@ -52,6 +52,6 @@ class EndOnSuccess(gym.Wrapper):
         return self.env.reset(seed=seed, options=options)
 
     def step(self, action: Any) -> tuple[Any, Any, bool, bool, dict[str, Any]]:
-        """Act; the episode ends with the step after which success has held."""
+        """Apply an action; the episode terminates once success has held."""
         seen, reward, ended, cut, info = self.env.step(action)
         return seen, reward, ended or self._held.after(info), cut, info

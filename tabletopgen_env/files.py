@@ -1,4 +1,4 @@
-"""JSON of this package's files, read value by value."""
+"""Type checks for values of this package's JSON files."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from typing import Any
 
 
 def check_type(value: Any, kind: type) -> Any:
-    """Return a value that is of exactly this type.
+    """Return a value if it has exactly this type.
 
     Raises:
-        TypeError: it is of another.
+        TypeError: the value has another type.
     """
     if type(value) is not kind:
         raise TypeError(f"{value!r} should be of type {kind.__name__}")

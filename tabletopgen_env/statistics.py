@@ -1,4 +1,4 @@
-"""How sure a share of successes is."""
+"""Confidence intervals of success rates."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 
 
 def wilson(solved: int, count: int) -> tuple[float, float]:
-    """Return Wilson's 95 % interval of a share; (0, 1) of nothing."""
+    """Return Wilson's 95 % interval of a success rate; (0, 1) for no trials."""
     from scipy.stats import binomtest
 
     if not count:
@@ -16,10 +16,11 @@ def wilson(solved: int, count: int) -> tuple[float, float]:
 
 
 def newcombe(solved: int, count: int, other: int, other_count: int) -> tuple[float, float]:
-    """Return the 95 % interval of a share less another, of independent episodes.
+    """Return the 95 % interval of the difference of two rates from independent episodes.
 
     R. G. Newcombe, "Interval estimation for the difference between independent proportions",
-    Statistics in Medicine 17 (1998), method 10: Wilson's intervals, combined. (-1, 1) of nothing.
+    Statistics in Medicine 17 (1998), method 10: Wilson's intervals, combined. (-1, 1) for no
+    trials.
     """
     if not (count and other_count):
         return -1.0, 1.0
@@ -31,12 +32,12 @@ def newcombe(solved: int, count: int, other: int, other_count: int) -> tuple[flo
 
 
 def newcombe_paired(both: int, one: int, other: int, neither: int) -> tuple[float, float]:
-    """Return the 95 % interval of a share less another, of the same episodes.
+    """Return the 95 % interval of the difference of two rates on the same episodes.
 
-    ``both`` were solved by both, ``one`` only by the first, ``other`` only by the second. R. G.
-    Newcombe, "Improved confidence intervals for the difference between binomial proportions based
-    on paired data", Statistics in Medicine 17 (1998), method 10: Wilson's intervals, combined with
-    the correlation of the pairs. (-1, 1) of nothing.
+    ``both`` episodes were solved by both, ``one`` only by the first, ``other`` only by the second.
+    R. G. Newcombe, "Improved confidence intervals for the difference between binomial proportions
+    based on paired data", Statistics in Medicine 17 (1998), method 10: Wilson's intervals, combined
+    with the correlation of the pairs. (-1, 1) for no trials.
     """
     count = both + one + other + neither
     if not count:

@@ -1,4 +1,4 @@
-"""Pages to see, make and judge tables: a static gallery, a local studio, a user study.
+"""Web pages for tables: a static gallery, a local studio, and user studies.
 
-Their front end is TypeScript in ``web/``, which ``make web`` builds into ``static/``.
+The front end is TypeScript in ``web/``, which ``make web`` builds into ``static/``.
 """

@@ -1,6 +1,6 @@
-"""The built front end: HTML, JavaScript and MuJoCo's WebAssembly, in the package's ``static/``.
+"""The built front end: HTML, JavaScript and MuJoCo's WebAssembly, in ``static/`` of the package.
 
-A wheel brings it. A source checkout does not hold it in git and builds it at first use.
+Wheels include it. A source checkout builds it on first use, since it is not in git.
 """
 
 from __future__ import annotations
@@ -14,21 +14,21 @@ from filelock import FileLock
 from generator.errors import BackendError
 
 STATIC = Path(__file__).with_name("static")
-"""Where the built files are."""
+"""Folder of the built files."""
 
 SOURCE = Path(__file__).parents[1] / "web"
-"""Where a source checkout has the TypeScript."""
+"""Folder of the TypeScript sources in a source checkout."""
 
 PAGES = ("page.html", "studio.html", "study.html")
 
-_SECONDS = 600  # that a build may take
+_SECONDS = 600  # time limit of a build
 
 
 def static_folder() -> Path:
-    """Return the folder of the built front end; a source checkout builds it if it is not there.
+    """Return the folder of the built front end; a source checkout builds it if it is missing.
 
     Raises:
-        BackendError: it is not there and cannot be built; the message says what is missing.
+        BackendError: the front end is missing and cannot be built; the message gives the cause.
     """
     if not _complete(STATIC):
         build()
@@ -36,29 +36,29 @@ def static_folder() -> Path:
 
 
 def build() -> None:
-    """Build the front end of a source checkout with npm, by its lock file.
+    """Build the front end of a source checkout with npm, according to its lock file.
 
     Raises:
-        BackendError: this is no checkout, npm is missing, or the build failed.
+        BackendError: this is not a source checkout, npm is missing, or the build failed.
     """
     if not (SOURCE / "package-lock.json").is_file():
         raise BackendError(
-            f"The web pages are missing from {STATIC}, and this is no source checkout that could "
-            "build them. Install tabletopgen again."
+            f"The web pages are missing from {STATIC}, and only a source checkout can build them. "
+            f"Reinstall tabletopgen."
         )
     npm = shutil.which("npm")
     if npm is None:
         raise BackendError(
-            "The web pages of a source checkout are built once, by npm, which is not installed. "
+            "A source checkout builds the web pages with npm, which is not installed. "
             "Install Node.js 20 or newer, or install tabletopgen from a wheel."
         )
-    with FileLock(SOURCE / "node_modules.lock"):  # two processes may need it at once
+    with FileLock(SOURCE / "node_modules.lock"):  # two processes may build at once
         if _complete(STATIC):
             return
         for step in (["ci", "--no-audit", "--no-fund"], ["run", "build"]):
             _run([npm, *step])
     if not _complete(STATIC):
-        raise BackendError(f"npm built no pages in {STATIC}. Run `make web` to see why.")
+        raise BackendError(f"npm built no pages in {STATIC}. Run `make web` to see the cause.")
 
 
 def _run(command: list[str]) -> None:
@@ -68,13 +68,13 @@ def _run(command: list[str]) -> None:
         )
     except (OSError, subprocess.TimeoutExpired) as error:
         raise BackendError(
-            f"The web pages cannot be built: {error}. Run `make web` to see why."
+            f"The web pages cannot be built: {error}. Run `make web` to see the cause."
         ) from error
     if done.returncode:
-        said = (done.stderr or done.stdout).strip().splitlines() or ["no output"]
+        output = (done.stderr or done.stdout).strip().splitlines() or ["no output"]
         raise BackendError(
-            f"The web pages cannot be built: npm {command[1]} says {said[0]!r}. Run `make web` to "
-            "see all of it."
+            f"The web pages cannot be built: npm {command[1]} failed with {output[0]!r}. Run "
+            f"`make web` for the full output."
         )
 
 

@@ -1,4 +1,4 @@
-"""Waits that end: for threads, for processes, for what another one does."""
+"""Waits with timeouts for threads, processes and conditions."""
 
 import contextlib
 import select
@@ -13,7 +13,7 @@ LONG = 120.0
 
 
 def until(happened: Callable[[], Any], seconds: float = LONG) -> None:
-    """Wait until something is so."""
+    """Wait until a condition holds."""
     end = time.monotonic() + seconds
     while not happened():
         assert time.monotonic() < end, f"it did not happen in {seconds:g} s"
@@ -29,7 +29,7 @@ def join(*threads: threading.Thread) -> None:
 
 
 def at_once(*works: Callable[[], object]) -> None:
-    """Do several things at the same time, each in a thread of its own, and wait for all."""
+    """Run several functions at the same time, each in its own thread, and wait for all."""
     threads = [threading.Thread(target=work, daemon=True) for work in works]
     for thread in threads:
         thread.start()
@@ -37,7 +37,7 @@ def at_once(*works: Callable[[], object]) -> None:
 
 
 def line_of(process: subprocess.Popen[Any]) -> Any:
-    """Return the next line that a process prints, which it flushes; only one may be under way."""
+    """Return the next flushed line of a process's output; only one call may be active."""
     stream: IO[Any] | None = process.stdout
     assert stream is not None
     assert select.select([stream], [], [], LONG)[0], f"nothing was printed in {LONG:g} s"
@@ -46,7 +46,7 @@ def line_of(process: subprocess.Popen[Any]) -> Any:
 
 @contextlib.contextmanager
 def running(*command: object, **settings: Any) -> Iterator[subprocess.Popen[Any]]:
-    """Run a process meanwhile; what is left of it afterwards is killed."""
+    """Run a process in the context; kill its remains afterwards."""
     process = subprocess.Popen(list(map(str, command)), **settings)
     try:
         yield process

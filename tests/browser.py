@@ -1,4 +1,4 @@
-"""Debian's Chromium for the tests of the pages, and what they ask of a page."""
+"""Debian's Chromium for page tests, and common queries of pages."""
 
 import warnings
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ READY = (
 
 @contextmanager
 def chromium() -> Iterator[Browser]:
-    """Yield a browser; the test is skipped, and says so loudly, where there is none."""
+    """Yield a browser; without one, skip the test with a visible message."""
     if CHROMIUM is None:
         words = "Chromium is not installed (apt-get install chromium): the pages are NOT TESTED."
         warnings.warn(words, stacklevel=2)
@@ -35,7 +35,7 @@ def chromium() -> Iterator[Browser]:
 
 
 class Watched:
-    """A page of the browser that notes what went wrong in it."""
+    """A page of the browser that records errors."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
@@ -49,7 +49,7 @@ class Watched:
 
 
 def opened(browser: Browser, **options: Any) -> Watched:
-    """Open a fresh page, without anything kept of others."""
+    """Open a new page without stored state."""
     context = browser.new_context(**{"viewport": {"width": 1000, "height": 700}, **options})
     context.set_default_timeout(90_000)
     context.add_init_script(_MODEST)
@@ -57,7 +57,7 @@ def opened(browser: Browser, **options: Any) -> Watched:
 
 
 def wait_for_scenes(page: Page, count: int = 1) -> None:
-    """Wait until so many scenes of the page are live, or have failed."""
+    """Wait until the given number of scenes on the page are live or have failed."""
     page.wait_for_function(READY, arg=count, timeout=60_000)
 
 
@@ -71,7 +71,7 @@ def until(page: Page, condition: str, seconds: float = 120) -> None:
 
 
 def wait_for_scene(page: Page, scene: str) -> None:
-    """Wait until the scene whose folder's name has ``scene`` in it is live, or has failed."""
+    """Wait until the scene with ``scene`` in its folder's name is live or has failed."""
     page.wait_for_function(
         "name => [...window.tabletopgen?.keys() ?? []].some(k => k.includes(name))", arg=scene
     )
@@ -79,7 +79,7 @@ def wait_for_scene(page: Page, scene: str) -> None:
 
 
 def place_on_page(page: Page, name: str) -> tuple[float, float]:
-    """Where a body's origin is on the page, pixels."""
+    """Return the position of a body's origin on the page, pixels."""
     at = page.evaluate(f"{ENGINE}.locate({name!r})")
     box = page.locator("canvas").bounding_box()
     assert box is not None
@@ -87,7 +87,7 @@ def place_on_page(page: Page, name: str) -> tuple[float, float]:
 
 
 def axe_faults(page: Page) -> list[str]:
-    """Return the serious and critical faults that axe finds."""
+    """Return the serious and critical violations reported by axe."""
     page.add_script_tag(content=AXE.read_text(encoding="utf-8"))
     found = page.evaluate("() => axe.run()")["violations"]
     return [
@@ -98,7 +98,7 @@ def axe_faults(page: Page) -> list[str]:
 
 
 def axe_share(page: Page) -> float:
-    """Return the share of axe's rules that hold, of those that apply, by weight of impact."""
+    """Return the weighted share of axe's applicable rules that hold."""
     page.add_script_tag(content=AXE.read_text(encoding="utf-8"))
     done = page.evaluate("() => axe.run()")
     weight = {"minor": 1, "moderate": 3, "serious": 7, "critical": 10}

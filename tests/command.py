@@ -1,4 +1,4 @@
-"""The command line, run within the test's own process."""
+"""The command line, run in the test's process."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Shown(NamedTuple):
 
 @dataclass(frozen=True)
 class Shell:
-    """Runs commands that end with an exit code, and tells what each of them printed."""
+    """Runs commands that end with an exit code, and returns their output."""
 
     capsys: pytest.CaptureFixture[str]
     before: tuple[str, ...] = ()
@@ -39,6 +39,6 @@ class Shell:
         return Shell(self.capsys, words)
 
     def __call__(self, *args: str, code: int = 0) -> Shown:
-        self.capsys.readouterr()  # of what came before
+        self.capsys.readouterr()  # output of earlier commands
         assert command(*self.before, *args) == code
         return Shown(*self.capsys.readouterr())

@@ -1,4 +1,4 @@
-"""Puts this folder on the path, so that tests can share the scenes of ``toy.py``."""
+"""Puts this folder on the path, so that tests can share modules such as ``toy.py``."""
 
 import os
 import signal
@@ -8,13 +8,13 @@ from pathlib import Path
 
 import pytest
 
-# One thread a worker, and in each process it starts, for torch and NumPy: with more of them than
-# cores, each waits for the others. ``generator.threads`` goes by OMP_NUM_THREADS, which is as it
-# was, so that what the product spreads over threads of its own stays spread.
+# One thread per worker and child process for torch and NumPy, since more threads than cores would
+# wait for each other. ``generator.threads`` uses the original OMP_NUM_THREADS, so the product's own
+# threads are not affected.
 for name in ("MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
     os.environ.setdefault(name, "1")
 
-# What whoever runs the tests has made and saved is none of theirs.
+# Tests must not use the files and settings of the user who runs them.
 os.environ["TABLETOPGEN_CACHE"] = str(Path(tempfile.gettempdir()) / f"no-store-{os.getpid()}")
 
 if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
@@ -24,14 +24,14 @@ if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
 
 
 def pytest_configure() -> None:
-    """Heed interrupts, which a process that a shell starts in the background ignores."""
+    """Handle interrupts, which processes started in the background by a shell ignore."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[object]:
-    """Debian's Chromium, for one module: Playwright keeps other event loops from running."""
+    """Debian's Chromium for one module, since Playwright blocks other event loops."""
     from browser import chromium
 
     with chromium() as found:
@@ -40,7 +40,7 @@ def browser() -> Iterator[object]:
 
 @pytest.fixture(scope="session")
 def tiny_models(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with a tiny model in place of every pinned one; not to be changed."""
+    """A folder with a tiny model for every pinned one; read-only."""
     import tiny_models
 
     return tiny_models.save_all(tmp_path_factory.mktemp("models"))
@@ -48,20 +48,20 @@ def tiny_models(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty store of its own for a test."""
+    """An empty store for one test."""
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
     return tmp_path / "store"
 
 
 @pytest.fixture
 def inline(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Read foreign files in this process: a child takes most of the time of a small test."""
+    """Read foreign files in this process: a child would take most of the time of a small test."""
     monkeypatch.setattr("generator.sandbox.runner.is_inside", lambda: True)
 
 
 @pytest.fixture
 def shell(capsys: pytest.CaptureFixture[str]):
-    """Runs commands and tells what they print: a ``command.Shell``."""
-    from command import Shell  # not before the packages may be imported
+    """Runs commands and returns their output: a ``command.Shell``."""
+    from command import Shell  # import only after the packages may be imported
 
     return Shell(capsys)

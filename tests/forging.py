@@ -1,4 +1,4 @@
-"""Bundles as a forger would write them: well written, digests fitting, in a folder without one."""
+"""Forged bundles: well-formed, with matching digests, in a folder without one."""
 
 import hashlib
 import json
@@ -26,31 +26,31 @@ def rewrite(path: Path, change: Callable[[dict[str, Any]], None]) -> Path:
 
 
 def put(path: Path, name: str, content: bytes) -> Path:
-    """Put a file into a bundle, listed as it is; the folder's name becomes "forged"."""
+    """Add a file to a bundle with its entry; the folder's name becomes "forged"."""
     (path / name).write_bytes(content)
     entry = {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
     return rewrite(path, lambda payload: payload["files"].update({name: entry}))
 
 
 def put_mesh(path: Path, content: bytes) -> Path:
-    """Give every model of a bundle this file as its mesh."""
+    """Replace every model's mesh in a bundle by this file."""
     return _give(path, "mesh", mesh_path(content), content)
 
 
 def put_texture(path: Path, content: bytes) -> Path:
-    """Give every model of a bundle this file as its texture."""
+    """Replace every model's texture in a bundle by this file."""
     return _give(path, "texture", texture_path(content), content)
 
 
 def derive(path: Path) -> Path:
-    """Write the ``scene.xml`` that the values of a forged bundle ask for."""
+    """Write the ``scene.xml`` that matches the values of a forged bundle."""
     payload = json.loads((path / "scene.json").read_text())
     made = decode_scene(payload, lambda name: (path / name).read_bytes())
     return put(path, "scene.xml", document(made.scene, paths=made.paths).xml.encode())
 
 
 def png(width: int, height: int, packed: bytes = b"", mode: int = 0) -> bytes:
-    """Return a PNG that says it has this size, of grey pixels (mode 0) in this zlib stream."""
+    """Return a PNG that claims this size, with grey pixels (mode 0) in this zlib stream."""
     header = struct.pack(">IIBBBBB", width, height, 8, mode, 0, 0, 0)
     chunks = {b"IHDR": header, b"IDAT": packed, b"IEND": b""}
     return b"\x89PNG\r\n\x1a\n" + b"".join(
@@ -68,7 +68,7 @@ def _give(path: Path, what: str, name: str, content: bytes) -> Path:
 
 
 def refused(path: Path, match: str) -> None:
-    """Check that a bundle is not read, for a reason, and that verifying it says so."""
+    """Check that a bundle is rejected for a reason, and that verification reports it."""
     with pytest.raises(BundleError, match=match):
         bundle.load(path)
     assert bundle.verify(path)

@@ -1,4 +1,4 @@
-"""Pictures that lie or repeat themselves, made of the parts of sound ones."""
+"""Pictures with false or repeated data, assembled from parts of valid ones."""
 
 import io
 import random
@@ -30,7 +30,7 @@ def encoded(picture: Image.Image, kind: str, **options: Any) -> bytes:
 
 # ----------------------------------------------------------------------------------------- JPEG
 def jpeg_segments(raw: bytes) -> list[bytes]:
-    """Split a JPEG into its segments, each with its marker; a scan's has its data, too."""
+    """Split a JPEG into its segments with their markers; a scan's segment includes its data."""
     found, at = [raw[:2]], 2
     while at < len(raw):
         kind = raw[at + 1]
@@ -47,7 +47,7 @@ def jpeg_segments(raw: bytes) -> list[bytes]:
 
 
 def repeated_scans(times: int, width: int = 64, height: int = 64) -> bytes:
-    """A progressive JPEG whose last scan is there ``times`` times."""
+    """Return a progressive JPEG whose last scan is repeated ``times`` times."""
     parts = jpeg_segments(encoded(noise(width, height), "JPEG", progressive=True))
     last = max(k for k, part in enumerate(parts) if part[1] == 0xDA)
     parts[last:last] = [parts[last]] * (times - 1)
@@ -55,7 +55,7 @@ def repeated_scans(times: int, width: int = 64, height: int = 64) -> bytes:
 
 
 def mutated_jpeg(rng: random.Random, raw: bytes) -> bytes:
-    """Segments repeated, swapped, dropped, or with a length that lies."""
+    """Return a JPEG with segments repeated, swapped, dropped, or with a false length."""
     parts = jpeg_segments(raw)
     at = rng.randrange(1, len(parts))
     kind = rng.randrange(6)
@@ -81,14 +81,14 @@ def mutated_jpeg(rng: random.Random, raw: bytes) -> bytes:
 
 # ----------------------------------------------------------------------------------------- TIFF
 def tiff_entries(raw: bytes) -> list[int]:
-    """Return where the tags of the first frame of a little-endian TIFF lie."""
+    """Return the offsets of the tags of a little-endian TIFF's first frame."""
     (at,) = struct.unpack_from("<I", raw, 4)
     (count,) = struct.unpack_from("<H", raw, at)
     return [at + 2 + k * _TIFF_ENTRY for k in range(count)]
 
 
 def mutated_tiff(rng: random.Random, raw: bytes) -> bytes:
-    """Tags of other types, counts and values, or of other names."""
+    """Return a TIFF with tags of other types, counts, values or names."""
     changed = bytearray(raw)
     for _ in range(rng.choice((1, 1, 2, 3))):
         place = rng.choice(tiff_entries(raw))
@@ -109,7 +109,7 @@ def mutated_tiff(rng: random.Random, raw: bytes) -> bytes:
 
 
 def chained_tiff(frames: int) -> bytes:
-    """A TIFF of many frames that share their pixels; the last leads back to the first."""
+    """Return a TIFF of many frames with shared pixels; the last links to the first."""
     raw = bytearray(encoded(noise(64, 64), "TIFF"))
     (at,) = struct.unpack_from("<I", raw, 4)
     entries = tiff_entries(bytes(raw))
@@ -124,7 +124,7 @@ def chained_tiff(frames: int) -> bytes:
 
 
 def overlapping_exif(entries: int, size: int) -> bytes:
-    """A PNG whose EXIF tags all claim the same ``size`` bytes."""
+    """Return a PNG whose EXIF tags all refer to the same ``size`` bytes."""
     tags = b"".join(struct.pack("<HHII", k, 7, size, 8) for k in range(1, entries + 1))
     start = 8 + size
     exif = (b"II*\0" + struct.pack("<I", start) + bytes(size)
@@ -149,7 +149,7 @@ def png_chunks(raw: bytes) -> list[bytes]:
 
 
 def mutated_png(rng: random.Random, raw: bytes) -> bytes:
-    """Chunks repeated, swapped, dropped, emptied, or of kinds that hold lists of their own."""
+    """Return a PNG with chunks repeated, swapped, dropped, emptied, or of other kinds."""
     parts = png_chunks(raw)
     at = rng.randrange(1, len(parts))
     kind = rng.randrange(5)
@@ -172,7 +172,7 @@ def mutated_png(rng: random.Random, raw: bytes) -> bytes:
 
 # ------------------------------------------------------------------------------------ GIF, WebP
 def mutated_gif(rng: random.Random, frames: int = 3) -> bytes:
-    """Frames outside the screen, without end, or by the ten thousand."""
+    """Return a GIF with frames outside the screen, an endless one, or with ten thousand frames."""
     raw = animated("GIF", frames)
     start = raw.index(b"\x21\xff") if b"\x21\xff" in raw else raw.index(b"\x2c")
     body = raw[start:-1]
@@ -193,7 +193,7 @@ def mutated_gif(rng: random.Random, frames: int = 3) -> bytes:
 
 
 def mutated_webp(rng: random.Random, frames: int = 3) -> bytes:
-    """Chunks repeated, of other sizes, or a canvas that does not fit its frames."""
+    """Return a WebP with chunks repeated or resized, or a canvas that does not fit its frames."""
     raw = bytearray(animated("WEBP", frames))
     kind = rng.randrange(4)
     at = raw.index(b"ANMF")

@@ -1,4 +1,4 @@
-"""All that leads from an error of the project to a secret: what a log or a debugger may show."""
+"""Search for secrets reachable from an error, as a log or a debugger may show them."""
 
 import traceback
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ OURS = ("generator.", "tabletop_objects.")
 
 
 def chain(error: BaseException) -> Iterator[BaseException]:
-    """The error, and all that it was raised from or beside."""
+    """Return the error with all of its causes and contexts."""
     left, seen = [error], set()
     while left:
         link = left.pop()
@@ -20,7 +20,7 @@ def chain(error: BaseException) -> Iterator[BaseException]:
 
 
 def everything(error: BaseException, *, frames: bool = True) -> str:
-    """Texts, attributes, requests with their headers, and what our functions on its way held.
+    """Return texts, attributes, requests with headers, and local variables of package frames.
 
     Without ``frames`` not the last: where a server writes a key back, they hold its answer.
     """
@@ -40,7 +40,7 @@ def held(trace: TracebackType | None) -> Iterator[str]:
 
 
 def shown(value: Any) -> str:
-    """A value, and what it holds where its text hides that."""
+    """Return a value, and its content if its text hides that."""
     try:
         parts = [repr(value)]
         for part in (value, getattr(value, "request", None)):

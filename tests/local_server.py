@@ -10,7 +10,7 @@ from typing import Any
 
 
 class Server(ThreadingHTTPServer):
-    """A server that keeps quiet about clients that went away."""
+    """A server that ignores disconnected clients."""
 
     daemon_threads = True
 
@@ -34,7 +34,7 @@ def sent_to(handler: BaseHTTPRequestHandler) -> bytes:
 
 @contextlib.contextmanager
 def local_server(handler: type[BaseHTTPRequestHandler]) -> Iterator[str]:
-    """Serve on a free port of this machine; yield the address, ``http://127.0.0.1:PORT``."""
+    """Serve on a free local port; yield the address, ``http://127.0.0.1:PORT``."""
     server = Server(("127.0.0.1", 0), handler)
     thread = threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True)
     thread.start()
@@ -48,7 +48,7 @@ def local_server(handler: type[BaseHTTPRequestHandler]) -> Iterator[str]:
 
 @contextlib.contextmanager
 def raw_server(talk: Callable[[socket.socket], None]) -> Iterator[str]:
-    """Let ``talk`` answer each connection, byte by byte; yield the address.
+    """Call ``talk`` for each raw connection; yield the address.
 
     Connections are cut at the end of the test: who still talks then gets an ``OSError``.
     """

@@ -1,4 +1,4 @@
-"""Points that are to go to the origin: a vector environment of a few lines, NumPy's or torch's."""
+"""Points that move to the origin: a small vector environment on NumPy or torch."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ LIMIT = 12
 
 
 class Point(gym.Env[Any, np.ndarray]):
-    """A point in the plane; its reward is 1 less the distance; past 2 it falls off the edge."""
+    """A point in the plane; its reward is 1 minus the distance; beyond 2 it falls off the edge."""
 
     observation_space = spaces.Box(-5, 5, (2,), np.float32)
     action_space = spaces.Box(-1, 1, (2,), np.float32)
@@ -31,7 +31,7 @@ class Point(gym.Env[Any, np.ndarray]):
 
 
 class PartedPoint(Point):
-    """The same, seen in two parts."""
+    """The same, observed in two parts."""
 
     observation_space = spaces.Dict({k: spaces.Box(-5, 5, (1,), np.float32) for k in "xy"})
 
@@ -45,7 +45,7 @@ class PartedPoint(Point):
 
 
 class TensorPoints(VectorEnv[Any, Any, Any]):
-    """Points whose arrays are tensors, stepped by NumPy's; infos as batches of worlds have them."""
+    """Points as tensors with NumPy dynamics; infos as in batches of worlds."""
 
     metadata = {"autoreset_mode": AutoresetMode.SAME_STEP}  # noqa: RUF012
 
@@ -80,7 +80,7 @@ class TensorPoints(VectorEnv[Any, Any, Any]):
 
 
 def points(count: int = 4, kind: type[Point] = Point) -> SyncVectorEnv:
-    """Return points that begin anew within the step that ends their episode."""
+    """Return points that reset within the step that ends their episode."""
     return SyncVectorEnv([kind] * count, autoreset_mode=AutoresetMode.SAME_STEP)
 
 

@@ -1,4 +1,4 @@
-"""Boxes with a print, for tests of what tells a thing's front."""
+"""Boxes with a print, for tests of front detection."""
 
 import numpy as np
 from toy import CUBE_FACES, corners
@@ -7,7 +7,7 @@ from generator.scene import Mesh
 
 
 def box(printed: bool = False) -> Mesh:
-    """The unit box; ``printed``, its side towards -y is half red."""
+    """Return the unit box; if ``printed``, its side towards -y is half red."""
     points = corners([-0.5] * 3, [0.5] * 3)[CUBE_FACES].reshape(-1, 3)
     faces = np.arange(36).reshape(-1, 3)
     texture = np.full((1, 2, 3), 190, np.uint8)

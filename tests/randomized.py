@@ -1,4 +1,4 @@
-"""What the tests of domain randomisation share: single switches, a started environment."""
+"""Shared parts of the randomisation tests: single switches, and a started environment."""
 
 from dataclasses import replace
 from typing import Any
@@ -13,14 +13,14 @@ OPTIONS = {"target": "cube_1", "goal": "bowl_1"}
 
 
 def only(switch: str) -> Randomization:
-    """The strong settings of a single switch."""
+    """Return the strong settings of a single switch."""
     return Randomization(**{name: getattr(STRONG, name) for name in SWITCHES[switch]})
 
 
 def started(
     randomization: Any, seed: int = 0, **settings: Any
 ) -> tuple[TabletopEnv, Any, dict[str, Any]]:
-    """An environment at the cube and the bowl, with its first observation and what was drawn."""
+    """Return an environment at the cube and the bowl, its first observation and the draws."""
     env = make_env(settings.pop("scene", toy_scene()), randomization=randomization, **settings)
     seen, info = env.reset(seed=seed, options=OPTIONS)
     return env, seen, info["randomization"]

@@ -1,4 +1,4 @@
-"""A Ray cluster of two nodes with a CPU each, both on this machine."""
+"""A Ray cluster of two nodes with one CPU each, both on this machine."""
 
 import contextlib
 import os
@@ -14,7 +14,7 @@ TESTS = Path(__file__).parent
 
 @contextlib.contextmanager
 def two_nodes(*folders: Path) -> Iterator[str]:
-    """Start the cluster, and give its address; its workers also import from ``folders``."""
+    """Start the cluster and return its address; its workers also import from ``folders``."""
     pytest.importorskip("ray")
     from ray.cluster_utils import Cluster
 

@@ -1,4 +1,4 @@
-"""What a vector environment gives in some steps, and whether two gave the same."""
+"""Rollouts of a vector environment, and their comparison."""
 
 from typing import Any
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 def same(a: Any, b: Any) -> bool:
-    """Whether two nests of dicts, tuples, arrays and values are equal to the bit."""
+    """Return whether two nested structures of dicts, tuples, arrays and values are identical."""
     if isinstance(a, dict):
         return a.keys() == b.keys() and all(same(a[k], b[k]) for k in a)
     if isinstance(a, tuple | list):
@@ -19,7 +19,7 @@ def same(a: Any, b: Any) -> bool:
 
 
 def rollout(envs: Any, steps: int = 11, seed: int = 5, masked: bool = False) -> list[Any]:
-    """Reset, act at random, and close; ``masked`` resets slots whose episodes are over."""
+    """Reset, act at random, and close; ``masked`` resets slots whose episodes have ended."""
     rng = np.random.default_rng(0)
     seen: list[Any] = [envs.reset(seed=seed)]
     for _ in range(steps):

@@ -1,4 +1,4 @@
-"""Models made by hand for tests of physics and assembly: boxes, balls, cups, a table."""
+"""Hand-made models for tests of physics and assembly: boxes, balls, cups, a table."""
 
 from collections.abc import Sequence
 
@@ -15,7 +15,7 @@ UNIT = corners([-0.5] * 3, [0.5] * 3)
 
 
 def box(density: float = 600.0, shell: float | None = None) -> Model:
-    """A box; its extent comes from the placement."""
+    """Return a box, with its extents from the placement."""
     part = ConvexPart(UNIT, "box")
     return Model("box", "box", cube_mesh(), np.full(3, 0.1), Physics(density, 0.6, shell), (part,))
 
@@ -26,14 +26,14 @@ def ball(density: float = 600.0) -> Model:
 
 
 def cup(size: tuple[float, float, float]) -> Model:
-    """An open cup with walls of 6 mm."""
+    """Return an open cup with walls of 6 mm."""
     parts = parts_to_unit_box(ring_parts(np.array(size), 0.006, 0.006), np.zeros(3), np.array(size))
     physics = Physics(2000.0, 0.6, shell=0.004)
     return Model("cup", "cup", drawn(parts), np.array(size), physics, parts, container=True)
 
 
 def drawn(parts: Sequence[ConvexPart]) -> Mesh:
-    """A mesh that shows convex parts as they are."""
+    """Return a mesh of the given convex parts."""
     points, faces, count = [], [], 0
     for part in parts:
         hull = ConvexHull(part.vertices)
@@ -60,7 +60,7 @@ def put(
     on: str = "table",
     inside: bool = False,
 ) -> Placement:
-    """A placement; heights are assembly's own business."""
+    """Return a placement; the assembly determines heights."""
     return Placement(name, yaw, np.array([*xy, 0.8]), np.array(size), on, inside)
 
 

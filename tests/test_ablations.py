@@ -24,7 +24,7 @@ TEXT = "a desk with a laptop, a mug and a pencil"
 
 @pytest.fixture(scope="module")
 def backends() -> Backends:
-    """Embedded backends that are asked alike questions once for all tests."""
+    """Embedded backends that answer equal questions only once for all tests."""
     return remembering(Backends.select("embedded"))
 
 
@@ -73,7 +73,7 @@ def test_a_reasoner_that_cannot_guess_is_refused_before_any_work() -> None:
 
 
 class Guesses:
-    """Answers with what it was given."""
+    """Returns given answers."""
 
     def __init__(self, yaws: Mapping[str, float], places: Mapping[str, LayoutBox]) -> None:
         self.yaws, self.places = yaws, places

@@ -275,7 +275,7 @@ def test_trouble_while_writing_leaves_nothing(
     trouble: Callable[[], None], code: int, after: int, store: Path,
     monkeypatch: pytest.MonkeyPatch, shell: Shell,
 ) -> None:  # fmt: skip
-    """Half of a file is on the disk when it happens."""
+    """The failure occurs with half of a file on the disk."""
     written: list[Path] = []
 
     def write(self: Path, content: bytes) -> int:
@@ -313,7 +313,7 @@ STAGE_FUNCTIONS = ("refer", "extract", "estimate_view", "make_models", "estimate
 def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
     at: int, store: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> None:
-    """The stages before are stubs; the one in question is interrupted."""
+    """Earlier stages are stubs; the given one is interrupted."""
     reference = SimpleNamespace(
         prompt=TEXT, plan=None, depth=None, image=np.zeros((4, 4, 3), np.uint8)
     )
@@ -363,7 +363,7 @@ def test_an_interrupt_in_any_step_of_compose_leaves_nothing(
 
 
 def lines_of(process: subprocess.Popen[bytes], until: float) -> Iterator[str]:
-    """Yield what a process says on standard error, as it comes."""
+    """Yield the standard error lines of a process as they arrive."""
     assert process.stderr is not None
     while time.monotonic() < until:
         if select.select([process.stderr], [], [], 0.5)[0]:

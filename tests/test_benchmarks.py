@@ -370,7 +370,7 @@ def test_a_table_without_anything_to_do_is_a_row() -> None:
     bench = script("expert")
     rows = bench.work(bench.EpisodesJob("Swap", "A die.", 0, 2), composed=True)
     assert [(r["success"], r["rows"]) for r in rows] == [("", 1)]
-    assert "nothing to move" in rows[0]["error"]
+    assert "no valid target" in rows[0]["error"]
     assert bench.say(rows) == "Swap at 'A die.' seed 0: nothing to do"
 
 

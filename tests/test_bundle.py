@@ -210,7 +210,7 @@ def test_the_lean_of_a_report_is_bounded(scene: Scene, lean: float) -> None:
 
 
 def test_failures_without_values_keep_their_sentences(scene: Scene) -> None:
-    """Earlier versions wrote the sentences alone."""
+    """Earlier versions wrote only the messages."""
     said = "cube_1 overlaps can_1 by 100.0 mm"
     payload, files = encode_scene(scene.replace(report=Report(0.1, 0, 0, failures=(OVERLAP,))))
     del payload["report"]["failure_values"]

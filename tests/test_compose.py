@@ -46,7 +46,7 @@ def test_composed_scenes_are_sound_and_complete(text: str) -> None:
 
 @pytest.mark.slow
 def test_a_scene_starts_at_rest() -> None:
-    """What the keyframe holds is where things lie: the first steps show no jump."""
+    """Objects have the poses of the keyframe: the first steps show no jump."""
     scene = compose("a bowl with two apples in it, a mug with a pencil in it, two books", 3)
     simulation = Simulation(scene)
     start = [o.pose for o in scene.objects]
@@ -74,7 +74,7 @@ def test_asked_relations_hold_after_settling() -> None:
 def test_a_layout_in_which_all_holds_is_judged_at_once_and_another_only_if_it_is_the_best(
     held: int, laid_out: int, judged: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Relations hold in the layout of number ``held``, and in none of the first three."""
+    """Relations hold in the layout with number ``held``, but in none of the first three."""
     made: list[str] = []
     rest, finish = composition.bring_to_rest, composition.finish
     check = relation_check.check_relations

@@ -21,7 +21,7 @@ SECRET = "sk-Zq7\x1b[31mvery-secret"
 
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
-    """Probes that start no process, and caches in a folder of the test's own."""
+    """Probes without processes, and caches in a temporary folder."""
     monkeypatch.setattr(probes, "draw", lambda name: Probe(name == "egl", "llvm\x1b[2Jpipe"))
     monkeypatch.setattr(probes, "cuda", lambda: Probe(False, "no device"))
     for name in ("TABLETOPGEN_CACHE", "TABLETOPGEN_CALLS", "TABLETOPGEN_MODELS"):

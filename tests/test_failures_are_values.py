@@ -21,7 +21,7 @@ PATTERNS = {"re", "fnmatch", "difflib", "shlex"}
 
 
 def text_operations(source: str) -> list[int]:
-    """Return the lines of a source that take a failure's text apart or compare it."""
+    """Return the lines of a source that parse or compare a failure's text."""
     tree = ast.parse(source)
     functions = [n for n in ast.walk(tree) if isinstance(n, ast.FunctionDef)]
     return sorted({line for scope in (tree, *functions) for line in _operations(scope)})
@@ -36,7 +36,7 @@ def _operations(scope: ast.AST) -> list[int]:
 
 
 def _assigned(node: ast.AST, names: set[str]) -> set[str]:
-    """Return the variables that a node makes hold a failure or its text."""
+    """Return the variables to which a node assigns a failure or its text."""
     if isinstance(node, ast.Assign) and _holds(node.value, names):
         targets = node.targets
     else:

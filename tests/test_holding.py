@@ -25,7 +25,7 @@ ON, LEFT = Relation("on", "book_1"), Relation("left_of", "can_1")
 
 
 def scene_with(*outcomes: RelationOutcome, on: str = "book_1") -> Scene:
-    """A cube asked for on a book and left of a can; it is at the book's side."""
+    """Return a cube requested on a book and left of a can, but placed beside the book."""
     cube = toy_object("cube_1", (0.05, 0.05, 0.05), (-0.1, 0.0))
     book = toy_object("book_1", (0.2, 0.14, 0.03), (0.1, 0.0))
     can = toy_object("can_1", (0.06, 0.06, 0.1), (0.4, 0.0), kind="cylinder")

@@ -126,7 +126,7 @@ def within(module: str, prefix: str) -> bool:
 
 
 def part_of(name: str) -> tuple[int, str]:
-    """The row and the part of the table that a module belongs to."""
+    """Return the row and the part of the table that contain a module."""
     rows = {part: row for row, parts in enumerate(LAYERS) for part in parts}
     part = max((p for p in rows if within(name, p)), key=len)
     return rows[part], part
@@ -212,7 +212,7 @@ def foreign(path: Path) -> set[str]:
 
 @pytest.mark.slow
 def test_what_is_imported_is_what_is_installed() -> None:
-    """Every package imported is a dependency, and the other way round."""
+    """Every imported package is a dependency, and vice versa."""
     used, learning, recording, cloud = set(), set(), set(), set()
     many, hub, others, by_hand = set(), set(), set(), set()
     served, charted, decoded = set(), set(), set()

@@ -11,7 +11,7 @@ from generator.method.stopwatch import Seconds, Stopwatch
 
 
 class Clock:
-    """Stands in for the module ``time``: each look at the wall's clock finds it later."""
+    """Fake of the module ``time`` whose wall clock advances with each call."""
 
     def __init__(self) -> None:
         self.walls = itertools.accumulate(itertools.count(1))  # 1, 3, 6, 10 ...

@@ -54,14 +54,14 @@ PHRASES = (
 
 
 def is_participle(word: str) -> bool:
-    """Tell whether a name is one word, a past participle that is no base form of a verb."""
+    """Return whether a name is one word that is a past participle and not a base form."""
     if "_" in word:
         return False
     return word in IRREGULAR or (word.endswith("ed") and word not in NO_PARTICIPLES)
 
 
 def functions(tree: ast.AST) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
-    """Yield functions that are no properties and answer no yes or no."""
+    """Yield functions except properties and predicates."""
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             answers = ast.unparse(node.returns) if node.returns else ""
@@ -82,7 +82,7 @@ def classes(source: str) -> list[str]:
 
 
 def own_words(source: str) -> list[str]:
-    """Return the identifiers of a module that hold one of ``WORDS``."""
+    """Return the identifiers of a module that contain one of ``WORDS``."""
     tokens = tokenize.generate_tokens(io.StringIO(source).readline)
     names = {t.string for t in tokens if t.type == tokenize.NAME}
     parts = {n: re.findall(r"[A-Z]?[a-z]+|[A-Z]+", n) for n in names}
@@ -91,13 +91,13 @@ def own_words(source: str) -> list[str]:
 
 
 def own_phrases(text: str) -> list[str]:
-    """Return what a text holds of ``PHRASES``; lines and paragraphs do not part a phrase."""
+    """Return the occurrences of ``PHRASES`` in a text, across line and paragraph breaks."""
     joined = re.sub(r"\s*\n[\s#>]*", " ", text)
     return re.findall(rf"\b(?:{'|'.join(PHRASES)})\b", joined, flags=re.IGNORECASE)
 
 
 def modules() -> list[Path]:
-    """Return the modules of the project but those of objects: one draws a purse, one an LED."""
+    """Return the modules of the project except those of objects, whose nouns may differ."""
     found = [path for package in CODE for path in sorted((ROOT / package).rglob("*.py"))]
     return [path for path in found if ROOT / "tabletop_objects" / "objects" not in path.parents]
 

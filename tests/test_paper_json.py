@@ -43,7 +43,7 @@ def test_round_trip_reproduces_the_printed_json() -> None:
 
 
 def test_the_box_stands_left_and_behind_in_the_picture() -> None:
-    """Fig. 14's box_9 is the tool case, at the left and far side of the worked example."""
+    """Fig. 14's box_9 is the tool case at the far left of the worked example."""
     placements, _ = from_paper(FIG_12, FIG_14)
     box = placements[2]
     assert box.translation[0] < 0 < box.translation[1]

@@ -55,7 +55,7 @@ def test_every_intermediate_is_kept(from_text: Generation) -> None:
 
 @pytest.mark.slow
 def test_the_reconstruction_keeps_the_arrangement(from_text: Generation) -> None:
-    """Objects stand left and right of each other as their masks do in the picture."""
+    """Objects have the left-right order of their masks in the picture."""
     objects = {o.name: o.pose.position for o in from_text.scene.objects}
     feet = {
         i.name: ((i.box[0] + i.box[2]) / 2, i.box[3])
@@ -98,7 +98,7 @@ print(generate(sys.argv[1], seed=3).save(sys.argv[2]).name)
 
 @pytest.mark.slow
 def test_no_byte_depends_on_how_many_threads_compute(from_text: Generation, tmp_path: Path) -> None:
-    """So a scene is the same on any number of cores, and in a batch, whose workers have one."""
+    """A scene is the same on any number of cores, and in batch workers with one thread."""
     other = "3" if torch.get_num_threads() == 1 else "1"
     variables = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), other)
     made = subprocess.run(
@@ -110,7 +110,7 @@ def test_no_byte_depends_on_how_many_threads_compute(from_text: Generation, tmp_
 
 @pytest.mark.slow
 def test_a_picture_alone_is_enough(from_text: Generation) -> None:
-    """The drawn picture goes in again without its plan: nothing but pixels to go by."""
+    """The drawn picture is used again without its plan, as pixels only."""
     stages, ended = [], []
     begin = time.perf_counter()
     again = generate(

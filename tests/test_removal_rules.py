@@ -31,7 +31,7 @@ ALLOWED = {
 
 
 def removals(source: str) -> list[str]:
-    """The calls of a module by which something is deleted."""
+    """Return the calls of a module that delete something."""
     found = []
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Attribute) and (

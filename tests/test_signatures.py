@@ -9,7 +9,7 @@ MOST = 10
 
 
 def too_long(tree: ast.AST) -> list[str]:
-    """The functions and methods with more than ``MOST`` parameters, ``self`` counted.
+    """Return the functions and methods with more than ``MOST`` parameters, including ``self``.
 
     The constructor that ``dataclass`` writes is none of them: its fields are its documentation.
     """

@@ -32,7 +32,7 @@ HOOK = [(0, 0), (3, 0), (3, 1), (1, 1), (1, 3), (0, 3)]
 
 @pytest.fixture(scope="module")
 def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with a foreign mesh that has to be cut into convex parts."""
+    """A folder with a foreign mesh that needs convex decomposition."""
     folder = tmp_path_factory.mktemp("foreign")
     outline = np.array(HOOK, float) * 0.03
     rows = [f"v {x:.4f} {y:.4f} {z:.4f}" for z in (0.0, 0.06) for x, y in outline]
@@ -54,7 +54,7 @@ def source(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def make(source: Path, folder: Path) -> dict[str, str]:
-    """Import and generate in a process without anything cached; return each file's digest."""
+    """Import and generate in a process without caches; return each file's digest."""
     folder.mkdir()
     caches = {"XDG_CACHE_HOME": str(folder / "cache")}
     command = [sys.executable, "-c", _WORK, str(source), str(folder)]
@@ -72,7 +72,7 @@ def make(source: Path, folder: Path) -> dict[str, str]:
 
 @contextmanager
 def busy_machine() -> Iterator[None]:
-    """Keep the machine busy; the processes end with this one, whatever happens."""
+    """Keep the machine busy with processes that end with this one."""
     code = _BURN.replace("PARENT", str(os.getpid()))
     processes = [subprocess.Popen([sys.executable, "-S", "-c", code]) for _ in range(BUSY)]
     try:

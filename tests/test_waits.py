@@ -13,7 +13,7 @@ STARTS = ("run", "check_call", "check_output", "call")
 
 
 def endless(code: str) -> list[int]:
-    """Return the lines of the calls that may wait for ever."""
+    """Return the lines of the calls that may wait forever."""
     found = []
     for node in ast.walk(ast.parse(code)):
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):

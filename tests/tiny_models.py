@@ -1,4 +1,4 @@
-"""The real classes of transformers, tiny and with random weights, saved as the pinned models are.
+"""Tiny instances of transformers' classes with random weights, saved like pinned models.
 
 A tiny model lies where its pin says the real one would, so that all of the backend but the values
 of the weights is real.
@@ -39,7 +39,7 @@ def save_all(folder: Path) -> Path:
 
 
 def letters_tokenizer() -> Tokenizer:
-    """Return a tokenizer of BERT's kind that knows single letters only: "mug" is m, ##u, ##g."""
+    """Return a BERT tokenizer that knows only single letters: "mug" is m, ##u, ##g."""
     vocabulary = dict(MARKS)
     for k, letter in enumerate(LETTERS):
         vocabulary[letter], vocabulary[f"##{letter}"] = 200 + k, 300 + k
@@ -53,7 +53,7 @@ def letters_tokenizer() -> Tokenizer:
 
 
 def grounding_dino(**others: Any) -> Any:
-    """Return Grounding DINO of some thousands of weights, with ``others`` of its settings."""
+    """Return a Grounding DINO with some thousands of weights and ``others`` settings."""
     backbone = transformers.SwinConfig(
         image_size=64, embed_dim=8, depths=[1, 1, 1, 1], num_heads=[1, 1, 2, 2], window_size=4,
         out_indices=[2, 3, 4],
@@ -104,7 +104,7 @@ def sam2(side: int = 64, hidden_size: int = 32, width: int = 8, **decoder: Any) 
 
 
 def sam3() -> Any:
-    """Return SAM 3 of some thousands of weights, for pictures of 56 pixels."""
+    """Return a SAM 3 with some thousands of weights, for pictures of 56 pixels."""
     vit = {
         "model_type": "sam3_vit_model", "hidden_size": 16, "intermediate_size": 16,
         "num_hidden_layers": 1,
@@ -151,7 +151,7 @@ def clip() -> Any:
 
 
 def save_for_video(folder: Path) -> Path:
-    """Save SAM 2 and SAM 3 with what they need for videos, too, as they are published."""
+    """Save SAM 2 and SAM 3 with the parts for videos, as they are published."""
     torch.manual_seed(0)
     still = sam2().config.to_dict()
     parts = {k: still[f"{k}_config"] for k in ("vision", "prompt_encoder", "mask_decoder")}

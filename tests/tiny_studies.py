@@ -1,4 +1,4 @@
-"""A study of two methods and six scenes, and three raters whose table is worked out by hand.
+"""A study of two methods and six scenes, and three raters with a table computed by hand.
 
 Marks of ``ours`` and ``other``, by rater:
 
@@ -45,7 +45,7 @@ Marks = tuple[int, int, int, int]
 
 
 def marks(rater: int, method: str, scene: str) -> Marks:
-    """What the table above says."""
+    """Return the ratings of the table above."""
     number = int(scene[-1])
     if method == "ours":
         third = (7 if number < 3 else 4, 5, 5, 4)
@@ -55,13 +55,13 @@ def marks(rater: int, method: str, scene: str) -> Marks:
 
 
 def preferred(rater: int, scene: str) -> str:
-    """What the table above says."""
+    """Return the choices of the table above."""
     number = int(scene[-1])
     return METHODS[(False, number < 2, number < 5)[rater]]
 
 
 def check_table(facts: Mapping[str, Any]) -> None:
-    """Assert what the three raters' answers come to, worked out by hand.
+    """Check the results of the three raters' answers, computed by hand.
 
     VF of ours: (6 * 6 + 6 * 5 + 3 * 7 + 3 * 4) / 18 = 99 / 18. IA of other: (2 + 5 * 3 + 6 * 3 +
     6 * 4) / 18 = 59 / 18. Of three raters all are the same one in 1 of 27 bootstrap samples, which
@@ -86,7 +86,7 @@ def check_table(facts: Mapping[str, Any]) -> None:
 
 
 def picture(seed: int) -> UInt8[np.ndarray, "96 128 3"]:
-    """Patches of random colours."""
+    """Return patches of random colours."""
     small = np.random.default_rng(seed).integers(0, 256, (6, 8, 3), dtype=np.uint8)
     return np.kron(small, np.ones((16, 16, 1), np.uint8))
 
@@ -108,7 +108,7 @@ def small_study(
     template: str = TEMPLATE,
     **options: Any,
 ) -> StudyFiles:
-    """A study of plain pictures; each rater sees all scenes unless ``options`` say otherwise."""
+    """Return a study of plain pictures; by default each rater sees all scenes."""
     found, ignored = collect(write_pictures(folder, methods, names), folder / "inputs", Drawing())
     assert ignored == []
     chosen = StudyOptions(**{"scenes": len(names), "min_seconds": 0, **options})
@@ -116,14 +116,14 @@ def small_study(
 
 
 def served_study(folder: Path, **options: Any) -> tuple[StudyFiles, StudyPage]:
-    """A study whose answers a studio takes, and its page, read back."""
+    """Return a study that a studio serves, and its page, read back."""
     files = small_study(folder / "pictures", post=POST, **options)
     page, _ = write_study(files, folder / "study.html")
     return files, read_page(page, options.get("template", TEMPLATE), POST)
 
 
 def answers_of(key: StudyKey, number: int, **changes: Any) -> dict[str, Any]:
-    """The answers of one of the three raters, as the page writes them."""
+    """Return the answers of one of the three raters in the page's format."""
     scenes = []
     for code, scene in key.scenes.items():
         codes = {method: result for result, method in scene.results.items()}
@@ -141,7 +141,7 @@ def answers_of(key: StudyKey, number: int, **changes: Any) -> dict[str, Any]:
 
 
 def write_answers(folder: Path, facts: Mapping[str, Any], name: str | None = None) -> Path:
-    """Write answers as the page names them."""
+    """Write answers under the page's file names."""
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / (name or f"answers-{facts['study']}-{facts['rater']}.json")
     path.write_text(json.dumps(facts))

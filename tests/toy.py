@@ -1,4 +1,4 @@
-"""Small hand-made scenes for tests: boxes and rings on a table, exact in every number."""
+"""Small hand-made scenes for tests: boxes and rings on a table, with exact numbers."""
 
 import itertools
 from typing import Any

@@ -1,4 +1,4 @@
-"""The arrays of the product, checked while the tests run: dtypes and shapes of every call.
+"""Runtime checks of the product's array annotations: dtypes and shapes of every call.
 
 ``install`` puts jaxtyping's import hook with beartype on the packages. Names that are imported for
 the type checker alone are imported for real, which no circle of imports prevents (see
@@ -23,7 +23,7 @@ ARRAYS = re.compile(r"\b(?:Float|Int|UInt|UInt8|UInt16|Int32|Int64|Bool|Shaped|N
 
 
 def check(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a function that checks its arrays: what it is given and what it returns.
+    """Return a function that checks its array arguments and results.
 
     Other types are the type checker's; tests give wrong ones on purpose, to see them refused. So
     they do with arrays to constructors, which check what they are given.
@@ -46,7 +46,7 @@ def check(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 class _Finder(importlib.abc.MetaPathFinder):
-    """Finds the modules of the packages; their imports for the type checker are for real."""
+    """Finds the modules of the packages and executes their type-checking imports."""
 
     def find_spec(
         self, name: str, path: Sequence[str] | None, target: ModuleType | None = None
@@ -68,6 +68,6 @@ def _compile(compiling: Callable[..., Any], data: bytes, path: str, **options: A
 
 
 def install() -> None:
-    """Check every call of the packages, which must not have been imported."""
+    """Check every call of the packages, which must not have been imported yet."""
     install_import_hook(list(PACKAGES), "typechecking.check")
     sys.meta_path.insert(0, _Finder())

@@ -17,19 +17,19 @@ STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
 
 
 def world_of(*objects: Object) -> World:
-    """Return the world of a toy table with these things, at its start."""
+    """Return the world of a toy table with these objects, at its start."""
     world = World(toy_scene(objects), Panda())
     world.reset()
     return world
 
 
 def two_scenes() -> list[Scene]:
-    """Return the toy scene, and one with four of its things."""
+    """Return the toy scene, and one with four of its objects."""
     return [toy_scene(), toy_scene(toy_objects()[:4], name="four")]
 
 
 def wait(env: TabletopEnv, steps: int = 20) -> tuple[float, dict[str, Any]]:
-    """Stand still; return reward and info of the last step."""
+    """Take no action; return reward and info of the last step."""
     for _ in range(steps):
         _, reward, _, _, info = env.step(STILL)
     return reward, info
@@ -43,6 +43,6 @@ def begun(env: TabletopEnv, seed: int = 0, **options: Any) -> TaskExpert:
 
 
 def names(source: SceneSource) -> list[str]:
-    """Return the names of a fixed source's scenes, in its order."""
+    """Return the names of a fixed source's scenes, in order."""
     assert isinstance(source, FixedScenes)
     return [ref.load().name for ref in source.refs]

@@ -1,7 +1,7 @@
-"""How a policy moves the robot: one small controller per action mode.
+"""Action modes: one controller class per mode.
 
-All modes take ``float32`` actions in [-1, 1] at 20 Hz (25 simulation steps of 2 ms) unless
-``control_hz`` says otherwise; values beyond are clipped. The last entry is the gripper.
+All modes take ``float32`` actions in [-1, 1] at 20 Hz (25 simulation steps of 2 ms) or at
+``control_hz``; values outside that range are clipped. The last entry controls the gripper.
 
 ======================  =======================================================================
 ``ee_delta`` (5)        move the tool centre point by up to 25 mm along x, y and z of the robot's
@@ -10,28 +10,28 @@ All modes take ``float32`` actions in [-1, 1] at 20 Hz (25 simulation steps of 2
 ``ee_delta_pos`` (4)    x, y and z as above; the hand keeps pointing down and keeps its yaw
 ``ee_delta_6d`` (7)     x, y and z as above, then a rotation vector about the axes of the base
                         frame, up to 0.15 rad per entry and step; the hand may tilt
-``ee_absolute`` (5)     where the tool centre point has to go: x, y and z over ``WORKSPACE`` of
-                        the base frame, yaw over [-pi/2, pi/2] (all that a hand of two fingers
-                        needs). The commanded pose goes there on a straight line, at up to 25 mm
-                        and 0.15 rad a step; the hand keeps pointing down
+``ee_absolute`` (5)     target of the tool centre point: x, y and z over ``WORKSPACE`` of
+                        the base frame, yaw over [-pi/2, pi/2] (a two-finger hand needs no more).
+                        The commanded pose moves there in a straight line, by up to 25 mm and 0.15
+                        rad per step; the hand keeps pointing down
 ``joint_delta`` (8)     turn joints 1 to 7 by up to 0.1 rad each, per step
-``joint_target`` (8)    where joints 1 to 7 have to go, each over its range; the commanded joints
-                        go there at up to 0.1 rad a step
+``joint_target`` (8)    target positions of joints 1 to 7, each over its range; the commanded
+                        joints move there by up to 0.1 rad per step
 ======================  =======================================================================
 
 ========================  =====================================================================
-gripper ``"continuous"``  -1 closed, +1 open (8 cm), in between in proportion, as a position
-gripper ``"binary"``      0 and more opens all the way, less closes
+gripper ``"continuous"``  position: -1 is closed, +1 is open (8 cm), linear in between
+gripper ``"binary"``      values of at least 0 open the gripper fully, others close it
 ========================  =====================================================================
 
-The amounts per step are those at 20 Hz; at another rate they are such that the speeds are the
-same: 0.5 m/s, 3 rad/s, 2 rad/s.
+The amounts per step apply at 20 Hz; at other rates they are scaled to keep the speeds at 0.5 m/s, 3
+rad/s and 2 rad/s.
 
-Increments add to a *commanded* pose that starts at the robot's own and is never more than 4 cm
-and 0.4 rad (``ee_…``) or 0.2 rad (``joint_…``) ahead of it, below 20 Hz in proportion more, so
-pushing against the table does not wind up. The servos' viscous lag is compensated: in free space
-the arm trails a moving command by half an action (12 mm at full speed) and ends where it was sent
-to the millimetre.
+Increments add to a *commanded* pose, which starts at the robot's pose and is never more than 4 cm
+and 0.4 rad (``ee_…``) or 0.2 rad (``joint_…``) ahead of it (proportionally more below 20 Hz), so
+pushing against the table causes no windup. The servos' viscous lag is compensated: in free space
+the arm trails a moving command by half an action (12 mm at full speed) and reaches its target to
+within a millimetre.
 """
 
 from __future__ import annotations
@@ -89,21 +89,21 @@ ACTIONS: Mapping[ActionMode, Callable[[Servos], Controller]] = MappingProxyType(
         "joint_target": JointTarget,
     }
 )
-"""The controller of each action mode."""
+"""The controller class of each action mode."""
 
 
 @dataclass(frozen=True)
 class ActionConfig:
-    """How a policy moves the robot.
+    """Settings of the action space.
 
     Args:
         mode: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
-            "joint_target"; see the module's table.
-        gripper: "continuous" or "binary": what the last entry of an action means.
+            "joint_target"; see the table in the module docstring.
+        gripper: "continuous" or "binary": interpretation of the last entry of an action.
         control_hz: actions per second; divides 500.
 
     Raises:
-        InputError: no such mode or gripper, or a rate that does not divide 500.
+        InputError: the mode or gripper is unknown, or the rate does not divide 500.
     """
 
     mode: ActionMode = "ee_delta"

@@ -1,4 +1,4 @@
-"""Action modes in the joints' own coordinates; see the package's table."""
+"""Action modes in joint space; see the table in the package docstring."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from ..world.world import World
 from .servos import Servos, box
 
 JOINT_STEP = 0.1
-"""Largest turn of each joint per action at 20 Hz, radians."""
+"""Largest rotation of each joint per action at 20 Hz, radians."""
 
 JOINT_LEASH = 0.2
-"""How far a commanded joint may be ahead of the real one, radians."""
+"""Maximum lead of a commanded joint over the measured one, radians."""
 
 
 class JointDelta:
-    """Joint increments."""
+    """Action mode "joint_delta": joint increments."""
 
     def __init__(self, servos: Servos) -> None:
         self.space = box(8)
@@ -25,7 +25,7 @@ class JointDelta:
         self.command = np.zeros(7)
 
     def reset(self, world: World) -> None:
-        """Start from the robot's present joints."""
+        """Start from the robot's current joints."""
         self.command = world.state.joints.copy()
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
@@ -39,10 +39,10 @@ class JointDelta:
 
 
 class JointTarget(JointDelta):
-    """Joint positions to go to, over the joints' ranges."""
+    """Action mode "joint_target": target positions over the joint ranges."""
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
-        """Advance the commanded joints towards those of ``action``."""
+        """Advance the commanded joints towards the target in ``action``."""
         left = LOWER + (action[:7] + 1) / 2 * (UPPER - LOWER) - self.command
         step = np.clip(left / (JOINT_STEP * self.servos.share), -1.0, 1.0)
         super().apply(world, np.array([*step, action[7]]))

@@ -1,4 +1,4 @@
-"""Shared by all action modes: checking of actions, rate, gripper and servo commands."""
+"""Shared code of the action modes: validation, control rate, gripper and servo commands."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ from ..world.world import World
 GripperMode = Literal["continuous", "binary"]
 
 CONTROL_HZ = 20
-"""Actions per second unless said otherwise."""
+"""Default number of actions per second."""
 
 GRIPPER_CTRL = HOME_CTRL[-1]
-"""The gripper command that opens it fully."""
+"""The command that fully opens the gripper."""
 
 SERVO_LEAD = 0.08
-"""Seconds by which servo commands lead a moving reference.
+"""Time by which servo commands lead a moving reference, seconds.
 
-A servo torque ``k (u - q) - d q'`` trails its command ``u`` by ``d / k`` = 0.1 s; leading by most
-of that leaves it well damped.
+A servo with torque ``k (u - q) - d q'`` trails its command ``u`` by ``d / k`` = 0.1 s. A lead
+slightly below that compensates most of the lag and keeps the servo well damped.
 """
 
-_STEPS = round(1 / TIMESTEP)  # simulation steps in a second
+_STEPS = round(1 / TIMESTEP)  # simulation steps per second
 
-_NO_NUMBERS = "cmMSU"  # complex numbers, times, texts: NumPy would cast them to float
+_NO_NUMBERS = "cmMSU"  # complex numbers, times, strings: NumPy would cast them to float
 
 
 @dataclass(frozen=True)
 class Servos:
-    """How often per second the servos are commanded, and what the gripper's entry means."""
+    """The rate of servo commands and the interpretation of the gripper entry."""
 
     hz: int = CONTROL_HZ
     gripper: GripperMode = "continuous"
@@ -57,22 +57,22 @@ class Servos:
 
     @property
     def substeps(self) -> int:
-        """Simulation steps per action."""
+        """The number of simulation steps per action."""
         return _STEPS // self.hz
 
     @property
     def period(self) -> float:
-        """Seconds per action."""
+        """The duration of an action, seconds."""
         return 1 / self.hz
 
     @property
     def share(self) -> float:
-        """How much longer an action lasts than one at ``CONTROL_HZ``."""
+        """The duration of an action relative to one at ``CONTROL_HZ``."""
         return CONTROL_HZ / self.hz
 
     @property
     def slack(self) -> float:
-        """How much longer leashes are than at ``CONTROL_HZ``; longer actions go farther."""
+        """The maximum lead relative to that at ``CONTROL_HZ``: longer actions move farther."""
         return max(1.0, self.share)
 
     def command(
@@ -84,7 +84,7 @@ class Servos:
     ) -> None:
         """Write servo commands for a reference that moves from ``before`` to ``joints``.
 
-        ``gripper`` is the action's last entry.
+        ``gripper`` is the last entry of the action.
         """
         lead = SERVO_LEAD / self.period * (joints - before)
         world.state.servos[:] = np.minimum(np.maximum(joints + lead, LOWER), UPPER)
@@ -94,17 +94,17 @@ class Servos:
 
 
 class Controller(Protocol):
-    """Turns actions into servo commands."""
+    """Converts actions to servo commands."""
 
     space: spaces.Box
     servos: Servos
 
     def reset(self, world: World) -> None:
-        """Start from the robot's present pose."""
+        """Start from the robot's current pose."""
         ...
 
     def apply(self, world: World, action: Float[np.ndarray, "a"]) -> None:
-        """Write the servo commands of one checked action to ``world.data.ctrl``."""
+        """Write the servo commands of a validated action to ``world.data.ctrl``."""
         ...
 
 
@@ -112,7 +112,7 @@ def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]
     """Return ``action`` as float64, clipped to ``space``.
 
     Raises:
-        InputError: wrong shape, not real numbers, or a NaN or infinity.
+        InputError: the shape is wrong, or an entry is not real or not finite.
     """
     try:
         array = np.asarray(action)
@@ -121,7 +121,7 @@ def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]
         array = array.astype(np.float64)
     except (TypeError, ValueError) as error:
         raise InputError(
-            f"An action must be {space.shape[0]} real numbers, got {action!r}."
+            f"An action must have {space.shape[0]} real numbers, got {action!r}."
         ) from error
     if array.shape != space.shape:
         raise InputError(f"An action must have shape {space.shape}, got {array.shape}.")
@@ -131,5 +131,5 @@ def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]
 
 
 def box(size: int) -> spaces.Box:
-    """Return the space of ``size`` entries in [-1, 1]."""
+    """Return a box space of ``size`` entries in [-1, 1]."""
     return spaces.Box(-1.0, 1.0, (size,), np.float32)

@@ -1,4 +1,4 @@
-"""Action modes of the tool centre point; see the package's table."""
+"""Action modes of the tool centre point; see the table in the package docstring."""
 
 from __future__ import annotations
 
@@ -16,31 +16,31 @@ from ..world.world import World
 from .servos import Servos, box
 
 EE_STEP = 0.025
-"""Largest move of the tool centre point per action and axis at 20 Hz, metres."""
+"""Largest motion of the tool centre point per action and axis at 20 Hz, metres."""
 
 EE_TURN = 0.15
-"""Largest turn of the hand per action and axis at 20 Hz, radians."""
+"""Largest rotation of the hand per action and axis at 20 Hz, radians."""
 
 EE_LEASH = 0.04
-"""How far the commanded point may be ahead of the real one, metres."""
+"""Maximum lead of the commanded point over the measured one, metres."""
 
 YAW_LEASH = 0.4
-"""How far the commanded yaw, or rotation, may be ahead of the real one, radians."""
+"""Maximum lead of the commanded yaw or rotation over the measured one, radians."""
 
 WORKSPACE: tuple[tuple[float, ...], ...] = ((-0.5, -0.8, -0.1), (0.85, 0.8, 0.7))
-"""Lowest and highest commanded point in the base frame, metres."""
+"""Lower and upper bounds of the commanded point in the base frame, metres."""
 
 YAW_REACH = np.pi / 2
-"""Largest yaw that ``ToolAbsolute`` can be sent to, radians."""
+"""Largest target yaw of ``ToolAbsolute``, radians."""
 
 LOWEST_POINT, HIGHEST_POINT = np.array(WORKSPACE)
-"""Ends of ``WORKSPACE`` as arrays."""
+"""Bounds of ``WORKSPACE`` as arrays."""
 
 JOINT_SPEED = np.array([joint.velocity for joint in JOINTS])
 """Rated speeds of the joints, rad/s."""
 
 PULL = 0.05
-"""How much the joints are drawn towards home, per action at 20 Hz; see ``kinematics.ik_step``."""
+"""Weight that pulls the joints towards home, per action at 20 Hz; see ``kinematics.ik_step``."""
 
 for _constant in (LOWEST_POINT, HIGHEST_POINT, JOINT_SPEED):
     _constant.setflags(write=False)
@@ -49,15 +49,15 @@ for _constant in (LOWEST_POINT, HIGHEST_POINT, JOINT_SPEED):
 def _clip(
     values: Float[np.ndarray, "n"], low: Float[np.ndarray, "n"], high: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return ``np.clip(values, low, high)``, in half the time."""
+    """Return ``np.clip(values, low, high)`` in half the time."""
     return np.minimum(np.maximum(values, low), high)
 
 
 class Arm:
-    """A commanded point of the tool, and joints that follow a commanded pose.
+    """A commanded point of the tool, and commanded joints that follow it.
 
-    They follow by damped least squares (``robot.kinematics.ik_step``), drawn towards home where the
-    arm is redundant, and never faster than the joints' rated speed.
+    The joints follow by damped least squares (``robot.kinematics.ik_step``). The redundant degree
+    of freedom is pulled towards home, and no joint exceeds its rated speed.
     """
 
     def __init__(self, servos: Servos) -> None:
@@ -68,20 +68,20 @@ class Arm:
         self._joints = HOME.copy()
 
     def reset(self, world: World) -> Float[np.ndarray, "3 3"]:
-        """Start from the robot's present pose; return the tool's rotation."""
+        """Start from the robot's current pose; return the rotation of the tool."""
         self._joints = world.state.joints.copy()
         self.point, rotation = forward(self._joints)
         return rotation
 
     def move(self, world: World, action: Float[np.ndarray, "3"]) -> None:
-        """Advance the commanded point by the x, y, z of an action."""
+        """Advance the commanded point by the x, y and z entries of an action."""
         real = world.to_base(world.state.tool)
         ahead = self.point + EE_STEP * self._servos.share * action - real
         near = real + _clip(ahead, -self._leash, self._leash)
         self.point = _clip(near, LOWEST_POINT, HIGHEST_POINT)
 
     def follow(self, world: World, rotation: Float[np.ndarray, "3 3"], gripper: float) -> None:
-        """Command the joints after the commanded point and ``rotation``."""
+        """Command joints that track the commanded point and ``rotation``."""
         before, joints = self._joints, self._joints
         pull = PULL * min(1.0, self._servos.share)
         for _ in range(math.ceil(self._servos.slack)):
@@ -93,7 +93,7 @@ class Arm:
 
 
 class ToolDelta:
-    """Increments of the tool centre point and of the hand's yaw."""
+    """Action mode "ee_delta": increments of the tool centre point and of the hand's yaw."""
 
     size = 5  # entries of an action
 
@@ -104,11 +104,11 @@ class ToolDelta:
         self.yaw = 0.0
 
     def reset(self, world: World) -> None:
-        """Start from the tool's present position and yaw."""
+        """Start from the tool's current position and yaw."""
         self.yaw = rotation_yaw(self.arm.reset(world))
 
     def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
-        """Advance the commanded pose by ``action`` and the commanded joints after it."""
+        """Advance the commanded pose by ``action``, and the commanded joints with it."""
         self.arm.move(world, action[:3])
         real, leash = rotation_yaw(world.hand), YAW_LEASH * self.servos.slack
         ahead = wrap(self.yaw + EE_TURN * self.servos.share * action[3] - real)
@@ -117,7 +117,7 @@ class ToolDelta:
 
 
 class ToolDeltaPosition(ToolDelta):
-    """Increments of the tool centre point alone."""
+    """Action mode "ee_delta_pos": increments of the tool centre point only."""
 
     size = 4
 
@@ -127,7 +127,7 @@ class ToolDeltaPosition(ToolDelta):
 
 
 class ToolDelta6D:
-    """Increments of the tool centre point and of the hand's rotation."""
+    """Action mode "ee_delta_6d": increments of the tool centre point and of the hand's rotation."""
 
     def __init__(self, servos: Servos) -> None:
         self.space = box(7)
@@ -136,11 +136,11 @@ class ToolDelta6D:
         self._rotation = np.eye(3)
 
     def reset(self, world: World) -> None:
-        """Start from the tool's present pose."""
+        """Start from the tool's current pose."""
         self._rotation = self._arm.reset(world)
 
     def apply(self, world: World, action: Float[np.ndarray, "7"]) -> None:
-        """Advance the commanded pose by ``action`` and the commanded joints after it."""
+        """Advance the commanded pose by ``action``, and the commanded joints with it."""
         self._arm.move(world, action[:3])
         real, leash = world.hand, YAW_LEASH * self.servos.slack
         turn = Rotation.from_rotvec(EE_TURN * self.servos.share * action[3:6]).as_matrix()
@@ -151,12 +151,12 @@ class ToolDelta6D:
 
 
 class ToolAbsolute(ToolDelta):
-    """A pose for the tool to go to, the hand pointing down."""
+    """Action mode "ee_absolute": a target pose of the tool, with the hand pointing down."""
 
     def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
-        """Advance the commanded pose towards that of ``action``.
+        """Advance the commanded pose towards the target in ``action``.
 
-        The hand turns through yaw 0, never through the half turn that joint 7 cannot make.
+        The hand turns through yaw 0, never through yaw pi, which joint 7 cannot cross.
         """
         move = LOWEST_POINT + (action[:3] + 1) / 2 * (HIGHEST_POINT - LOWEST_POINT) - self.arm.point
         move /= max(EE_STEP * self.servos.share, float(np.linalg.norm(move)))

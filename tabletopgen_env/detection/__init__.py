@@ -1,3 +1,3 @@
-"""Where to grasp a thing, learned: from height maps, as a depth camera above the table has them."""
+"""Learned grasp detection in height maps like those of a depth camera above the table."""
 
 from __future__ import annotations

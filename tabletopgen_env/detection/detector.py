@@ -1,4 +1,4 @@
-"""Grasps detected in height maps, by the network the package ships."""
+"""Grasp detection in height maps with the network shipped in the package."""
 
 from __future__ import annotations
 
@@ -27,15 +27,15 @@ if TYPE_CHECKING:
     from ..world.world import World
 
 PATH = Path(__file__).with_name("grasps.safetensors")
-"""The weights the package ships."""
+"""The weights shipped with the package."""
 
 CARD = "tabletopgen_grasps"
-"""Where the file's header says, as JSON, what the network learned from."""
+"""The key of the JSON training summary in the file's header."""
 
-_MOST_BYTES = 2**22
+_MAX_BYTES = 2**22
 _WIDEST = 2 * franka.FINGER_STROKE
-_MOST = 40  # grasps that the arm is asked for
-_POSSIBLE = -2.0  # logit below which nothing is taken for a grasp
+_MAX_GRASPS = 40  # grasps that are checked for reachability
+_POSSIBLE = -2.0  # minimum logit of a grasp
 _RESTORE = (
     "Install the package again, or train the detector: python -m research.grasps.training --help"
 )
@@ -43,23 +43,23 @@ _RESTORE = (
 
 @dataclass(frozen=True, eq=False)
 class GraspDetector:
-    """Says where to grasp an object, from what a depth camera sees; ``weights`` as for ``rate``."""
+    """Detects grasps of an object in depth images; ``weights`` as for ``rate``."""
 
     weights: Mapping[str, Float32[np.ndarray, "..."]]
 
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return the grasp of an object rated best that the arm can reach now, None if none.
+        """Return the best-rated grasp of an object that the arm can reach now, or None.
 
-        Those that ``failed`` rank last, as in ``choose``.
+        Grasps in ``failed`` rank last, as in ``choose``.
         """
         found = self.detect(look(world, target))
         found.sort(key=lambda grasp: any(is_like(grasp, other) for other in failed))
         return first_reachable(world, target, found)
 
     def detect(self, seen: HeightView) -> list[Grasp]:
-        """Return the grasps seen in height maps, best first."""
+        """Return the grasps detected in height maps, best first."""
         rated = rate(self.weights, turn_views(seen.heights, seen.facing))
         middle = np.append(seen.center, seen.floor)
         grasps = []
@@ -75,33 +75,33 @@ class GraspDetector:
 
 
 def _peaks(rated: Rated) -> list[tuple[int, int, int]]:
-    """Return turn and place of what is rated no lower than all beside it, best first."""
+    """Return the turn and cell of each local maximum of the rating, best first."""
     from scipy.ndimage import maximum_filter
 
     around = maximum_filter(rated.best, (1, 3, 3), mode="nearest")
     chosen = np.argwhere((rated.best == around) & (rated.possible > _POSSIBLE))
-    order = np.argsort(-rated.best[tuple(chosen.T)], kind="stable")[:_MOST]
+    order = np.argsort(-rated.best[tuple(chosen.T)], kind="stable")[:_MAX_GRASPS]
     return [(int(turn), int(i), int(j)) for turn, i, j in chosen[order]]
 
 
 @cache
 def read_detector(path: Path = PATH) -> GraspDetector:
-    """Read a detector, by default the one that the package ships; it stays loaded.
+    """Read a detector, by default the shipped one, and cache it.
 
     Raises:
-        StorageError: the file is missing, damaged or of another network.
+        StorageError: the file is missing, damaged or belongs to another network.
     """
     from safetensors import SafetensorError
     from safetensors.numpy import load
 
     try:
-        if path.stat().st_size > _MOST_BYTES:
-            raise ValueError(f"it has more than {_MOST_BYTES} bytes")
+        if path.stat().st_size > _MAX_BYTES:
+            raise ValueError(f"it has more than {_MAX_BYTES} bytes")
         weights = {key: value.astype(np.float32) for key, value in load(path.read_bytes()).items()}
         if {key: value.shape for key, value in weights.items()} != _shapes():
-            raise ValueError("it is of another network")
+            raise ValueError("it belongs to another network")
         if not all(np.isfinite(value).all() for value in weights.values()):
-            raise ValueError("it has weights that are not finite")
+            raise ValueError("some weights are not finite")
     except (SafetensorError, ValueError, OSError) as error:
         raise StorageError(
             f"The grasp detector's weights {path.name!r} cannot be used ({error}). {_RESTORE}"
@@ -110,14 +110,14 @@ def read_detector(path: Path = PATH) -> GraspDetector:
 
 
 def shipped_digest() -> str:
-    """Return what tells the shipped weights from others: what is detected depends on them."""
+    """Return a digest of the shipped weights, on which detections depend."""
     return hashlib.sha256(PATH.read_bytes()).hexdigest()[:16]
 
 
 def save_weights(
     weights: Mapping[str, Float[np.ndarray, "..."]], path: Path, card: Mapping[str, object]
 ) -> None:
-    """Write a network's weights, with the card of what it learned from, whole or not at all.
+    """Write the weights and the training summary of a network atomically.
 
     Raises:
         StorageError: the file cannot be written.
@@ -129,7 +129,7 @@ def save_weights(
 
 
 def _shapes() -> dict[str, tuple[int, ...]]:
-    """Return the shapes of the network's weights, by name."""
+    """Return the shapes of the network's weights by name."""
     shapes: dict[str, tuple[int, ...]] = {}
     for k, layer in enumerate(LAYERS):
         shapes[f"{k}.weight"] = (layer.outputs, layer.inputs, layer.side, layer.side)

@@ -1,4 +1,4 @@
-"""What a depth camera above the table tells of an object and of what is around it."""
+"""Height maps of an object and its surroundings, as seen by a depth camera above the table."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ if TYPE_CHECKING:
     from ..world.world import World
 
 CELLS, CELL, STEP = 64, 0.004, 0.002
-"""Cells along a side of a map; their size, and the step of their heights, metres."""
+"""Number of cells along a side of a map; cell size and height step, metres."""
 
 
 @dataclass(frozen=True, eq=False)
 class HeightView:
-    """Two height maps around an object, axes along the world's: its own, and that of all else.
+    """Two height maps around an object: the object alone, and everything else.
 
-    ``heights[m, i, j]`` is map m (0 the object, 1 all else) at ``center + CELL * ((i, j) - 31.5)``
-    (x, y, world, metres), in ``STEP`` above the table, 0 where there is nothing and at most 255.
-    ``facing`` is the bearing of the object's x axis (radians), ``floor`` the table's height
-    (metres, world).
+    The axes are parallel to the world's. ``heights[m, i, j]`` is map m (0 the object, 1 everything
+    else) at ``center + CELL * ((i, j) - 31.5)`` (x, y, world, metres), in units of ``STEP`` above
+    the table, 0 where there is nothing and at most 255. ``facing`` is the bearing of the object's x
+    axis (radians), ``floor`` the table's height (metres, world).
     """
 
     heights: UInt8[np.ndarray, "2 64 64"]
@@ -36,10 +36,10 @@ class HeightView:
 
 
 def look(world: World, target: str) -> HeightView:
-    """Return what is seen of an object where it is now; the robot is not seen."""
+    """Return the height maps around an object's current position, without the robot."""
     position, rotation = world.position(target), world.rotation(target)
     low = position[:2] - CELL * (CELLS - 1) / 2
-    high = low + CELL * (CELLS - 1.5)  # half a cell short: rounding adds none
+    high = low + CELL * (CELLS - 1.5)  # half a cell short: rounding must not add a cell
     own = height_map(
         move_parts(world.scene.object(target).parts, position, rotation), low, high, CELL
     )

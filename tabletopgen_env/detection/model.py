@@ -1,4 +1,4 @@
-"""The grasp network in torch, to be trained, and by what."""
+"""The grasp network in torch for training, and its loss."""
 
 from __future__ import annotations
 
@@ -12,36 +12,36 @@ from torch.nn import functional
 from .network import LAYERS, MIDDLES, UNITS, Rated, rate_output
 
 SHARPNESS = 0.12
-"""Of the planner's score, by which a grasp is e times as good."""
+"""Difference of planner scores that makes a grasp e times as good."""
 
-_RARE = 50.0  # weight of telling whether there is a grasp: almost nowhere there is
+_RARE = 50.0  # weight of the classification loss: positive cells are rare
 
 
 class GraspNetwork(nn.Module):
-    """The network of ``network`` on batches; its ``weights`` are what that takes."""
+    """The network of ``network`` for batches; its ``weights`` fit ``network.rate``."""
 
     def __init__(self) -> None:
         super().__init__()
         self.layers = nn.ModuleList(nn.Conv2d(*layer) for layer in LAYERS)
 
     def forward(self, seen: Float[Tensor, "b t 3 n n"]) -> Rated:
-        """Return the ratings of a batch of objects, each seen at every turn."""
+        """Return the ratings of a batch of objects, each viewed at every turn."""
         values = seen.flatten(0, 1)
         for number, layer in enumerate(self.layers):
             values = layer(values if number == 0 else values.relu())
         return rate_output(values.unflatten(0, seen.shape[:2]), torch.from_numpy(MIDDLES.copy()))
 
     def weights(self) -> dict[str, Tensor]:
-        """Return the weights by the names that the network has them by."""
+        """Return the weights by their names in ``network``."""
         named = self.layers.state_dict().items()
         return {key: value.detach().half().contiguous() for key, value in named}
 
 
 class GraspBatch(NamedTuple):
-    """Objects as the network sees them, and the targets at p = TURNS * PLACES**2 places.
+    """A batch of network inputs, and the targets at p = TURNS * PLACES**2 places.
 
-    ``share`` is the share of the best grasps that a place has, ``possible`` whether it has any,
-    ``grasp`` its best one: where (along, across, height), width and room (metres).
+    ``share`` is a place's probability among the best grasps, ``possible`` whether it has any grasp,
+    and ``grasp`` its best one: along, across, height, width and room (metres).
     """
 
     seen: Float[Tensor, "b t 3 n n"]
@@ -51,7 +51,7 @@ class GraspBatch(NamedTuple):
 
 
 def loss_of(rated: Rated, batch: GraspBatch) -> Float[Tensor, ""]:
-    """Return how far ratings are from what they are to be."""
+    """Return the loss of ratings against the targets of a batch."""
     best, possible, *grasp = (part.flatten(1) for part in rated)
     share = -(batch.share * functional.log_softmax(best, 1)).sum(1).mean()
     there = functional.binary_cross_entropy_with_logits(possible, batch.possible)

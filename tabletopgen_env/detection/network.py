@@ -1,11 +1,13 @@
-"""A small network that rates, for each turn of the hand and each place, closing the fingers there.
+"""A small network that rates a grasp for each turn of the hand and each place.
 
-The height maps are turned so that the fingers open along the first axis, once for each of
-``TURNS`` turns, and all go through the same convolutions: a grasp looks the same however the object
-lies (the rotated inputs of Zeng et al., Learning Synergies between Pushing and Grasping, 2018).
+The height maps are rotated to each of ``TURNS`` turns, such that the fingers open along the first
+axis, and all pass through the same convolutions. A grasp therefore looks the same in every
+orientation of the object (the rotated inputs of Zeng et al., Learning Synergies between Pushing and
+Grasping, 2018).
 
-It runs on NumPy, so that environments need no torch, may be forked and stepped by several threads,
-and see the same bits on any number of cores; ``model`` has it in torch, for training.
+The network runs on NumPy, so environments need no torch, can be forked and stepped from several
+threads, and get bitwise identical results on any number of cores. ``model`` is its torch version
+for training.
 """
 
 from __future__ import annotations
@@ -19,22 +21,22 @@ from jaxtyping import Float, Float32, UInt8
 from .look import CELL, CELLS, STEP
 
 TURNS = 12
-"""Turns of the hand that are looked at, over half a turn."""
+"""Number of turns of the hand, over half a revolution."""
 
 PLACES, PLACE = 24, 0.01
-"""Places along a side of what is rated, and their size, metres."""
+"""Number of places along a side of the rated grid; their size, metres."""
 
 SEEN = 2 * PLACES
-"""Cells along a side of what the network looks at, two a place."""
+"""Number of input cells along a side, two per place."""
 
 MIDDLES = ((np.arange(PLACES) - (PLACES - 1) / 2) * PLACE).astype(np.float32)
-"""Where the places' middles are along an axis, from the object's centre, metres."""
+"""Centres of the places along an axis, relative to the object's centre, metres."""
 
 MIDDLES.setflags(write=False)
 
 
 class Layer(NamedTuple):
-    """A convolution: channels in and out, the kernel's side, stride, padding, dilation."""
+    """A convolution: input and output channels, kernel size, stride, padding, dilation."""
 
     inputs: int
     outputs: int
@@ -45,29 +47,31 @@ class Layer(NamedTuple):
 
 
 LAYERS = (
-    Layer(3, 16, 6, 2, 2),  # even: its kernel is about a place's middle
+    Layer(3, 16, 6, 2, 2),  # even: its kernel is centred on a place
     Layer(16, 32, 3, 1, 1),
     Layer(32, 32, 3, 1, 2, 2),
     Layer(32, 32, 3, 1, 4, 4),
     Layer(32, 32, 3, 1, 1),
     Layer(32, 7, 1),
 )
-"""The network, a rectifier between each two. What its last channels mean: ``rate_output``."""
+"""The layers of the network, with a ReLU between them; see ``rate_output`` for the last
+channels."""
 
-HEIGHT = 0.05  # metres that are 1 to the network
+HEIGHT = 0.05  # input unit of height, metres
 UNITS = (PLACE, PLACE, HEIGHT, 0.04, 0.02)
-"""Metres that are 1 in its answers: along, across, height, width and room of ``Rated``."""
+"""Output units of along, across, height, width and room of ``Rated``, metres."""
 
-DEEPEST = 2.0  # of these heights below the object's top that are told apart
+DEEPEST = 2.0  # depths below the object's top are clipped to this, in units of HEIGHT
 
 
 class Rated(NamedTuple):
-    """Logits and grasps, each by turn and place (metres, the hand's frame).
+    """Logits and grasps per turn and place (metres, the hand's frame).
 
-    ``best`` is higher where a grasp is better, ``possible`` is positive where there is likely one.
-    ``along`` the opening and ``across`` it are where the middle between the fingers is, from the
-    object's centre; ``height`` is the tool's above the table. ``room`` is how much further than
-    ``width``, what is between them, the fingers open.
+    ``best`` is higher for better grasps, and ``possible`` is positive where a grasp is likely.
+    ``along`` and ``across`` are the offsets of the midpoint between the fingers from the object's
+    centre, along the opening direction and across it; ``height`` is the height of the tool above
+    the table. ``width`` is the width between the closed fingers, and ``room`` the additional
+    opening before the approach.
     """
 
     best: Any
@@ -80,7 +84,7 @@ class Rated(NamedTuple):
 
 
 def rate_output(out: Any, middles: Any) -> Rated:
-    """Return what the network's last layer (..., 7, i, j) says; of arrays or of tensors."""
+    """Return the output (..., 7, i, j) of the last layer as ratings; for arrays or tensors."""
     best, possible, *answers = (out[..., k, :, :] for k in range(7))
     along, across, *rest = (part * unit for part, unit in zip(answers, UNITS, strict=True))
     return Rated(best, possible, middles[:, None] + along, middles + across, *rest)
@@ -89,9 +93,10 @@ def rate_output(out: Any, middles: Any) -> Rated:
 def turn_views(
     heights: UInt8[np.ndarray, "2 64 64"], facing: float
 ) -> Float32[np.ndarray, "t 3 48 48"]:
-    """Return height maps as the network sees them, at turns from ``facing`` (radians) on.
+    """Return the input of the network: height maps at each turn, from ``facing`` (radians) on.
 
-    Channels: the object's height, that of all else, and how far the object is below its top.
+    Channels: the height of the object, the height of everything else, and the object's depth below
+    its top.
     """
     angles = facing + np.arange(TURNS)[:, None, None] * np.pi / TURNS
     axis = (np.arange(SEEN) - (SEEN - 1) / 2) * PLACE / 2
@@ -107,7 +112,7 @@ def turn_views(
 def _between(
     maps: Float[np.ndarray, "m a b"], i: Float[np.ndarray, "*n"], j: Float[np.ndarray, "*n"]
 ) -> Float[np.ndarray, "m *n"]:
-    """Return the values of maps at fractional cells, bilinear."""
+    """Return the bilinearly interpolated values of maps at fractional cells."""
     low_i, low_j = i.astype(int), j.astype(int)
     di, dj = i - low_i, j - low_j
     upper = maps[:, low_i, low_j] * (1 - dj) + maps[:, low_i, low_j + 1] * dj
@@ -118,9 +123,10 @@ def _between(
 def rate(
     weights: Mapping[str, Float32[np.ndarray, "..."]], seen: Float32[np.ndarray, "t 3 48 48"]
 ) -> Rated:
-    """Return the ratings of an object seen at every turn, as ``turn_views`` gives it.
+    """Return the ratings of an object viewed at every turn; ``seen`` is a result of ``turn_views``.
 
-    Weights are of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
+    ``weights`` has the entries ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on, per
+    layer.
     """
     values = np.ascontiguousarray(np.moveaxis(seen, 1, -1))
     for k, layer in enumerate(LAYERS):
@@ -136,7 +142,7 @@ def _convolve(
     weight: Float32[np.ndarray, "o c s s"],
     bias: Float32[np.ndarray, "o"],
 ) -> Float32[np.ndarray, "t i j o"]:
-    """Convolve, a line of the output at a time: products so small that BLAS wakes no threads."""
+    """Convolve row by row, in products small enough to keep BLAS single-threaded."""
     edge, gap, step = layer.padding, layer.dilation, layer.stride
     padded = np.pad(values, ((0, 0), (edge, edge), (edge, edge), (0, 0)))
     count = (padded.shape[1] - gap * (layer.side - 1) - 1) // step + 1

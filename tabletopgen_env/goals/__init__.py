@@ -1,1 +1,1 @@
-"""Goals: when they are met, how they are drawn, and their instructions."""
+"""Goals: conditions, sampling, and instructions."""

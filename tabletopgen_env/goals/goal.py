@@ -1,23 +1,23 @@
-"""The goals that tasks are made of: a thing, a region and a state.
+"""The goals of tasks: an object, a region and a state.
 
-A goal asks for one thing, an object or the tool centre point, in one *region*, an upright elliptic
-cylinder that may move with another object, and for a *state* there (at rest, let go, held ...).
+A goal requires its target, an object or the tool centre point, to be in a *region*, an upright
+elliptic cylinder that may move with another object, and in a *state* (at rest, released, held ...).
 
 ==========  ==================================================  ===================================
-goal        region of the target's centre                       state
+goal        region for the centre of the target                 state
 ==========  ==================================================  ===================================
 `Reached`   2 cm around a point (of the tool centre point)      none
-`Raised`    8 to 24 cm above where it stood, within 25 cm       held by both fingers
-`Pushed`    4 cm around where it would stand on a spot          on the table, at rest, not toppled
-`OnSpot`    4 cm around where it would stand on a spot          at rest, untouched by the robot
+`Raised`    8 to 24 cm above its start, within 25 cm            held by both fingers
+`Pushed`    4 cm around its resting place on a spot             on the table, at rest, not toppled
+`OnSpot`    4 cm around its resting place on a spot             at rest, untouched by the robot
 `Into`      the clear opening of a container, from its floor    at rest, untouched, its lowest
             to the target's height above the rim                point below the rim, the container
                                                                 upright
-`OnTop`     the flat part of a support's top, where it would    at rest, untouched, touching the
-            stand on it                                         top within 5 mm, the support upright
+`OnTop`     the flat part of a support's top, at the height of  at rest, untouched, touching the
+            the resting target                                  top within 5 mm, the support upright
 ==========  ==================================================  ===================================
 
-At rest is below 2 cm/s and 0.3 rad/s.
+*At rest* means below 2 cm/s and 0.3 rad/s.
 """
 
 from __future__ import annotations
@@ -38,36 +38,36 @@ from ..world.world import World
 from .instructions import refer
 
 SPOT = "spot"
-"""Name of the goal that is a marked free spot."""
+"""Goal name of a marked free spot."""
 
 SPOT_RADIUS, SPOT_HEIGHT = 0.04, 0.03
-"""How far from the marked spot the target may stand, along the table and in height, metres."""
+"""Horizontal and vertical tolerance of the target at the marked spot, metres."""
 
 REST_SPEED, REST_SPIN = 0.02, 0.3
-"""Below these speeds (m/s, rad/s) the target is at rest."""
+"""Speeds below which the target is at rest, m/s and rad/s."""
 
 INSIDE = 0.005
-"""How far below the rim the lowest point of what is in a container lies at least, metres."""
+"""Minimum depth below the rim of the lowest point of an object in a container, metres."""
 
 REACHED = 0.02
-"""How near the tool centre point has to come to a point, metres."""
+"""Maximum distance of the tool centre point from its goal point, metres."""
 
 RAISED = (0.08, 0.24)
-"""Between which heights above where it stood a thing counts as lifted, metres."""
+"""Range of heights above its start at which an object counts as lifted, metres."""
 
 ASTRAY = 0.25
-"""How far aside of where it stood a lifted thing may be, metres."""
+"""Maximum horizontal distance of a lifted object from its start, metres."""
 
 UPRIGHT = float(np.cos(np.deg2rad(30.0)))
-"""Least cosine between the world's up and what was up at the start of things that stand."""
+"""Minimum cosine between the world's up axis and an object's original up axis while it stands."""
 
 GAP = 0.005
-"""Most between a support's top and what stands on it, metres."""
+"""Maximum gap between a support's top and the object on it, metres."""
 
 LYING = 0.01
-"""Height above the table up to which a pushed thing lies on it, metres."""
+"""Maximum height above the table of a pushed object's lowest point, metres."""
 
-_ON_TOP = 0.015  # metres by which the height of a stacked thing may differ
+_ON_TOP = 0.015  # tolerance of a stacked object's height, metres
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,14 +83,14 @@ class Region:
 
 
 class Goal(ABC):
-    """One thing that has to be somewhere.
+    """One target that must reach a region and a state.
 
     Attributes:
-        target: the object to bring there; None for the tool centre point.
-        reference: the object that carries the region, if one does.
+        target: the object to move; None for the tool centre point.
+        reference: the object that carries the region, if any.
         spot: the point to mark, world frame, if there is one.
-        released: whether the hand has nothing left to do once the target is in the region.
-        sentence: what to do, with places for what target and reference are called.
+        released: whether only releasing remains once the target is in the region.
+        sentence: the instruction, with placeholders for the names of target and reference.
     """
 
     target: str | None
@@ -101,21 +101,21 @@ class Goal(ABC):
 
     @abstractmethod
     def region(self, world: World) -> Region:
-        """Return where the target's centre has to be now."""
+        """Return the current region of the target's centre."""
 
     def settled(self, world: World) -> bool:
-        """Return whether the target is in the state asked for, wherever it is."""
+        """Return whether the target is in the required state, regardless of its position."""
         return True
 
     def words(self, world: World) -> str:
-        """Return what to do, in words that fit what is on the table now."""
+        """Return the instruction, with names that are unambiguous among the present objects."""
         named = {"target": self.target, "reference": self.reference}
         return self.sentence.format(**{k: the(world, name) for k, name in named.items() if name})
 
 
 @dataclass(frozen=True, eq=False)
 class Reached(Goal):
-    """The tool centre point at a point of the world frame."""
+    """The tool centre point at a point in the world frame."""
 
     spot: Float[np.ndarray, "3"]
     target: None = None
@@ -123,7 +123,7 @@ class Reached(Goal):
     sentence = "move the hand to the marked point"
 
     def region(self, world: World) -> Region:
-        """Return the point's surroundings."""
+        """Return the region around the point."""
         return self._region
 
     @cached_property
@@ -133,7 +133,7 @@ class Reached(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Raised(Goal):
-    """An object held in the air above where it stood; ``start`` was its centre, world frame."""
+    """An object held in the air above its start; ``start`` was its centre, world frame."""
 
     target: str
     start: Float[np.ndarray, "3"]
@@ -143,7 +143,7 @@ class Raised(Goal):
     sentence = "lift {target}"
 
     def region(self, world: World) -> Region:
-        """Return the space above where it stood."""
+        """Return the region above the object's start."""
         return self._region
 
     @cached_property
@@ -153,16 +153,16 @@ class Raised(Goal):
         return Region(center, np.array([ASTRAY, ASTRAY, (high - low) / 2]))
 
     def settled(self, world: World) -> bool:
-        """Return whether both fingers hold it."""
+        """Return whether both fingers hold the object."""
         left, right, _ = world.touches(self.target)
         return left and right
 
 
 @dataclass(frozen=True, eq=False)
 class Pushed(Goal):
-    """An object slid to a spot; ``rest`` is the height of its centre above what it stands on.
+    """An object pushed to a spot; ``rest`` is the height of its centre above its support.
 
-    ``up`` is the world's up in the object's frame at the start.
+    ``up`` is the world's up axis in the object's frame at the start.
     """
 
     target: str
@@ -173,7 +173,7 @@ class Pushed(Goal):
     sentence = "push {target} to the marked spot"
 
     def region(self, world: World) -> Region:
-        """Return where its centre is when it stands on the spot."""
+        """Return the region of the object's centre at rest on the spot."""
         return self._region
 
     @cached_property
@@ -181,7 +181,7 @@ class Pushed(Goal):
         return _standing(self.spot, self.rest)
 
     def settled(self, world: World) -> bool:
-        """Return whether it lies on the table as it stood, at rest."""
+        """Return whether the object is at rest on the table, in its original orientation."""
         upright = world.rotation(self.target)[2] @ self.up >= UPRIGHT
         lying = world.lowest(self.target) <= world.scene.table.height + LYING
         return bool(upright and lying and at_rest(world, self.target))
@@ -189,9 +189,9 @@ class Pushed(Goal):
 
 @dataclass(frozen=True, eq=False)
 class OnSpot(Goal):
-    """An object put down on a spot; ``rest`` as in `Pushed`.
+    """An object placed on a spot; ``rest`` as in `Pushed`.
 
-    ``stead`` is the object whose place at the start the spot is, if it is one's.
+    ``stead`` is the object whose start position is the spot, if any.
     """
 
     target: str
@@ -202,7 +202,7 @@ class OnSpot(Goal):
     sentence = "move {target} to the marked spot"
 
     def region(self, world: World) -> Region:
-        """Return where its centre is when it stands on the spot."""
+        """Return the region of the object's centre at rest on the spot."""
         return self._region
 
     @cached_property
@@ -210,13 +210,13 @@ class OnSpot(Goal):
         return _standing(self.spot, self.rest)
 
     def settled(self, world: World) -> bool:
-        """Return whether it rests, let go."""
+        """Return whether the object is at rest and released."""
         return at_rest(world, self.target) and not world.touches(self.target)[2]
 
 
 @dataclass(frozen=True, eq=False)
 class Into(Goal):
-    """An object in the hollow of a container; ``height`` is the target's as it stood, metres."""
+    """An object in a container's hollow; ``height`` is the target's at its start, metres."""
 
     target: str
     reference: str
@@ -226,7 +226,7 @@ class Into(Goal):
     sentence = "put {target} into {reference}"
 
     def region(self, world: World) -> Region:
-        """Return the clear opening, from the hollow's floor to a target's height over the rim."""
+        """Return the clear opening, from the hollow's floor to a target's height above the rim."""
         hollow, name = self.opening, self.reference
         rotation, top = world.rotation(name), hollow.rim + self.height
         local = np.array([*hollow.center, (hollow.floor + top) / 2])
@@ -234,7 +234,7 @@ class Into(Goal):
         return Region(world.position(name) + rotation @ local, semi, rotation_yaw(rotation))
 
     def settled(self, world: World) -> bool:
-        """Return whether it rests, let go, wholly in the hollow of the upright container."""
+        """Return whether the object is at rest, released, and inside the upright container."""
         if not at_rest(world, self.target) or world.touches(self.target)[2]:
             return False
         hollow, up = self.opening, world.rotation(self.reference)[:, 2]
@@ -246,9 +246,9 @@ class Into(Goal):
 
 @dataclass(frozen=True, eq=False)
 class OnTop(Goal):
-    """An object standing on another's flat top; ``rest`` as in `Pushed`.
+    """An object standing on the flat top of another; ``rest`` as in `Pushed`.
 
-    ``up`` is the world's up in the support's frame at the start.
+    ``up`` is the world's up axis in the support's frame at the start.
     """
 
     target: str
@@ -260,17 +260,17 @@ class OnTop(Goal):
     sentence = "put {target} on {reference}"
 
     def region(self, world: World) -> Region:
-        """Return where its centre is when it stands on the flat part."""
+        """Return the region of the object's centre at rest on the flat part."""
         rotation = world.rotation(self.reference)
         top = world.position(self.reference) + rotation @ self.plateau.center
         center = top + np.array([0.0, 0.0, self.rest])
         return Region(center, np.array([self.plateau.radius, self.plateau.radius, _ON_TOP]))
 
     def settled(self, world: World) -> bool:
-        """Return whether it rests, let go, on the support, which still stands.
+        """Return whether the object is at rest and released on the support, which still stands.
 
-        What rests at that height over the flat part stands on it: contacts of things asleep are
-        not listed.
+        An object at rest at that height over the flat part stands on it. Contacts are not checked,
+        because MuJoCo lists none for sleeping bodies.
         """
         if not at_rest(world, self.target) or world.touches(self.target)[2]:
             return False
@@ -281,15 +281,15 @@ class OnTop(Goal):
 
 
 def named_by(goals: Iterable[Goal]) -> list[str]:
-    """Return the objects that goals need: what is to be moved, and what carries their regions."""
+    """Return the objects that goals refer to: the targets and the carriers of their regions."""
     names = (name for goal in goals for name in (goal.target, goal.reference))
     return list(dict.fromkeys(name for name in names if name is not None))
 
 
 def begin_goals(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
-    """Return goals drawn for a scene, adapted to a start at which its things stand elsewhere.
+    """Return goals of a scene, adapted to displaced objects at the start of an episode.
 
-    Where a thing stood is where it stands now; marked spots stay where they are.
+    Start positions become the current positions; marked spots are unchanged.
     """
     found: list[Goal] = []
     for goal in goals:
@@ -303,7 +303,7 @@ def begin_goals(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
 
 
 def the(world: World, name: str) -> str:
-    """Return what an object is called among those on the table now, such as "the red mug"."""
+    """Return an unambiguous name of an object among the present ones, such as "the red mug"."""
     return refer(world.scene, world.scene.object(name), world.mount.yaw, world.absent)
 
 

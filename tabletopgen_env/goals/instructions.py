@@ -1,4 +1,4 @@
-"""Names for objects that a person at the table, on the robot's side, would understand."""
+"""Object names that a person on the robot's side of the table would understand."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from collections.abc import Collection
 
 from generator.scene import Object, Scene
 
-_SAME = 4  # decimals of a metre to which two places are compared
+_SAME = 4  # decimals of a metre at which two positions are compared
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
 
 def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -> str:
-    """Return a phrase that means ``obj`` and nothing else in ``scene``, such as "the red mug".
+    """Return a phrase that refers to ``obj`` alone in ``scene``, such as "the red mug".
 
-    The label alone if it is unique; with its colour if the plan tells colours apart; otherwise
-    counted from the left, seen along ``yaw`` (of the robot's x axis, radians). ``absent`` objects
-    are not counted.
+    The phrase is the label if it is unique; the label with its colour if the colours in the plan
+    differ; otherwise it counts from the left, viewed along ``yaw`` (of the robot's x axis,
+    radians). ``absent`` objects are not counted.
     """
     alike = [o for o in scene.objects if o.label == obj.label and o.name not in absent]
     colors = {o.name: _color(scene, o.name) for o in alike}
@@ -33,12 +33,12 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
 
 
 def _rightwards(obj: Object, yaw: float) -> float:
-    """Return how far to the right an object is when looking along ``yaw``, metres."""
+    """Return the rightward position of an object viewed along ``yaw``, metres."""
     x, y, _ = obj.pose.position
     return float(x * math.sin(yaw) - y * math.cos(yaw))
 
 
 def _color(scene: Scene, name: str) -> str | None:
-    """Return the colour that the plan gives the object, if there is a plan."""
+    """Return the colour of the object in the plan, if there is a plan."""
     planned = scene.plan.objects if scene.plan else ()
     return next((p.attributes.get("color") for p in planned if p.name == name), None)

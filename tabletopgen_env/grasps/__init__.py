@@ -1,10 +1,10 @@
-"""Grasp labels: where a parallel gripper can hold each object of a bundle, and how well.
+"""Grasp labels: poses and quality of parallel-gripper grasps of each object in a bundle.
 
 A label is the pose of the tool centre point in the object's frame (the canonical frame scaled to
 metres, origin at the centre of its box): a position, metres, and a unit quaternion wxyz. The hand's
-+z is the way of approach, out of the hand, and +y the direction in which it opens; a grasp turned
-by half a turn about z is the same. Labels are of the object by itself: what stands around it, and
-whether an arm reaches, is for the reader to check.
++z axis is the approach direction, out of the hand, and +y the opening direction; a rotation by half
+a turn about z gives the same grasp. Labels consider the object alone: callers check for obstacles
+around it and for the reach of the arm.
 
     from tabletopgen_env.grasps import read_grasps
 

@@ -1,4 +1,4 @@
-"""Grasps to try: antipodal ones of the expert's planner, from all sides of an object by itself."""
+"""Candidate grasps: antipodal grasps of the expert's planner from all sides of a single object."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from generator.scene import Object
 from ..expert.planning.grasps import Grasp, grasps_alone, is_like
 
 _TURNS = 12
-_NEAR, _ALIKE = 0.01, np.deg2rad(20.0)  # metres and radians within which two grasps are one
+_NEAR, _ALIKE = 0.01, np.deg2rad(20.0)  # metres and radians within which two grasps are equal
 _GOLDEN = np.pi * (1 + 5**0.5)
 
 
 @dataclass(frozen=True, eq=False)
 class GraspCandidate:
-    """A grasp to try, in the object's frame: the tool's position (m) and the hand's rotation.
+    """A candidate grasp in the object's frame: position of the tool (m) and rotation of the hand.
 
-    Columns of ``rotation``: 1 is the direction of opening, 2 the way of approach. ``opening`` and
-    ``width`` as ``Grasp`` has them, metres.
+    Column 1 of ``rotation`` is the opening direction, column 2 the approach direction. ``opening``
+    and ``width`` are as in ``Grasp``, metres.
     """
 
     position: Float[np.ndarray, "3"]
@@ -36,10 +36,11 @@ class GraspCandidate:
 def find_candidates(
     thing: Object, count: int, directions: int, rng: np.random.Generator
 ) -> list[GraspCandidate]:
-    """Return up to ``count`` grasps of an object, no two alike.
+    """Return up to ``count`` distinct grasps of an object.
 
-    The best grasp of each approach comes first, then the second of each, and so on. Approaches are
-    the six along the axes and ``directions`` others, spread evenly and turned as ``rng`` draws.
+    The best grasp of each approach comes first, then the second-best of each, and so on. The
+    approach directions are the six along the axes and ``directions`` others, spread evenly and
+    rotated at random by ``rng``.
     """
     by_direction = [[*_from_above(thing, turn, count)] for turn in approaches(directions, rng)]
     found: list[GraspCandidate] = []
@@ -54,7 +55,7 @@ def find_candidates(
 
 
 def approaches(directions: int, rng: np.random.Generator) -> list[Float[np.ndarray, "3 3"]]:
-    """Return rotations that each turn one way of approach straight down."""
+    """Return rotations that each turn one approach direction to straight down."""
     k = np.arange(directions) + 0.5
     polar, turn = np.arccos(1 - 2 * k / max(directions, 1)), _GOLDEN * k
     spread = np.column_stack(
@@ -70,7 +71,7 @@ def _draw_rotation(rng: np.random.Generator) -> Float[np.ndarray, "3 3"]:
 
 
 def _turn_down(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
-    """Return a rotation that turns a unit vector to -z, and axes to axes if it is one of them."""
+    """Return a rotation that takes a unit vector to -z, and axes to axes if it is one of them."""
     side = np.eye(3)[int(np.abs(way).argmin())]
     side = side - way * (way @ side)
     side = side / np.linalg.norm(side)
@@ -80,7 +81,7 @@ def _turn_down(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
 def _from_above(
     thing: Object, turn: Float[np.ndarray, "3 3"], most: int
 ) -> Iterator[GraspCandidate]:
-    """Yield grasps from above of an object so turned, the best first, no two alike."""
+    """Yield distinct grasps of the rotated object from above, best first."""
     angles = (np.arange(_TURNS) * np.pi / _TURNS).tolist()
     rated = sorted(grasps_alone(thing, turn, angles), key=lambda grasp: -grasp.score)
     kept: list[Grasp] = []
@@ -98,7 +99,7 @@ def _from_above(
 
 
 def _are_alike(one: GraspCandidate, other: GraspCandidate) -> bool:
-    """Return whether two grasps are at one place, a hand turned by half a turn being the same."""
+    """Return whether two grasps coincide, up to half a turn of the hand."""
     if np.linalg.norm(one.position - other.position) > _NEAR:
         return False
     cosine = np.cos(_ALIKE)

@@ -1,4 +1,4 @@
-"""The command ``grasps``: labels of bundles, with the progress shown."""
+"""The ``grasps`` command: grasp labels of bundles, with a progress display."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from generator.jobs.pools import PoolOptions
 from .labels import FILE, GraspTerms, read_grasps
 
 Reporter = Callable[[int, int, str], None]
-"""Is told how many objects of how many are done, and the name of the last."""
+"""Callback with the number of finished objects, the total, and the name of the last one."""
 
 _USUAL, _POOL = GraspTerms(), PoolOptions()
 
@@ -35,20 +35,20 @@ def grasps(
 ) -> int:
     """Find grasps of every object, try them in simulation, and write labels into bundles.
 
-    A bundle gets `grasps.json`: poses of the hand in each object's frame with width and quality,
-    the share of the trials in which a Panda's hand held the object. Bundles with labels on the same
-    terms are skipped, and an interrupted command resumes with the objects that are left. Shipped
-    bundles are never written to: copy one's folder and name the copy.
+    The labels of a bundle, `grasps.json`, are poses of the hand in each object's frame with width
+    and quality, the share of trials in which a Panda's hand held the object. Bundles that already
+    have labels with the same settings are skipped, and an interrupted command resumes with the
+    remaining objects. Shipped bundles are read-only: copy the folder and name the copy.
 
     Args:
         bundles: Names, digests, globs or paths of bundles, or folders of them.
-        count: Labels of each object at most.
-        trials: Trials of each label.
-        directions: Directions of approach searched beside the six along an object's axes.
+        count: Maximum number of labels per object.
+        trials: Trials per label.
+        directions: Approach directions in addition to the six along an object's axes.
         seed: The same seed gives the same labels.
-        pool: Who does the work.
-        again: Skip none.
-        picture: Draw the labels of a bundle into this PNG, a fork for each.
+        pool: Worker processes.
+        again: Label again, skipping no bundle.
+        picture: Draw the labels of the bundle into this PNG, a fork for each.
     """
     import assets_cache
 
@@ -61,10 +61,10 @@ def grasps(
     if picture is not None:
         check_target(picture, "--picture")
         if len(found) > 1:
-            raise InputError(f"--picture is of one bundle; {len(found)} are named.")
+            raise InputError(f"--picture needs exactly one bundle, got {len(found)}.")
     waiting = [path for path in found if again or not is_labelled(path, terms)]
     if len(waiting) < len(found):
-        print(f"{len(found) - len(waiting)} of {len(found)} bundles are labelled already.")
+        print(f"{len(found) - len(waiting)} of {len(found)} bundles are already labelled.")
     for path in waiting:
         assets_cache.check_own(path)
     with _showing(waiting) as report:
@@ -87,7 +87,7 @@ def grasps(
 
 @contextmanager
 def _showing(paths: Sequence[Path]) -> Generator[Reporter, None, None]:
-    """Yield what shows how many objects are done, on standard error."""
+    """Yield a callback that shows the number of finished objects on standard error."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 

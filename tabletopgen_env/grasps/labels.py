@@ -1,4 +1,4 @@
-"""The grasp labels of a bundle: values, and the file, checked when it is read."""
+"""The grasp labels of a bundle: values, and the file, which is validated on reading."""
 
 from __future__ import annotations
 
@@ -23,33 +23,34 @@ from ..files import check_type
 from ..robot import franka
 
 FILE = "grasps.json"
-"""The labels' name in a bundle's folder."""
+"""File name of the labels in a bundle's folder."""
 
 SCHEMA = 1
-"""Version of the file; other versions are refused."""
+"""File format version; other versions are rejected."""
 
 MOST_GRASPS, MOST_TRIALS = 1000, 1000
-"""An object has no more labels, and a label no more trials."""
+"""Maximum number of labels per object, and of trials per label."""
 
-_MOST_FILE, _DEPTH = 64 * 2**20, 6
-_FARTHEST = 10.0  # metres that a grasp may be from an object's centre; no number is larger
+_MAX_FILE, _DEPTH = 64 * 2**20, 6
+_FARTHEST = 10.0  # maximum distance of a grasp from the object's centre, metres
 _COLUMNS = {"position": 3, "quaternion": 4, "width": 0, "opening": 0, "quality": 0, "lifted": 0}
 _DIGITS = {"position": 6, "quaternion": 8, "width": 5, "opening": 5, "quality": 6, "lifted": 6}
 
 
 @dataclass(frozen=True)
 class GraspTerms:
-    """What labels are made with; the same terms give the same labels of a scene.
+    """Settings of the labels; the same settings give the same labels of a scene.
 
     Args:
-        count: labels of an object, at most ``MOST_GRASPS``; fewer where fewer are found.
-        trials: of each label, at most ``MOST_TRIALS``. Quality is a share of them.
-        directions: of approach that are searched beside the six along the object's axes, spread
+        count: maximum number of labels per object, at most ``MOST_GRASPS``.
+        trials: trials per label, at most ``MOST_TRIALS``. Quality is a share of them.
+        directions: approach directions in addition to the six along the object's axes, spread
             evenly over the sphere.
-        seed: draws the directions' turn, and the errors and the friction of every trial.
+        seed: seed for the rotation of the directions, and for the pose errors and friction of every
+            trial.
 
     Raises:
-        InputError: a number out of range.
+        InputError: a number is out of range.
     """
 
     count: int = 24
@@ -62,25 +63,25 @@ class GraspTerms:
         require(self, "trials", minimum=1, maximum=MOST_TRIALS, integer=True)
         require(self, "directions", minimum=0, maximum=1000, integer=True)
         require_seed(self.seed)
-        for name in ("count", "trials", "directions", "seed"):  # NumPy's integers are no JSON
+        for name in ("count", "trials", "directions", "seed"):  # NumPy integers are not JSON
             object.__setattr__(self, name, int(getattr(self, name)))
 
 
 @dataclass(frozen=True, eq=False)
 class GraspLabels:
-    """The grasps of one object, the best first.
+    """The grasps of one object, best first.
 
     Attributes:
         position: the tool centre point in the object's frame, metres.
         quaternion: the hand's rotation in the object's frame, unit wxyz: +z approaches, +y opens.
-        width: what was between the closed fingers, metres; where no trial held, as planned.
-        opening: how far the fingers open before they approach, metres.
-        quality: share of the trials in which the object stayed in the hand to the end: closed on,
-            lifted, turned all around and shaken; in [0, 1].
-        lifted: share of the trials in which it was lifted; in [0, 1], at least ``quality``.
+        width: width between the closed fingers, metres; the planned width if no trial held.
+        opening: opening of the fingers before the approach, metres.
+        quality: share of the trials in which the object stayed in the hand to the end (closing,
+            lift, turn and shake); in [0, 1].
+        lifted: share of the trials in which the object was lifted; in [0, 1], at least ``quality``.
 
     Raises:
-        InputError: arrays that do not fit together, or numbers out of range.
+        InputError: the arrays' shapes do not match, or numbers are out of range.
     """
 
     position: Float[np.ndarray, "n 3"]
@@ -96,7 +97,7 @@ class GraspLabels:
             array.setflags(write=False)
             object.__setattr__(self, name, array)
             if array.shape != ((len(self), side) if side else (len(self),)):
-                raise InputError(f"GraspLabels.{name} has the shape {array.shape}.")
+                raise InputError(f"GraspLabels.{name} has shape {array.shape}.")
             if not np.isfinite(array).all():
                 raise InputError(f"GraspLabels.{name} must be finite.")
         stroke = 2 * franka.FINGER_STROKE + 1e-6
@@ -114,13 +115,13 @@ class GraspLabels:
         return len(self.position)
 
     def pick(self, which: Int[np.ndarray, "k"] | Bool[np.ndarray, "n"]) -> GraspLabels:
-        """Return some of the grasps, by number or by a mask."""
+        """Return the grasps selected by indices or a mask."""
         return GraspLabels(**{name: getattr(self, name)[which] for name in _COLUMNS})
 
     def poses_at(self, pose: Pose) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3 3"]]:
-        """Return position (m) and rotation of the hand in the world, the object being at ``pose``.
+        """Return position (m) and rotation of the hand in the world for an object at ``pose``.
 
-        Column 2 of a rotation is the way of approach, column 1 the direction of opening.
+        Column 2 of a rotation is the approach direction, column 1 the opening direction.
         """
         turn = quaternion_matrix(pose.quaternion)
         hands = np.stack([quaternion_matrix(q) for q in self.quaternion] or [np.eye(3)])
@@ -129,7 +130,7 @@ class GraspLabels:
 
 @dataclass(frozen=True)
 class GraspFile:
-    """What a bundle's file holds: the labels by object name, and what they were made with.
+    """The content of a bundle's file: the labels by object name, and their settings.
 
     ``scene`` is the sha256 of the bundle's ``scene.json``.
     """
@@ -144,14 +145,15 @@ def read_grasps(path: str | Path) -> Mapping[str, GraspLabels]:
     """Return the grasp labels of a bundle by object name; empty if it has none.
 
     Raises:
-        BundleError: there is no bundle, or its labels are damaged, too large, or another scene's.
+        BundleError: the bundle does not exist, or its labels are damaged, too large, or belong to
+            another scene.
     """
     found = read_file(path)
     return found.labels if found else {}
 
 
 def read_file(path: str | Path) -> GraspFile | None:
-    """Return a bundle's labels and what they were made with, checked; None if it has none.
+    """Return a bundle's labels and their settings, validated; None if it has none.
 
     Raises:
         BundleError: see ``read_grasps``.
@@ -160,16 +162,16 @@ def read_file(path: str | Path) -> GraspFile | None:
     scene = bundle.load_fingerprint(folder)
     if not os.path.lexists(folder / FILE):
         return None
-    raw = bundle.read_inside(folder, FILE, _MOST_FILE)
+    raw = bundle.read_inside(folder, FILE, _MAX_FILE)
     advice = "Remove it, or label the bundle again (tabletopgen grasps --again)."
     try:
-        payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE, max_depth=_DEPTH)
+        payload = parse_object(raw, "It", BundleError, max_bytes=_MAX_FILE, max_depth=_DEPTH)
         if check_type(payload.get("schema"), int) != SCHEMA:
             raise ValueError(f"it is of schema {payload['schema']}, not {SCHEMA}")
         found = _decode_file(payload)
     except (ValueError, TypeError, KeyError, BundleError, InputError) as error:
         raise BundleError(
-            f"{folder}: {FILE} holds no sound labels ({type(error).__name__}: {error}). {advice}"
+            f"{folder}: {FILE} holds no valid labels ({type(error).__name__}: {error}). {advice}"
         ) from error
     if found.scene != scene:
         raise BundleError(f"{folder}: {FILE} was made for another scene. {advice}")
@@ -177,10 +179,10 @@ def read_file(path: str | Path) -> GraspFile | None:
 
 
 def write_file(folder: Path, file: GraspFile) -> None:
-    """Write the labels of a bundle, whole or not at all.
+    """Write the labels of a bundle atomically.
 
     Raises:
-        StorageError: the folder cannot be written.
+        StorageError: the folder is not writable.
     """
     head = {
         "schema": SCHEMA,
@@ -199,15 +201,15 @@ def write_file(folder: Path, file: GraspFile) -> None:
 
 
 def encode_labels(labels: GraspLabels) -> dict[str, Any]:
-    """Return the labels of an object as JSON values, rounded: lengths to a micrometre."""
+    """Return the labels of an object as JSON values, with lengths rounded to a micrometre."""
     return {name: (getattr(labels, name).round(_DIGITS[name]) + 0.0).tolist() for name in _COLUMNS}
 
 
 def decode_labels(entry: object) -> GraspLabels:
-    """Return the labels of ``encode_labels``.
+    """Return the labels from the JSON values of ``encode_labels``.
 
     Raises:
-        ValueError, TypeError, KeyError, InputError: they are not as written.
+        ValueError, TypeError, KeyError, InputError: the values are invalid.
     """
     columns = check_type(entry, dict)
     if {*columns} != {*_COLUMNS}:
@@ -222,13 +224,13 @@ def _decode_column(values: object, side: int) -> Float[np.ndarray, "n *k"]:
     if not side:
         return np.array([_number(value) for value in rows], np.float64)
     if any(len(check_type(row, list)) != side for row in rows):
-        raise ValueError(f"a row should have {side} numbers")
+        raise ValueError(f"a row must have {side} numbers")
     return np.array([[_number(v) for v in row] for row in rows], np.float64).reshape(-1, side)
 
 
 def _number(value: object) -> float:
     if not is_number(value, minimum=-_FARTHEST, maximum=_FARTHEST):
-        raise ValueError(f"{value!r:.40} is no number of a label")
+        raise ValueError(f"{value!r:.40} is not a valid number")
     return float(cast("float", value))
 
 

@@ -1,4 +1,4 @@
-"""Pictures of grasp labels: a fork for each on its object, green where it held, red where not."""
+"""Pictures of grasp labels: a fork per grasp, green if it held and red if not."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .labels import GraspLabels
 _VIEW = View(azimuth=np.deg2rad(30.0), elevation=np.deg2rad(30.0), fov=np.deg2rad(25.0))
 _SIDE, _COLUMNS = 420, 4
 _PRONG, _STEM = 0.045, 0.03  # lengths, metres
-_THICK = 0.0016  # of a fork's bars, metres
+_THICK = 0.0016  # thickness of a fork's bars, metres
 _BAD, _GOOD = np.array([215.0, 45.0, 40.0]), np.array([40.0, 165.0, 70.0])
 _CORNERS = np.array([*product((-0.5, 0.5), repeat=3)])
 _FACES = np.array([
@@ -29,9 +29,10 @@ _FACES = np.array([
 
 
 def draw_labels(scene: Scene, labels: Mapping[str, GraspLabels]) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a contact sheet: each labelled object of a scene with its grasps.
+    """Return a contact sheet of the labelled objects of a scene with their grasps.
 
-    A fork's prongs are as far apart as the fingers open, its stem is on the hand's side.
+    The distance between a fork's prongs is the opening of the fingers; its stem is on the hand's
+    side.
     """
     things = [thing for thing in scene.objects if thing.name in labels]
     tiles = [draw_object(thing, labels[thing.name]) for thing in things]
@@ -42,7 +43,7 @@ def draw_labels(scene: Scene, labels: Mapping[str, GraspLabels]) -> UInt8[np.nda
 
 
 def draw_object(thing: Object, labels: GraspLabels) -> UInt8[np.ndarray, "s s 3"]:
-    """Return a picture of one object, in its own frame, with a fork for each label."""
+    """Return a picture of one object in its own frame, with a fork per label."""
     items = [place(thing.model.mesh, thing.scale, np.zeros(3), np.array([1.0, 0.0, 0.0, 0.0]))]
     for k in range(len(labels)):
         color = (_BAD + labels.quality[k] * (_GOOD - _BAD)).round().astype(np.uint8)

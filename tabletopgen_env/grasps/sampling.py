@@ -1,4 +1,4 @@
-"""Sampling of grasp labels: of one object, and of all objects of a bundle."""
+"""Sampling of grasp labels for an object or for all objects of a bundle."""
 
 from __future__ import annotations
 
@@ -39,20 +39,20 @@ if TYPE_CHECKING:
 
 
 USUAL = GraspTerms()
-"""The terms of labels unless said otherwise."""
+"""Default settings of labels."""
 
 _VERSIONS = ("tabletopgen", "mujoco", "numpy", "scipy")
-_MOST_KEPT = 2**20  # bytes of the labels of one object
+_MAX_KEPT = 2**20  # maximum size of the labels of one object, bytes
 _ALONE = PoolOptions()
 
 
 def sample_grasps(thing: Object, terms: GraspTerms = USUAL) -> GraspLabels:
-    """Return the grasp labels of an object of a scene, the best first.
+    """Return the grasp labels of an object of a scene, best first.
 
-    They depend on its shape, mass and friction and on ``terms`` alone, not on where it stands.
+    The labels depend only on its shape, mass and friction and on ``terms``, not on its pose.
 
     Raises:
-        SceneError: MuJoCo cannot build it.
+        SceneError: MuJoCo cannot compile the object.
     """
     rng = np.random.default_rng((terms.seed, 0))
     found = rate_grasps(thing, find_candidates(thing, terms.count, terms.directions, rng), terms)
@@ -63,7 +63,7 @@ def sample_grasps(thing: Object, terms: GraspTerms = USUAL) -> GraspLabels:
 def rate_grasps(
     thing: Object, grasps: Sequence[GraspCandidate], terms: GraspTerms = USUAL
 ) -> GraspLabels:
-    """Return the labels of given grasps of an object, in their order; see ``sample_grasps``."""
+    """Return the labels of given grasps of an object, in the same order; see ``sample_grasps``."""
     from .trials import STAGES, GraspBench
 
     bench = GraspBench(thing)
@@ -91,7 +91,7 @@ def _quaternion(grasp: GraspCandidate) -> np.ndarray:
 
 
 def is_labelled(path: Path, terms: GraspTerms = USUAL) -> bool:
-    """Return whether a bundle has sound labels on these terms, made with any versions."""
+    """Return whether a bundle has valid labels with these settings, from any version."""
     try:
         found = read_file(path)
     except BundleError:
@@ -107,16 +107,16 @@ def label_bundle(
 ) -> GraspFile:
     """Label all objects of a bundle, write the labels into it and return them.
 
-    Who does the work (``pool``) does not change what is written. Objects that are done are kept
-    until all are: if this is interrupted, the next call with the same terms resumes. ``report`` is
-    told how many objects of how many are done, and the name of the last.
+    The result does not depend on ``pool``. Finished objects are cached until all are done, so that
+    after an interruption the next call with the same settings resumes. ``report`` receives the
+    number of finished objects, the total, and the name of the last one.
 
     Raises:
         InputError: ``pool`` is out of range, or the bundle ships with the package.
-        BackendError: no Ray.
+        BackendError: Ray is not available.
         BundleError: the bundle cannot be read.
-        SceneError: an object cannot be built, or a process has ended abruptly.
-        StorageError: the labels cannot be written.
+        SceneError: an object cannot be compiled, or a process ended abruptly.
+        StorageError: the bundle is not writable.
     """
     require_number("Labelling needs workers", pool.workers, minimum=1, maximum=1024, integer=True)
     folder = Path(path)
@@ -131,20 +131,20 @@ def label_bundle(
         begun.write(name, found)
         report(len(labels), len(scene.objects), name)
     if load_fingerprint(folder) != fingerprint:
-        raise BundleError(f"{folder} was replaced while it was labelled. Label it again.")
+        raise BundleError(f"{folder} was replaced during labelling. Label it again.")
     made = GraspFile(fingerprint, terms, versions(_VERSIONS), labels)
     write_file(folder, made)
     begun.remove()
     written = read_file(folder)
     if written is None:
-        raise StorageError(f"{folder / FILE} was removed while it was written.")
+        raise StorageError(f"{folder / FILE} was removed while it was being written.")
     return written
 
 
 def _in_turn(
     things: Sequence[Object], terms: GraspTerms, pool: PoolOptions
 ) -> Iterator[tuple[str, GraspLabels]]:
-    """Yield the name and the labels of each object, in their order."""
+    """Yield the name and the labels of each object, in order."""
     jobs = [(thing, terms) for thing in things]
     if len(jobs) < 2 or (pool.workers == 1 and pool.ray is None):
         for thing in things:
@@ -160,7 +160,7 @@ def _label(job: tuple[Object, GraspTerms]) -> GraspLabels:
 
 
 class _Begun:
-    """Labels of a bundle's objects that are kept until all are done, in the user's cache."""
+    """Cached labels of a bundle's finished objects, kept in the user's cache until all are done."""
 
     def __init__(self, scene: str, terms: GraspTerms) -> None:
         made_with = {"scene": scene, "terms": asdict(terms), "versions": versions(_VERSIONS)}
@@ -169,23 +169,23 @@ class _Begun:
         self._name = hashlib.sha256(text.encode()).hexdigest()[:24]
 
     def read(self, name: str) -> GraspLabels | None:
-        """Return what is kept of an object; None if nothing sound is."""
+        """Return the cached labels of an object; None if there are no valid ones."""
         with contextlib.suppress(StorageError, ValueError, TypeError, KeyError, InputError):
-            what = "The kept labels"
-            raw = read_regular(self._file(name), what, StorageError, max_bytes=_MOST_KEPT)
+            what = "The cached labels"
+            raw = read_regular(self._file(name), what, StorageError, max_bytes=_MAX_KEPT)
             return decode_labels(parse_object(raw, what, StorageError))
         return None
 
     def write(self, name: str, labels: GraspLabels) -> None:
-        """Keep the labels of an object, if the cache can be written: it only saves time."""
+        """Cache the labels of an object; errors are ignored, since the cache only saves time."""
         with contextlib.suppress(OSError, StorageError):
             file = self._file(name)
             file.parent.mkdir(parents=True, exist_ok=True)
             text = json.dumps(encode_labels(labels), allow_nan=False)
-            write_whole(file, text, "The kept labels", "")
+            write_whole(file, text, "The cached labels", "")
 
     def remove(self) -> None:
-        """Forget them all."""
+        """Remove all cached labels."""
         with contextlib.suppress(StorageError):
             remove_tree(self._root, self._name)
 

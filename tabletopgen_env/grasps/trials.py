@@ -1,18 +1,18 @@
-"""Trials of a grasp in MuJoCo: the Panda's hand closes on the object alone, lifts and shakes it.
+"""Grasp trials in MuJoCo: the Panda's hand closes on a single object, lifts and shakes it.
 
-The hand stands still and gravity moves: a hand that accelerates by a feels gravity g - a, and one
-that turns slowly feels it turn. The object floats while the fingers close, so that it gives way, as
-in C. Eppner, A. Mousavian, D. Fox, "ACRONYM: a large-scale grasp dataset based on simulation",
-ICRA 2021. Then comes, each stage after the one before:
+The hand is fixed and gravity varies instead: acceleration of the hand by a is equivalent to gravity
+g - a, and a slow rotation of the hand to a rotation of gravity. The object floats while the fingers
+close, so that it can yield, as in C. Eppner, A. Mousavian, D. Fox, "ACRONYM: a large-scale grasp
+dataset based on simulation", ICRA 2021. Three stages follow in order:
 
 ======  ============================================================================
-lift    gravity rises along the object's own -z: it hangs from the hand as it stands
-turn    gravity turns once about the object's x axis, then once about its y axis
-shake   the hand swings along the object's x, y and z in turn
+lift    gravity increases along the object's -z axis: the object hangs upright from the hand
+turn    gravity rotates once about the object's x axis, then once about its y axis
+shake   the hand oscillates along the object's x, y and z axes, one after another
 ======  ============================================================================
 
 A stage is passed if both fingers still touch the object, and it has moved in the hand by less than
-``SLIP`` and turned by less than ``TWIST`` since they closed. Every trial draws an error of the
+``SLIP`` and rotated by less than ``TWIST`` since they closed. Every trial draws an error of the
 hand's pose and the friction of its pads.
 """
 
@@ -36,31 +36,31 @@ from ..robot.tool import TCP_SITE
 from .candidates import GraspCandidate
 
 SLIP, TWIST = 0.02, float(np.deg2rad(30.0))
-"""How far an object may move and turn in the hand, metres and radians."""
+"""Maximum motion of a held object in the hand, metres and radians."""
 
 STAGES = ("close", "lift", "turn", "shake")
-"""What an object goes through in a trial."""
+"""The stages of a trial."""
 
 ERROR = (0.0025, float(np.deg2rad(3.0)))
-"""Standard deviations of the hand's position along each axis (m) and turn about each (rad)."""
+"""Standard deviations of the hand's position along each axis (m) and rotation about each (rad)."""
 
 FRICTION = (0.5, 1.0)
-"""Range of what the friction of the finger's pads, 1.3, is multiplied with."""
+"""Range of the factor on the friction of the finger pads, 1.3."""
 
 GRAVITY, SWING = 9.81, 5.0
-"""Of the lift, and of the shake, m/s²."""
+"""Accelerations of the lift and of the shake, m/s²."""
 
 _HAND = "hand/"
 _STEP = 0.004  # seconds; half of it gives the same results
 _CLOSE, _RAMP, _HOLD, _TURN, _SWING_TIME = 0.4, 0.1, 0.16, 0.4, 0.2  # seconds
-_EVERY = 5  # steps for which gravity stays the same
-_LOOK = 25  # steps between two looks at what is held
-_DEEP = 1e-3  # metres by which the open hand may overlap the object
+_EVERY = 5  # steps with constant gravity
+_LOOK = 25  # steps between two checks of the hold
+_DEEP = 1e-3  # maximum overlap of the open hand with the object, metres
 
 
 @dataclass(frozen=True)
 class Trial:
-    """What came of a trial: how many of ``STAGES`` were passed, and the closed fingers' width."""
+    """Result of a trial: number of ``STAGES`` passed, and width between the closed fingers."""
 
     passed: int
     width: float
@@ -97,7 +97,7 @@ class GraspBench:
         self._friction = model.geom_friction.copy()
 
     def try_grasp(self, grasp: GraspCandidate, rng: np.random.Generator) -> Trial:
-        """Try a grasp once, with the errors that ``rng`` draws."""
+        """Try a grasp once, with errors drawn from ``rng``."""
         model, data = self._model, self._data
         off = rng.normal(scale=ERROR[0], size=3)
         turned = Rotation.from_rotvec(rng.normal(scale=ERROR[1], size=3)).as_matrix()
@@ -119,7 +119,7 @@ class GraspBench:
         return self._play(grasp)
 
     def _play(self, grasp: GraspCandidate) -> Trial:
-        """Close the fingers and go on until the object is lost."""
+        """Close the fingers and run the stages until the object is lost."""
         self._data.ctrl[:] = 0.0
         self._run(round(_CLOSE / _STEP))
         if not self._is_touched():
@@ -143,12 +143,12 @@ class GraspBench:
         mujoco.mj_step(self._model, self._data, steps)
 
     def _pose(self) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
-        """Return where the object is, the hand's frame being the world's."""
+        """Return the pose of the object in the hand's frame."""
         data = self._data
         return data.xipos[self._body].copy(), data.xmat[self._body].reshape(3, 3).copy()
 
     def _holds(self, start: tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]) -> bool:
-        """Return whether the object is in the hand as it was at ``start``."""
+        """Return whether the object is still in the hand as at ``start``."""
         place, axes = self._pose()
         if np.linalg.norm(place - start[0]) > SLIP or not self._is_touched():
             return False
@@ -163,13 +163,13 @@ class GraspBench:
         return all(bool(side[touching].any()) for side in self._sides)
 
     def _overlaps(self) -> bool:
-        """Return whether the open hand is inside of the object."""
+        """Return whether the open hand overlaps the object."""
         contact = self._data.contact
         return bool((contact.dist < -_DEEP).any())
 
 
 def _pulls(stage: str) -> Iterator[Float[np.ndarray, "3"]]:
-    """Yield gravity (m/s², along the axes of the object as it was closed on) of a stage."""
+    """Yield the gravity of a stage (m/s², along the axes of the object when the hand closed)."""
     span = _STEP * _EVERY
     if stage == "lift":
         for k in range(round((_RAMP + _HOLD) / span)):

@@ -1,1 +1,1 @@
-"""What a policy sees."""
+"""Observations of a policy."""

@@ -1,4 +1,4 @@
-"""Bounds and noise of observation entries; ``modes`` lists the entries."""
+"""Bounds and noise of observation entries; see ``modes`` for the entries."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ GOAL_VECTOR_BOUNDS = np.array([3.0] * 3 + [4.0] * 4 + [1.0])
 
 BARE_BOUNDS = np.concatenate([ROBOT_BOUNDS, np.tile(SLOT_BOUNDS, SLOTS)])
 _NONE = np.empty(0)
-BOUNDS = {  # of the flat state's entries, by whether there is a hint and whether the goal is out
+BOUNDS = {  # of the flat state, by presence of the hint and absence of the goal
     (hinted, bare): np.concatenate(
         [BARE_BOUNDS, _NONE if bare else GOAL_BOUNDS, HINT_BOUNDS if hinted else _NONE]
     )
@@ -32,10 +32,10 @@ for _constant in (ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, GOAL_VECTOR_BOUNDS, *B
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """What is added to one reading of the state, but not to goals.
+    """Noise added to one reading of the state, but not to goals.
 
-    ``joints`` (rad) are added to the arm's, and the tool's pose follows; ``positions`` (m) and
-    ``turns`` (rotation vectors) are added to the objects by slot, base frame.
+    ``joints`` (rad) are added to the arm joints, and the pose of the tool follows from them;
+    ``positions`` (m) and ``turns`` (rotation vectors) are added to the objects by slot, base frame.
     """
 
     joints: Float[np.ndarray, "7"]

@@ -1,4 +1,4 @@
-"""Reading the flat state; what its entries are says ``modes``."""
+"""The flat state; see ``modes`` for its entries."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from .proprioception import write_robot
 
 
 class FlatState:
-    """Reads the flat state of one world, as it shows one goal.
+    """Reads the flat state of one world for one active goal.
 
     Args:
         world: the world.
         goal: the active goal.
         order: the objects by slot, the goal's target first; see ``modes.slot_order``.
-        bare: whether all but entries 0-267 are left out.
-        hinted: whether the entries of ``grasp_hint`` follow.
+        bare: whether to omit all entries but 0-267.
+        hinted: whether to append the entries of ``grasp_hint``.
     """
 
     def __init__(
@@ -34,7 +34,7 @@ class FlatState:
         self._world, self._goal, self._bare = world, goal, bare
         self._rows = np.array([world.index(name) for name in order], int)
         self._bounds = BOUNDS[hinted, bare]
-        self._still = still = np.zeros(len(self._bounds))  # the entries that do not change
+        self._still = still = np.zeros(len(self._bounds))  # the constant entries
         still[37] = world.scene.table.height - world.base_position[2]
         still[38:40] = world.half_top
         slots = self._slots(still)
@@ -46,9 +46,9 @@ class FlatState:
     def read(
         self, noise: Noise | None = None, hint: Float[np.ndarray, "8"] | None = None
     ) -> Float[np.ndarray, "n"]:
-        """Return the state as it is now, ``float32``.
+        """Return the current state, ``float32``.
 
-        ``noise`` is that of this reading, ``hint`` the entries of ``grasp_hint``.
+        ``noise`` is the noise of this reading, ``hint`` the entries of ``grasp_hint``.
         """
         world, goal, entries = self._world, self._goal, self._still.copy()
         self._read_robot(entries, noise)
@@ -69,7 +69,7 @@ class FlatState:
         return entries.astype(np.float32)
 
     def _slots(self, entries: Float[np.ndarray, "n"]) -> Float[np.ndarray, "s 19"]:
-        """Return the filled slots of a state, to be written to."""
+        """Return a writable view of the filled slots of a state."""
         size = len(SLOT_BOUNDS)
         first, count = len(ROBOT_BOUNDS), len(self._rows)
         return entries[first : first + size * count].reshape(count, size)
@@ -101,7 +101,7 @@ class FlatState:
     def _misread(
         self, entries: Float[np.ndarray, "n"], hint: Float[np.ndarray, "8"], noise: Noise
     ) -> Float[np.ndarray, "8"]:
-        """Return the hint as sensors give it that err as those of the other entries."""
+        """Return the hint with errors consistent with the noise of the other entries."""
         world = self._world
         tool = entries[15:18] - world.to_base(world.state.tool)
         yaw = wrap(float(np.arctan2(entries[19], entries[18])) - rotation_yaw(world.hand))

@@ -1,43 +1,44 @@
-"""What to do with the active target next, as part of the state: where to grasp it, where to let go.
+"""Grasp hint: where to grasp the active target and where to release it, as part of the state.
 
-A box and a pose do not say where a mug's handle is, or on which side a neighbour leaves room for a
-finger. With ``grasp_hint`` eight entries more do. When a goal becomes active a grasp is asked for,
-which then moves with the object, and when both fingers have raised the object, a place.
+A box and a pose do not show where a mug's handle is, or on which side of an object there is room
+for a finger. ``grasp_hint`` adds eight entries that do. When a goal becomes active, a grasp is
+planned, which then moves with the object; once both fingers have raised the object, a place is
+planned.
 
 =====  =============================================================================  ==========
 entry  meaning                                                                        unit
 =====  =============================================================================  ==========
-0-2    where the tool is to go, minus where it is, base frame                         m
-3      the turn of the hand about the vertical that is left, as its last joint allows rad
-4      how far to open the fingers before going down, or to let go                    m
-5      what will be, or is, between the fingers                                       m
-6      how much higher the tool has to be to pass over what lies on its way           m
-7      1 on the way to a grasp, -1 with the target in the hand, 0 (as all others) if
-       no grasp is known
+0-2    target minus current position of the tool, base frame                          m
+3      remaining rotation of the hand about the vertical, within the joint's range    rad
+4      opening of the fingers before the descent, or for the release                  m
+5      width of the object between the fingers                                        m
+6      height that the tool still has to gain to pass over obstacles on its way       m
+7      1 on the way to a grasp, -1 with the target in the hand, 0 (as are all others)
+       if no grasp is known
 =====  =============================================================================  ==========
 
-Who is asked:
+The source of the hint:
 
 ==============  ================================================================================
-``"detected"``  a small network that was taught where to grasp (``detection``) and sees height
-                maps, as a depth camera above the table has them. Of what it finds, the first is
-                taken that the arm can reach. The place is the middle of the goal's region, with
-                the hand turned as it is or half round, as high as the height map there asks for.
-``"planned"``   (or True) the expert's planners, which know the collision shapes, and which turn
-                what is held, or let go of it beside the middle, where there is more room
+``"detected"``  a small network trained to detect grasps (``detection``) in height maps like those
+                of a depth camera above the table. The hint is the best-rated grasp that the arm
+                can reach. The place is the centre of the goal's region, at the current yaw of
+                the hand or half a turn from it, at a height that follows from the height map.
+``"planned"``   (or True) the expert's planners, which know the collision shapes. They may also
+                rotate the held object, or release it off the centre, where there is more room
 ==============  ================================================================================
 
-A robot would have to perceive what the simulator gives ``"detected"``, too: the maps are without
-noise, without the arm, and of each thing also where another hides it; each thing's centre, heading
-and box are true, as in the rest of the state, and so are its lowest point, where it is in the hand,
-and whether it lies still. Targets that the planner finds no grasp of are not drawn for an episode.
+``"detected"`` also uses information that a real robot would have to perceive: the maps have no
+noise, exclude the arm, and show occluded surfaces. The centre, heading and box of each object are
+exact, as in the rest of the state, and so are its lowest point, its pose in the hand, and whether
+it is at rest. Objects without a planned grasp are not drawn as targets.
 
-Either has the way; what is left to a policy is to go it.
+In both modes the hint gives the path, which the policy has to follow.
 
-With the target between both fingers the way leads straight up, and once it is raised, unless that
-is all the goal asks for, to where it is to be let go. That place is shown until the object lies
-still, let go, elsewhere; the grasp that lost it is not shown again if there are others. Within 2 cm
-of the vertical over the end of the way entry 6 is 0.
+With the target between both fingers the path leads straight up and then, unless the goal only
+requires lifting, to the place of release. That place is shown until the object is released and at
+rest elsewhere; the grasp that lost it is not shown again if there are others. Entry 6 is 0 within 2
+cm of the vertical through the end of the path.
 """
 
 from __future__ import annotations
@@ -66,10 +67,10 @@ HINT_BOUNDS = np.array([3.0] * 3 + [7.0] + [0.1] * 2 + [3.0] + [1.0])
 
 HINT_BOUNDS.setflags(write=False)
 
-_MOVED, _TILTED, _STILL = 0.015, 0.97, 0.05  # metres, cosine, metres a second
-_HIGHER = 0.3  # metres that entry 6 is at most
-_OFF = 0.01  # metres above where it lay at which an object that lies still again was lost
-_HIGH = 0.035  # the same, at which its place is planned
+_MOVED, _TILTED, _STILL = 0.015, 0.97, 0.05  # metres, cosine, metres per second
+_HIGHER = 0.3  # maximum of entry 6, metres
+_OFF = 0.01  # height above its support at which a dropped object counts as lost, metres
+_HIGH = 0.035  # height above its support at which its place is planned, metres
 
 
 def _detectors() -> tuple[Chooser, Placer]:
@@ -87,16 +88,16 @@ def misread(
     tool: Float[np.ndarray, "3"],
     yaw: float,
 ) -> Float[np.ndarray, "8"]:
-    """Return the entries as sensors give them that err by ``target``, ``tool`` (m) and ``yaw``.
+    """Return the entries with sensor errors ``target``, ``tool`` (m) and ``yaw``.
 
-    These are errors of the two places, base frame, and of the hand's yaw, radians.
+    These are errors of the two positions, base frame, and of the hand's yaw, radians.
     """
     if not entries[-1]:
         return entries
     read = entries.copy()
     if entries[-1] > 0:
         read[:3] += target - tool
-    else:  # where the object is in the hand turns with it
+    else:  # The place of release turns with the object in the hand.
         read[:3] -= rotation_z(float(entries[3])) @ (target - tool) + tool
     read[3] -= yaw
     read[6] = max(read[6] - tool[2], 0.0)
@@ -104,11 +105,11 @@ def misread(
 
 
 class GraspHint:
-    """The grasp of the active target, carried along with the object, and then its place.
+    """The grasp of the active target, which moves with the object, and then its place.
 
-    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
-    was lost. ``planned`` is the grasp as it was planned, ``drop`` the place while there is one,
-    ``choose`` who is asked for a grasp, and ``place``, if given, who for a place.
+    The grasp is planned again when the object has come to rest elsewhere, untouched by the robot,
+    or was lost. ``planned`` is the grasp as planned, ``drop`` the current place, if any, ``choose``
+    the grasp planner, and ``place`` an optional planner of places.
     """
 
     def __init__(self, kind: HintKind = "planned", place: Placer | None = None) -> None:
@@ -121,29 +122,29 @@ class GraspHint:
         self._target: str | None = None
         self._lost: tuple[GraspPlan, ...] = ()
         self._raised = False
-        # How the target lay when ``_take`` was last called, and the height of its grasp.
+        # Pose of the target at the last call of ``_take``, and the height of its grasp.
         self._rotation: Float[np.ndarray, "3 3"] = np.eye(3)
         self._seen: Float[np.ndarray, "3"] = np.zeros(3)
         self._low = 0.0
 
     def __reduce__(self) -> tuple[type[GraspHint], tuple[HintKind, Placer | None]]:
-        """Return what a copy is made of: a hint of the same kind, without an episode."""
+        """Return the state of a copy: a hint of the same kind, without an episode."""
         return GraspHint, (self.kind, self._given)
 
     def begin(self, world: World, goal: Goal) -> None:
-        """Plan for a goal that has just become active."""
+        """Plan for a newly active goal."""
         self._target, self.planned, self.drop, self._lost = goal.target, None, None, ()
         if goal.target is not None:
             self._take(world, goal.target)
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
-        """Return the grasp of an object where it is now; None if it is not the active target."""
+        """Return the grasp of an object at its current pose, None unless it is the target."""
         if self.planned is None or self._target != name:
             return None
         return self._carry(world, name, self.planned)
 
     def entries(self, world: World, goal: Goal) -> Float[np.ndarray, "8"]:
-        """Return the entries as things are, after planning anew if need be."""
+        """Return the current entries, after planning again if necessary."""
         name = self._target
         if name is None:
             return np.zeros(8)
@@ -178,7 +179,7 @@ class GraspHint:
         return np.array([*left, turn, opening, grasp.width, rise, kind])
 
     def _take(self, world: World, name: str, blamed: bool = False) -> None:
-        """Plan a grasp; the last one, if it is to be ``blamed``, and those before rank last."""
+        """Plan a grasp; previous grasps, including the last one if ``blamed``, rank last."""
         lost = (*self._lost, self.planned) if blamed and self.planned else self._lost
         self._lost = tuple(self._carry(world, name, plan) for plan in lost)
         if world.data.time > 0:
@@ -191,7 +192,7 @@ class GraspHint:
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
 
     def _carry(self, world: World, name: str, plan: GraspPlan) -> GraspPlan:
-        """Return a grasp of the object as it lay when ``_take`` was last called as it is now."""
+        """Return a grasp moved along with the object since the last call of ``_take``."""
         turned = world.rotation(name) @ self._rotation.T
         at, turn, old = world.position(name), rotation_yaw(turned), plan.grasp
         point = at + turned @ (old.point - plan.seen)
@@ -209,10 +210,10 @@ class GraspHint:
 
 
 def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
-    """Return the hint that is asked for, None for none.
+    """Return the hint of a setting, None for no hint.
 
     Raises:
-        InputError: there is no such hint.
+        InputError: the setting is unknown.
         StorageError: the detector's weights cannot be read.
     """
     if isinstance(asked, bool | np.bool_):
@@ -228,7 +229,7 @@ def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
 def _rise(
     world: World, name: str, end: Float[np.ndarray, "3"], depth: float, broad: float
 ) -> float:
-    """Return entry 6 on the way to ``end`` of what reaches ``depth`` down and ``broad`` aside."""
+    """Return entry 6 on the way to ``end``, with a load ``depth`` deep and ``broad`` wide."""
     tool = world.data.site_xpos[world.tcp]
     if math.hypot(*(end - tool)[:2]) <= NEAR:
         return 0.0

@@ -1,31 +1,32 @@
-"""What stands on the table as height maps: around the active target, and around its goal.
+"""Height maps of the objects on the table, around the active target and around its goal.
 
 With ``geometry="height_map"`` the observation has an entry ``height_map``, ``uint8`` of three maps
 of 48 × 48 cells of 5 mm (24 cm a side), whatever the scene. Row i and column j are along x and y of
 the *target's heading frame*: z up, x along the bearing of the x axis of the target's box (slot 0 of
-the state has both), so that an object looks the same wherever it is moved and turned. Cell (i, j)
-is at (i - 23.5, j - 23.5) · 5 mm from the middle, and has the highest surface found in it.
+the state has both), so an object looks the same at every position and yaw. Cell (i, j) is at (i -
+23.5, j - 23.5) · 5 mm from the centre of the map, and holds the height of the highest surface in
+it.
 
 =======  ================================  ======================================================
-map      middle                            shows
+map      centre                            shows
 =======  ================================  ======================================================
-0        centre of the target's box        the target alone
-1        centre of the target's box        everything else: what a hand that comes down meets
-2        centre of the goal region         everything but the target: on what it would be put
+0        centre of the target's box        only the target
+1        centre of the target's box        everything else: obstacles for a descending hand
+2        centre of the goal region         everything except the target: its future support
 =======  ================================  ======================================================
 
-Values are heights above the table top in steps of 2 mm: 0 where there is nothing, at most 255
-(51 cm). The maps follow target and goal as they move. Where the tool itself is the target (Reach)
-all are 0.
+Values are heights above the table top in steps of 2 mm: 0 where there is nothing, at most 255 (51
+cm). The maps follow target and goal as they move. If the tool itself is the target (Reach), all
+values are 0.
 
-What is idealised, as seen by no real camera: the maps are without noise, of every surface that can
-be met from above also where another thing hides it, without the robot, and split by which thing is
-the target. They are made of the collision shapes. With noise in the observation (``randomization``)
-the frame is that of the pose that the state shows, errors and all. No planner is asked: there is
-nothing in them of where to grasp or to let go.
+The maps are idealised: they have no noise, show every surface that is exposed to above even if a
+camera's view of it is occluded, exclude the robot, and separate the target from the other objects.
+They are computed from the collision shapes. With noise in the observation (``randomization``) the
+frame is that of the noisy pose in the state. No planner is involved: the maps contain no
+information about grasps or places of release.
 
-Poses are rounded to 0.5 mm and 5 mrad, tilts to 0.01, before a map is made; while nothing has moved
-by more, the last maps are shown again.
+Poses are rounded to 0.5 mm and 5 mrad, and tilts to 0.01, before a map is computed; while no object
+moves by more, the previous maps are returned.
 """
 
 from __future__ import annotations
@@ -45,14 +46,14 @@ from ..world.world import World
 from .bounds import Noise
 
 MAPS, CELLS = 3, 48
-"""Maps, and cells along a side of each."""
+"""Number of maps, and of cells along a side of each."""
 
 CELL, STEP = 0.005, 0.002
-"""Size of a cell, and what a value of 1 is in height, metres."""
+"""Size of a cell, and unit of height, metres."""
 
-_FINE = CELL / 2  # metres between the points that are looked at: walls are thinner than a cell
-_PLACE, _TURN, _TILT = 5e-4, 5e-3, 0.01  # to which poses are rounded: metres, radians, of an axis
-_MOST = 1024  # shapes that are kept
+_FINE = CELL / 2  # spacing of the sampled points, metres: walls are thinner than a cell
+_PLACE, _TURN, _TILT = 5e-4, 5e-3, 0.01  # resolution of poses: metres, radians, of an axis
+_MAX_SHAPES = 1024  # number of cached shapes
 
 
 def height_map_space() -> spaces.Box:
@@ -61,7 +62,7 @@ def height_map_space() -> spaces.Box:
 
 
 class _Pose(NamedTuple):
-    """Where an object is, rounded: centre (m, world), heading (radians), and tilt as a matrix."""
+    """Rounded pose of an object: centre (m, world), heading (radians), and tilt as a matrix."""
 
     center: Float[np.ndarray, "3"]
     heading: float
@@ -69,7 +70,7 @@ class _Pose(NamedTuple):
 
 
 class HeightLook:
-    """Looks at scenes from above; keeps the shapes it has scanned, and its last look."""
+    """Computes height maps of scenes; caches scanned shapes and the last maps."""
 
     def __init__(self) -> None:
         self._shapes: dict[tuple[str, str, bytes], HeightMap] = {}
@@ -77,13 +78,13 @@ class HeightLook:
         self._seen: UInt8[np.ndarray, "3 48 48"] = np.zeros((MAPS, CELLS, CELLS), np.uint8)
 
     def __reduce__(self) -> tuple[type[HeightLook], tuple[()]]:
-        """Return what a copy is made of: nothing that was seen."""
+        """Return the state of a copy: empty caches."""
         return HeightLook, ()
 
     def maps(
         self, world: World, goal: Goal, noise: Noise | None = None
     ) -> UInt8[np.ndarray, "3 48 48"]:
-        """Return the maps of a goal's target as things are now; ``noise`` is the state's."""
+        """Return the current maps of a goal's target; ``noise`` is the noise of the state."""
         if goal.target is None:
             return np.zeros((MAPS, CELLS, CELLS), np.uint8)
         poses = {name: _pose(world, name) for name in world.names if name not in world.absent}
@@ -130,11 +131,11 @@ class HeightLook:
         return np.rint(np.minimum(fine / STEP, 255.0)).astype(np.uint8)
 
     def _shape(self, world: World, name: str, tilt: Float[np.ndarray, "3 3"]) -> HeightMap:
-        """Return an object's heights above its centre, by places in its heading frame."""
+        """Return the heights of an object above its centre over a grid in its heading frame."""
         key = (world.digest, name, tilt.tobytes())
         found = self._shapes.get(key)
         if found is None:
-            if len(self._shapes) >= _MOST:
+            if len(self._shapes) >= _MAX_SHAPES:
                 self._shapes.clear()
             parts = move_parts(world.scene.object(name).parts, np.zeros(3), tilt)
             bounds = np.abs(np.stack([part.bounds[:, :2] for part in parts])).max((0, 1))

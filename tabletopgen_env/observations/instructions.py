@@ -1,16 +1,16 @@
-"""What is to be done, as an entry of the observation: a text, tokens, or an embedding.
+"""The instruction as an entry of the observation: a text, tokens, or an embedding.
 
 ==============  =================================================================================
-``"text"``      a ``spaces.Text`` of at most 256 printable ASCII characters, the rest cut off and
-                other characters as "?"
+``"text"``      a ``spaces.Text`` of at most 256 printable ASCII characters; longer texts are
+                truncated, and other characters become "?"
 ``"tokens"``    ``int32`` of 32 entries: a number from 1 to 4095 for each word, then zeros
-``"embedding"`` ``float32`` of 64 entries, of length 1 (0 where there is no word): words and their
-                parts of three letters, hashed to signed entries and added up
+``"embedding"`` ``float32`` of 64 entries, of norm 1 (0 if there is no word): the sum of words and
+                their trigrams, each hashed to signed entries
 ==============  =================================================================================
 
-Numbers of words and entries are hashes (CRC-32 of the word in lower case), so they need no
-vocabulary and are the same everywhere; two words may share one. Similar texts have similar
-embeddings, but nothing in them was learned.
+Tokens and entries are hashes (CRC-32 of the word in lower case), so they need no vocabulary and are
+the same on every machine; two words may collide. Similar texts have similar embeddings, but the
+embeddings are not learned.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ from jaxtyping import Float, Int
 from ..rendering.config import InstructionKind
 
 MOST_CHARACTERS, MOST_TOKENS, VOCABULARY, EMBEDDING_SIZE = 256, 32, 4096, 64
-"""Characters of a text, tokens of a row, numbers that a token may have, and entries of a vector."""
+"""Maximum characters of a text, tokens in a row, number of token values, and embedding size."""
 
 CHARACTERS = string.ascii_letters + string.digits + string.punctuation + " "
-"""Characters of a text."""
+"""The permitted characters of a text."""
 
 _WORDS = re.compile(r"[a-z0-9]+")
 _PART = 3  # letters
@@ -43,9 +43,9 @@ _NUMBERS_ONLY = "stable_baselines3"
 class InstructionText(spaces.Text):
     """The space of an instruction as text.
 
-    It warns once where Stable-Baselines3 is loaded, which fails at ``spaces.Text`` with a message
-    that names neither: when it is made, or when its ``shape`` is read, as each of that library's
-    environments does, whichever was imported first.
+    It warns once if Stable-Baselines3 is loaded, which fails on ``spaces.Text`` with an unrelated
+    message. The check runs on construction and when ``shape`` is read, as every environment of that
+    library does, so the import order does not matter.
     """
 
     def __init__(self) -> None:
@@ -55,7 +55,7 @@ class InstructionText(spaces.Text):
 
     @property
     def shape(self) -> None:
-        """None, as of every text."""
+        """None, as for every text space."""
         self._warn()
 
     def _warn(self) -> None:
@@ -63,15 +63,15 @@ class InstructionText(spaces.Text):
             return
         self._warned = True
         warnings.warn(
-            "The observation has the instruction as text (spaces.Text), which "
-            "Stable-Baselines3 cannot read: for its algorithms, make the environment with "
-            "instruction='embedding', 'tokens' or 'none'; info['instruction'] has the text.",
+            "The observation has the instruction as text (spaces.Text), which Stable-Baselines3 "
+            "cannot read: for its algorithms, make the environment with instruction='embedding', "
+            "'tokens' or 'none'; info['instruction'] has the text.",
             stacklevel=3,
         )
 
 
 def instruction_space(kind: InstructionKind) -> spaces.Space[Any]:
-    """Return the space of an instruction."""
+    """Return the space of an instruction in the given form."""
     if kind == "text":
         return InstructionText()
     if kind == "tokens":
@@ -87,7 +87,7 @@ def show_instruction(kind: InstructionKind, text: str) -> str | np.ndarray:
 
 
 def tokens(text: str) -> Int[np.ndarray, "32"]:
-    """Return the numbers of the first 32 words, padded with zeros."""
+    """Return the tokens of the first 32 words, padded with zeros."""
     row = np.zeros(MOST_TOKENS, np.int32)
     words = _WORDS.findall(text.lower())[:MOST_TOKENS]
     row[: len(words)] = [1 + _hash(word) % (VOCABULARY - 1) for word in words]
@@ -95,7 +95,7 @@ def tokens(text: str) -> Int[np.ndarray, "32"]:
 
 
 def embed(text: str) -> Float[np.ndarray, "64"]:
-    """Return the sum of the signed hashes of words and of their parts, scaled to length 1."""
+    """Return the normalised sum of the signed hashes of words and their trigrams."""
     entries = np.zeros(EMBEDDING_SIZE)
     for word in _WORDS.findall(text.lower()):
         edged = f" {word} "

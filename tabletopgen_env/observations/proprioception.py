@@ -1,11 +1,11 @@
-"""What a robot feels of itself: entries 0 to 31 of the flat state (``modes``), and one more.
+"""Proprioception: entries 0 to 31 of the flat state (``modes``), and the gripper's velocity.
 
 =====  =========================================================  ==========  ====
 entry  meaning                                                    range       unit
 =====  =========================================================  ==========  ====
 0-31   as in the flat state: joints, their speeds, the opening,
        tool and hand in the base frame, commands
-32     how fast the gripper opens, below 0 how fast it closes     [-1, 1]     m/s
+32     opening velocity of the gripper, negative while closing    [-1, 1]     m/s
 =====  =========================================================  ==========  ====
 """
 
@@ -21,7 +21,7 @@ from ..world.world import World
 from .bounds import ROBOT_BOUNDS, Noise
 
 SHARED = 32
-"""How many entries are the flat state's; what it has of the robot beyond them no joint tells."""
+"""Number of entries shared with the flat state, whose others need more than joint sensors."""
 
 PROPRIO_BOUNDS = np.append(ROBOT_BOUNDS[:SHARED], 1.0)
 """Largest magnitude of each entry."""
@@ -30,13 +30,13 @@ PROPRIO_BOUNDS.setflags(write=False)
 
 
 def proprioception_space() -> spaces.Box:
-    """Return the space of what the robot feels of itself."""
+    """Return the space of the proprioceptive entries."""
     high = PROPRIO_BOUNDS.astype(np.float32)
     return spaces.Box(-high, high, dtype=np.float32)
 
 
 def feel(world: World, noise: Noise | None = None) -> Float[np.ndarray, "33"]:
-    """Return the entries as they are now, ``float32``, clipped to their bounds."""
+    """Return the current entries, ``float32``, clipped to their bounds."""
     entries = np.zeros(SHARED + 1)
     write_robot(entries, world, noise)
     entries[SHARED] = world.state.finger_velocities.sum()
@@ -44,7 +44,7 @@ def feel(world: World, noise: Noise | None = None) -> Float[np.ndarray, "33"]:
 
 
 def write_robot(entries: Float[np.ndarray, "n"], world: World, noise: Noise | None) -> None:
-    """Write the first 32 entries of a state, not clipped."""
+    """Write the first 32 entries of a state, unclipped."""
     state = world.state
     joints, tool, hand = state.joints, world.to_base(state.tool), world.hand
     if noise is not None:

@@ -1,7 +1,8 @@
-"""Where things stand, and which of them are present.
+"""Positions of objects, and removal of distractors.
 
-Things that carry or touch one another, a bowl and its fruit, a book and what leans on it, are one
-*bundle*: they are moved and taken away together, so that nothing loses its support.
+Objects that carry or touch each other, such as a bowl and its fruit, or a book and an object that
+leans on it, form a *bundle*: they are moved and removed together, so that no object loses its
+support.
 """
 
 from __future__ import annotations
@@ -23,19 +24,19 @@ if TYPE_CHECKING:
     from .settings import Randomization
 
 OVERLAP = 5e-4
-"""Deepest overlap of two things, metres, as for the scenes themselves."""
+"""Maximum overlap of two objects, metres, as in generated scenes."""
 
 DRIFT, TILT = 2e-3, np.deg2rad(2.0)
-"""Largest move (metres) and turn (radians) of a thing that rests."""
+"""Maximum motion of an object at rest, metres and radians."""
 
-_SETTLING = 100  # simulation steps for which a new arrangement has to rest
-_DEPTH = 10.0  # how far below the floor things are parked, metres
+_SETTLING = 100  # simulation steps for which a new arrangement must stay at rest
+_DEPTH = 10.0  # depth below the floor of removed objects, metres
 
 
 def bundles(world: World) -> dict[str, str]:
-    """Return for each object the first of its bundle that stands on the table.
+    """Return for each object the first object of its bundle that stands on the table.
 
-    The world is at its start: who touches whom there counts.
+    The world must be at its start; the contacts there define the bundles.
     """
     first = {name: name for name in world.names}
     stands = [o.name for o in world.scene.objects if o.placement.on not in first]
@@ -68,9 +69,9 @@ def draw_poses(
 
 
 def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
-    """Rearrange the world's scene; return those of ``drawn`` that had to stay where they were.
+    """Rearrange the world's scene; return the entries of ``drawn`` that had to stay in place.
 
-    The world is at its start, and is left there.
+    The world must be at its start, and is at its new start afterwards.
     """
     before, root = world.scene, bundles(world)
     moves = dict(drawn)
@@ -104,7 +105,7 @@ def move(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]
 def _find_misplaced(
     world: World, before: Scene, root: Mapping[str, str], movers: set[str]
 ) -> set[str]:
-    """Return which of the ``movers`` have to stay: over the edge, overlapping, not at rest."""
+    """Return the ``movers`` that must stay: those over the edge, overlapping, or not at rest."""
     import mujoco
 
     if over := {root[n] for n in world.names if _over_the_edge(world.scene, before, n)}:
@@ -120,14 +121,14 @@ def _find_misplaced(
 
 
 def _over_the_edge(scene: Scene, before: Scene, name: str) -> bool:
-    """Return whether a thing reaches farther over the table's edge than it did, if at all."""
+    """Return whether an object projects farther over the table's edge than before, if at all."""
     outline = scene.table.outline
     now, then = (inside_margin(footprint(s.object(name)), outline).min() for s in (scene, before))
     return bool(now < min(then, 0.0))
 
 
 def _overlapping(world: World, root: Mapping[str, str], movers: set[str]) -> set[str]:
-    """Return the movers that touch the robot or reach into another bundle."""
+    """Return the movers that touch the robot or overlap another bundle."""
     owner = {int(body): name for body, name in zip(world.bodies, world.names, strict=True)}
     robot, contact = set(world.robot_bodies.tolist()), world.data.contact
     bad: set[str] = set()
@@ -150,7 +151,7 @@ def _poses(world: World) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k
 def _restless(
     world: World, start: tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3 3"]]
 ) -> list[str]:
-    """Return the objects that have left the poses they had at the ``start``."""
+    """Return the objects that have moved from their poses at ``start``."""
     position, rotation = _poses(world)
     drift = np.linalg.norm(position - start[0], axis=1)
     cosine = (np.einsum("kij,kij->k", rotation, start[1]) - 1) / 2
@@ -164,7 +165,7 @@ def _restless(
 def draw_distractors(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, Any]:
-    """Draw how many objects may stay beside those of the task, and in which order others go."""
+    """Draw how many objects may stay beside those of the task, and the order of removal."""
     low, high = settings.distractors or (0, 0)
     order = [world.names[k] for k in rng.permutation(len(world.names))]
     return {"most": int(rng.integers(low, high + 1)), "order": order}
@@ -173,9 +174,9 @@ def draw_distractors(
 def leaving(
     root: Mapping[str, str], keep: Collection[str], most: int, order: Iterable[str]
 ) -> tuple[str, ...]:
-    """Return which objects go, in ``order``, so that at most ``most`` stay beside those needed.
+    """Return the objects to remove, in ``order``, so that at most ``most`` others stay.
 
-    Needed are those in ``keep`` with their bundles (``root``). Others go with their whole bundle.
+    The objects in ``keep`` stay with their bundles (``root``). Others are removed as whole bundles.
     """
     needed = {root[name] for name in keep}
     loose = [name for name in root if root[name] not in needed]
@@ -189,7 +190,7 @@ def leaving(
 
 
 def take_away(world: World, names: Collection[str]) -> None:
-    """Park objects under the floor, where they touch nothing, weigh nothing and have no slot."""
+    """Move objects below the floor, without contacts, weight or slot."""
     import mujoco
 
     model, data = world.model, world.data

@@ -1,4 +1,4 @@
-"""Masses, friction, servos and the table's height. ``draw_…`` draws, ``apply_…`` writes."""
+"""Masses, friction, servo gains and table height: ``draw_…`` samples, ``apply_…`` writes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _factors(span: Range, count: int, rng: np.random.Generator) -> Float[np.ndar
 
 
 def draw_mass(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the factor of each object's mass; what the hand can carry stays light enough."""
+    """Draw the factor of each object's mass; objects that the hand can carry stay light enough."""
     factors = _factors(settings.mass, len(world.names), rng)
     mass = world.model.body_mass[world.bodies]
     factors = np.where(mass <= MAX_MASS, np.minimum(factors, MAX_MASS / mass), factors)
@@ -35,7 +35,7 @@ def draw_mass(settings: Randomization, world: World, rng: np.random.Generator) -
 
 
 def apply_mass(world: World, drawn: dict[str, Any]) -> None:
-    """Scale masses and inertias; the caller updates what MuJoCo derives from them."""
+    """Scale masses and inertias; the caller updates MuJoCo's derived constants."""
     factors = np.array([drawn[name] for name in world.names])
     world.model.body_mass[world.bodies] *= factors
     world.model.body_inertia[world.bodies] *= factors[:, None]
@@ -77,13 +77,13 @@ def apply_gains(world: World, drawn: dict[str, Any]) -> None:
 
 
 def draw_table(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw how much higher the table is, metres."""
+    """Draw the increase of the table's height, metres."""
     del world
     return {"height": settings.table_height * float(rng.uniform(-1, 1))}
 
 
 def apply_table(world: World, drawn: dict[str, Any]) -> None:
-    """Lower the base, its pedestal and the cameras that stand in the room."""
+    """Lower the base, its pedestal and the fixed cameras."""
     model, down = world.model, np.array([0.0, 0.0, -drawn["height"]])
     model.body_pos[model.body(_BASE).id] += down
     for name in (FRONT_CAMERA, TOP_CAMERA):

@@ -1,4 +1,4 @@
-"""Whether an episode can be played from its start: the things to move can be moved."""
+"""Feasibility of an episode from its start: targets must be reachable and movable."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Feasible:
-    """Requirements on a start, built at the start of a scene and checked once things are moved."""
+    """Requirements on a start, built at the original start and checked after objects are moved."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._world = world
@@ -36,10 +36,10 @@ class Feasible:
         )
 
     def now(self) -> bool:
-        """Return whether the goals can be reached from where things are now.
+        """Return whether the goals can be reached from the current arrangement.
 
-        Nothing touches the robot, what is to be pushed has a stroke, and what had a reachable grasp
-        still has one.
+        No object may touch the robot, targets to push need a stroke, and targets that had a
+        reachable grasp must still have one.
         """
         world = self._world
         return (
@@ -50,13 +50,13 @@ class Feasible:
 
 
 def touches_robot(world: World) -> bool:
-    """Return whether a thing touches the robot."""
+    """Return whether an object touches the robot."""
     return any(world.touches(name)[2] for name in world.names)
 
 
 @dataclass(frozen=True, eq=False)
 class _Taken:
-    """A thing to take, with a grasp of it at a place (metres) and rotation, world frame."""
+    """An object to grasp, with a grasp at a position (metres) and rotation, world frame."""
 
     name: str
     plan: GraspPlan
@@ -64,7 +64,7 @@ class _Taken:
     rotation: Float[np.ndarray, "3 3"]
 
     def has_grasp(self, world: World) -> bool:
-        """Return whether the arm reaches this grasp where the thing is now, or another."""
+        """Return whether the arm reaches this or another grasp at the object's current pose."""
         turned = world.rotation(self.name) @ self.rotation.T
         point = world.position(self.name) + turned @ (self.plan.grasp.point - self.position)
         turn = rotation_yaw(turned)

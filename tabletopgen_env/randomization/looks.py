@@ -1,4 +1,4 @@
-"""Lights, cameras and colours. ``draw_…`` draws, ``apply_…`` writes to the model."""
+"""Lights, cameras and colours: ``draw_…`` samples, ``apply_…`` writes to the model."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def draw_lights(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the turn of the suns' direction, the factors of their colour and of the room's light."""
+    """Draw the rotation of the suns, and the factors of their colour and the ambient light."""
     del world
     turn, color, share = rng.uniform(-1, 1, 3), rng.uniform(-1, 1, 3), rng.random()
     low, high = settings.ambient
@@ -31,7 +31,7 @@ def draw_lights(settings: Randomization, world: World, rng: np.random.Generator)
 
 
 def apply_lights(world: World, drawn: dict[str, Any]) -> None:
-    """Turn and colour the suns, brighten the room's light; then expose as a camera does."""
+    """Rotate and tint the suns, scale the ambient light, and then adapt the exposure."""
     model, head = world.model, world.model.vis.headlight
     model.light_dir[:] = Rotation.from_rotvec(drawn["turn"]).apply(model.light_dir)
     model.light_diffuse[:] *= drawn["color"]
@@ -43,7 +43,7 @@ def apply_lights(world: World, drawn: dict[str, Any]) -> None:
 
 
 def draw_cameras(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the move, the turn and the factor of the field of view of each camera."""
+    """Draw the move, rotation and field-of-view factor of each camera."""
     del world
     drawn = {}
     for name in CAMERAS:
@@ -57,7 +57,7 @@ def draw_cameras(settings: Randomization, world: World, rng: np.random.Generator
 
 
 def apply_cameras(world: World, drawn: dict[str, Any]) -> None:
-    """Move cameras in the frame of what they are fixed to, turn them in their own."""
+    """Move cameras in the frame of their parent body, and rotate them in their own."""
     for name, change in drawn.items():
         camera = world.model.camera(CAMERAS[name])
         camera.pos[:] += change["move"]
@@ -68,15 +68,15 @@ def apply_cameras(world: World, drawn: dict[str, Any]) -> None:
 def _turn(
     quaternion: Float[np.ndarray, "4"], turn: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "4"]:
-    """Return a wxyz quaternion turned by a rotation vector in its own frame."""
+    """Return a wxyz quaternion rotated by a rotation vector in its own frame."""
     old = Rotation.from_quat(np.roll(quaternion, -1))
     return np.roll((old * Rotation.from_rotvec(turn)).as_quat(), 1)
 
 
 def draw_colors(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the factors of red, green and blue of each object and of the table.
+    """Draw the red, green and blue factors of each object and of the table.
 
-    Objects that share a material share the first one's factors.
+    Objects with a common material share the factors of the first one.
     """
     tints = (1 - settings.tint * rng.random((len(world.names) + 1, 3))).tolist()
     seen: dict[int, Any] = {}

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 _ARRAYS = (
     # looks
     "light_dir", "light_diffuse", "cam_pos", "cam_quat", "cam_fovy", "mat_rgba",
-    # masses, and what mj_setConst makes of them and of poses
+    # masses, and values that mj_setConst derives from them and from poses
     "body_mass", "body_inertia", "body_subtreemass", "body_invweight0", "dof_invweight0",
     "dof_M0", "dof_length", "tendon_invweight0", "actuator_acc0",
     "cam_poscom0", "cam_pos0", "cam_mat0", "light_poscom0", "light_pos0", "light_dir0",
@@ -26,7 +26,7 @@ _ARRAYS = (
     "geom_friction", "actuator_gainprm", "actuator_biasprm",
     # the base and its pedestal
     "body_pos", "geom_pos", "geom_size", "geom_aabb", "geom_rbound", "bvh_aabb",
-    # what is taken away
+    # removed objects
     "geom_contype", "geom_conaffinity", "body_gravcomp",
 )  # fmt: skip
 _HEADLIGHT = ("ambient", "diffuse")
@@ -34,7 +34,7 @@ _HEADLIGHT = ("ambient", "diffuse")
 
 @dataclass(frozen=True, eq=False)
 class Originals:
-    """Everything in a world that randomisation may change."""
+    """The parts of a world that randomisation may change."""
 
     arrays: Mapping[str, Shaped[np.ndarray, "..."]]
     headlight: Mapping[str, Shaped[np.ndarray, "3"]]
@@ -43,7 +43,7 @@ class Originals:
 
     @classmethod
     def of(cls, world: World) -> Originals:
-        """Return copies of what ``world`` holds now."""
+        """Return copies of the current values in ``world``."""
         model, light = world.model, world.model.vis.headlight
         return cls(
             {name: getattr(model, name).copy() for name in _ARRAYS},
@@ -53,7 +53,7 @@ class Originals:
         )
 
     def restore(self, world: World) -> None:
-        """Restore the world it was copied from, bit for bit."""
+        """Restore the original values of the world, bit for bit."""
         model = world.model
         for name, array in self.arrays.items():
             getattr(model, name)[:] = array

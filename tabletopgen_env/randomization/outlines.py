@@ -1,4 +1,4 @@
-"""Convex outlines on the table, seen from above: moves and distances."""
+"""Convex outlines on the table, seen from above: motion and distances."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Outline = Float[np.ndarray, "_ 2"]
 Outlines = Float[np.ndarray, "c k 2"]
 Point = Float[np.ndarray, "2"]
 Moves = Float[np.ndarray, "c 3"]
-"""x and y, metres, and turn, radians."""
+"""Translation along x and y, metres, and rotation, radians."""
 
 
 def hull(outlines: Sequence[Outline]) -> Outline:
@@ -24,7 +24,7 @@ def hull(outlines: Sequence[Outline]) -> Outline:
 
 
 def carry(outline: Outline, centre: Point, moves: Moves) -> Outlines:
-    """Return an outline turned about ``centre`` and moved, for each of the moves."""
+    """Return an outline rotated about ``centre`` and translated, for each of the moves."""
     c, s = np.cos(moves[:, 2, None]), np.sin(moves[:, 2, None])
     x, y = (outline - centre).T
     turned = np.stack([c * x - s * y, s * x + c * y], -1)
@@ -36,7 +36,7 @@ def keeps(
 ) -> Bool[np.ndarray, "c"]:
     """Return which outlines stay ``room`` away from another, or as far as ``was`` from ``others``.
 
-    ``was`` and ``others`` are the same two outlines as the scene has them.
+    ``was`` and ``others`` are the original outlines of the two in the scene.
     """
     if not near(own, other, room):
         return np.ones(len(own), bool)
@@ -47,15 +47,15 @@ def keeps(
 
 
 def near(own: Outlines, other: Outline, room: float) -> bool:
-    """Return whether the boxes around outlines come within ``room`` of the box of another."""
+    """Return whether the bounding boxes of outlines come within ``room`` of that of another."""
     low, high = own.min((0, 1)) - room, own.max((0, 1)) + room
     return bool((low <= other.max(0)).all() and (high >= other.min(0)).all())
 
 
 def apart(own: Outlines, other: Float[np.ndarray, "m 2"]) -> Float[np.ndarray, "c"]:
-    """Return how far each convex outline is from another (or from a point), negative if they meet.
+    """Return the distance of each convex outline from another or a point, negative on overlap.
 
-    Along the best of their edges' normals, which is never more than the true distance.
+    The result is the largest separation along an edge normal, a lower bound of the distance.
     """
     normals = _normals(own)
     ahead = np.einsum("cki,mi->ckm", normals, other) - (normals * own).sum(-1)[..., None]
@@ -68,7 +68,7 @@ def apart(own: Outlines, other: Float[np.ndarray, "m 2"]) -> Float[np.ndarray, "
 
 
 def _normals(outlines: Outlines) -> Outlines:
-    """Return the outward normals of counter-clockwise outlines' edges."""
+    """Return the outward edge normals of counter-clockwise outlines."""
     edges = np.roll(outlines, -1, axis=1) - outlines
     normals = np.stack([edges[..., 1], -edges[..., 0]], -1)
     return normals / np.linalg.norm(normals, axis=-1, keepdims=True)

@@ -1,4 +1,4 @@
-"""Randomises worlds at reset, and readings and actions at each step."""
+"""Randomisation of worlds at each reset, and of readings and actions at each step."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ _MODEL: Mapping[str, tuple[Draw, Apply]] = MappingProxyType(
         "gains": (dynamics.draw_gains, dynamics.apply_gains),
         "table": (dynamics.draw_table, dynamics.apply_table),
     }
-)  # what a switch draws for a world, and how that is written to it
+)  # functions of a switch: draw values for a world, and write them to it
 
 
 class Randomizer:
-    """Applies a ``Randomization``, or the preset of a name, to one environment's worlds by episode.
+    """Applies a ``Randomization`` or a named preset to the worlds of one environment.
 
-    Each episode calls ``restart``, ``begin`` with each world that is tried (in place of
-    ``World.reset``), and ``finish`` once the task is drawn. A copy starts without worlds.
+    Each episode calls ``restart``, ``begin`` for each world that is tried (instead of
+    ``World.reset``), and ``finish`` after the task is drawn. A copy starts without worlds.
     """
 
     def __init__(self, choice: Randomization | str | None) -> None:
@@ -59,21 +59,21 @@ class Randomizer:
 
     @property
     def drawn(self) -> dict[str, Any]:
-        """What was drawn for this episode, by switch; plain numbers, lists and dicts."""
+        """The draws of this episode by switch, as plain numbers, lists and dicts."""
         return self._drawn
 
     @property
     def rearranged(self) -> bool:
-        """Whether things stand elsewhere in this episode than the scene has them."""
+        """Whether objects are displaced from their original poses in this episode."""
         return bool(self._drawn.get("poses", {}).get("moved"))
 
     def restart(self, rng: np.random.Generator) -> None:
-        """Derive a new random stream from ``rng`` without changing its own draws."""
+        """Derive a new random stream from ``rng`` without advancing it."""
         if self._on:
             self._seed = int(rng.spawn(1)[0].integers(2**63))
 
     def begin(self, world: World) -> None:
-        """Undo what the world's last episode changed, draw again, and reset the world."""
+        """Revert the previous randomisation of a world, draw a new one, and reset the world."""
         import mujoco
 
         self._drawn, self._late = {}, deque()
@@ -89,7 +89,7 @@ class Randomizer:
             if switch in self._on:
                 self._drawn[switch] = draw(self.settings, world, self._stream(switch))
                 apply(world, self._drawn[switch])
-        mujoco.mj_setConst(world.model, world.data)  # what follows from masses and poses
+        mujoco.mj_setConst(world.model, world.data)  # values derived from masses and poses
         if "delay" in self._on:
             self._delay = int(self._stream("delay").integers(self.settings.delay + 1))
             self._drawn["delay"] = {"steps": self._delay}
@@ -105,7 +105,7 @@ class Randomizer:
         self.__dict__.update(state, _originals=WeakKeyDictionary())
 
     def finish(self, world: World, episode: Episode) -> Episode:
-        """Perturb the start, remove objects not needed; return the episode as it begins there."""
+        """Perturb the start and remove distractors; return the episode adapted to the new start."""
         if "start" in self._on:
             self._drawn["start"] = start.start_off(
                 world, episode.goals, self.settings, self._stream("start")
@@ -120,12 +120,12 @@ class Randomizer:
         return episode
 
     def restore(self, world: World) -> None:
-        """Put a world's model back as it was compiled; ``World.reset`` then starts it."""
+        """Restore the compiled model of a world; ``World.reset`` then restores its state."""
         if world in self._originals:
             self._originals[world].restore(world)
 
     def delay(self, action: Float[np.ndarray, "a"]) -> Float[np.ndarray, "a"] | None:
-        """Return the delayed action for ``action``; None until the delay has elapsed."""
+        """Return the delayed action for ``action``, or None until the delay has elapsed."""
         if "delay" not in self._on:
             return action
         self._late.append(action)
@@ -143,7 +143,7 @@ class Randomizer:
         )
 
     def _pose(self, world: World) -> None:
-        """Rearrange the world's objects as far as they then rest."""
+        """Displace the world's objects as far as they remain at rest."""
         world.reset()
         drawn = arrangement.draw_poses(self.settings, world, self._stream("poses"))
         stayed = arrangement.apply_poses(world, drawn)
@@ -151,5 +151,5 @@ class Randomizer:
         self._drawn["poses"] = {"moved": moved, "stayed": stayed}
 
     def _stream(self, switch: str) -> np.random.Generator:
-        """Return the random stream of a switch in this episode."""
+        """Return the random stream of a switch for this episode."""
         return np.random.default_rng([self._seed, zlib.crc32(switch.encode())])

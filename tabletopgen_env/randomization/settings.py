@@ -1,4 +1,4 @@
-"""What is randomised and how far; see the package's table."""
+"""Settings of the randomisation; see the table in the package docstring."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import numpy as np
 from generator.errors import InputError, choices, require
 
 Range = tuple[float, float]
-"""Lowest and highest factor; (1, 1) changes nothing."""
+"""Lower and upper bound of a factor; (1, 1) disables it."""
 
 SWITCHES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -30,49 +30,49 @@ SWITCHES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "start": ("start_joints", "start_move", "start_turn"),
     }
 )
-"""The settings of each switch; a switch is off while all of them have their defaults."""
+"""The settings of each switch; a switch is off if all of them have their defaults."""
 
 _RANGES = ("ambient", "mass", "friction", "stiffness", "damping")
 _LATEST = 100
 
 
 def _up_to(most: float) -> Any:
-    """Return a setting that is 0, and may be up to ``most``."""
+    """Return a field with default 0 and maximum ``most``."""
     return field(default=0.0, metadata={"most": most})
 
 
 @dataclass(frozen=True)
 class Randomization:
-    """Ranges of the randomisation; by default nothing is randomised. Draws are uniform.
+    """Ranges of the randomisation, all off by default. Draws are uniform.
 
     Args:
-        light_turn: largest turn of the sun's direction about each axis, radians, to pi/2.
-        light_color: the sun's red, green and blue vary by up to this share, to 1.
-        ambient: factor of the room's light.
-        camera_move: largest move of each camera along each axis, metres, to 1.
-        camera_turn: largest turn of each camera about each axis, radians, to pi/4.
-        camera_fov: fields of view vary by up to this share, to 0.5.
-        tint: red, green and blue are darkened by up to this share, to 1.
+        light_turn: maximum rotation of the sun's direction about each axis, radians, up to pi/2.
+        light_color: maximum relative change of the sun's red, green and blue, up to 1.
+        ambient: factor of the ambient light.
+        camera_move: maximum move of each camera along each axis, metres, up to 1.
+        camera_turn: maximum rotation of each camera about each axis, radians, up to pi/4.
+        camera_fov: maximum relative change of fields of view, up to 0.5.
+        tint: maximum relative darkening of red, green and blue, up to 1.
         mass: factor of masses.
         friction: factor of sliding friction.
         stiffness: factor of the servos' stiffness.
         damping: factor of the servos' damping.
-        delay: most steps by which actions are late, to 100.
-        joint_noise: standard deviation of joint readings, radians, to 1.
-        position_noise: standard deviation of object places along each axis, metres, to 1.
-        rotation_noise: standard deviation of object rotations about each axis, radians, to 1.
-        move: largest move of objects along x and y, metres, to 0.2.
-        turn: largest turn of objects about the vertical, radians, to pi.
-        table_height: largest change of the table's height, metres, to 0.08.
-        distractors: fewest and most objects beside those of the task; None leaves all.
-        start_joints: by how much each of the arm's joints is off at most, radians, to 0.1.
-        start_move: the same of the places of things along x and y, as far as there is room, metres,
-            to 0.2.
-        start_turn: the same of their turn about the vertical, radians, to pi.
+        delay: maximum delay of actions, steps, up to 100.
+        joint_noise: standard deviation of joint readings, radians, up to 1.
+        position_noise: standard deviation of object positions along each axis, metres, up to 1.
+        rotation_noise: standard deviation of object rotations about each axis, radians, up to 1.
+        move: maximum move of objects along x and y, metres, up to 0.2.
+        turn: maximum rotation of objects about the vertical, radians, up to pi.
+        table_height: maximum change of the table's height, metres, up to 0.08.
+        distractors: minimum and maximum number of objects beside those of the task; None keeps all.
+        start_joints: maximum offset of each arm joint, radians, up to 0.1.
+        start_move: maximum move of objects along x and y at the start, as far as there is room,
+            metres, up to 0.2.
+        start_turn: maximum rotation of objects about the vertical at the start, radians, up to pi.
 
     Raises:
-        InputError: an unknown setting, a value that is negative, above its limit or no number, a
-            factor of zero, a range whose low end is above its high end.
+        InputError: a setting is unknown; a value is not a number, negative or above its limit; a
+            factor is zero; or a range is reversed.
     """
 
     light_turn: float = _up_to(np.pi / 2)
@@ -99,12 +99,12 @@ class Randomization:
     start_turn: float = _up_to(np.pi)
 
     def __new__(cls, *given: Any, **settings: Any) -> Randomization:
-        """Refuse unknown settings; the message lists the known ones."""
+        """Reject unknown settings with a message that lists the known ones."""
         known = [setting.name for setting in fields(cls)]
         for name in settings:
             if name in SWITCHES and name not in known:
                 own = " and ".join(SWITCHES[name])
-                raise InputError(f"Randomization: the switch {name!r} is turned on by {own}.")
+                raise InputError(f"Randomization: set {own} to turn on the switch {name!r}.")
             if name not in known:
                 raise InputError(f"Randomization has no setting {name!r}." + choices(name, known))
         return super().__new__(cls)
@@ -123,15 +123,15 @@ class Randomization:
                     f"0 < low <= high, got {(low, high)}."
                 )
         if self.distractors is not None:
-            low, high = pair = self._pair("distractors", "two whole numbers (fewest, most)")
+            low, high = pair = self._pair("distractors", "two whole numbers (min, max)")
             if not (all(_number(count, int, np.integer) for count in pair) and 0 <= low <= high):
                 raise InputError(
-                    "Randomization.distractors must be two whole numbers (fewest, most) with "
-                    f"0 <= fewest <= most, got {(low, high)}."
+                    "Randomization.distractors must be two whole numbers (min, max) with "
+                    f"0 <= min <= max, got {(low, high)}."
                 )
 
     def _pair(self, name: str, wanted: str) -> tuple[Any, Any]:
-        """Return a setting as a pair, and keep it as a tuple."""
+        """Set a setting to a tuple of its two values, and return them."""
         value = getattr(self, name)
         if isinstance(value, str | Mapping) or not hasattr(value, "__len__") or len(value) != 2:
             raise InputError(f"Randomization.{name} must be {wanted}, got {value!r}.")
@@ -139,13 +139,13 @@ class Randomization:
         return getattr(self, name)
 
     def is_on(self, switch: str) -> bool:
-        """Return whether a switch of ``SWITCHES`` changes anything."""
+        """Return whether a switch of ``SWITCHES`` has any effect."""
         usual = {setting.name: setting.default for setting in fields(self)}
         return any(getattr(self, name) != usual[name] for name in SWITCHES[switch])
 
 
 def _number(value: Any, *kinds: type) -> bool:
-    """Return whether a value is finite and of such a kind."""
+    """Return whether a value is finite and of one of the given types."""
     return isinstance(value, kinds) and not isinstance(value, bool) and bool(abs(value) < np.inf)
 
 
@@ -171,15 +171,16 @@ PRESETS: Mapping[str, Randomization] = MappingProxyType(
         ),
     }
 )  # fmt: skip
-"""Settings by name: nothing, where a text is wanted (recipes); starts alone, as certificates are
-made with; a little of everything but delays and missing objects; much of everything."""
+"""Presets by name: "none" for settings that require a string (recipes); "starts", as for
+certificates; "light" for small variations of everything but delays and distractors; "strong" for
+large ones."""
 
 
 def resolve(choice: Randomization | str | None) -> Randomization:
-    """Return the settings that a user may name or pass; None is no randomisation.
+    """Return the settings for a preset's name or a ``Randomization``; None for no randomisation.
 
     Raises:
-        InputError: no preset of that name, or a value of another kind.
+        InputError: the preset is unknown, or the value has another type.
     """
     if choice is None:
         return Randomization()

@@ -1,20 +1,20 @@
-"""Starts that are a little off: the arm's joints, and where things stand.
+"""Perturbed starts: offsets of the arm's joints and of object poses.
 
-Things are displaced once the goal is drawn, about the table, by a move along x and y and a yaw.
-What a thing carries, touches or stands against goes with it, as one *bundle*. Each bundle takes the
-first of ``len(_SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
+Objects are displaced after the goal is drawn, by a move along x and y and a yaw. An object and
+everything that it carries or touches move together, as a *bundle*. Each bundle takes the first of
+``len(_SHARES)`` draws, of decreasing size, that satisfies these conditions:
 
-- nothing comes nearer than ``ROOM`` to anything, than ``HAND_ROOM`` to what the goals are about
-  (than ``PALM_ROOM`` if it rises into the way of the palm), than ``EDGE`` to the table's edge or
-  than ``CLEARANCE`` to the robot's base, or than it was if that is less;
-- what the arm reaches it still does, and nothing tall comes between it and what the goals are
-  about;
-- marked spots, the ways of pushes, and the room at a place where a thing is to go stay free.
+- objects keep a distance of ``ROOM`` from each other, of ``HAND_ROOM`` from objects of the goals
+  (``PALM_ROOM`` if they are tall enough to obstruct the palm), of ``EDGE`` from the table's edge
+  and of ``CLEARANCE`` from the robot's base, or their original distance if that is smaller;
+- objects within reach of the arm remain so, and no tall object moves between the arm and objects of
+  the goals;
+- marked spots, push paths, and the destinations of objects remain free.
 
-With no such draw it stays. Where the expert then finds no stroke for what is to be pushed, or no
-grasp that the arm reaches of what is to be taken (``feasible``), ``_LESS`` of all draws is tried,
-then none. What rests on the flat top stays at rest, so nothing is simulated. Goals that say where a
-thing stood follow it (``goals.goal.begun``), marked spots stay.
+Without such a draw the bundle stays in place. If the expert then finds no stroke for a target to
+push, or no reachable grasp of a target to lift (``feasible``), all draws are scaled by ``_LESS``,
+and then by zero. Objects on the flat top stay at rest, so no simulation is needed. Goals that refer
+to an object's start position follow it (``goals.goal.begin_goals``); marked spots are fixed.
 """
 
 from __future__ import annotations
@@ -42,25 +42,27 @@ if TYPE_CHECKING:
     from .settings import Randomization
 
 ROOM, HAND_ROOM, PALM_ROOM, EDGE = 0.01, 0.04, 0.08, 0.01
-"""Least room between things, about those of the goals, and to the table's edge, metres."""
+"""Minimum distance between objects, around objects of the goals, and to the table's edge,
+metres."""
 
-_SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])  # of move and turn, by draw
-_LESS = 0.3  # share of all draws where they leave no way to push or take what is asked for
-_TOGETHER = 0.002  # things nearer to each other are moved together, metres
-_PALM_Z = 0.045  # metres above the table at which the palm is when flat things are taken
-_BESIDE = 0.1  # metres about a point in the air, and behind what is pushed, kept for the hand
+_SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])  # scales of the draws
+_LESS = 0.3  # scale of all draws if the full ones make a target infeasible
+_TOGETHER = 0.002  # objects closer than this are moved together, metres
+_PALM_Z = 0.045  # height of the palm above the table when it grasps flat objects, metres
+_BESIDE = 0.1  # radius kept free around a point in the air, and behind a target to push, metres
 _CIRCLE = np.column_stack([f(np.arange(12) * np.pi / 6) for f in (np.cos, np.sin)])
-_CIRCLE /= np.cos(np.pi / 12)  # around the circle, not in it
+_CIRCLE /= np.cos(np.pi / 12)  # circumscribed about the circle
 
 
 def start_off(
     world: World, goals: Sequence[Goal], settings: Randomization, rng: np.random.Generator
 ) -> dict[str, Any]:
-    """Put the arm and the things at an episode's start a little off; return by how much.
+    """Perturb the arm's joints and the objects at the start of an episode; return the offsets.
 
-    The world, at its start, is left at the new one. ``rng`` draws as much for every world of as
-    many things. Returned are "joints", the seven angles added to the arm's, rad (zeros if the arm
-    would touch something), and "moved", each displaced bundle's move (x, y, metres) and turn (rad).
+    The world must be at its start, and is at the new one afterwards. The number of draws from
+    ``rng`` depends only on the number of objects. The result holds "joints", the seven offsets of
+    the arm's joints, rad (zeros if the arm would touch something), and "moved", the move (x, y,
+    metres) and rotation (rad) of each displaced bundle.
     """
     joints = rng.uniform(-settings.start_joints, settings.start_joints, 7)
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])
@@ -91,21 +93,21 @@ def start_off(
 
 @dataclass(frozen=True, eq=False)
 class _Zone:
-    """An outline on the table to be kept free of all bundles but ``of``; moves with ``carrier``."""
+    """An outline to be kept free of all bundles but ``of``; it moves with ``carrier``."""
 
     outline: Outline
     of: tuple[str, ...]
     carrier: str | None = None
 
     def carry(self, first: str, centre: Point, move: Float[np.ndarray, "3"]) -> _Zone:
-        """Return the zone once a bundle is moved (x, y) and turned about its centre."""
+        """Return the zone after a bundle is moved (x, y) and rotated about its centre."""
         if first != self.carrier:
             return self
         return replace(self, outline=carry(self.outline, centre, move[None])[0])
 
 
 class _Tabletop:
-    """Bundles, by their first thing, that are displaced: in which ``order``, by what ``moves``."""
+    """Bundles to displace, by their first object: their ``order`` and accepted ``moves``."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._before = world.scene
@@ -121,7 +123,7 @@ class _Tabletop:
         self.order = [name for name in listed if self._free(name)]
 
     def displace(self, first: str, tries: Moves) -> None:
-        """Move a bundle by the first of ``tries`` that will do, if one does."""
+        """Move a bundle by the first valid one of ``tries``, if any."""
         centre = self._before.object(first).pose.position[:2]
         own = carry(self._outlines[first], centre, tries)
         good = self._on_table(first, own) & self._in_reach(first, tries)
@@ -135,23 +137,23 @@ class _Tabletop:
 
     @property
     def scene(self) -> Scene:
-        """The scene as its things stand now."""
+        """The scene with the current moves applied."""
         return move(self._before, self._root, self.moves)
 
     def _free(self, first: str) -> bool:
-        """Return whether a bundle stands on the table alone, wholly."""
+        """Return whether a bundle stands directly and entirely on the table."""
         on = self._before.object(first).placement.on == TABLE
         return on and bool(inside_margin(self._then[first], self._before.table.outline).min() >= 0)
 
     def _room(self, first: str, other: str) -> float:
-        """Return how far from one bundle another stays, for a hand that takes the one, metres."""
+        """Return the distance to keep from a bundle, including room for a hand, metres."""
         if first not in self._wanted:
             return ROOM
         below = max(self._tops[first], _PALM_Z)
         return PALM_ROOM if self._tops[other] > below else HAND_ROOM
 
     def _on_table(self, first: str, own: Outlines) -> Bool[np.ndarray, "c"]:
-        """Return which outlines keep off the table's edge and the robot's base."""
+        """Return which outlines keep their distance from the table's edge and the robot's base."""
         top, base = self._before.table.outline, self._world.base_position[None, :2]
         inner = inside_margin(own.reshape(-1, 2), top).reshape(own.shape[:2]).min(1)
         edge = min(EDGE, float(inside_margin(self._then[first], top).min()))
@@ -159,7 +161,7 @@ class _Tabletop:
         return (inner >= edge) & (apart(own, base) >= clear)
 
     def _in_reach(self, first: str, tries: Moves) -> Bool[np.ndarray, "c"]:
-        """Return which moves leave in the arm's reach what was."""
+        """Return which moves keep reachable objects within the arm's reach."""
         good = np.ones(len(tries), bool)
         centre = self._before.object(first).pose.position
         for thing in self._before.objects:
@@ -175,7 +177,7 @@ class _Tabletop:
     def _clear(
         self, first: str, own: Outlines, centre: Point, tries: Moves
     ) -> Bool[np.ndarray, "c"]:
-        """Return which outlines leave room to other bundles and to what is to stay free."""
+        """Return which outlines keep their distance from other bundles and from the zones."""
         good = np.ones(len(own), bool)
         for other, outline in self._outlines.items():
             if other != first:
@@ -192,7 +194,7 @@ class _Tabletop:
         return good
 
     def _in_the_way(self, moves: Mapping[str, list[float]]) -> bool:
-        """Return whether something tall comes into the arm's way to what the goals are about."""
+        """Return whether a tall object would obstruct the arm's way to an object of the goals."""
         before, mount = self._before, self._world.mount
         high = before.table.height + TALL
         if all(o.pose.position[2] + np.linalg.norm(o.scale) / 2 < high for o in before.objects):
@@ -205,7 +207,7 @@ class _Tabletop:
 
 
 def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
-    """Return how high each bundle, by its first thing, rises above the table, metres."""
+    """Return the height of each bundle above the table, by its first object, metres."""
     tops: dict[str, float] = {}
     for name, first in root.items():
         half = world.scene.object(name).scale / 2
@@ -215,7 +217,7 @@ def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
 
 
 def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
-    """Return the first thing of the bundle of each thing, and the bundles' convex outlines."""
+    """Return the first object of each object's bundle, and the bundles' convex outlines."""
     root = bundles(world)
     outlines = {
         first: hull([world.footprints[name] for name in world.names if root[name] == first])
@@ -229,7 +231,7 @@ def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
 
 
 def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
-    """Return the first two outlines that stand together, if any do."""
+    """Return the first two outlines that are closer than ``_TOGETHER``, if any."""
     for (one, a), (other, b) in itertools.combinations(outlines.items(), 2):
         if near(a[None], b, _TOGETHER) and apart(a[None], b)[0] < _TOGETHER:
             return one, other
@@ -237,7 +239,7 @@ def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
 
 
 def _zones(world: World, goals: Sequence[Goal], root: Mapping[str, str]) -> list[_Zone]:
-    """Return what goals need free: around marked spots, along pushes, where a thing stood."""
+    """Return the zones that goals need free: marked spots, push paths, and start positions."""
     zones = []
     for goal in goals:
         if goal.spot is None:

@@ -1,1 +1,1 @@
-"""Pictures of a world: cameras, renderers, point clouds, a window."""
+"""Rendering of a world: cameras, renderers, point clouds, and a window."""

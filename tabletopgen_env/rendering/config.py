@@ -1,4 +1,4 @@
-"""What an environment shows: its observation, and what ``render`` draws."""
+"""Settings of observations and of ``render``."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PRESETS: Mapping[str, Mapping[CameraName, tuple[int, int]]] = MappingProxyType({
     "maniskill": {"front": (128, 128), "wrist": (128, 128)},
     "droid": {"front": (180, 320), "side": (180, 320), "wrist": (180, 320)},
 })  # fmt: skip
-"""Cameras and sizes of pictures as in others' datasets; poses and lenses are our own."""
+"""Camera names and picture sizes of other datasets; poses and lenses are those of this project."""
 
 ObservationMode = Literal[
     "state", "goal", "pixels", "pixels+proprio", "pixels+state", "point_cloud", "point_cloud+state"
@@ -31,56 +31,55 @@ ObservationMode = Literal[
 MODES: tuple[ObservationMode, ...] = get_args(ObservationMode)
 
 InstructionKind = Literal["none", "text", "tokens", "embedding"]
-"""How an observation says what is to be done."""
+"""Forms of the instruction in an observation."""
 
 TargetMark = Literal["none", "overlay", "mask"]
-"""How pictures show which object is the target."""
+"""Ways to mark the target in pictures."""
 
 HintKind = Literal["planned", "detected"]
-"""Who says where to grasp and where to let go."""
+"""Sources of the grasp hint."""
 
 GeometryKind = Literal["none", "height_map"]
-"""How the shapes of what stands on the table are shown."""
+"""Representations of the objects' shapes."""
 
 RenderMode = Literal["rgb_array", "depth_array", "human"]
 RENDER_MODES: tuple[RenderMode, ...] = get_args(RenderMode)
 
 _CAMERAS: tuple[CameraName, ...] = get_args(CameraName)
 _SMALLEST, _USUAL, _LARGEST, _LARGEST_SHOWN = 8, 128, 2048, 4096  # pixels along a side
-_MOST_POINTS = 1 << 16
+_MAX_POINTS = 1 << 16
 
 
 @dataclass(frozen=True)
 class ObservationConfig:
-    """What a policy sees.
+    """Settings of the observation.
 
     Args:
         mode: "state", "goal", "pixels", "pixels+proprio", "pixels+state", "point_cloud" or
             "point_cloud+state"; see ``observations.modes``.
-        cameras: what pictures and point clouds are taken with: some of "front", "wrist", "top" and
-            "side"; or a preset of cameras and sizes, "maniskill" or "droid" (``PRESETS``).
-        kinds: what pixel observations hold of each: some of "rgb", "depth" and "segmentation".
+        cameras: cameras of pictures and point clouds, from "front", "wrist", "top" and "side"; or a
+            preset of cameras and sizes, "maniskill" or "droid" (``PRESETS``).
+        kinds: images per camera, from "rgb", "depth" and "segmentation".
         image_size: height and width of the pictures in pixels, or one number for both; or a mapping
-            with the size of each camera. None is the preset's, else 128.
-        points: points of a point cloud.
-        grasp_hint: whether the state ends with a grasp of the target, or its place: "planned" (or
-            True) by the expert's planners, "detected" by a network that sees height maps; see
-            ``observations.grasp_hint``. Not for "pixels" and "point_cloud" alone.
-        geometry: "height_map" for an entry with the heights of what stands around the target and
-            its goal (see ``observations.height_map``), which makes "state" a dict; "none" for
-            none. Not for "goal", whose goals hindsight replaces.
-        instruction: how a dict of pictures or points says what is to be done: as "text", "tokens"
-            or an "embedding" (``observations.instructions``), or not at all ("none"). None is
-            "text" with "pixels+proprio", else "none".
-        target_mark: how pictures show which object is the target: an "overlay" in the colours, a
-            "mask" as an entry of its own, or not at all ("none"); see ``views``.
-        calibration: whether there is an entry with each camera's calibration; see ``views``.
+            from camera to size. None means the preset's size, else 128.
+        points: number of points in a point cloud.
+        grasp_hint: appends a grasp of the target, or its place of release, to the state: "planned"
+            (or True) by the expert's planners, "detected" by a network from height maps; see
+            ``observations.grasp_hint``. Not available for "pixels" and "point_cloud" alone.
+        geometry: "height_map" adds height maps around the target and its goal (see
+            ``observations.height_map``), which makes "state" a dict; "none" adds nothing. Not
+            available for "goal", whose goals hindsight replay replaces.
+        instruction: form of the instruction in modes with pictures or points: "text", "tokens",
+            "embedding" (``observations.instructions``) or "none". None means "text" with
+            "pixels+proprio", else "none".
+        target_mark: mark of the target in pictures: an "overlay" on the colours, a "mask" as a
+            separate entry, or "none"; see ``views``.
+        calibration: whether to add an entry with each camera's calibration; see ``views``.
 
     Raises:
-        InputError: an unknown mode; an unknown or repeated camera or kind, or none at all; a size
-            out of range, or of a camera that is not chosen; a hint in a mode without the state; a
-            geometry that there is not, or with "goal" or "pixels+proprio"; an instruction, a mark
-            or a calibration that there is not, or in a mode that cannot show it.
+        InputError: a setting is unknown; a camera or kind is repeated, or none is given; a size is
+            out of range, or belongs to a camera that is not selected; or the mode does not support
+            the hint, geometry, instruction, mark or calibration.
     """
 
     mode: ObservationMode = "state"
@@ -100,85 +99,85 @@ class ObservationConfig:
         alike = len(set(sizes.values())) == 1
         object.__setattr__(self, "image_size", sizes[cameras[0]] if alike else sizes)
         object.__setattr__(self, "kinds", _some("kind", self.kinds, get_args(Kind)))
-        if not _is_whole(self.points, 1, _MOST_POINTS):
-            raise InputError(f"points must be between 1 and {_MOST_POINTS}, got {self.points!r}.")
+        if not _is_whole(self.points, 1, _MAX_POINTS):
+            raise InputError(f"points must be between 1 and {_MAX_POINTS}, got {self.points!r}.")
         _check_name("observation mode", self.mode, MODES)
         _check_name("geometry", self.geometry, get_args(GeometryKind))
         if self.looks and self.mode == "goal":
             raise InputError(
-                "geometry='height_map' shows what is around the goal, and hindsight replaces the "
-                "goals of 'goal'; use observation='state'."
+                "geometry='height_map' depends on the goal, which hindsight replay replaces in "
+                "'goal'; use observation='state'."
             )
         if self.looks and self.mode == "pixels+proprio":
             raise InputError(
-                "geometry='height_map' shows what no camera sees, and 'pixels+proprio' has nothing "
-                "of the kind; use 'pixels+state', or kinds with 'depth'."
+                "geometry='height_map' shows hidden surfaces, and 'pixels+proprio' has only "
+                "inputs of a real robot; use 'pixels+state', or kinds with 'depth'."
             )
         if self.grasp_hint and self.mode in ("pixels", "pixels+proprio", "point_cloud"):
             raise InputError(
-                f"The grasp hint is part of the state, and {self.mode!r} has none; use "
+                f"The grasp hint is part of the state, which {self.mode!r} does not have; use "
                 f"'{self.mode.partition('+')[0]}+state'."
             )
-        self._check_telling()
+        self._check_marks()
 
-    def _check_telling(self) -> None:
-        """Check how the task and its target are shown; settle what None stands for."""
+    def _check_marks(self) -> None:
+        """Validate instruction, mark and calibration; resolve None."""
         if self.instruction is None:
-            told: InstructionKind = "text" if self.mode == "pixels+proprio" else "none"
-            object.__setattr__(self, "instruction", told)
+            default: InstructionKind = "text" if self.mode == "pixels+proprio" else "none"
+            object.__setattr__(self, "instruction", default)
         _check_name("instruction", self.instruction, get_args(InstructionKind))
         _check_name("target_mark", self.target_mark, get_args(TargetMark))
         if self.instruction != "none" and self.is_flat:
             raise InputError(
-                f"instruction={self.instruction!r} is an entry of pictures and points, and "
-                f"{self.mode!r} is made of numbers alone; info['instruction'] has the text."
+                f"instruction={self.instruction!r} requires a mode with pictures or points, not "
+                f"{self.mode!r}; info['instruction'] has the text."
             )
         if self.target_mark != "none" and not self.mode.startswith("pixels"):
             raise InputError(
-                f"target_mark={self.target_mark!r} is drawn into pictures, and {self.mode!r} has "
-                "none; use a mode with pixels."
+                f"target_mark={self.target_mark!r} requires pictures, which {self.mode!r} does "
+                f"not have; use a mode with pixels."
             )
         if self.target_mark == "overlay" and "rgb" not in self.kinds:
-            raise InputError("target_mark='overlay' is drawn into the colours; add 'rgb' to kinds.")
+            raise InputError("target_mark='overlay' requires colour pictures; add 'rgb' to kinds.")
         if not isinstance(self.calibration, bool | np.bool_):
             raise InputError(f"calibration must be True or False, got {self.calibration!r}.")
         if self.calibration and not self.mode.startswith("pixels"):
             raise InputError(
-                f"calibration=True is of cameras, and {self.mode!r} has no pictures; use a mode "
-                "with pixels."
+                f"calibration=True requires pictures, which {self.mode!r} does not have; use a "
+                f"mode with pixels."
             )
 
     @property
     def looks(self) -> bool:
-        """Whether there are height maps."""
+        """Whether the observation has height maps."""
         return self.geometry != "none"
 
     @property
     def is_flat(self) -> bool:
-        """Whether there are neither pictures nor points."""
+        """Whether the observation has neither pictures nor points."""
         return self.mode in ("state", "goal")
 
     @cached_property
     def sizes(self) -> dict[CameraName, tuple[int, int]]:
-        """Height and width of the pictures of each camera, pixels."""
+        """Height and width of each camera's pictures, pixels."""
         return _read_cameras(self.cameras, self.image_size)[1]
 
     def key(self, camera: CameraName, kind: Kind) -> str:
-        """Return the key of what ``camera`` shows."""
+        """Return the observation key of an image of ``camera``."""
         return camera if kind == "rgb" else f"{camera}_{kind}"
 
 
 @dataclass(frozen=True)
 class RenderConfig:
-    """What ``render`` returns, and what draws all pictures, those of observations too.
+    """Settings of ``render``, and of the renderer of all pictures, including observations.
 
     Args:
         mode: None, "rgb_array", "depth_array" or "human".
-        size: (height, width) of what ``render`` returns, or one number for both.
+        size: (height, width) of the pictures of ``render``, or one number for both.
         renderer: "auto", "gl" or "software"; see ``rendering.drawer``.
 
     Raises:
-        InputError: an unknown mode or renderer, or a size out of range.
+        InputError: the mode or renderer is unknown, or the size is out of range.
     """
 
     mode: RenderMode | None = None
@@ -216,14 +215,15 @@ def _picture_size(name: str, size: int | tuple[int, int], maximum: int) -> tuple
 
 
 def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
-    """Return ``wanted`` as a tuple of known names."""
+    """Return ``wanted`` as a tuple of known names without repetition."""
     several = isinstance(wanted, Iterable) and not isinstance(wanted, str)
     names: tuple[Any, ...] = tuple(wanted) if several else (wanted,)
     for name in names:
         _check_name(what, name, known)
     if not names or len(set(names)) < len(names):
         raise InputError(
-            f"An observation needs one {what} or more, each once, got {names}." + choices("", known)
+            f"An observation needs at least one {what}, each at most once, got {names}."
+            + choices("", known)
         )
     return names
 
@@ -231,7 +231,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
 def _read_cameras(
     wanted: Any, size: Any
 ) -> tuple[tuple[CameraName, ...], dict[CameraName, tuple[int, int]]]:
-    """Return the cameras that are meant, and the size of each one's pictures, pixels."""
+    """Return the selected cameras, and the size of each one's pictures, pixels."""
     preset = PRESETS.get(wanted) if isinstance(wanted, str) else None
     names: Any = _some("camera", wanted if preset is None else tuple(preset), _CAMERAS)
     if isinstance(size, Mapping):
@@ -239,8 +239,8 @@ def _read_cameras(
             _check_name("camera", name, _CAMERAS)
         if set(size) != set(names):
             raise InputError(
-                f"image_size needs a size for each of the cameras, which are {', '.join(names)}; "
-                f"got {', '.join(map(str, size)) or 'none'}."
+                f"image_size needs a size for each of the cameras {', '.join(names)}, got "
+                f"{', '.join(map(str, size)) or 'none'}."
             )
         return names, {n: _picture_size("image_size", size[n], _LARGEST) for n in names}
     if size is None:
@@ -249,6 +249,6 @@ def _read_cameras(
 
 
 def _is_whole(value: Any, low: int, high: int) -> bool:
-    """Return whether ``value`` is an integer from ``low`` to ``high``."""
+    """Return whether ``value`` is an integer in [``low``, ``high``]."""
     whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
     return bool(whole and low <= value <= high)

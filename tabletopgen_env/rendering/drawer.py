@@ -1,13 +1,13 @@
-"""Pictures of a world: through OpenGL where there is any, in software everywhere.
+"""Pictures of a world, through OpenGL if available, otherwise in software.
 
 MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. Without any of them,
-``renderer="auto"`` draws with the project's own software renderer (slower, plainer, the same
-cameras), and ``renderer="gl"`` says what to install. A process that was forked after GL was used
-cannot use it, for a GL driver's threads are not forked: in it, "auto" draws in software, with a
-warning, and "gl" is an error.
+``renderer="auto"`` uses this project's software renderer (slower and plainer, with the same
+cameras), and ``renderer="gl"`` raises an error that names the packages to install. A process forked
+after GL was used cannot use GL itself, because a fork does not copy the driver's threads: there,
+"auto" draws in software with a warning, and "gl" raises an error.
 
-Two profiles: "fast", for learning, leaves out shadows, reflections and antialiasing; "full" is for
-people.
+There are two profiles: "fast", for learning, omits shadows, reflections and antialiasing; "full" is
+for people.
 """
 
 from __future__ import annotations
@@ -40,41 +40,41 @@ if TYPE_CHECKING:
 
 @dataclass
 class _GlUse:
-    """How this process uses GL."""
+    """Use of GL by this process."""
 
-    # GL bindings set themselves up on first use, one thread at a time.
+    # GL bindings initialise themselves on first use; allow one thread at a time.
     lock: threading.Lock = field(default_factory=threading.Lock)
-    process: int | None = None  # that used GL first: this one, or one it was forked from
+    process: int | None = None  # process that used GL first: this one, or one it was forked from
 
     def is_forked(self) -> bool:
-        """Tell whether this process was forked after GL was used."""
+        """Return whether this process was forked after GL was used."""
         return self.process not in (None, os.getpid())
 
 
 _GL_USE = _GlUse()
-_KEPT = 4  # worlds whose meshes and textures stay on the graphics side
-_STACKS = 6  # rings of faces of what is round; MuJoCo's 16 take a sixth of a small picture's time
+_KEPT = 4  # worlds whose meshes and textures stay in graphics memory
+_STACKS = 6  # face rings of round shapes; MuJoCo's 16 take a sixth of a small picture's time
 _NO_GL = (
-    "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
+    "OpenGL is not available for rendering ({reason}). On Debian or Ubuntu install "
     "'libegl1 libgl1 libgl1-mesa-dri' (EGL) or 'libosmesa6' (MUJOCO_GL=osmesa), "
     "or pass renderer='software'."
 )
 _FORKED = (
-    "OpenGL cannot be used in this process: it was forked from one that had used it. Start it "
-    "with multiprocessing's method 'spawn' or 'forkserver' (vector_kwargs={'context': 'spawn'} of "
+    "OpenGL cannot be used in this process: it was forked from a process that used it. Use the "
+    "multiprocessing start method 'spawn' or 'forkserver' (vector_kwargs={'context': 'spawn'} of "
     "gymnasium.make_vec), or pass renderer='software'."
 )
 
 
 def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> Drawer:
-    """Return a drawer for pictures of ``height`` x ``width``.
+    """Return a drawer of pictures of ``height`` x ``width``.
 
-    "auto" is GL if it can be had, else software; with a warning where a fork is what is in the way.
-    The software renderer draws shadows in the profile "full".
+    "auto" means GL if available, else software, with a warning if GL is unavailable because of a
+    fork. The software renderer draws shadows in the profile "full".
 
     Raises:
-        InputError: unknown choice.
-        BackendError: "gl" was asked for and there is none, or none after a fork.
+        InputError: the choice is unknown.
+        BackendError: "gl" is required but not available, or not after a fork.
     """
     if choice not in RENDERERS:
         raise InputError(f"Unknown renderer {choice!r}." + choices(str(choice), RENDERERS))
@@ -92,9 +92,9 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
 
 
 class GlDrawer(Drawer):
-    """Draws with MuJoCo's OpenGL renderer: one GL context, a few worlds' worth of meshes.
+    """Drawer with MuJoCo's OpenGL renderer: one GL context, and the meshes of a few worlds.
 
-    A forked copy neither draws nor frees anything.
+    A copy in a forked process neither draws nor frees resources.
     """
 
     def __init__(self, height: int, width: int, profile: Profile) -> None:
@@ -102,14 +102,14 @@ class GlDrawer(Drawer):
         self._gl = _gl_context(width, height)
         self._process = os.getpid()
         self._at_exit = partial(_close, weakref.ref(self))
-        atexit.register(self._at_exit)  # GL contexts must go before the interpreter does
-        # By the world's id; the one used last is at the end.
+        atexit.register(self._at_exit)  # GL contexts must be freed before interpreter shutdown
+        # By world id; the most recently used is last.
         self._held: dict[int, tuple[World, mujoco.MjrContext, mujoco.MjvScene]] = {}
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
     ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
-        """Return the pictures of some kinds: colours in one pass, depth and ids in another."""
+        """Return the requested pictures: colours in one pass, depth and segmentation in another."""
         import mujoco
 
         context, scene, rect = self._prepare(world, camera)
@@ -153,7 +153,7 @@ class GlDrawer(Drawer):
     def _prepare(
         self, world: World, camera: str
     ) -> tuple[mujoco.MjrContext, mujoco.MjvScene, mujoco.MjrRect]:
-        """Make the world's context current and bring its scene up to date."""
+        """Make the world's context current and update its scene."""
         import mujoco
 
         if self._gl is None:
@@ -171,7 +171,7 @@ class GlDrawer(Drawer):
         return context, scene, mujoco.MjrRect(0, 0, self._size[1], self._size[0])
 
     def _hold(self, world: World) -> tuple[mujoco.MjrContext, mujoco.MjvScene]:
-        """Return the context and scene of ``world``, made on first use."""
+        """Return the context and scene of ``world``, created on first use."""
         import mujoco
 
         if id(world) not in self._held:
@@ -187,16 +187,16 @@ class GlDrawer(Drawer):
             for flag in ("SHADOW", "REFLECTION", "HAZE"):
                 if fast:
                     scene.flags[getattr(mujoco.mjtRndFlag, f"mjRND_{flag}")] = 0
-            scene.flags[int(mujoco.mjtRndFlag.mjRND_FOG)] = 1  # the floor's way into the haze
+            scene.flags[int(mujoco.mjtRndFlag.mjRND_FOG)] = 1  # the floor fades into haze
             self._held[id(world)] = (world, context, scene)
         held = self._held.pop(id(world))
-        self._held[id(world)] = held  # the last used is last
+        self._held[id(world)] = held  # the most recently used is last
         return held[1:]
 
 
 @contextmanager
 def _ids_for_colors(scene: mujoco.MjvScene) -> Iterator[None]:
-    """Draw geoms flat, each in the colour that spells its number in the scene."""
+    """Draw geoms flat, in colours that encode their number in the scene."""
     import mujoco
 
     rnd = mujoco.mjtRndFlag
@@ -209,7 +209,7 @@ def _ids_for_colors(scene: mujoco.MjvScene) -> Iterator[None]:
 
 
 def _metres(model: mujoco.MjModel, buffer: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "h w"]:
-    """Return a depth buffer in metres, inf where nothing is."""
+    """Return a depth buffer in metres, inf for the background."""
     extent, planes = model.stat.extent, model.vis.map
     near, far = planes.znear * extent, planes.zfar * extent
     z = buffer.astype(np.float64)
@@ -218,7 +218,7 @@ def _metres(model: mujoco.MjModel, buffer: Float[np.ndarray, "h w"]) -> Float[np
 
 
 def _geoms(scene: mujoco.MjvScene, picture: UInt8[np.ndarray, "h w 3"]) -> Int[np.ndarray, "h w"]:
-    """Return the geom that each pixel's colour spells, -1 where none is."""
+    """Return the geom encoded in each pixel's colour, -1 for the background."""
     import mujoco
 
     geom = np.full(scene.ngeom + 1, -1, np.int32)
@@ -230,12 +230,12 @@ def _geoms(scene: mujoco.MjvScene, picture: UInt8[np.ndarray, "h w 3"]) -> Int[n
 
 def _close(reference: weakref.ref[GlDrawer]) -> None:
     if (held := reference()) is not None:
-        with suppress(Exception):  # of a thread that is gone: the process's end frees it
+        with suppress(Exception):  # its thread has ended; the process frees it on exit
             held.close()
 
 
 def _gl_context(width: int, height: int) -> Any:
-    """Return a GL context: the kind ``MUJOCO_GL`` names, else the display's, else EGL, OSMesa."""
+    """Return a GL context: the one named by ``MUJOCO_GL``, else the display's, EGL or OSMesa."""
     if _GL_USE.is_forked():
         raise BackendError(_FORKED)
     failures = []
@@ -245,7 +245,7 @@ def _gl_context(width: int, height: int) -> Any:
                 context = importlib.import_module(module).GLContext(width, height)
                 _GL_USE.process = os.getpid()
                 return context
-        except Exception as error:  # each GL binding fails in its own way
+        except Exception as error:  # each GL binding raises different errors
             failures.append(f"{module}: {type(error).__name__}: {error}")
     raise BackendError(_NO_GL.format(reason="; ".join(failures)))
 

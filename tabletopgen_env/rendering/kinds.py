@@ -1,4 +1,4 @@
-"""What is drawn of a world, by what, and how well."""
+"""Image kinds, renderers and profiles, and the interface of drawers."""
 
 from __future__ import annotations
 
@@ -18,33 +18,33 @@ Kind = Literal["rgb", "depth", "segmentation"]
 
 
 class Drawer(Protocol):
-    """Draws worlds at one picture size."""
+    """Draws worlds at a fixed picture size."""
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
     ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
-        """Return the pictures of some kinds, drawn together: as ``rgb`` and ``depth`` return them.
+        """Return the requested pictures, drawn together, in the formats of ``rgb`` and ``depth``.
 
-        "segmentation" holds the id of the geom that each pixel shows, -1 where nothing is.
+        "segmentation" holds the geom id of each pixel, -1 for the background.
         """
         ...
 
     def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what ``camera`` sees."""
+        """Return the picture of ``camera``."""
         return self.draw(world, camera, ("rgb",))["rgb"]
 
     def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
-        """Return the distance along the optical axis in metres (inf where nothing is)."""
+        """Return the distance along the optical axis in metres (inf for the background)."""
         return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
-        """Free what is held for ``world``."""
+        """Free the resources of ``world``."""
         ...
 
     def close(self) -> None:
-        """Free everything."""
+        """Free all resources."""
         ...
 
 
 DrawerOf = Callable[[tuple[int, int]], Drawer]
-"""Returns what draws pictures of a height and width, pixels."""
+"""Returns a drawer for a height and width, pixels."""

@@ -1,15 +1,15 @@
-"""Points on what stands on the table, from the depth of cameras.
+"""Point clouds of the objects on the table, from depth pictures.
 
 =================  =========================================================================
 ``points``         ``float32`` (n, 3): base frame, metres
-``point_ids``      ``uint8`` (n,): what each lies on, numbered as in a segmentation (``views``):
+``point_ids``      ``uint8`` (n,): label of each point, numbered as in a segmentation (``views``):
                    1 the robot, 3 and up the objects in slot order
-``point_mask``     ``uint8`` (n,): 1 a point, 0 padding, whose other entries are 0
+``point_mask``     ``uint8`` (n,): 1 for a point, 0 for padding, whose other entries are 0
 =================  =========================================================================
 
-The points are those in the arm's workspace that lie 3 mm or more above the table top, so that
-the top itself is left out. Where the cameras see more than there is room for, every k-th is
-taken, row by row and camera by camera: the same pictures always give the same points.
+The cloud contains the points in the arm's workspace that lie at least 3 mm above the table top,
+which excludes the top itself. If the cameras see too many points, every k-th is taken, row by row
+and camera by camera: the same pictures always give the same points.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     from .kinds import DrawerOf
 
 ABOVE = 0.003
-"""How far above the table top points begin, metres."""
+"""Minimum height of points above the table top, metres."""
 
 
 def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:
-    """Return the space of each part of a cloud of ``count`` points."""
+    """Return the spaces of a cloud with ``count`` points."""
     low, high = (np.tile(np.array(bound, np.float32), (count, 1)) for bound in WORKSPACE)
     return {
         "points": spaces.Box(low, high, dtype=np.float32),
@@ -48,7 +48,7 @@ def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:
 def point_cloud(
     config: ObservationConfig, world: World, drawers: DrawerOf, order: Sequence[str]
 ) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
-    """Return the cloud that the cameras of ``config`` see; arguments as for ``views.pictures``."""
+    """Return the cloud from the cameras of ``config``; arguments as for ``views.pictures``."""
     labels, points, ids = geom_labels(world, order), [], []
     low, high = np.array(WORKSPACE)
     low[2] = max(low[2], world.scene.table.height + ABOVE - world.base_position[2])
@@ -63,7 +63,7 @@ def point_cloud(
 
 
 def unproject(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "hw 3"]:
-    """Return the world points that a camera's pixels show, row by row; NaN where nothing is."""
+    """Return the world points of a camera's pixels, row by row; NaN for the background."""
     rows, columns = np.indices(depth.shape) + 0.5
     across = (columns - camera.center[0]) / camera.focal
     down = (rows - camera.center[1]) / camera.focal
@@ -75,7 +75,7 @@ def unproject(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarr
 def _fit(
     points: Float[np.ndarray, "m 3"], ids: Shaped[np.ndarray, "m"], count: int
 ) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
-    """Return evenly chosen points, padded to ``count``."""
+    """Return evenly spaced points, padded to ``count``."""
     kept = np.arange(len(points))
     if len(points) > count:
         kept = np.arange(count) * len(points) // count

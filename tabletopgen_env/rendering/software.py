@@ -1,4 +1,4 @@
-"""The drawer without OpenGL: the model's visible geoms as triangles, drawn in software."""
+"""Drawer without OpenGL: the model's visible geoms as triangles, drawn in software."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from .kinds import Profile
 
 _ROUND = 24  # sides of a drawn cylinder
-_KEPT = 64  # round shapes of different sizes whose triangles are kept
-_FACING = 0.7  # how much of the headlight what is seen gets on average
+_KEPT = 64  # cached round shapes of different sizes
+_FACING = 0.7  # average share of the headlight that reaches visible surfaces
 _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 
@@ -46,7 +46,7 @@ class VisibleGeom:
 
 
 class SoftwareDrawer(Drawer):
-    """Draws with ``generator.render.raster``; needs no graphics library at all."""
+    """Draws with ``generator.render.raster``, without any graphics library."""
 
     def __init__(self, height: int, width: int, profile: Profile) -> None:
         self._size, self._full = (height, width), profile == "full"
@@ -55,7 +55,7 @@ class SoftwareDrawer(Drawer):
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
     ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
-        """Return the pictures of some kinds, drawn together."""
+        """Return the requested pictures, drawn together."""
         from generator.render.raster import render
 
         if world not in self._shapes:
@@ -84,7 +84,7 @@ class SoftwareDrawer(Drawer):
 
 
 def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
-    """Return the shape in its geom's present colour."""
+    """Return the shape in its geom's current colour."""
     tint = _color(model, shape.geom)[:3]
     if np.array_equal(tint, shape.tint):
         return shape
@@ -92,7 +92,7 @@ def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
 
 
 def _light(model: mujoco.MjModel) -> Light:
-    """Return the first sun, and the room's light and the headlight as one light from the sky."""
+    """Return the first sun, and the sum of ambient light and headlight as light from the sky."""
     from generator.render.shading import Light
 
     head, sun = model.vis.headlight, model.light_diffuse[0]
@@ -104,7 +104,7 @@ def _light(model: mujoco.MjModel) -> Light:
 
 
 def _item(world: World, shape: VisibleGeom) -> Item | None:
-    """Return the shape at its present world pose, or None if it is fully transparent."""
+    """Return the shape at its current world pose, or None if it is fully transparent."""
     from generator.render.raster import Item
 
     model, data, k = world.model, world.data, shape.geom
@@ -112,7 +112,7 @@ def _item(world: World, shape: VisibleGeom) -> Item | None:
     if rgba[3] <= 0.01:
         return None
     vertices, faces, uv = shape.vertices, shape.faces, shape.uv
-    if model.geom(k).name == MARKER and (mesh := _triangles(model, k)):  # it changes its shape
+    if model.geom(k).name == MARKER and (mesh := _triangles(model, k)):  # its shape changes
         vertices, faces, uv = mesh
     placed = vertices @ data.geom_xmat[k].reshape(3, 3).T + data.geom_xpos[k]
     return Item(placed, faces, uv, shape.texture, k, float(rgba[3]))
@@ -122,7 +122,7 @@ def _item(world: World, shape: VisibleGeom) -> Item | None:
 
 
 def visible_shapes(model: mujoco.MjModel) -> list[VisibleGeom]:
-    """Return every geom of the visible groups but the floor as triangles."""
+    """Return every geom of the visible groups as triangles, except the floor."""
     shapes = []
     for k in range(model.ngeom):
         if model.geom_group[k] < _VISIBLE_GROUPS and (mesh := _triangles(model, k)):
@@ -153,7 +153,7 @@ def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, n
 
 @lru_cache(_KEPT)
 def _cylinder(radius: float, half: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return an upright cylinder; kept, since the marker asks for it in each picture."""
+    """Return an upright cylinder, cached because every picture draws the marker."""
     turn = np.linspace(0, 2 * np.pi, _ROUND, endpoint=False)
     ring = np.column_stack([np.cos(turn), np.sin(turn)])
     low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (-1.0, 1.0))
@@ -162,7 +162,7 @@ def _cylinder(radius: float, half: float) -> tuple[np.ndarray, np.ndarray]:
 
 @lru_cache(_KEPT)
 def _ellipsoid(*radii: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return an ellipsoid; kept, since the marker asks for a ball in each picture."""
+    """Return an ellipsoid, cached because every picture may draw the marker as a ball."""
     k = np.arange(200) + 0.5
     polar, turn = np.arccos(1 - k / 100), np.pi * (1 + 5**0.5) * k
     ball = [np.cos(turn) * np.sin(polar), np.sin(turn) * np.sin(polar), np.cos(polar)]
@@ -180,7 +180,7 @@ def _hull(points: Float[np.ndarray, "n 3"]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _mesh(model: mujoco.MjModel, mesh: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return a mesh with one vertex per face corner, so that uv seams need no care."""
+    """Return a mesh with one vertex per face corner, which supports uv seams."""
     at, count = model.mesh_faceadr[mesh], model.mesh_facenum[mesh]
     corners = model.mesh_face[at : at + count].ravel()
     vertices = model.mesh_vert[model.mesh_vertadr[mesh] + corners].astype(np.float64)
@@ -193,13 +193,13 @@ def _mesh(model: mujoco.MjModel, mesh: int) -> tuple[np.ndarray, np.ndarray, np.
 
 
 def _color(model: mujoco.MjModel, k: int) -> Float[np.ndarray, "4"]:
-    """Return the rgba of geom ``k``; a material's where it has one."""
+    """Return the rgba of geom ``k``, from its material if it has one."""
     material = model.geom_matid[k]
     return model.mat_rgba[material] if material >= 0 else model.geom_rgba[k]
 
 
 def _texture(model: mujoco.MjModel, k: int) -> UInt8[np.ndarray, "th tw 3"]:
-    """Return the 2D texture of geom ``k`` times its colour; one pixel if it has none."""
+    """Return the 2D texture of geom ``k`` times its colour, or a single pixel if it has none."""
     import mujoco
 
     tint, material = _color(model, k)[:3], model.geom_matid[k]

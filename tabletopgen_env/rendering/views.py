@@ -1,28 +1,28 @@
-"""Camera views: pictures, depth and the slot of each pixel.
+"""Camera views: pictures, depth and segmentation.
 
 Keys of the observation, by camera (``front``, ``wrist``, ``top``, ``side``) and kind:
 
 ======================  ====================================================================
 ``front``               rgb: the picture, ``uint8`` (height, width, 3)
 ``front_depth``         depth: metres along the optical axis, ``float32`` (height, width);
-                        10 where nothing is or what is lies farther
-``front_segmentation``  segmentation: what the pixel shows, ``uint8`` (height, width): 0 the
+                        10 for the background and anything farther
+``front_segmentation``  segmentation: the label of each pixel, ``uint8`` (height, width): 0 the
                         background, 1 the robot with its pedestal, 2 the table with the marked
                         spot, 3 and up the objects in slot order (3 is slot 0, the target);
                         objects without a slot are background
-``front_target``        with ``target_mark="mask"``: where the target is seen, ``uint8``
+``front_target``        with ``target_mark="mask"``: the visible part of the target, ``uint8``
                         (height, width) of 0 and 1
 ``front_calibration``   with ``calibration``: ``float32`` (16,), the first three rows of the
-                        camera's extrinsics, one after the other, then fx, fy, cx and cy of its
-                        intrinsics in heights of the picture; see ``camera_calibration``
+                        camera's extrinsics in order, then fx, fy, cx and cy of its intrinsics
+                        in units of the picture's height; see ``camera_calibration``
 ======================  ====================================================================
 
-``front`` looks at table and robot from across the table, ``side`` from the robot's left, ``wrist``
-sits on the hand, and ``top`` looks straight down at the table, the robot's side below; all but
-``wrist`` show the whole top in pictures at least as wide as high.
+``front`` views table and robot from across the table, ``side`` from the robot's left, ``wrist`` is
+mounted on the hand, and ``top`` looks straight down at the table, with the robot's side at the
+bottom. All but ``wrist`` show the whole table top in pictures at least as wide as high.
 
-With ``target_mark="overlay"`` colours show the target outlined and tinted in magenta, as a person
-would point it out to a policy. Where the tool itself is the target (Reach), nothing is marked.
+With ``target_mark="overlay"`` the target is outlined and tinted in magenta, as if a person pointed
+it out to the policy. If the tool itself is the target (Reach), nothing is marked.
 """
 
 from __future__ import annotations
@@ -52,22 +52,22 @@ from generator.geometry import Camera
 CAMERAS: Mapping[str, str] = MappingProxyType(
     {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA, "top": TOP_CAMERA, "side": SIDE_CAMERA}
 )
-"""The model's cameras by their name in observations."""
+"""MuJoCo camera names by their name in observations."""
 
 SLOTS = 12
-"""Objects that an observation has room for."""
+"""Maximum number of objects in an observation."""
 
 DEPTH_FAR = 10.0
-"""Depth that stands for everything farther, and for nothing at all, metres."""
+"""Depth of the background and of anything farther, metres."""
 
 BACKGROUND, ROBOT, TABLETOP, FIRST_SLOT = 0, 1, 2, 3
-"""What the numbers of a segmentation mean."""
+"""Labels of a segmentation."""
 
 LAST_LABEL = FIRST_SLOT + SLOTS - 1
 
-_TINT, _TINTED = np.array([255.0, 0.0, 200.0]), 0.35  # the overlay's colour, and its share inside
+_TINT, _TINTED = np.array([255.0, 0.0, 200.0]), 0.35  # colour, opacity inside
 _TINT.setflags(write=False)
-_FARTHEST = 10.0  # metres from the base, and heights of a picture, that a calibration may have
+_FARTHEST = 10.0  # bound of a calibration's entries: metres or picture heights
 
 
 def picture_spaces(config: ObservationConfig) -> dict[str, spaces.Space[Any]]:
@@ -92,7 +92,7 @@ def _picture_space(kind: Kind, size: tuple[int, int]) -> spaces.Space[Any]:
 
 
 def mask_key(camera: CameraName) -> str:
-    """Return the key of where a camera sees the target."""
+    """Return the key of the target mask of a camera."""
     return f"{camera}_target"
 
 
@@ -108,9 +108,9 @@ def pictures(
     order: Sequence[str],
     target: str | None,
 ) -> dict[str, Shaped[np.ndarray, "..."]]:
-    """Return the pictures of ``config`` by their key, objects in the slots' ``order``.
+    """Return the pictures of ``config`` by key, with objects in the ``order`` of the slots.
 
-    ``target`` is the object that a mark shows, None for none.
+    ``target`` is the object to mark, None for none.
     """
     labels = geom_labels(world, order)
     marked = config.target_mark != "none"
@@ -138,7 +138,7 @@ def pictures(
 
 
 def _tint(picture: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]) -> np.ndarray:
-    """Return a picture with a region tinted, its edge in the full colour."""
+    """Return a picture with a region tinted, and its edge in the full colour."""
     inside = mask.copy()
     inside[:-1] &= mask[1:]
     inside[1:] &= mask[:-1]
@@ -153,11 +153,11 @@ def _tint(picture: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]) ->
 def camera_calibration(
     config: ObservationConfig, world: World
 ) -> dict[CameraName, dict[str, Float[np.ndarray, "n n"]]]:
-    """Return what a calibration would tell of each camera of ``config``, as it is now.
+    """Return the current calibration of each camera of ``config``.
 
     ``intrinsics`` (3, 3) in pixels, with the *centre* of the top-left pixel at (0, 0), and
-    ``extrinsics`` (4, 4), which takes points of the camera's frame (x right, y down, z forward,
-    metres) to the base frame: both as OpenCV and ROS have them.
+    ``extrinsics`` (4, 4), which transforms points of the camera's frame (x right, y down, z
+    forward, metres) to the base frame. Both follow the conventions of OpenCV and ROS.
     """
     found = {}
     for name, size in config.sizes.items():
@@ -172,7 +172,7 @@ def camera_calibration(
 
 
 def geom_labels(world: World, order: Sequence[str]) -> UInt8[np.ndarray, "geoms"]:
-    """Return what each geom is in a segmentation; the last entry is for geom -1, nothing."""
+    """Return the segmentation label of each geom; the last entry is for geom -1, the background."""
     model = world.model
     body = np.full(model.nbody, BACKGROUND, np.uint8)
     body[world.robot_bodies] = ROBOT
@@ -183,7 +183,7 @@ def geom_labels(world: World, order: Sequence[str]) -> UInt8[np.ndarray, "geoms"
 
 
 def model_camera(world: World, name: str, height: int, width: int) -> Camera:
-    """Return a camera of the model at its present pose."""
+    """Return a camera of the model at its current pose."""
     index = world.model.camera(name).id
     axes = world.data.cam_xmat[index].reshape(3, 3)
     rotation = np.stack([axes[:, 0], -axes[:, 1], -axes[:, 2]])

@@ -1,4 +1,4 @@
-"""The window of ``render_mode="human"``: MuJoCo's viewer, in real time."""
+"""The window of ``render_mode="human"``: MuJoCo's viewer in real time."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 
 class Window:
-    """A viewer that follows the environment from world to world, every ``frame`` seconds at most.
+    """A viewer that follows the environment from world to world, a frame per ``frame`` seconds.
 
-    Without a display it says so once, through Gymnasium's logger, and shows nothing.
+    Without a display it shows nothing and warns once through Gymnasium's logger.
     """
 
     def __init__(self, frame: float) -> None:
@@ -27,12 +27,12 @@ class Window:
         self._shown = 0.0
 
     def show(self, world: World) -> None:
-        """Show the present state of ``world``, no faster than real time."""
+        """Show the current state of ``world``, no faster than real time."""
         if not has_display():
             if not self._warned:
                 gymnasium.logger.warn(
-                    "render_mode='human' needs a display and there is none (DISPLAY is not set); "
-                    "nothing is shown. Use render_mode='rgb_array' for pictures."
+                    "render_mode='human' needs a display, but DISPLAY is not set; nothing is "
+                    "shown. Use render_mode='rgb_array' for pictures."
                 )
             self._warned = True
             return
@@ -60,7 +60,7 @@ class Window:
 
 
 def has_display() -> bool:
-    """Return whether windows can be opened here."""
+    """Return whether a window can be opened on this machine."""
     if not sys.platform.startswith("linux"):
         return True
     return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

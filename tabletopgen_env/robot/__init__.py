@@ -1,1 +1,1 @@
-"""The robot: a Franka Panda, its kinematics, and where its base goes."""
+"""The robot: a Franka Panda, its kinematics, and the placement of its base."""

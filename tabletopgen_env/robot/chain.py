@@ -1,6 +1,6 @@
-"""The arm's chain of links alone, in MuJoCo: frames and Jacobian in microseconds.
+"""Forward kinematics of the arm in MuJoCo: frames and Jacobian in microseconds.
 
-The chain is that of the modified Denavit-Hartenberg transforms (Craig's convention)
+The chain consists of the modified Denavit-Hartenberg transforms (Craig's convention)
 ``Rot_x(alpha) Trans_x(a) Rot_z(q) Trans_z(d)`` of ``franka.JOINTS``, in the frame of the base.
 """
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Chain:
-    """The chain at some joints. What it returns are views that the next ``move`` overwrites."""
+    """The kinematic chain at given joints. Results are views that the next ``move`` overwrites."""
 
     def __init__(self) -> None:
         self._model = _chain_model()
@@ -34,14 +34,14 @@ class Chain:
         self.turns = data.xmat[1:].reshape(7, 3, 3)
 
     def move(self, joints: Float[np.ndarray, "7"]) -> None:
-        """Let ``tool``, ``hand`` (its rotation), ``links`` and ``turns`` follow from ``joints``."""
+        """Update ``tool``, ``hand`` (its rotation), ``links`` and ``turns`` for ``joints``."""
         import mujoco
 
         self._data.qpos[:] = joints
         mujoco.mj_kinematics(self._model, self._data)
 
     def jacobian(self) -> Float[np.ndarray, "6 7"]:
-        """Return the geometric Jacobian of the tool centre point: linear rows, then angular."""
+        """Return the geometric Jacobian of the tool centre point: linear, then angular rows."""
         import mujoco
 
         full = self._jacobian
@@ -51,7 +51,7 @@ class Chain:
 
 
 def chain_at(joints: Float[np.ndarray, "7"]) -> Chain:
-    """Return this thread's chain, moved to ``joints`` (rad)."""
+    """Return the chain of the current thread, moved to ``joints`` (rad)."""
     try:
         chain: Chain = _OF_THREAD.chain
     except AttributeError:
@@ -60,7 +60,7 @@ def chain_at(joints: Float[np.ndarray, "7"]) -> Chain:
     return chain
 
 
-_OF_THREAD = threading.local()  # memory to work in, nothing that is remembered
+_OF_THREAD = threading.local()  # working memory, not state
 
 
 @cache

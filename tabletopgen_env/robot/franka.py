@@ -1,12 +1,12 @@
-"""Constants of the Panda: Franka's published numbers and the identified masses.
+"""Constants of the Panda: Franka's published numbers and identified masses.
 
 Sources: *Franka Control Interface documentation, robot and interface specifications* (modified
 Denavit-Hartenberg parameters after Craig, joint position, velocity and torque limits, hand and
-finger dimensions, grasp force); *franka_description* (the capsules of its self-collision model);
-C. Gaz, M. Cognetti, A. Oliva, P. Robuffo Giordano, A. De Luca, "Dynamic Identification of the
-Franka Emika Panda Robot With Retrieval of Feasible Parameters Using Penalty-Based Optimization",
-IEEE RA-L 4(4), 2019 (link masses, centres of mass and inertia tensors). Gains, home pose and
-the gripper's 0-255 command are those of the MuJoCo Menagerie model, so policies carry over.
+finger dimensions, grasp force); *franka_description* (the capsules of its self-collision model); C.
+Gaz, M. Cognetti, A. Oliva, P. Robuffo Giordano, A. De Luca, "Dynamic Identification of the Franka
+Emika Panda Robot With Retrieval of Feasible Parameters Using Penalty-Based Optimization", IEEE RA-L
+4(4), 2019 (link masses, centres of mass and inertia tensors). Gains, home pose and the gripper's
+0-255 command are those of the MuJoCo Menagerie model, so policies transfer between the two.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Joint:
 
     @property
     def place(self) -> tuple[float, float, float]:
-        """Where the link's frame is in its parent's, metres."""
+        """Position of the link's frame in its parent's, metres."""
         return self.a, float(-self.d * np.sin(self.alpha)), float(self.d * np.cos(self.alpha))
 
     @property
@@ -61,22 +61,22 @@ JOINTS: tuple[Joint, ...] = (
 """The seven joints, base to wrist."""
 
 HOME: tuple[float, ...] = (0.0, 0.0, 0.0, -HALF_PI, 0.0, HALF_PI, -HALF_PI / 2)
-"""Home pose, radians: the hand points straight down 0.55 m in front of the base."""
+"""Home pose, radians: the hand points straight down, 0.55 m in front of the base."""
 
 FLANGE = 0.107
-"""From joint 7's frame to the flange, where the hand is screwed on, metres."""
+"""Distance from the frame of joint 7 to the flange, where the hand is mounted, metres."""
 
 HAND_YAW = -np.pi / 4
-"""Turn of the hand about the flange's axis, radians."""
+"""Rotation of the hand about the flange's axis, radians."""
 
 FINGER_MOUNT = 0.0584
-"""From the flange to the fingers' slides, metres."""
+"""Distance from the flange to the fingers' slides, metres."""
 
 TCP = 0.1034
-"""From the flange to the tool centre point between the fingertips, metres."""
+"""Distance from the flange to the tool centre point between the fingertips, metres."""
 
 FINGER_STROKE = 0.04
-"""Travel of each finger, metres; the gripper opens twice as far."""
+"""Travel of each finger, metres; the gripper opens by twice as much."""
 
 GRIPPER_CTRL = 255.0
 """Gripper command when fully open; 0 closes."""
@@ -112,7 +112,7 @@ INERTIALS: dict[str, Inertial] = {
     "left_finger": Inertial(0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0)),
     "right_finger": Inertial(0.015, (0.0, 0.0, 0.0), (2.375e-6, 2.375e-6, 7.5e-7, 0.0, 0.0, 0.0)),
 }  # fmt: skip
-"""Identified by Gaz et al. (2019); hand and fingers from Franka."""
+"""Values identified by Gaz et al. (2019); hand and fingers from Franka."""
 
 
 @dataclass(frozen=True)
@@ -140,4 +140,4 @@ CAPSULES: dict[str, tuple[Capsule, ...]] = {
         Capsule((0.055, 0.0, 0.082), (0.065, 0.0, 0.082), 0.03),
     ),
 }
-"""Franka's published self-collision capsules (franka_description), cylinder part only."""
+"""Franka's published self-collision capsules (franka_description), cylindrical parts only."""

@@ -1,4 +1,4 @@
-"""The Panda's hand: fingers with soft pads and their drive, on an arm or by itself."""
+"""The Panda's hand, on an arm or alone: fingers with soft pads, and their actuator."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ GRIPPER = "actuator8"
 
 
 def hand_spec() -> mujoco.MjSpec:
-    """Return the hand without an arm, fixed to the world: its flange at the origin, z outwards."""
+    """Return the hand without an arm, fixed to the world: flange at the origin, z outwards."""
     import mujoco
 
     spec = mujoco.MjSpec()
@@ -50,7 +50,7 @@ def add_colors(spec: mujoco.MjSpec) -> None:
 
 
 def add_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody) -> None:
-    """Give the hand's body its shape, fingers, tool centre point and wrist camera."""
+    """Add shape, fingers, tool centre point and wrist camera to the hand's body."""
     import mujoco
 
     dress(spec, hand)
@@ -66,7 +66,7 @@ def add_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody) -> None:
             range=[0, franka.FINGER_STROKE],
             limited=True,
             armature=0.1,
-            damping=[200, 0, 0],  # the drive's friction: 0.14 m/s at full force
+            damping=[200, 0, 0],  # friction of the drive: 0.14 m/s at full force
         )
         dress(spec, finger)
         _collide(
@@ -76,9 +76,9 @@ def add_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody) -> None:
 
 
 def _add_pad(finger: mujoco.MjsBody) -> None:
-    """Give a finger its pad: six knobs, and behind them a box that closes the gaps."""
-    # A sphere touches in one point that moves smoothly, so six hold like a soft pad; on a box that
-    # point jumps from edge to edge, and a curved thing wanders out of the hand.
+    """Add the pad of a finger: six spheres, and a box behind them that closes the gaps."""
+    # The contact point of a sphere moves smoothly, so six spheres hold like a soft pad. On a box
+    # the contact point jumps from edge to edge, and a curved object slips out of the hand.
     import mujoco
 
     grip: dict[str, Any] = {
@@ -103,7 +103,7 @@ def _add_pad(finger: mujoco.MjsBody) -> None:
 
 
 def dress(spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
-    """Give ``body`` its inertia, capsules and shells."""
+    """Add inertia, capsules and shells to ``body``."""
     import mujoco
 
     inertial = franka.INERTIALS[body.name]
@@ -120,7 +120,7 @@ def dress(spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
             size=[capsule.radius, 0, 0],
         )
     shells = arm_shells()[body.name]
-    for color in dict.fromkeys(shell.color for shell in shells):  # few geoms: each costs each step
+    for color in dict.fromkeys(shell.color for shell in shells):  # few geoms: each costs time
         name = f"{body.name}_{color}"
         vertices, faces = join([shell for shell in shells if shell.color == color])
         spec.add_mesh(
@@ -142,7 +142,7 @@ def dress(spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
 
 
 def _collide(body: mujoco.MjsBody, name: str, **geom: Any) -> None:
-    """Add an invisible colliding geom (group 3, as Menagerie)."""
+    """Add an invisible colliding geom (group 3, as in Menagerie)."""
     body.add_geom(name=name, group=3, mass=0, rgba=[0.9, 0.4, 0.2, 0.4], **geom)
 
 
@@ -163,8 +163,8 @@ def add_gripper(spec: mujoco.MjSpec) -> None:
         solimp=[0.95, 0.99, 0.001, 0.5, 2],
     )
     equality.data[:5] = [0, 1, 0, 0, 0]
-    # Closed (0) aims 5 mm beyond contact, so that even a sheet is held; the force is limited to
-    # 60 N over both fingers, below the 70 N that Franka gives for the hand.
+    # The closed position (0) lies 5 mm beyond contact, so that the hand holds even a sheet. The
+    # force is limited to 60 N over both fingers, below the 70 N that Franka specifies for the hand.
     stiffness, damping, beyond = 4000.0, 20.0, 0.005
     span = franka.FINGER_STROKE + beyond
     spec.add_actuator(

@@ -1,8 +1,8 @@
 """Forward and inverse kinematics of the Panda, in the frame of its base.
 
-The published geometry and no scene, 0.03 ms a step, so that controllers, planners and samplers can
-all afford it. The tool centre point is the ``tcp`` site: z along the fingers, y along their opening
-direction.
+The functions use the published geometry and no scene. A step takes 0.03 ms, fast enough for
+controllers, planners and samplers. The tool centre point is the ``tcp`` site: z along the fingers,
+y along their opening direction.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ HOME: Float[np.ndarray, "7"] = np.array(franka.HOME)
 """Home pose, radians."""
 
 MAX_STEP = 0.2
-"""Most that a joint moves in one step of ``ik_step``, radians."""
+"""Maximum motion of a joint in one step of ``ik_step``, radians."""
 
 _MARGIN = 0.02
 
 LOWEST, HIGHEST = LOWER + _MARGIN, UPPER - _MARGIN
-"""Lowest and highest joints that ``ik_step`` ends at, radians."""
+"""Lower and upper bounds of the joints that ``ik_step`` returns, radians."""
 
 _solve: Any = getattr(lapack, "dposv")  # noqa: B009 - made at run time, unknown to type checkers
-# Shoulder, elbow and wrist lie on a line at -0.467: beyond it the arm would get shorter again, and
-# near it the joint would go to and fro. What is kept costs 2 mm of reach.
+# Shoulder, elbow and wrist are collinear at -0.467. Beyond this angle the arm would get shorter
+# again, and near it the joint would oscillate. The margin reduces the reach by 2 mm.
 HIGHEST[3] = -0.62
 for _constant in (LOWER, UPPER, HOME, LOWEST, HIGHEST):
     _constant.setflags(write=False)
@@ -45,7 +45,7 @@ for _constant in (LOWER, UPPER, HOME, LOWEST, HIGHEST):
 
 @dataclass(frozen=True, eq=False)
 class IkSolution:
-    """Joints found by ``solve_ik``, and what is left: metres and radians."""
+    """Joints from ``solve_ik``, and the remaining errors in metres and radians."""
 
     joints: Float[np.ndarray, "7"]
     position_error: float
@@ -53,7 +53,7 @@ class IkSolution:
 
     @property
     def solved(self) -> bool:
-        """Whether the target was met to 1 mm and 0.01 rad."""
+        """Whether the solution meets the target to within 1 mm and 0.01 rad."""
         return self.position_error < 1e-3 and self.rotation_error < 1e-2
 
 
@@ -95,7 +95,7 @@ def rotation_vector(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3"
 
 
 def pointing_down(yaw: float) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation of a hand that points straight down, its x axis at ``yaw``."""
+    """Return the rotation of a hand that points straight down, with its x axis at ``yaw``."""
     c, s = math.cos(yaw), math.sin(yaw)
     return np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
 
@@ -108,10 +108,10 @@ def ik_step(
 ) -> tuple[Float[np.ndarray, "7"], float, float]:
     """Take one damped-least-squares step towards a tool pose given in the base frame.
 
-    ``dq = p + J^T (J J^T + lambda^2 I)^-1 (e - J p)``, ``p = pull (HOME - q)``, with lambda
-    shrinking with the error: of the pull remains what lies in J's null space. Joints that would
-    leave their range go to its end and the others make up for it. The elbow stays short of
-    straight. No joint moves by more than 0.2 rad, also where it comes back from out of its range.
+    ``dq = p + J^T (J J^T + lambda^2 I)^-1 (e - J p)``, ``p = pull (HOME - q)``, with a lambda that
+    decreases with the error: only the null-space component of the pull remains. Joints that would
+    leave their range stop at its end, and the others compensate. The elbow never straightens fully.
+    No joint moves by more than 0.2 rad, even if it returns from outside its range.
 
     Returns:
         The new joints, and the errors (m, rad) *before* the step.
@@ -134,7 +134,7 @@ def _damped_step(
     rest: Float[np.ndarray, "7"],
     damping: float,
 ) -> Float[np.ndarray, "7"]:
-    """Return the step of ``ik_step`` without regard to the joints' ranges."""
+    """Return the step of ``ik_step`` without joint limits."""
     square = jac @ jac.T
     square.ravel()[::7] += damping
     step = rest + _solve(square, error - jac @ rest)[1] @ jac
@@ -150,8 +150,8 @@ def _turn_back(
     rest: Float[np.ndarray, "7"],
     damping: float,
 ) -> Float[np.ndarray, "7"]:
-    """Return the joints after a step in place of ``new``, of which some are out of their range."""
-    # What is out of its range, such as a straight elbow, comes back by no more than a step.
+    """Return joints within their range, in place of ``new``, some of which are out of range."""
+    # Joints out of their range, such as a straight elbow, return by at most one step.
     lowest = np.minimum(LOWEST, joints + MAX_STEP)
     highest = np.maximum(HIGHEST, joints - MAX_STEP)
     free = np.ones(7)
@@ -173,10 +173,11 @@ def solve_ik(
     start: Float[np.ndarray, "7"] = HOME,
     iterations: int = 60,
 ) -> IkSolution:
-    """Find joints that bring the tool centre point to a pose in the base frame (metres).
+    """Find joints that move the tool centre point to a pose in the base frame (metres).
 
-    Starts from ``start``, on whose branch it stays where it can, then from a few postures that face
-    the target, each for ``iterations`` steps. Returns the best attempt, so look at ``solved``.
+    The search starts from ``start``, whose branch it keeps if possible, then from a few postures
+    that face the target, with ``iterations`` steps each. It returns the best attempt; check
+    ``solved``.
     """
     bearing = float(np.arctan2(position[1], position[0]))
     seeds = [np.asarray(start, float)]
@@ -194,11 +195,12 @@ def solve_ik(
 
 
 def is_beyond_reach(position: Float[np.ndarray, "3"]) -> bool:
-    """Return whether a tool position is too far for a hand that points down, whatever its yaw.
+    """Return whether a tool position is too far for a downward-pointing hand at every yaw.
 
-    Base frame, metres. The wrist is then farther from the shoulder than the elbow stretches, by
-    more than what ``IkSolution.solved`` tolerates: ``solve_ik`` solves no such pose. Positions
-    that are not beyond reach may still have no solution.
+    The position is in the base frame, metres. Beyond reach, the wrist would be farther from the
+    shoulder than the elbow extends, by more than the tolerance of ``IkSolution.solved``, so
+    ``solve_ik`` cannot solve the pose. Positions that are not beyond reach may still have no
+    solution.
     """
     x, y, z = position.tolist()
     aside = max(math.hypot(x, y) - franka.JOINTS[6].a, 0.0)
@@ -207,7 +209,7 @@ def is_beyond_reach(position: Float[np.ndarray, "3"]) -> bool:
 
 
 def _wrist_distance(elbow: float) -> float:
-    """Return how far the wrist is from the shoulder at an angle of the elbow (rad), metres."""
+    """Return the distance of the wrist from the shoulder at an elbow angle (rad), metres."""
     upper, lower = franka.JOINTS[2:5:2]
     c, s = math.cos(elbow), math.sin(elbow)
     bent = franka.JOINTS[3].a

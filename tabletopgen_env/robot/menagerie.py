@@ -1,7 +1,7 @@
-"""The Panda of the MuJoCo Menagerie, if this machine has it.
+"""The Panda of the MuJoCo Menagerie, if it is installed.
 
-Its meshes are not part of this project. They are looked for in ``$MENAGERIE_ROOT`` (a clone of the
-repository) and in the cache of the ``mujoco-menagerie`` package.
+Its meshes are not part of this project. They are read from ``$MENAGERIE_ROOT`` (a clone of the
+repository) or from the cache of the ``mujoco-menagerie`` package.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ _FOLDER = "franka_emika_panda"
 
 
 def menagerie() -> mujoco.MjSpec:
-    """Load the official model and give it our site, camera and gravity compensation.
+    """Load the official model, and add this project's site, camera and gravity compensation.
 
     Raises:
-        BackendError: the model is not on this machine.
+        BackendError: the model is not installed.
     """
     import mujoco
 
@@ -42,7 +42,7 @@ def menagerie() -> mujoco.MjSpec:
 
 
 def _folder() -> Path:
-    """Return the folder that holds Menagerie's ``panda.xml`` (BackendError: there is none)."""
+    """Return the folder of Menagerie's ``panda.xml`` (BackendError: it is not installed)."""
     places = []
     if root := os.environ.get("MENAGERIE_ROOT"):
         places.append(Path(root) / _FOLDER)
@@ -53,16 +53,16 @@ def _folder() -> Path:
         if (place / "panda.xml").is_file():
             return place
     raise BackendError(
-        "Panda(visuals='menagerie') needs the Menagerie model, and neither MENAGERIE_ROOT nor "
-        "the mujoco-menagerie cache has it. Either clone "
+        "Panda(visuals='menagerie') needs the Menagerie model, which is neither in MENAGERIE_ROOT "
+        "nor in the mujoco-menagerie cache. Either clone "
         "https://github.com/google-deepmind/mujoco_menagerie and set MENAGERIE_ROOT to it, or "
         'run: pip install mujoco-menagerie && python -c "import mujoco_menagerie as m; '
-        "m.prefetch(['franka_emika_panda'])\". Panda() needs nothing."
+        "m.prefetch(['franka_emika_panda'])\". Panda() needs no download."
     )
 
 
 def _cache() -> Path:
-    """Where the mujoco-menagerie package keeps its models on this platform."""
+    """The model folder of the mujoco-menagerie package on this platform."""
     if folder := os.environ.get("MENAGERIE_CACHE_DIR"):
         return Path(folder)
     if sys.platform == "win32":

@@ -1,7 +1,7 @@
-"""Where the robot's base stands: on a pedestal at the table's side, looking at its middle.
+"""Placement of the robot's base on a pedestal beside the table, facing the table's centre.
 
-The base is level with the table top, so that the hand, pointing straight down, covers a ring of
-0.30 to 0.77 m about the base: from just behind the edge nearly to the far side of a usual table.
+The base is level with the table top, so the reach of a downward-pointing hand is a ring of 0.30 to
+0.77 m about the base: from just behind the edge almost to the far side of a typical table.
 """
 
 from __future__ import annotations
@@ -29,28 +29,28 @@ PEDESTAL_RADIUS = 0.09
 """Radius of the round pedestal, metres."""
 
 GAP = 0.012
-"""Air between pedestal and table edge, metres."""
+"""Gap between pedestal and table edge, metres."""
 
 LIFT = 0.01
-"""How far the base stands above the table top, metres: its foot reaches over the edge."""
+"""Height of the base above the table top, metres: its foot projects over the edge."""
 
 NEAREST = 0.30
-"""Nearest horizontal distance from the base at which the hand still points straight down, m."""
+"""Minimum horizontal distance from the base at which the hand can point straight down, metres."""
 
 STRETCH = 0.70
-"""Longest used distance from the shoulder to the wrist joint, metres (0.72 is a straight arm)."""
+"""Maximum distance from the shoulder to the wrist joint, metres (0.72 is a straight arm)."""
 
 CLEARANCE = 0.13
-"""Radius about the base's axis that objects must leave free, metres."""
+"""Radius about the base's axis that must be free of objects, metres."""
 
 TALL = 0.28
-"""Height above the table at which an object is in the arm's way, metres."""
+"""Height above the table at which an object obstructs the arm, metres."""
 
 ARM_BREADTH = 0.07
-"""Half the breadth of the forearm with some room, metres."""
+"""Half the width of the forearm plus a margin, metres."""
 
 SWING = np.deg2rad(110.0)
-"""Largest bearing of a target away from straight ahead, radians."""
+"""Maximum bearing of a target from straight ahead, radians."""
 
 _WRIST = franka.FLANGE + franka.TCP
 _WRIST_OFFSET = franka.JOINTS[6].a
@@ -60,7 +60,7 @@ _PERIMETER_STEP = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Mount:
-    """Where a robot's base stands: ``position`` (m, world) and ``yaw`` of its x axis (rad)."""
+    """Pose of a robot's base: ``position`` (m, world) and ``yaw`` of its x axis (rad)."""
 
     position: Float[np.ndarray, "3"]
     yaw: float
@@ -73,21 +73,21 @@ class Mount:
 
     @classmethod
     def beside(cls, scene: Scene) -> Mount:
-        """Return the best place at the table of ``scene``.
+        """Return the best mount at the table of ``scene``.
 
-        Places all around the outline are scored by the share of objects (and of the bare table)
-        that can be reached; a place near an object loses, and of equal places the one on the
-        viewer's side (-y) nearest the middle wins.
+        Candidates all around the outline are scored by the share of objects (and of the free table
+        top) within reach, with a penalty near objects. Ties are resolved in favour of the candidate
+        nearest the middle of the viewer's side (-y).
         """
         spots, boxes = _spots(scene), _boxes(scene)
         tall = _rising(scene, boxes)
         return max(_candidates(scene), key=lambda mount: _score(mount, spots, boxes, tall))
 
     def reaches(self, points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
-        """Return which world points the tool centre point reaches with the hand pointing down.
+        """Return which world points a downward-pointing hand can reach.
 
-        An estimate that ignores obstacles: the wrist must lie within ``STRETCH`` of the shoulder,
-        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead.
+        The estimate ignores obstacles: the wrist must be within ``STRETCH`` of the shoulder, at
+        least ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead.
         """
         offset = np.atleast_2d(np.asarray(points, float)) - self.position
         radius = np.hypot(offset[:, 0], offset[:, 1])
@@ -98,14 +98,14 @@ class Mount:
 
 
 def reachable(mount: Mount, point: Float[np.ndarray, "3"]) -> bool:
-    """Return whether the hand, pointing down, reaches one world point; see ``Mount.reaches``."""
+    """Return whether a downward-pointing hand can reach one world point; see ``Mount.reaches``."""
     return bool(mount.reaches(np.asarray(point, float)[None])[0])
 
 
 def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
-    """Return the tall object that stands between the base and object ``name``, or None.
+    """Return the tall object between the base and the object ``name``, or None.
 
-    In the way is what rises above ``TALL`` within ``ARM_BREADTH``: the hand is below the forearm.
+    Objects taller than ``TALL`` within ``ARM_BREADTH`` of the line obstruct the forearm.
     """
     thing = scene.object(name)
     return _obstacle(mount, thing.pose.position, name, _rising(scene, _boxes(scene)))
@@ -114,9 +114,9 @@ def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
 def clear_of_tall(
     scene: Scene, mount: Mount, name: str, points: Float[np.ndarray, "n 2"]
 ) -> Bool[np.ndarray, "n"]:
-    """Return which points (x, y, world) have no tall thing but ``name`` between them and the base.
+    """Return which points (x, y, world) no tall object except ``name`` separates from the base.
 
-    Tall things, and those in the way, are as in ``obstacle``.
+    Tall objects and obstruction are defined as in ``obstacle``.
     """
     rising = _rising(scene, _boxes(scene))
     ways = [_obstacle(mount, point, name, rising) is None for point in points]
@@ -148,7 +148,7 @@ def add_pedestal(spec: mujoco.MjSpec, mount: Mount) -> None:
 
 
 def _candidates(scene: Scene) -> list[Mount]:
-    """Return mounts all around the outline, each facing the table's centre."""
+    """Return mounts all around the outline, each facing the centre of the table."""
     outline = np.asarray(scene.table.outline, float)
     center = (outline.min(0) + outline.max(0)) / 2
     ends = np.roll(outline, -1, axis=0)
@@ -169,7 +169,7 @@ def _candidates(scene: Scene) -> list[Mount]:
 
 
 class _Box(NamedTuple):
-    """An object as its turned box: where its middle is, its half extent, its axes as columns."""
+    """The oriented box of an object: its centre, half extents, and axes as columns."""
 
     thing: Object
     middle: Float[np.ndarray, "3"]
@@ -185,7 +185,7 @@ def _boxes(scene: Scene) -> list[_Box]:
 
 
 def _rising(scene: Scene, boxes: Sequence[_Box]) -> list[_Box]:
-    """Return the boxes that rise above ``TALL``."""
+    """Return the boxes taller than ``TALL``."""
     limit = scene.table.height + TALL
     tops = [box.middle[2] + (np.abs(box.axes) @ box.thing.scale / 2)[2] for box in boxes]
     return [box for box, top in zip(boxes, tops, strict=True) if top >= limit]
@@ -194,7 +194,7 @@ def _rising(scene: Scene, boxes: Sequence[_Box]) -> list[_Box]:
 def _obstacle(
     mount: Mount, point: Float[np.ndarray, "d"], but: str, rising: Sequence[_Box]
 ) -> str | None:
-    """Return which of the tall boxes, ``but`` one, stands between the base and a point, or None."""
+    """Return which of the tall boxes, except ``but``, is between the base and a point, or None."""
     start = mount.position[:2]
     way = point[:2] - start
     for other in rising:
@@ -212,7 +212,7 @@ def _obstacle(
 def _score(
     mount: Mount, spots: Float[np.ndarray, "n 3"], boxes: Sequence[_Box], rising: Sequence[_Box]
 ) -> float:
-    """Rate a mount: objects reached, table reached, room around the base, the viewer's side."""
+    """Return the score of a mount: objects reached, table reached, clearance, and viewer's side."""
     covered = float(mount.reaches(spots).mean())
     reached = crowded = 0.0
     if boxes:
@@ -241,7 +241,7 @@ def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:
 
 
 def _gap(mount: Mount, box: _Box) -> float:
-    """Return the horizontal distance from the base's axis to an object's turned box, metres."""
+    """Return the horizontal distance from the base's axis to an object's oriented box, metres."""
     offset = (mount.position - box.middle) @ box.axes
     offset[2] = 0.0
     return float(np.linalg.norm(np.maximum(np.abs(offset) - box.half, 0)[:2]))

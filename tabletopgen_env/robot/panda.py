@@ -1,10 +1,10 @@
 """The Franka Panda with its hand, as a MuJoCo specification built in code.
 
 Joints, actuators and their order, limits, gains, home pose and the gripper's 0-255 command agree
-with the MuJoCo Menagerie model, so a policy carries over between ``visuals="primitive"`` (light:
-a few capsules and boxes collide, low-poly shells are drawn) and ``visuals="menagerie"`` (the
-scanned covers). One thing differs on purpose: this gripper squeezes with a force like the real
-hand's (up to 30 N a finger), while Menagerie's servo holds a 4 cm object with 1 N.
+with the MuJoCo Menagerie model, so policies transfer between ``visuals="primitive"`` (light: a few
+colliding capsules and boxes, and low-poly shells) and ``visuals="menagerie"`` (the scanned covers).
+There is one deliberate difference: this gripper squeezes with a force like that of the real hand
+(up to 30 N per finger), while Menagerie's servo holds a 4 cm object with 1 N.
 
 Frames: ``link0`` is the base, x forward, z up. ``tcp`` is the tool centre point between the
 fingertips, z along the fingers (out of the hand), y along the opening direction.
@@ -58,13 +58,13 @@ class Panda:
             )
 
     def spec(self) -> mujoco.MjSpec:
-        """Return a fresh specification, to be attached to a scene.
+        """Return a new specification to attach to a scene.
 
-        ``scene.attach(Panda().spec(), prefix="panda/", frame=frame)`` puts the base at ``frame``;
+        ``scene.attach(Panda().spec(), prefix="panda/", frame=frame)`` places the base at ``frame``;
         then set the home pose by joint name (``HOME_QPOS``, ``HOME_CTRL``).
 
         Raises:
-            BackendError: the Menagerie meshes were asked for and are not on this machine.
+            BackendError: ``visuals`` is "menagerie" and the meshes are not installed.
         """
         if self.visuals == "menagerie":
             from .menagerie import menagerie
@@ -73,7 +73,7 @@ class Panda:
         return _primitive()
 
 
-# -------------------------------------------------------------------------------- our own model
+# -------------------------------------------------------------------------- primitive model
 
 
 def _primitive() -> mujoco.MjSpec:
@@ -99,7 +99,7 @@ def _primitive() -> mujoco.MjSpec:
 def _add_link(
     spec: mujoco.MjSpec, parent: mujoco.MjsBody, number: int, joint: franka.Joint
 ) -> mujoco.MjsBody:
-    """Add link ``number`` at its modified-DH frame, with its joint."""
+    """Add link ``number`` with its joint at its modified-DH frame."""
     body = parent.add_body(
         name=f"link{number}",
         pos=joint.place,
@@ -140,7 +140,7 @@ def _add_actuators(spec: mujoco.MjSpec) -> None:
 
 
 def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
-    """Let bodies within three joints of one another not collide; the fingers have joint limits."""
+    """Exclude collisions of bodies within three joints; the fingers have joint limits."""
     chain = [*_LINKS, HAND]
     pairs = [(a, b) for i, a in enumerate(chain) for b in chain[i + 1 : i + 4]]
     pairs += [(link, finger) for link in chain[-4:] for finger in FINGERS]

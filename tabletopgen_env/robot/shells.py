@@ -1,8 +1,8 @@
-"""The Panda's appearance: light shells of revolution and swept tubes, built from a few numbers.
+"""The Panda's appearance: light shells of revolution and swept tubes, defined by a few numbers.
 
-Every shell is a closed triangle mesh in its body's frame, metres, faces counter-clockwise seen
-from outside. All together stay below 3,000 faces, a fortieth of the scanned covers, because
-drawing time on a CPU is geometry.
+Every shell is a closed triangle mesh in its body's frame, metres, with faces counter-clockwise seen
+from outside. All shells together have less than 3,000 faces, a fortieth of the scanned covers,
+because geometry dominates the drawing time on a CPU.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ COLORS: dict[str, tuple[float, float, float, float]] = {
 
 @dataclass(frozen=True, eq=False)
 class RobotShell:
-    """One coloured closed mesh, read-only. ``color`` is a key of ``COLORS``."""
+    """A coloured closed mesh, read-only. ``color`` is a key of ``COLORS``."""
 
     color: str
     vertices: Float[np.ndarray, "n 3"]
@@ -42,7 +42,7 @@ class RobotShell:
 
 
 def _rings(rings: Float[np.ndarray, "k s 3"], color: str) -> RobotShell:
-    """Join successive rings of points to a closed mesh, with a fan at both ends."""
+    """Connect successive rings of points to a closed mesh, with a fan at each end."""
     k, s = rings.shape[:2]
     a = np.arange(s)
     b = (a + 1) % s
@@ -67,8 +67,8 @@ def tube(
 ) -> RobotShell:
     """Sweep a circle along a smooth curve.
 
-    ``spine`` are the control points of a Bezier curve (m) and ``radii`` the radius at equal
-    steps along it (m); ``cap`` rounds the end by a quarter of a sphere.
+    ``spine`` holds the control points of a Bezier curve (m) and ``radii`` the radii at equal steps
+    along it (m); ``cap`` rounds the end by a quarter circle.
     """
     t = np.linspace(0.0, 1.0, rings)
     points = np.repeat(np.array(spine, float)[None], rings, 0)
@@ -93,7 +93,7 @@ def _circles(
     radius: Float[np.ndarray, "k"],
     sides: int,
 ) -> Float[np.ndarray, "k s 3"]:
-    """Circles about ``centers``, their first axis carried along the curve without twist."""
+    """Return circles about ``centers``, their first axis transported without twist."""
     start = np.eye(3)[np.argmin(np.abs(tangents[0]))]
     angle = np.linspace(0, 2 * np.pi, sides, endpoint=False)
     rings = []
@@ -114,7 +114,7 @@ def slab(
     power: float = 4.0,
     sides: int = 12,
 ) -> RobotShell:
-    """A softened box: superelliptic outline, bevelled by ``round_off`` metres at both ends.
+    """Return a softened box: superelliptic outline, bevelled by ``round_off`` metres at both ends.
 
     ``half`` are half extents; ``taper`` scales the outline at the bottom and at the top.
     """
@@ -134,7 +134,7 @@ def slab(
 
 @cache
 def arm_shells() -> Mapping[str, tuple[RobotShell, ...]]:
-    """Return the shells of every body of the robot, by body name; built once, read-only."""
+    """Return the shells of every body of the robot, by body name; built once and read-only."""
     r, ring = 0.054, 0.0565
     shells = {
         "link0": (
@@ -234,9 +234,9 @@ def join(
 
 
 def arm_points() -> Float[np.ndarray, "n 3"]:
-    """Return points all over the links at home and the tool centre point, in the base frame.
+    """Return points on the links at home and the tool centre point, in the base frame.
 
-    They are what a camera has to show to have the whole robot in the picture.
+    A camera that shows all of them shows the whole robot.
     """
     points = [forward(HOME)[0][None]]
     for number, frame in enumerate([np.eye(4), *link_frames(HOME)]):

@@ -1,12 +1,12 @@
-"""The settings of environments: ``EnvConfig`` and its groups, and the keywords that mean them.
+"""The settings of environments: ``EnvConfig``, its groups, and their keywords.
 
 ========================  ========================================================================
-``ObservationConfig``     what a policy sees
-``ActionConfig``          how it moves the robot
-``RenderConfig``          what ``render`` returns, and what draws
-``WorldConfig``           the robot, and how many compiled worlds are kept
-``EnvConfig``             all of these, the reward, and how episodes differ
-``Settings``              the keywords of ``gymnasium.make``: a group each, or its fields alone
+``ObservationConfig``     the observation
+``ActionConfig``          the action space
+``RenderConfig``          the pictures of ``render``, and the renderer
+``WorldConfig``           the robot, and the cache of compiled worlds
+``EnvConfig``             all of these, the reward, and the randomisation
+``Settings``              the keywords of ``gymnasium.make``: groups, or their fields
 ========================  ========================================================================
 """
 

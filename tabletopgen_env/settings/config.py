@@ -1,4 +1,4 @@
-"""All settings of an environment but its scenes and its task."""
+"""All settings of an environment except scenes and task."""
 
 from __future__ import annotations
 
@@ -21,27 +21,27 @@ InfoKind = Literal["all", "numbers"]
 
 @dataclass(frozen=True)
 class EnvConfig:
-    """How a task is played.
+    """Settings of an environment.
 
     Args:
-        observation: what a policy sees.
-        action: how it moves the robot.
-        render: what ``render`` returns, and what draws.
-        worlds: the robot, and how many compiled worlds are kept.
+        observation: the observation.
+        action: the action space.
+        render: the pictures of ``render``, and the renderer.
+        worlds: the robot, and the cache of compiled worlds.
         reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
             -1 otherwise).
-        randomization: what differs between episodes of the same scene, target and goal, which
-            without it all start alike: a ``Randomization``, "starts" for the arm a little off and
-            the things some centimetres, within free space, "light" or "strong" for everything
-            else, or None for nothing; see ``randomization``.
-        certified: at a bundle with a certificate (see ``certificates.certify``), draw targets and
-            goals only among the instances of the task that the expert solved; False ignores
+        randomization: variation between episodes of the same scene, target and goal: a
+            ``Randomization``; "starts" for small offsets of the arm's joints and of the objects
+            within free space; "light" or "strong" for everything else; or None for identical
+            starts; see ``randomization``.
+        certified: for bundles with a certificate (see ``certificates.certify``), draw targets and
+            goals only from the instances of the task that the expert solved; False ignores
             certificates.
-        infos: what ``info`` holds: "all", or "numbers", which leaves only the entries that are
-            numbers, for libraries that read infos as arrays.
+        infos: content of ``info``: "all", or "numbers" for numeric entries only, for libraries that
+            read infos as arrays.
 
     Raises:
-        InputError: an unknown reward or kind of infos, or ``certified`` is no bool.
+        InputError: the reward or infos setting is unknown, or ``certified`` is not a bool.
     """
 
     observation: ObservationConfig = field(default_factory=ObservationConfig)

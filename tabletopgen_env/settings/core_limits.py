@@ -1,4 +1,4 @@
-"""What the batched core has not, of all that an environment can be set to."""
+"""Settings that the batched core does not support."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .config import EnvConfig
 def check_core(
     config: EnvConfig, who: str, shown: Collection[ObservationMode] = ("state", "goal")
 ) -> None:
-    """Check that the batched core (``core``) can play by a config; ``who`` is to.
+    """Check that the batched core (``core``) supports a config; ``who`` names the caller.
 
-    ``shown`` are the modes of observation that there are.
+    ``shown`` are the supported observation modes.
 
     Raises:
-        InputError: it shows what the core does not compute, or disturbs what it does.
+        InputError: the config has an unsupported observation, action or randomisation.
     """
     chosen, views = randomization.resolve(config.randomization), config.observation
     for wrong, why in (
@@ -31,6 +31,6 @@ def check_core(
     ):
         if wrong:
             raise InputError(
-                f"{who} shows observation={' or '.join(map(repr, shown))} without a grasp hint, "
-                f"and cannot have {why}."
+                f"{who} supports observation={' or '.join(map(repr, shown))} without a grasp hint, "
+                f"and does not support {why}."
             )

@@ -1,4 +1,4 @@
-"""The keywords of ``gymnasium.make``: each names a group of ``EnvConfig``, or one of its fields."""
+"""The keywords of ``gymnasium.make``: groups of ``EnvConfig``, or their fields."""
 
 from __future__ import annotations
 
@@ -31,10 +31,11 @@ from .config import EnvConfig, InfoKind, RewardMode
 
 
 class Settings(TypedDict, total=False):
-    """How a task is played: keywords, all optional, each a field of ``EnvConfig`` or of a group.
+    """Optional keywords, each a field of ``EnvConfig`` or of one of its groups.
 
     A group is given as a whole (``observation=ObservationConfig("pixels", points=64)``), as a dict
-    of its fields, or by its fields alone (``observation="pixels", points=64``), not both ways.
+    of its fields, or by separate fields (``observation="pixels", points=64``), but not in two ways
+    at once.
     """
 
     observation: ObservationMode | ObservationConfig
@@ -87,10 +88,10 @@ _RENAMED: Mapping[tuple[str, str], str] = MappingProxyType(
 
 
 class UnknownSettingError(InputError, TypeError):
-    """An environment has no such keyword.
+    """Unknown keyword of an environment.
 
-    A ``TypeError`` with Python's words, as any function raises: libraries that probe which keywords
-    an environment takes (TorchRL's ``GymEnv`` tries ``frameskip``) look for both.
+    A ``TypeError`` that contains Python's standard message: libraries that probe the keywords of an
+    environment (TorchRL's ``GymEnv`` tries ``frameskip``) expect both.
     """
 
 
@@ -101,11 +102,11 @@ def keywords_of(group: str) -> dict[str, str]:
 
 
 def read_settings(settings: Mapping[str, Any]) -> EnvConfig:
-    """Return what keywords mean; see ``Settings``.
+    """Return the config that keywords describe; see ``Settings``.
 
     Raises:
-        UnknownSettingError: an unknown keyword.
-        InputError: a wrong value, or a group and one of its fields together.
+        UnknownSettingError: a keyword is unknown.
+        InputError: a value is invalid, or a group and one of its fields are both set.
     """
     check_settings(settings)
     rest = dict(settings)
@@ -114,10 +115,10 @@ def read_settings(settings: Mapping[str, Any]) -> EnvConfig:
 
 
 def check_settings(given: Iterable[str], *more: str) -> None:
-    """Check that all names are keywords of an environment, or of ``more``.
+    """Check that all names are keywords of an environment, or in ``more``.
 
     Raises:
-        UnknownSettingError: one is not.
+        UnknownSettingError: a name is unknown.
     """
     known = {*KEYWORDS, "scenes", "task", "preset", *more}
     for name in given:
@@ -129,7 +130,7 @@ def check_settings(given: Iterable[str], *more: str) -> None:
 
 
 def _read_group(group: str, rest: dict[str, Any]) -> Any:
-    """Take what sets a group out of ``rest``; return the group."""
+    """Remove the keywords of a group from ``rest``; return the group."""
     kind, names = GROUPS[group], keywords_of(group)
     whole = rest.pop(group) if isinstance(rest.get(group), kind | Mapping) else None
     flat = {name: rest.pop(name) for name in names if name in rest}
@@ -139,7 +140,7 @@ def _read_group(group: str, rest: dict[str, Any]) -> Any:
         return kind(**{names[name]: value for name, value in flat.items()})
     if flat:
         raise InputError(
-            f"{group} is given as a whole, so {', '.join(flat)} cannot be given besides. Set it in "
+            f"{group} is given as a whole, so {', '.join(flat)} cannot also be given. Set it in "
             f"the {kind.__name__}."
         )
     if isinstance(whole, kind):

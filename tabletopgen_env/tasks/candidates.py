@@ -1,4 +1,4 @@
-"""What can be asked of a scene: which things can be moved, and where they can go."""
+"""Candidates for targets and goals in a scene: movable objects and their destinations."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ from ..world.world import World
 from .task import Choice, Episode
 
 ROOM = 0.008
-"""What the hollow of a container must be wider than what is put into it, however that is turned."""
+"""Minimum clearance between a container's hollow and an object in it at any yaw, metres."""
 
-NO_GRASP = "the arm reaches no grasp of it, or its neighbours leave no room for the hand"
-"""Why what ``has_grasp`` denies cannot be moved."""
+NO_GRASP = "the arm cannot reach any grasp of it, or its neighbours leave no room for the hand"
+"""Reason for objects without a reachable grasp according to ``has_grasp``."""
 
 _TURNS = tuple(k * math.pi / 6 for k in range(-6, 6))
 
@@ -35,20 +35,20 @@ Reasons = dict[str, str | None]
 
 
 def liftable(world: World) -> Reasons:
-    """Return why each object cannot be picked up, None where it can; grasps are not planned."""
+    """Return why each object cannot be picked up, None if it can; grasps are not planned."""
     return {
         o.name: world.ungraspable[o.name] or blocking_reason(world, o) for o in world.scene.objects
     }
 
 
 def blocking_reason(world: World, obj: Object) -> str | None:
-    """Return why the hand cannot come at an object, or move it alone; None if it can."""
+    """Return why the hand cannot access an object, or move it alone; None if it can."""
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
     if (between := obstacle(world.scene, world.mount, obj.name)) is not None:
-        return f"{between} stands in the arm's way"
+        return f"{between} obstructs the arm"
     if obj.placement.inside:
-        return f"it lies inside {obj.placement.on}, where fingers do not reach"
+        return f"it lies inside {obj.placement.on}, out of the fingers' reach"
     loaded = [o.name for o in world.scene.objects if o.placement.on == obj.name]
     return f"{loaded[0]} stands on it" if loaded else None
 
@@ -62,20 +62,20 @@ def draw_episode(
     lacks: str,
     held: bool = True,
 ) -> Episode:
-    """Return the episode that ``make`` gives for a drawn target, or for the one given.
+    """Return the episode that ``make`` gives for the target, or for a drawn one.
 
     Args:
         world: the world, at its start.
-        rng: draws the order in which targets are tried.
-        target: the one asked for, which is tried whatever ``reasons`` says; None draws.
-        reasons: why objects cannot be targets; what is found on the way is added.
-        make: returns an object's episode, or None if there is none.
-        lacks: the reason to report if there is none.
+        rng: source of the random order in which targets are tried.
+        target: the name of the target, tried regardless of ``reasons``; None draws one.
+        reasons: reasons why objects cannot be targets; new ones are added.
+        make: returns an object's episode, or None if it has none.
+        lacks: the reason to report if ``make`` returns None.
         held: whether the arm must reach a grasp of the target.
 
     Raises:
-        SceneError: no object will do; says why for each.
-        InputError: no such target.
+        SceneError: no object is a valid target; the message gives the reason for each.
+        InputError: the target does not exist.
     """
     if target is None:
         names = [name for name, reason in reasons.items() if reason is None]
@@ -94,10 +94,10 @@ def draw_episode(
 
 
 def check_known(world: World, name: str, what: str) -> str:
-    """Return ``name`` if the scene has such an object.
+    """Return ``name`` if the scene has an object of this name.
 
     Raises:
-        InputError: there is no such object.
+        InputError: the object does not exist.
     """
     if name not in world.names:
         raise InputError(f"No object {name!r} {what}." + choices(str(name), world.names))
@@ -105,25 +105,25 @@ def check_known(world: World, name: str, what: str) -> str:
 
 
 def nothing(world: World, reasons: Mapping[str, str | None]) -> SceneError:
-    """Return the error of a scene that offers nothing to do."""
+    """Return the error for a scene without a valid task."""
     listed = "; ".join(f"{name}: {why}" for name, why in reasons.items() if why)
     return SceneError(
-        f"Scene {world.scene.name!r} offers nothing to move ({listed or 'no objects'}). "
-        "Use other scenes, or choose with reset(options={'target': ..., 'goal': ...})."
+        f"Scene {world.scene.name!r} has no valid target ({listed or 'no objects'}). "
+        "Use other scenes, or set reset(options={'target': ..., 'goal': ...})."
     )
 
 
 def rest_height(world: World, name: str) -> float:
-    """Return how high an object's centre is above what it stands on, metres."""
+    """Return the height of an object's centre above its support, metres."""
     return float(world.position(name)[2]) - world.lowest(name)
 
 
 def spot_of(
     world: World, obj: Object, goal: Choice, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"] | None:
-    """Return the spot on the table that ``goal`` gives, or a drawn free one, world frame.
+    """Return the spot on the table that ``goal`` gives, or a random free one, world frame.
 
-    A drawn one is where the arm can put the object, held by its planned grasp.
+    At a random spot the arm can place the object with its planned grasp.
     """
     if goal is None or isinstance(goal, str):
         plan = first_plan(world, obj.name)
@@ -137,7 +137,7 @@ def spot_of(
 def _is_brought_to(
     world: World, obj: Object, plan: GraspPlan, point: Float[np.ndarray, "2"]
 ) -> bool:
-    """Return whether the arm can put ``obj``, held by ``plan``, on a point, turned in some way."""
+    """Return whether the arm can place ``obj``, held by ``plan``, on a point at some yaw."""
     center = np.array([*point, world.scene.table.height + rest_height(world, obj.name)])
     held = plan.grasp.point - world.position(obj.name)
     return any(
@@ -148,10 +148,10 @@ def _is_brought_to(
 
 
 def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]:
-    """Return ``count`` finite numbers that a user gave; ``wanted`` says what they are.
+    """Return ``count`` finite numbers from a user; ``wanted`` describes them in the error.
 
     Raises:
-        InputError: the value is something else.
+        InputError: the value is anything else.
     """
     try:
         point = np.asarray(goal, float)
@@ -163,10 +163,10 @@ def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]
 
 
 def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
-    """Return a point of the table that a user gave.
+    """Return a point on the table from a user.
 
     Raises:
-        InputError: it is no pair of finite numbers, or not on the table.
+        InputError: the value is not a pair of finite numbers, or not on the table.
     """
     xy = coordinates(goal, 2, "A goal spot is two finite numbers (x, y)")
     if inside_margin(xy, world.scene.table.outline)[0] < 0:
@@ -175,8 +175,8 @@ def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
 
 
 def containers(world: World, obj: Object) -> Iterator[Object]:
-    """Yield what an object goes into: containers that stand free, upright and in reach."""
-    outline = world.footprints[obj.name]  # however the hand turns it, it goes in lying as it does
+    """Yield the containers for an object: those that stand free, upright and in reach."""
+    outline = world.footprints[obj.name]  # for any yaw of the hand
     across = float(np.linalg.norm(outline[:, None] - outline[None], axis=-1).max())
     for other in world.scene.objects:
         if other.name == obj.name or obj.placement.on == other.name:
@@ -190,36 +190,36 @@ def containers(world: World, obj: Object) -> Iterator[Object]:
 
 
 def into(world: World, obj: Object, container: Object) -> Into:
-    """Return the goal of ``obj`` in ``container``.
+    """Return the goal of placing ``obj`` into ``container``.
 
     Raises:
-        InputError: it has no hollow, or is the object itself.
+        InputError: the container has no hollow, or is the object itself.
     """
     hollow = world.openings[container.name]
     if hollow is None or container.name == obj.name:
-        raise InputError(f"{container.name!r} is no container to put {obj.name!r} into.")
+        raise InputError(f"{container.name!r} is not a container for {obj.name!r}.")
     return Into(obj.name, container.name, hollow, resting_height(obj))
 
 
 def on_spot(world: World, obj: Object, spot: Float[np.ndarray, "3"]) -> OnSpot:
-    """Return the goal of ``obj`` standing on a spot."""
+    """Return the goal of placing ``obj`` on a spot."""
     return OnSpot(obj.name, spot, rest_height(world, obj.name))
 
 
 def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
-    """Return the goal of ``obj`` standing where ``other`` stands now."""
+    """Return the goal of placing ``obj`` at the current position of ``other``."""
     spot = np.array([*other.pose.position[:2], world.scene.table.height])
     return OnSpot(obj.name, spot, rest_height(world, obj.name), other.name)
 
 
 def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
-    """Return the object that a goal option names, None without one.
+    """Return the object that a goal option names, None without the option.
 
-    ``use`` says what the object is for ("to put things on"), ``wanted`` names the task and what its
-    option has to be ("Stack is an object's name").
+    ``use`` completes the error for unknown objects ("to put things on"), ``wanted`` the one for
+    other values ("Stack is an object's name").
 
     Raises:
-        InputError: the option is a spot or a point, or the scene has no such object.
+        InputError: the option is a spot or a point, or the object does not exist.
     """
     if goal is not None and target_of(goal) is None:
         raise InputError(f"The goal of {wanted}, got {goal!r}.")
@@ -227,10 +227,10 @@ def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | Non
 
 
 def target_of(goal: Choice) -> str | None:
-    """Return the object that a goal option names, None for a spot, a point or nothing."""
+    """Return the object that a goal option names, None for a spot, a point or no option."""
     return goal if isinstance(goal, str) and goal != SPOT else None
 
 
 def on_table(obj: Object) -> bool:
-    """Return whether an object stands on the table itself."""
+    """Return whether an object stands directly on the table."""
     return obj.placement.on == TABLE

@@ -1,6 +1,6 @@
-"""Lift: take one object and hold it up.
+"""Lift: pick up one object and hold it in the air.
 
-``reset`` option: ``target`` an object's name. Goal: `Raised`.
+``reset`` option: ``target``, the name of an object. Goal: `Raised`.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from .task import Choice, Episode, Task, episode
 
 
 class Lift(Task):
-    """Hold one object up; see the module's page."""
+    """Hold one object in the air; see the module docstring."""
 
     weights = MappingProxyType({"reach": 0.20, "grasp": 0.20, "lift": 0.30, "success": 0.30})
 
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw a target, or take the one given; see ``Task.sample``."""
+        """Draw a target, or use the given one; see ``Task.sample``."""
         if goal is not None:
             raise InputError("Lift has no goal to choose; leave the option 'goal' out.")
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 NAMES = ("Reach", "Lift", "Push", "PickPlace", "Stack", "Swap", "Sequence", "Tidy")
-"""The tasks; each is the id ``TabletopGen/<name>-v0``."""
+"""The task names; each task has the id ``TabletopGen/<name>-v0``."""
 
 
 class TaskName(NamedTuple):
-    """A task of this package by its name, with its preset if it has one."""
+    """The name of a task, with its preset, if any."""
 
     task: str
     preset: str | None = None

@@ -1,7 +1,7 @@
-"""PickPlace: take one object and put it into a container or onto a marked free spot.
+"""PickPlace: pick up one object and place it into a container or onto a marked free spot.
 
-``reset`` options: ``target`` an object's name; ``goal`` a container's name, "spot" for a drawn free
-spot, or a point (x, y) of the table in the world frame. Goals: `Into` or `OnSpot`.
+``reset`` options: ``target``, the name of an object; ``goal``, the name of a container, "spot" for
+a random free spot, or a point (x, y) on the table in the world frame. Goals: `Into` or `OnSpot`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from .task import Choice, Episode, Task, episode
 
 
 class PickPlace(Task):
-    """Put one object into a container or onto a marked spot; see the module's page."""
+    """Place one object into a container or onto a marked spot; see the module docstring."""
 
     weights = MappingProxyType(
         {"reach": 0.10, "grasp": 0.15, "lift": 0.15, "place": 0.30, "success": 0.30}
@@ -36,13 +36,13 @@ class PickPlace(Task):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw a target and a goal, or take those given; see ``Task.sample``."""
+        """Draw a target and a goal, or use the given ones; see ``Task.sample``."""
         reasons, wanted = liftable(world), target_of(goal)
         if wanted is not None:
             check_known(world, wanted, "to put things into")
             for obj in world.scene.objects:
                 if not reasons[obj.name] and wanted not in {o.name for o in containers(world, obj)}:
-                    reasons[obj.name] = f"does not go into {wanted}"
+                    reasons[obj.name] = f"does not fit into {wanted}"
 
         def make(obj: Object) -> Episode | None:
             if wanted is not None:
@@ -55,5 +55,5 @@ class PickPlace(Task):
                 return episode(world, (on_spot(world, obj, spot),))
             return episode(world, (into(world, obj, fitting[0]),)) if fitting else None
 
-        lacks = "no container that it fits and no free spot in reach"
+        lacks = "no container that fits it, and no free spot in reach"
         return draw_episode(world, rng, target, reasons, make, lacks)

@@ -1,9 +1,9 @@
 """Push: slide one object along the table to a marked spot, with the fingers closed.
 
-The gripper stays closed whatever the action says. Pushed is what stands on the table alone and
-neither topples nor rolls easily; it need not fit into the hand. Ways are drawn across long things,
-which turn aside when they are pushed at an end. ``reset`` options: ``target`` an object's name;
-``goal`` a point (x, y) of the table in the world frame. Goal: `Pushed`.
+The gripper stays closed regardless of the action. Targets stand on the table alone and neither
+topple nor roll easily; they need not fit into the hand. Long objects are pushed sideways only,
+since they would turn if pushed at an end. ``reset`` options: ``target``, the name of an object;
+``goal``, a point (x, y) on the table in the world frame. Goal: `Pushed`.
 """
 
 from __future__ import annotations
@@ -26,26 +26,26 @@ from .candidates import Reasons, blocking_reason, draw_episode, given_point, on_
 from .task import Choice, Episode, Task, episode
 
 WAY = (0.08, 0.25)
-"""Shortest and longest way to push, metres."""
+"""Minimum and maximum distance of a push, metres."""
 
 HEAVIEST = 1.5
-"""Heaviest object to push, kg."""
+"""Maximum mass of a target, kg."""
 
 SLENDER = 1.2
-"""Tallest thing to push, in multiples of its smallest width: slenderer ones topple."""
+"""Maximum height of a target as a multiple of its smallest width: more slender objects topple."""
 
 LEAST_GRIP = 0.5
-"""Friction on the table, at least, that a push at the centre of mass's height has to overcome."""
+"""Minimum friction coefficient with the table that a push must overcome without toppling."""
 
 LONGEST = 2.0
-"""Longest thing to push lengthwise, in its own breadths."""
+"""Maximum length of a target along the push, as a multiple of its breadth."""
 
 _TRIES = 200
-_PLANS = 25  # strokes planned at most to find one that the arm can make
+_PLANS = 25  # maximum number of strokes planned in search of one that the arm can perform
 
 
 class Push(Task):
-    """Slide one object to a spot; see the module's page."""
+    """Push one object to a spot; see the module docstring."""
 
     weights = MappingProxyType({"reach": 0.20, "place": 0.50, "success": 0.30})
     closed = True
@@ -54,9 +54,9 @@ class Push(Task):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw a target and a spot, or take those given; see ``Task.sample``."""
+        """Draw a target and a spot, or use the given ones; see ``Task.sample``."""
         if isinstance(goal, str) and goal != SPOT:
-            raise InputError(f"The goal of Push is a point (x, y) of the table, got {goal!r}.")
+            raise InputError(f"The goal of Push must be a point (x, y) on the table, got {goal!r}.")
 
         def make(obj: Object) -> Episode | None:
             named = goal is not None and not isinstance(goal, str)
@@ -67,12 +67,12 @@ class Push(Task):
             up = world.rotation(obj.name)[2]
             return episode(world, (Pushed(obj.name, spot, rest_height(world, obj.name), up),))
 
-        lacks = "no free way to push it along"
+        lacks = "no free path for a push"
         return draw_episode(world, rng, target, slidable(world), make, lacks, held=False)
 
 
 def slidable(world: World) -> Reasons:
-    """Return why each object cannot be pushed, None where it can."""
+    """Return why each object cannot be pushed, None if it can."""
     return {o.name: _fixed_reason(world, o) for o in world.scene.objects}
 
 
@@ -84,28 +84,29 @@ def _fixed_reason(world: World, obj: Object) -> str | None:
     if resting_height(obj) > SLENDER * grasp_width(obj) or tips(obj):
         return "it would topple or roll"
     if resting_height(obj) < 0.01:
-        return "too flat for the fingers"
+        return "it is too flat for the fingers"
     return blocking_reason(world, obj)
 
 
 def tips(obj: Object) -> bool:
-    """Return whether an object goes over, or rolls, before it slides.
+    """Return whether an object topples or rolls before it slides.
 
-    Pushed at the height of its centre of mass it goes over at the friction tan(a), where it has to
-    lean by the angle a, the centre of mass rising by 1 / cos(a), until it falls by itself.
+    If an object is pushed at the height of its centre of mass, it topples at a friction coefficient
+    of tan(a), where a is the lean from which it falls by itself; until then its centre of mass
+    rises by a factor of 1 / cos(a).
     """
     turned = quaternion_matrix(obj.pose.quaternion).T
     points = (collision_points(obj) - obj.com) @ turned
     leans, bearings = np.deg2rad(np.arange(0, 61, 5)), np.deg2rad(np.arange(0, 360, 15))
     along = points[:, :2] @ np.stack([np.cos(bearings), np.sin(bearings)])
     down = [along * np.sin(lean) - points[:, 2:] * np.cos(lean) for lean in leans]
-    heights = np.max(down, axis=1)  # of the centre of mass, by lean and bearing
+    heights = np.max(down, axis=1)  # heights of the centre of mass, by lean and bearing
     rise = float((heights.max(0) / heights[0]).min())
     return rise < float(np.hypot(1.0, max(LEAST_GRIP, obj.friction)))
 
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
-    """Draw where to push an object: along a way free of others, with room for the hand behind."""
+    """Draw the end of a push: along a path free of other objects, with room for the hand behind."""
     begin, table = obj.pose.position[:2], world.scene.table
     outline, others = world.footprints[obj.name], beside(world, obj.name)
     radius = float(np.linalg.norm(outline - begin, axis=1).max())

@@ -1,6 +1,6 @@
-"""Reach: bring the tool centre point to a marked point in the air above the table.
+"""Reach: move the tool centre point to a marked point in the air above the table.
 
-``reset`` option: ``goal`` a point (x, y, z) in the world frame. Goal: `Reached`.
+``reset`` option: ``goal``, a point (x, y, z) in the world frame. Goal: `Reached`.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from .candidates import coordinates
 from .task import Choice, Episode, Task, episode
 
 HEIGHTS = (0.05, 0.30)
-"""Lowest and highest goal above what stands below it, metres."""
+"""Minimum and maximum height of a goal above the surface below it, metres."""
 
 _TRIES = 400
 
 
 class Reach(Task):
-    """Bring the hand to a point; see the module's page."""
+    """Move the hand to a point; see the module docstring."""
 
     weights = MappingProxyType({"place": 0.5, "success": 0.5})
     marker_radius, marker_shape = 0.02, "ball"
@@ -33,16 +33,16 @@ class Reach(Task):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw a point, or take the one given; see ``Task.sample``."""
+        """Draw a point, or use the given one; see ``Task.sample``."""
         if target is not None:
             raise InputError("Reach has no target; leave the option 'target' out.")
-        wanted = "The goal of Reach is a point (x, y, z), world frame"
+        wanted = "The goal of Reach must be a point (x, y, z) in the world frame"
         point = free_point(world, rng) if goal is None else coordinates(goal, 3, wanted)
         return episode(world, (Reached(point),))
 
 
 def free_point(world: World, rng: np.random.Generator) -> Float[np.ndarray, "3"]:
-    """Draw a point over the table, clear of what stands there, within reach."""
+    """Draw a reachable point over the table, clear of all objects."""
     outline = world.scene.table.outline
     for _ in range(_TRIES):
         xy = rng.uniform(np.asarray(outline.min(0)), np.asarray(outline.max(0)))

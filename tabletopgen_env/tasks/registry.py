@@ -1,4 +1,4 @@
-"""Every task by its name."""
+"""The tasks by name."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ TASKS: Mapping[str, type[Task]] = MappingProxyType({task.__name__: task for task
 
 
 def task_named(name: str, preset: str | None = None) -> Task:
-    """Return the task of a name; ``preset`` is Sequence's.
+    """Return the task of a name; ``preset`` is for the task "Sequence".
 
     Raises:
-        InputError: no such task or preset, or a preset for another task.
+        InputError: the task or preset is unknown, or the task has no presets.
     """
     require_known(name, TASKS, "Unknown task")
     if name == "Sequence":

@@ -1,7 +1,7 @@
-"""Sequence: several things in the order a sentence lists them, on one table.
+"""Sequence: several steps at one table, in the order of a sentence.
 
-Without a preset two or three steps are drawn: things put into containers, on others' flat tops or
-on marked spots, each thing once. A preset asks for named things:
+Without a preset two or three steps are drawn: objects are placed into containers, on flat tops of
+others or on marked spots, each object once. A preset has fixed steps:
 
 ================  ==============================================================================
 ``kitchen``       the cucumber into the bowl, then the carrot and the salt shaker onto the cutting
@@ -9,9 +9,9 @@ on marked spots, each thing once. A preset asks for named things:
 ``coffee_table``  the cup and the apple change places
 ================  ==============================================================================
 
-Both are the paper's (Sec. 11); their tables are the shipped bundles of ``PRESETS``. Success is that
-all steps hold at once, whatever their order. ``reset`` takes no options but "scene". Goals: `Into`,
-`OnTop`, `OnSpot`.
+Both are from the paper (Sec. 11); their tables are the shipped bundles in ``PRESETS``. The task
+succeeds if all steps hold at once, regardless of their order. ``reset`` has only the option
+"scene". Goals: `Into`, `OnTop`, `OnSpot`.
 """
 
 from __future__ import annotations
@@ -47,14 +47,14 @@ from .swap import Swap
 from .task import Choice, Episode, Task, episode
 
 NEEDS: Needs = (SMALL, SMALL, (*FLAT, *TRAYS))
-"""What tables for drawn steps hold: two things to move, and something for one to go to."""
+"""Required objects of tables for drawn steps: two to move, and a destination for one."""
 
-_APART = 0.2  # metres between two marked spots
+_APART = 0.2  # minimum distance of two marked spots, metres
 
 
 @dataclass(frozen=True)
 class Step:
-    """One step of a preset: a thing, and what it comes into or onto, by their labels."""
+    """One step of a preset: the labels of the object and of its destination."""
 
     target: str
     relation: Literal["into", "onto"]
@@ -63,7 +63,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Preset:
-    """A sentence, its steps, and its tables: bundles (a glob), and what those drawn for it hold."""
+    """A sentence, its steps, its bundles (a glob), and the needs of generated tables."""
 
     instruction: str
     scenes: str
@@ -99,17 +99,17 @@ PRESETS: Mapping[str, Preset] = MappingProxyType(
         ),
     }
 )
-"""The tasks with names of their own."""
+"""The presets by name."""
 
 
 class Sequence(Task):
-    """Do several things, one after the other; see the module's page.
+    """Perform several steps in order; see the module docstring.
 
     Args:
-        preset: a name of ``PRESETS``; None draws steps.
+        preset: a key of ``PRESETS``; None draws steps.
 
     Raises:
-        InputError: no such preset.
+        InputError: the preset is unknown.
     """
 
     weights = Swap.weights
@@ -126,17 +126,18 @@ class Sequence(Task):
 
     @property
     def listed_as(self) -> TaskName | None:
-        """As for every task, with the preset."""
+        """The name in certificates, which includes the preset."""
         listed = super().listed_as
         return listed and listed._replace(preset=self._name)
 
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw steps, or find the preset's things; see ``Task.sample``."""
+        """Draw steps, or find the objects of the preset; see ``Task.sample``."""
         if target is not None or goal is not None:
             raise InputError(
-                "A sequence is drawn or named by a preset; it takes no target or goal."
+                "Sequence draws its steps or takes them from a preset; leave 'target' and 'goal' "
+                "out."
             )
         if self.preset is None:
             return _draw(world, rng, int(rng.integers(2, self.most + 1)))
@@ -148,26 +149,26 @@ class Sequence(Task):
         return episode(world, tuple(_goal(world, step) for step in self.preset.steps))
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return the preset's sentence, or what the drawn ``goals`` ask for."""
+        """Return the sentence of the preset, or the instructions of the drawn ``goals``."""
         if self.preset is None:
             return super().instruction(world, goals)
         return Swap().instruction(world, goals) if self.preset.swap else self.preset.instruction
 
 
 def _resolve_label(world: World, label: str) -> Object:
-    """Return the object that a preset means."""
+    """Return the object for a label of the preset."""
     category = label.replace(" ", "_")
     for obj in world.scene.objects:
         if label == obj.label or category == obj.model.category:
             return obj
     there = ", ".join(sorted({o.label for o in world.scene.objects}))
     raise SceneError(
-        f"Scene {world.scene.name!r} has no {label}, which this task needs; it has {there}."
+        f"Scene {world.scene.name!r} has no {label}, which this task requires; it has {there}."
     )
 
 
 def _movable(world: World, label: str, broad: bool = False) -> Object:
-    """Return the object that a preset means, if it can be taken; as ``broad`` as the gripper."""
+    """Return the movable object for a label; ``broad`` skips the check of its width."""
     obj = _resolve_label(world, label)
     reason = blocking_reason(world, obj) if broad else liftable(world)[obj.name]
     if reason is None and not has_grasp(world, obj.name):
@@ -183,7 +184,7 @@ def _goal(world: World, step: Step) -> Goal:
 
 
 def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
-    """Draw ``count`` steps with things of their own that stay clear of one another."""
+    """Draw ``count`` steps with distinct objects that stay clear of each other."""
     reasons = liftable(world)
     names = [name for name, why in reasons.items() if why is None]
     goals: list[Goal] = []
@@ -195,7 +196,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
             continue
         goal = _step(world, obj, rng, busy, goals)
         if goal is None:
-            reasons[obj.name] = "no place for it"
+            reasons[obj.name] = "no destination for it"
             continue
         goals.append(goal)
         busy |= {obj.name} | ({goal.reference} if goal.reference else set())
@@ -204,14 +205,14 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
     if len(goals) >= 2:
         return episode(world, tuple(goals))
     for goal in goals:
-        reasons[str(goal.target)] = "the only thing that can be moved somewhere"
+        reasons[str(goal.target)] = "no other object can be moved"
     raise nothing(world, reasons)
 
 
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
 ) -> Goal | None:
-    """Return a goal of ``obj`` clear of ``busy`` things and the spots of ``before``, or None."""
+    """Return a goal of ``obj`` clear of ``busy`` objects and the spots of ``before``, or None."""
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
     ways: list[Goal] = []

@@ -1,6 +1,7 @@
-"""Stack: put one object on the flat top of another.
+"""Stack: place one object on the flat top of another.
 
-``reset`` options: ``target`` the object to put; ``goal`` the object to put it on. Goal: `OnTop`.
+``reset`` options: ``target``, the name of the object to place; ``goal``, the name of its support.
+Goal: `OnTop`.
 """
 
 from __future__ import annotations
@@ -25,17 +26,17 @@ from .pick_place import PickPlace
 from .task import Choice, Episode, Task, episode
 
 LEAST_TOP = 0.022
-"""Least radius of a flat top to put things on, metres."""
+"""Minimum radius of a flat top that serves as a support, metres."""
 
 _YAWS = np.arange(8) * np.pi / 4
-"""Yaws of the hand, base frame, radians."""
+"""Candidate yaws of the hand, base frame, radians."""
 
 TALLEST = 0.25
-"""Tallest support, metres: the arm has to come over it."""
+"""Maximum height of a support, metres: the arm must pass over it."""
 
 
 class Stack(Task):
-    """Put one object on another; see the module's page."""
+    """Place one object on another; see the module docstring."""
 
     weights = PickPlace.weights
     needs = (FLAT, STANDING)
@@ -43,7 +44,7 @@ class Stack(Task):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw a target and a support, or take those given; see ``Task.sample``."""
+        """Draw a target and a support, or use the given ones; see ``Task.sample``."""
         wanted = given_object(world, goal, "to put things on", "Stack is an object's name")
 
         def make(obj: Object) -> Episode | None:
@@ -53,14 +54,15 @@ class Stack(Task):
             base = found[int(rng.integers(len(found)))]
             return episode(world, (on_top(world, obj, base),))
 
-        lacks = "no flat top in reach that carries it"
+        lacks = "no flat top in reach that can carry it"
         return draw_episode(world, rng, target, liftable(world), make, lacks)
 
 
 def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[Object]:
-    """Yield what can carry an object: flat tops in reach on which nothing stands.
+    """Yield the supports for an object: flat tops in reach that carry no object yet.
 
-    With its centre over the flat part's, its centre of mass lies over the flat part too.
+    If the object's centre is above that of the flat part, its centre of mass is above the flat
+    part.
     """
     loaded = {o.placement.on for o in world.scene.objects}
     plan = first_plan(world, obj.name, choose)
@@ -81,20 +83,20 @@ def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[O
 
 
 def _is_carried_to(world: World, obj: Object, base: Object, held: float) -> bool:
-    """Return whether the arm carries ``obj``, held so far above its centre, over ``base``."""
+    """Return whether the arm can carry ``obj``, held so far above its centre, over ``base``."""
     tool = on_top(world, obj, base).region(world).center + up(held)
     ends = (tool, tool + up(HOVER))
     return any(stretch(world, ends, float(yaw)) is not None for yaw in _YAWS)
 
 
 def on_top(world: World, obj: Object, base: Object) -> OnTop:
-    """Return the goal of ``obj`` standing on ``base``.
+    """Return the goal of placing ``obj`` on ``base``.
 
     Raises:
-        InputError: it has no flat top, or is the object itself.
+        InputError: the base has no flat top, or is the object itself.
     """
     top = world.plateaus[base.name]
     if top is None or base.name == obj.name:
-        raise InputError(f"{base.name!r} has no flat top to put {obj.name!r} on.")
+        raise InputError(f"{base.name!r} has no flat top for {obj.name!r}.")
     upwards = quaternion_matrix(base.pose.quaternion)[2]
     return OnTop(obj.name, base.name, top, rest_height(world, obj.name), upwards)

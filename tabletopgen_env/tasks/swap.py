@@ -1,9 +1,9 @@
-"""Swap: let two objects change places; the paper's cup and apple (Sec. 11).
+"""Swap: exchange the positions of two objects; the paper's cup and apple (Sec. 11).
 
 There are three goals, shown in order: the second object aside on a marked free spot, the first
-where the second stood, the second where the first stood. The first of them counts as met once the
-first object stands where the second stood; what is asked for in the end are the other two.
-``reset`` options: ``target`` and ``goal``, the names of the two objects. Goals: `OnSpot`.
+object at the start position of the second, and the second at the start position of the first. The
+first goal counts as met once the second one is; only the last two matter in the end. ``reset``
+options: ``target`` and ``goal``, the names of the two objects. Goals: `OnSpot`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from .task import Choice, Episode, Task, episode
 
 
 class Swap(Task):
-    """Let two objects change places; see the module's page."""
+    """Exchange the positions of two objects; see the module docstring."""
 
     weights = MappingProxyType(
         {"reach": 0.05, "grasp": 0.10, "lift": 0.10, "place": 0.25, "met": 0.25, "success": 0.25}
@@ -37,7 +37,7 @@ class Swap(Task):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw two objects, or take those given; see ``Task.sample``."""
+        """Draw two objects, or use the given ones; see ``Task.sample``."""
         wanted = given_object(world, goal, "to swap with", "Swap is the other object's name")
         reasons = liftable(world)
         for obj in world.scene.objects:
@@ -59,17 +59,17 @@ class Swap(Task):
                     )
             return None
 
-        lacks = "nothing else that could change places with it"
+        lacks = "no other object to swap it with"
         return draw_episode(world, rng, target, reasons, make, lacks)
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return what ``goals`` ask for in the end."""
+        """Return the instruction of the last two ``goals``."""
         first, second = (str(goals[k].target) for k in (1, 2))
         return f"swap {the(world, first)} and {the(world, second)}"
 
 
 def _fits(world: World, obj: Object, place: Object) -> bool:
-    """Return whether ``obj`` has room where ``place`` stands, once that is gone."""
+    """Return whether ``obj`` has room at the position of ``place`` once that is removed."""
     outline = world.footprints[obj.name] - obj.pose.position[:2]
     radius = float(np.linalg.norm(outline, axis=1).max())
     center = place.pose.position[:2]

@@ -1,31 +1,31 @@
-"""What every task shares: goals in order, goal vectors, named reward terms, exact success.
+"""The base of all tasks: ordered goals, goal vectors, named reward terms, and exact success.
 
-An episode is a tuple of goals. The *active* goal is the first that is not met; the state shows its
-target and region. A task has *succeeded* while all its goals are met at once.
+An episode is a tuple of goals. The *active* goal is the first unmet one; the state shows its target
+and region. A task has *succeeded* while all its goals are met at once.
 
 The reward's terms are all in [0, 1] and 1 on success:
 
 =========  ========================================================================================
 reach      tool centre point near the active target's centre: 1 / (1 + distance / 0.1 m)
-grasp      half for each finger that touches the active target
-lift       the active target's height above where it stood over what the way still to go asks for
-           (at most 8 cm)
-place      target near its region, the mean over the goals: 1 / (1 + distance / 0.15 m)
+grasp      1/2 for each finger that touches the active target
+lift       height of the active target above its start, relative to the height required for the
+           remaining path (at most 8 cm)
+place      target near its region: 1 / (1 + distance / 0.15 m), averaged over the goals
 met        the share of the goals that are met
 success    all goals are met
 =========  ========================================================================================
 
-Of reach, grasp and lift a goal that is met counts 1 and one still to come 0; they count in full
-too while the active target is in its region and only has to be let go. A dense reward is a task's
-weighted sum of them; the weights sum to 1 and the sum is 1 if and only if the task has succeeded.
-Sparse reward: 0 on success, -1 otherwise. With goal-dict observations the reward must follow from
-goal vectors alone: sparse as above, dense 0.5 place + 0.5 met.
+In reach, grasp and lift a met goal counts 1 and a future one 0; they also count in full while the
+active target is in its region and only has to be released. The dense reward is a weighted sum of
+the terms; the weights sum to 1, and the reward is 1 if and only if the task has succeeded. The
+sparse reward is 0 on success and -1 otherwise. With goal-dict observations the reward must follow
+from goal vectors alone: sparse as above, dense 0.5 place + 0.5 met.
 
-A goal vector has eight entries a goal: its region's centre x, y, z in the base frame (m), the
-semi-axes x', y' (m), yaw (rad), semi-axis z (m), and 1 for the state asked for. Of an achieved goal
-the first three are the target's centre and the last says whether it is in that state; the others
-are copied, so that what was achieved can stand in for what was desired (hindsight). A task for
-which the number of goals varies pads with zeros.
+A goal vector has eight entries per goal: the centre x, y, z of its region in the base frame (m),
+the semi-axes x', y' (m), yaw (rad), semi-axis z (m), and 1 for the required state. In an achieved
+goal vector the first three are the target's centre and the last is 1 if it is in that state; the
+others are copied, so that an achieved goal can replace a desired one (hindsight). Tasks with a
+variable number of goals pad with zeros.
 """
 
 from __future__ import annotations
@@ -48,32 +48,32 @@ from ..world.world import World
 from .names import TaskName
 
 GOAL_WEIGHTS: Mapping[str, float] = MappingProxyType({"place": 0.5, "met": 0.5})
-"""Weights when only the achieved and the desired goal are known."""
+"""Weights of the reward from achieved and desired goal vectors only."""
 
 Choice = str | tuple[float, ...] | None
-"""What the option "goal" of ``reset`` may be: an object's name, "spot", a point, or nothing."""
+"""Values of the ``reset`` option "goal": an object's name, "spot", a point, or None."""
 
 ENTRIES = 8
-"""Entries of one goal in a goal vector."""
+"""Number of entries per goal in a goal vector."""
 
 LIFT = 0.08
-"""Height to carry things at, metres."""
+"""Height at which objects are carried, metres."""
 
 REACH_SCALE, PLACE_SCALE = 0.1, 0.15
-"""Distances at which the terms reach and place are a half, metres."""
+"""Distances at which the terms reach and place are 1/2, metres."""
 
 FAR = 3.0
-"""Positions in goal vectors are clipped to it, metres."""
+"""Bound of positions in goal vectors, metres."""
 
 _HAND = ("reach", "grasp", "lift")
 
 
 @dataclass(frozen=True, eq=False)
 class Episode:
-    """What one episode asks for.
+    """The goals of one episode.
 
-    goals: in the order in which they are shown; starts: heights of their targets' centres at the
-    start, world frame.
+    goals: in order of display; starts: heights of the targets' centres at the start, world frame,
+    metres.
     """
 
     goals: tuple[Goal, ...]
@@ -82,10 +82,10 @@ class Episode:
 
 @dataclass(frozen=True)
 class Gap:
-    """How far from being met one goal is.
+    """The remaining distance of a goal.
 
-    across, up: how far outside its region the target is, horizontally and vertically, metres;
-    met: whether the goal is met.
+    across, up: horizontal and vertical distance of the target from its region, metres; met: whether
+    the goal is met.
     """
 
     across: float
@@ -94,19 +94,19 @@ class Gap:
 
 
 def episode(world: World, goals: tuple[Goal, ...]) -> Episode:
-    """Return the episode of ``goals``, which begins now."""
+    """Return an episode with ``goals`` that begins now."""
     starts = tuple(0.0 if g.target is None else float(world.position(g.target)[2]) for g in goals)
     return Episode(goals, starts)
 
 
 class Task(ABC):
-    """One kind of thing to do at any table.
+    """A kind of task that can be played at any table.
 
-    Class attributes: ``weights`` of the dense reward by term; ``most`` goals of an episode;
-    ``aside``: goals, by index, that count as met once another, by index, is met; ``closed``:
-    whether the gripper stays closed; ``marker_radius``, metres, and ``marker_shape`` of what marks
-    a spot; ``scenes`` where its tables come from unless others are given; ``needs`` what tables
-    that are drawn for it hold besides others; see ``needs``.
+    Class attributes: ``weights`` of the dense reward by term; ``most``, the maximum number of
+    goals; ``aside``, indices of goals that count as met once another goal, given by index, is met;
+    ``closed``, whether the gripper stays closed; ``marker_radius`` (metres) and ``marker_shape`` of
+    a marked spot; ``scenes``, the default source of tables; ``needs``, the required objects of
+    generated tables (see ``goals.needs``).
     """
 
     weights: ClassVar[Mapping[str, float]]
@@ -122,22 +122,22 @@ class Task(ABC):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw an episode of a world at its start, or take what is given.
+        """Draw an episode of a world at its start, or use the given target and goal.
 
-        ``target`` is an object's name, ``goal`` what the task takes as one; see its page.
+        ``target`` is the name of an object; the valid values of ``goal`` depend on the task.
 
         Raises:
-            SceneError: the scene offers nothing to do; says why for each object.
-            InputError: what was asked for does not exist.
+            SceneError: the scene has no valid instance; the message gives a reason per object.
+            InputError: the target or goal does not exist.
         """
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return what ``goals`` ask for, in words that fit what is on the table now."""
+        """Return the instruction of ``goals``, with unambiguous names of the present objects."""
         return ", then ".join(goal.words(world) for goal in goals)
 
     @property
     def listed_as(self) -> TaskName | None:
-        """The name under which certificates list it; None for a task of one's own."""
+        """The name of the task in certificates; None for custom tasks."""
         kind = type(self)
         own = kind.__module__.startswith(f"{__package__}.")
         return TaskName(kind.__name__) if own else None
@@ -157,7 +157,7 @@ class Task(ABC):
     def achieved_goal(
         self, world: World, episode: Episode, desired: Float[np.ndarray, "g"]
     ) -> Float[np.ndarray, "g"]:
-        """Return what is achieved in the same form."""
+        """Return the achieved goal vector in the same form."""
         entries: list[float] = []
         wanted = desired.tolist()
         for k, goal in enumerate(episode.goals):
@@ -170,7 +170,7 @@ class Task(ABC):
         return np.array(entries + [0.0] * (ENTRIES * self.most - len(entries)), np.float32)
 
     def gaps(self, achieved: Float[np.ndarray, "g"], desired: Float[np.ndarray, "g"]) -> list[Gap]:
-        """Return how far from being met each goal of a goal vector is."""
+        """Return the gap of each goal in a goal vector."""
         a, d = achieved.tolist(), desired.tolist()
         ends = range(0, len(d), ENTRIES)
         found = [_gap(a[k : k + ENTRIES], d[k : k + ENTRIES]) for k in ends if d[k + 3] > 0]
@@ -202,7 +202,7 @@ class Task(ABC):
         return {name: (met + value) / count for name, value in hand.items()} | shared
 
     def _hand(self, world: World, goal: Goal, start: float, gap: Gap) -> dict[str, float]:
-        """Return reach, grasp and lift of an active goal whose target stood at height ``start``."""
+        """Return reach, grasp and lift of an active goal with its target's ``start`` height."""
         if goal.target is None or (goal.released and gap.across <= 0 and gap.up <= 0):
             return dict.fromkeys(_HAND, 1.0)
         at = world.state.positions[world.index(goal.target)]
@@ -216,23 +216,23 @@ class Task(ABC):
 
 
 def first_open(gaps: list[Gap]) -> int:
-    """Return the index of the first goal that is not met; of the last one, if all are."""
+    """Return the index of the first unmet goal, or of the last goal if all are met."""
     return next((k for k, gap in enumerate(gaps) if not gap.met), len(gaps) - 1)
 
 
 def center(world: World, goal: Goal) -> Float[np.ndarray, "3"]:
-    """Return where what a goal is about is: an object's centre or the tool centre point."""
+    """Return the centre of a goal's target: an object or the tool centre point."""
     if goal.target is None:
         return world.state.tool.copy()
     return world.position(goal.target)
 
 
 def _gap(achieved: list[float], desired: list[float]) -> Gap:
-    """Return the gap of one goal's entries in an achieved and a desired goal vector."""
+    """Return the gap of one goal from its entries in an achieved and a desired goal vector."""
     x, y, z, semi_x, semi_y, yaw, semi_z, state = desired
     x, y, z = achieved[0] - x, achieved[1] - y, achieved[2] - z
     c, s = math.cos(yaw), math.sin(yaw)
-    out = math.hypot((c * x + s * y) / semi_x, (c * y - s * x) / semi_y)  # 1 is the edge
+    out = math.hypot((c * x + s * y) / semi_x, (c * y - s * x) / semi_y)  # 1 at the edge
     across = math.hypot(x, y) * (1 - 1 / out) if out > 1 else 0.0
     up = max(abs(z) - semi_z, 0.0)
     return Gap(across, up, across <= 0 and up <= 0 and achieved[7] >= state)

@@ -1,8 +1,8 @@
-"""Tidy: put the small things on the table into one tray, box or bowl.
+"""Tidy: put the small objects on the table into one tray, box or bowl.
 
-Two to four things that fit together beside what is in it already, the nearest to it first.
-``reset`` option: ``goal`` the container's name. Goals: `Into`. Few tables have a container for
-several things; the task's own tables (``SCENES``) have.
+The targets are two to four objects that fit together beside the present contents, the nearest to
+the container first. ``reset`` option: ``goal``, the name of the container. Goals: `Into`. Few
+tables have a container for several objects; the tables in ``SCENES`` do.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ from .swap import Swap
 from .task import Choice, Episode, Task, episode
 
 SCENES = "tidy-task-*"
-"""The bundles (a glob) with a tray and small things."""
+"""Bundles (a glob) with a tray and small objects."""
 
 FULL = 0.45
-"""Share of a container's floor that things may cover together."""
+"""Maximum share of a container's floor that the objects may cover together."""
 
 
 class Tidy(Task):
-    """Put all small things into one container; see the module's page."""
+    """Put all small objects into one container; see the module docstring."""
 
     weights = Swap.weights
     most = 4
@@ -40,9 +40,9 @@ class Tidy(Task):
     def sample(
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw a container, or take the one given; see ``Task.sample``."""
+        """Draw a container, or use the given one; see ``Task.sample``."""
         if target is not None:
-            raise InputError("Tidy takes all things that fit; leave the option 'target' out.")
+            raise InputError("Tidy moves all objects that fit; leave the option 'target' out.")
         wanted = given_object(world, goal, "to put things into", "Tidy is a container's name")
         reasons = liftable(world)
         small = [o for o in world.scene.objects if reasons[o.name] is None]
@@ -52,7 +52,7 @@ class Tidy(Task):
                 if wanted in (None, container.name):
                     loads.setdefault(container.name, []).append(obj)
         for obj in small:
-            reasons[obj.name] = "nothing that it would go into together with another"
+            reasons[obj.name] = "no container that fits it together with another object"
         names = sorted(loads)
         for k in map(int, rng.permutation(len(names))):
             container = world.scene.object(names[k])
@@ -62,14 +62,14 @@ class Tidy(Task):
         raise nothing(world, reasons)
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return what ``goals`` ask for, in one sentence."""
+        """Return the instruction of ``goals`` in one sentence."""
         *listed, last = (the(world, str(goal.target)) for goal in goals)
         container = the(world, str(goals[0].reference))
         return f"put {', '.join(listed)} and {last} into {container}"
 
 
 def _together(world: World, container: Object, things: list[Object]) -> list[Object]:
-    """Return which things go into a container together, the nearest to it first."""
+    """Return which objects fit into a container together, the nearest to it first."""
     hollow = world.openings[container.name]
     assert hollow is not None
     room = FULL * np.pi * float(hollow.semi.prod())
@@ -86,12 +86,12 @@ def _together(world: World, container: Object, things: list[Object]) -> list[Obj
 
 
 def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
-    """Return whether one thing goes in on top of another, or beside it if it lies in the middle."""
+    """Return whether an object fits beside the contents, or on top of a central one."""
     on_top = resting_height(first) + INSIDE <= hollow.depth
     beside = grasp_width(first) / 2 + grasp_width(second)
     return on_top or beside <= float(hollow.semi.min())
 
 
 def _area(world: World, obj: Object) -> float:
-    """Return the area of what an object covers, square metres."""
-    return float(ConvexHull(world.footprints[obj.name]).volume)  # of a polygon its area
+    """Return the footprint area of an object, square metres."""
+    return float(ConvexHull(world.footprints[obj.name]).volume)  # area of a polygon

@@ -1,10 +1,10 @@
-"""Driving the arm by hand, and what was done as a dataset: ``tabletopgen teleop``.
+"""Teleoperation of the arm, recorded as a dataset: ``tabletopgen teleop``.
 
 ====================  ============================================================================
-``inputs``            what a person holds down, and what it asks of the arm
+``inputs``            keys, sticks and buttons, and the commands that they give
 ``session``           episodes that a person and a policy play in turns
-``page``              a page of this machine: keyboard, or a gamepad, in a browser
-``window``            a window of this machine
+``page``              a local web page with keyboard or gamepad control
+``window``            a local window with keyboard or gamepad control
 ``command``           the command
 ====================  ============================================================================
 """

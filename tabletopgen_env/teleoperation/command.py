@@ -1,4 +1,4 @@
-"""The command ``teleop``: a person drives, and what is kept becomes a dataset."""
+"""The ``teleop`` command: a person controls the arm, and kept episodes become a dataset."""
 
 from __future__ import annotations
 
@@ -30,23 +30,23 @@ if TYPE_CHECKING:
 Device = Literal["page", "window"]
 
 SIZE = (480, 640)
-"""Height and width of the pictures that the person sees."""
+"""Height and width of the pictures on the operator's display."""
 
 _LEROBOT = LeRobotConfig()
-_OF_POLICY = ("preset", "cameras", "kinds", "image_size", "observation")  # of a config
-_KEPT = ("state", "pixels+state", "pixels+proprio")  # observations that datasets hold
-_WAIT = 0.05  # seconds between two looks whether a page is open
+_OF_POLICY = ("preset", "cameras", "kinds", "image_size", "observation")  # set by the policy
+_KEPT = ("state", "pixels+state", "pixels+proprio")  # observation modes that datasets support
+_WAIT = 0.05  # seconds between checks for an open page
 
 
 class Driving(Protocol):
-    """Where a person looks and presses keys."""
+    """A display with keyboard or gamepad input."""
 
     def read(self) -> HumanInput | None:
-        """Return what is held down; None while nobody drives."""
+        """Return the current input; None while no operator is connected."""
         ...
 
     def show(self, picture: np.ndarray, status: TeleopStatus) -> None:
-        """Show a picture, and how the episode stands."""
+        """Show a picture and the status of the episode."""
         ...
 
 
@@ -64,23 +64,24 @@ def teleop(
     steps: int = 1200,
     lerobot: OmitArgPrefixes[LeRobotConfig] = _LEROBOT,
 ) -> None:
-    """Drive the arm by keyboard or gamepad, and keep what you did as a dataset.
+    """Drive the arm by keyboard or gamepad, and record kept episodes as a dataset.
 
-    With a POLICY it plays until you take over. Ctrl-C, or closing the window, ends the recording;
-    the episodes that you kept are then the dataset, also if something goes wrong.
+    With a POLICY, the policy acts until you take over. Ctrl-C, or closing the window, ends the
+    recording; the dataset then holds the episodes that you kept, even after an error.
 
     Args:
-        policy: Name of a shipped policy, a policy file, or a run's folder. It decides the task and
-            what the environment shows, and the randomization if it names one.
-        config: What to record; episodes, noise and keep_failures mean nothing here.
-        out: The dataset's own folder, or file (hdf5, robomimic).
-        format: Its format. Of lerobot each kept episode is safe at once: --resume goes on.
-        resume: Resume after the episodes that an interrupted recording left beside OUT (lerobot).
-        device: A page in a browser of this machine (keyboard, gamepad), or a window.
-        view: The camera whose picture you see.
-        port: Of the page; 0 for any that is free.
-        steps: Most steps of an episode, 20 a second.
-        lerobot: How a LeRobot dataset holds it.
+        policy: Name of a shipped policy, a policy file, or a run's folder. It determines the task
+            and the observation, and the randomization if it has one.
+        config: What to record; episodes, noise and keep_failures have no effect here.
+        out: A new folder for the dataset, or a file (hdf5, robomimic).
+        format: The dataset's format. With lerobot, each kept episode is saved immediately, and
+            --resume continues an interrupted recording.
+        resume: Resume an interrupted recording from the episodes beside OUT (lerobot).
+        device: A page in a browser on this machine (keyboard, gamepad), or a window.
+        view: The camera to display.
+        port: Port of the page; 0 for any free port.
+        steps: Maximum number of steps per episode, at 20 per second.
+        lerobot: Settings of a LeRobot dataset.
     """
     require_number("teleop needs --steps", steps, minimum=1, integer=True)
     config = replace(config, player="human")
@@ -108,7 +109,7 @@ def teleop(
             path = write_dataset(config, env, drive, out, format, resume, lerobot)
         except BaseException:
             if session.kept and out.exists():
-                print(escape(f"{out}: the episodes kept until then"))
+                print(escape(f"{out}: the episodes kept so far"))
             raise
     print(escape(f"{path}: {session.kept} episodes kept"))
 
@@ -120,12 +121,12 @@ def play(
     view: CameraName,
     seeds: Iterator[tuple[int, int]],
 ) -> Iterator[RecordedEpisode]:
-    """Yield the episodes that a person keeps, until the window is closed.
+    """Yield the episodes that the operator keeps, until the window is closed.
 
-    ``seeds`` are the episodes' numbers and seeds. While no page is open nothing moves.
+    ``seeds`` are the episodes' numbers and seeds. The simulation pauses while no page is open.
 
     Raises:
-        SceneError: 50 seeds in a row gave nothing to do.
+        SceneError: 50 consecutive seeds gave no valid task.
     """
     frame = 1 / env.metadata["render_fps"]
     base: Any = env.unwrapped
@@ -135,7 +136,7 @@ def play(
             start = time.monotonic()
             given = driving.read()
             if given is None and not hasattr(driving, "address"):
-                return  # the window is closed
+                return  # the window was closed
             if given is None:
                 time.sleep(_WAIT)
                 continue
@@ -147,7 +148,7 @@ def play(
 
 
 def _begin_each(session: TeleopSession, seeds: Iterator[tuple[int, int]]) -> Iterator[int]:
-    """Begin the episodes that have something to do; yield the number of each."""
+    """Begin an episode for each seed with a valid task; yield its number."""
     from ..recording.recorder import MOST_MISSES
 
     missed = 0
@@ -158,8 +159,8 @@ def _begin_each(session: TeleopSession, seeds: Iterator[tuple[int, int]]) -> Ite
             missed += 1
             if missed == MOST_MISSES:
                 raise SceneError(
-                    f"{missed} seeds in a row gave nothing to do. Use other scenes or another "
-                    f"task. Of the last: {error}"
+                    f"{missed} consecutive seeds gave no valid task. Use other scenes or another "
+                    f"task. Last error: {error}"
                 ) from error
             continue
         missed = 0
@@ -167,7 +168,7 @@ def _begin_each(session: TeleopSession, seeds: Iterator[tuple[int, int]]) -> Ite
 
 
 def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:
-    """Return an episode as datasets keep it, with who acted as the column ``human``."""
+    """Return an episode in the form for datasets, with the actor in the column ``human``."""
     from ..learning.demonstrations.recorded import Demonstration, stack
     from ..recording.episodes import recorded_episode
 
@@ -185,7 +186,7 @@ def as_recorded(episode: TeleopEpisode, number: int) -> RecordedEpisode:
 
 
 def _load(policy: str) -> TrainedPolicy:
-    """Return a policy by its name, its file or its run."""
+    """Return a policy from its name, file or run."""
     from ..learning.extra import need_sb3
 
     need_sb3()
@@ -195,17 +196,17 @@ def _load(policy: str) -> TrainedPolicy:
 
 
 def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
-    """Check that datasets hold what a policy sees, and that a config asks for nothing it decides.
+    """Check that datasets support the policy's observation, and the config's settings.
 
     Raises:
-        InputError: they do not, or it does.
+        InputError: either check fails.
     """
     mode, geometry = (card.env.get(name) for name in ("observation", "geometry"))
     if mode not in (None, *_KEPT) or geometry not in (None, "none"):
         raise InputError(
             f"The policy {policy} sees {mode or 'state'!r}"
-            f"{f' with {geometry!r}' if geometry else ''}, which datasets do not hold. Drive with "
-            f"one that sees {', '.join(map(repr, _KEPT))}."
+            f"{f' with {geometry!r}' if geometry else ''}, which datasets do not support. Use a "
+            f"policy that sees {', '.join(map(repr, _KEPT))}."
         )
     usual = RecordConfig()
     decided = {name: getattr(usual, name) for name in _OF_POLICY}
@@ -217,13 +218,13 @@ def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
     if given:
         flags = ", ".join(f"--{name.replace('_', '-')}" for name in given)
         raise InputError(
-            f"The policy {policy} does {card.task}, in an environment like the one that it was "
-            f"trained in. Leave out {flags}, or the policy."
+            f"The policy {policy} does {card.task} in an environment like that of its training. "
+            f"Leave out {flags}, or the policy."
         )
 
 
 def _environment(config: RecordConfig, steps: int, own: dict[str, Any]) -> gym.Env[Any, Any]:
-    """Return the environment of a config and a policy's ``own`` keywords, with a longer limit."""
+    """Return the environment of a config and a policy's ``own`` keywords for ``steps`` steps."""
     import gymnasium as gym
 
     return gym.make(
@@ -233,7 +234,7 @@ def _environment(config: RecordConfig, steps: int, own: dict[str, Any]) -> gym.E
 
 
 def _device(device: Device, port: int) -> Any:
-    """Return where the person drives, which has to be closed; say where a page is."""
+    """Return the open operator display; for a page, print its address. The caller closes it."""
     if device == "window":
         from .window import TeleopWindow
 
@@ -241,5 +242,5 @@ def _device(device: Device, port: int) -> Any:
     from .page import TeleopPage
 
     page = TeleopPage(port)
-    print(f"Open {page.address} in a browser of this machine. Ctrl-C ends the recording.")
+    print(f"Open {page.address} in a browser on this machine. Ctrl-C ends the recording.")
     return page

@@ -1,17 +1,17 @@
-"""What a person holds down, and what it asks of the arm.
+"""Keyboard and gamepad input, and its conversion to actions and events.
 
 =====================  =============================  ===========================================
-keyboard               gamepad (standard layout)      does
+keyboard               gamepad (standard layout)      effect
 =====================  =============================  ===========================================
-w, s (or up, down)     left stick, up and down        away from who looks, nearer
-a, d (left, right)     left stick, left and right     to the left, to the right in the picture
-r, f                   right stick, up and down       up, down
+w, s (or up, down)     left stick, up and down        move away from, towards the viewer
+a, d (left, right)     left stick, left and right     move left, right in the picture
+r, f                   right stick, up and down       move up, down
 q, e                   right stick, left and right    turn the hand left, right
-shift                  shoulder buttons (4, 5)        slowly
+shift                  shoulder buttons (4, 5)        slow motion
 space                  A (0)                          open or close the gripper
 enter                  start (9)                      end the episode and keep it
-backspace              back (8)                       end it and drop it
-p                      Y (3)                          let the policy go on
+backspace              back (8)                       end it and discard it
+p                      Y (3)                          return control to the policy
 =====================  =============================  ===========================================
 """
 
@@ -28,7 +28,7 @@ from jaxtyping import Float
 from ..rendering.config import CameraName
 
 Event = Literal["keep", "drop", "policy"]
-"""What a person asks for besides motion."""
+"""Events that an operator can trigger."""
 
 VIEWS: Mapping[CameraName, tuple[tuple[float, float], tuple[float, float]]] = MappingProxyType({
     "front": ((0.0, 1.0), (-1.0, 0.0)),
@@ -36,12 +36,12 @@ VIEWS: Mapping[CameraName, tuple[tuple[float, float], tuple[float, float]]] = Ma
     "top": ((0.0, -1.0), (1.0, 0.0)),
     "wrist": ((0.0, -1.0), (1.0, 0.0)),
 })  # fmt: skip
-"""Where a camera's right and its away lead in the base frame, x and y."""
+"""Directions of a camera's right and forward axes in the base frame, x and y."""
 
 SLOWLY = 0.3
-"""The share of the full speed that remains with shift."""
+"""Share of full speed with shift."""
 
-_DEAD = 0.15  # of a stick, in which it is at rest
+_DEAD = 0.15  # dead zone of a stick
 _KEYS: Mapping[str, tuple[int, float]] = MappingProxyType({
     "d": (0, 1.0), "right": (0, 1.0), "a": (0, -1.0), "left": (0, -1.0),
     "w": (1, 1.0), "up": (1, 1.0), "s": (1, -1.0), "down": (1, -1.0),
@@ -56,17 +56,17 @@ _GRIP_BUTTON, _SLOW_BUTTONS = 0, frozenset({4, 5})
 _EVENT_BUTTONS: Mapping[int, Event] = MappingProxyType({9: "keep", 8: "drop", 3: "policy"})
 
 KEYS = frozenset({*_KEYS, *_EVENT_KEYS, _GRIP_KEY, _SLOW_KEY})
-"""The keys that mean something."""
+"""The keys with a function."""
 
 
 @dataclass(frozen=True)
 class HumanInput:
-    """What is held down now.
+    """The current input.
 
     Attributes:
-        keys: some of ``KEYS``; others mean nothing.
-        axes: of a gamepad's sticks, in [-1, 1]: left x, left y, right x, right y; down is 1.
-        buttons: of a gamepad, by their number in the standard layout.
+        keys: pressed keys, a subset of ``KEYS``.
+        axes: axes of a gamepad's sticks, in [-1, 1]: left x, left y, right x, right y; down is 1.
+        buttons: pressed buttons of a gamepad, by number in the standard layout.
     """
 
     keys: frozenset[str] = frozenset()
@@ -76,7 +76,7 @@ class HumanInput:
 
 @dataclass(frozen=True, eq=False)
 class Command:
-    """What an input asks for: an action of "ee_delta", whether there was any, and events."""
+    """The command of an input: an "ee_delta" action, whether there was any motion, and events."""
 
     action: Float[np.ndarray, "5"]
     acts: bool
@@ -84,10 +84,10 @@ class Command:
 
 
 class Operator:
-    """Reads inputs one after the other; knows what the gripper was last told.
+    """Converts successive inputs to commands; tracks the gripper command.
 
     Args:
-        view: the camera whose picture the person sees.
+        view: the camera on display.
     """
 
     def __init__(self, view: CameraName) -> None:
@@ -96,7 +96,7 @@ class Operator:
         self.gripper = 1.0
 
     def read(self, given: HumanInput) -> Command:
-        """Return what an input asks for; keys and buttons of events count when they go down."""
+        """Return the command of an input; event keys and buttons count when they are pressed."""
         before, self._before = self._before, given
         right, away, up, turn = _motion(given)
         grips = _goes_down(_GRIP_KEY, _GRIP_BUTTON, before, given)
@@ -110,11 +110,11 @@ class Operator:
         return Command(action, bool(grips or action[:4].any()), frozenset(events))
 
     def follow(self, gripper: float) -> None:
-        """Take over what a policy told the gripper, -1 closed to 1 open."""
+        """Adopt a policy's gripper command, from -1 (closed) to 1 (open)."""
         self.gripper = 1.0 if gripper > 0 else -1.0
 
     def restart(self) -> None:
-        """Begin another episode, with the gripper open."""
+        """Start another episode, with the gripper open."""
         self.gripper = 1.0
 
 
@@ -139,5 +139,5 @@ def _goes_down(key: str, button: int, before: HumanInput, given: HumanInput) -> 
 
 
 def known_keys(keys: Collection[str]) -> frozenset[str]:
-    """Return the keys that mean something."""
+    """Return the keys that have a function."""
     return KEYS & set(keys)

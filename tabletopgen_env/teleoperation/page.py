@@ -1,9 +1,9 @@
-"""A page of this machine through which a person drives: pictures out, keys and sticks in.
+"""Local web page for teleoperation: sends pictures, receives keys and sticks.
 
-The server listens on the loopback interface alone. Who connects needs the token that the page's
-address has, and must come from the page itself (the Origin header), so that no other site that is
-open in the same browser can drive the arm. One page drives at a time: the last one that connected.
-Messages are bounded, and read as JSON of known keys; others are refused with one line of text.
+The server listens only on the loopback interface. A client needs the token in the page's address,
+and its Origin header must be the page itself, so that no other site in the same browser can drive
+the arm. One page at a time has control: the last one that connected. Messages have bounded size and
+must be JSON with known keys; others are rejected with one line of text.
 """
 
 from __future__ import annotations
@@ -31,21 +31,21 @@ if TYPE_CHECKING:
     from websockets.sync.server import Server, ServerConnection
 
 HOST = "127.0.0.1"
-"""Where the page is: on this machine alone."""
+"""Host of the page: this machine only."""
 
 MOST_BYTES = 4096
-"""A message that drives is not larger."""
+"""Maximum size of an input message, bytes."""
 
 _PAGE = Path(__file__).with_name("page.html")
-_QUALITY = 80  # of the JPEG pictures
-_MOST_HELD, _MOST_BUTTONS = 16, 32
+_QUALITY = 80  # quality of the JPEG pictures
+_MAX_HELD, _MAX_BUTTONS = 16, 32
 
 
 class TeleopPage:
-    """Serves the page and keeps what its person holds down. Close it in the end.
+    """Serves the page and holds its latest input. Close it after use.
 
     Args:
-        port: where it listens; 0 for any that is free.
+        port: port of the server; 0 for any free port.
 
     Raises:
         BackendError: the package websockets is missing, or the port is taken.
@@ -56,13 +56,13 @@ class TeleopPage:
             from websockets.sync.server import serve
         except ImportError as error:
             raise BackendError(
-                "Driving through a page needs the package websockets: "
-                "pip install 'tabletopgen[teleop]'. --device window needs none."
+                "Driving through a page needs the package websockets: pip install "
+                "'tabletopgen[teleop]'. --device window does not need it."
             ) from error
         self._token = secrets.token_urlsafe(16)
         self._lock = threading.Lock()
         self._given: HumanInput | None = None
-        self._keys, self._buttons = frozenset[str](), frozenset[int]()  # since the last read
+        self._keys, self._buttons = frozenset[str](), frozenset[int]()  # input since the last read
         self._driver: ServerConnection | None = None
         try:
             self._server: Server = serve(
@@ -71,7 +71,7 @@ class TeleopPage:
         except OSError as error:
             raise BackendError(
                 f"Port {port} of {HOST} cannot be used ({error.strerror or error}). Choose "
-                "another, or 0 for any that is free."
+                f"another port, or 0 for any free one."
             ) from error
         self.port: int = self._server.socket.getsockname()[1]
         self._thread = threading.Thread(target=self._server.serve_forever, daemon=True)
@@ -79,11 +79,11 @@ class TeleopPage:
 
     @property
     def address(self) -> str:
-        """What to open in a browser of this machine; it has the token."""
+        """The URL of the page on this machine, including the token."""
         return f"http://{HOST}:{self.port}/?token={self._token}"
 
     def read(self) -> HumanInput | None:
-        """Return what is held down, or was since the last call; None while no page is open."""
+        """Return the input held now or since the last call; None while no page is open."""
         with self._lock:
             given, keys, buttons = self._given, self._keys, self._buttons
             self._keys, self._buttons = frozenset[str](), frozenset[int]()
@@ -92,7 +92,7 @@ class TeleopPage:
         return HumanInput(given.keys | keys, given.axes, given.buttons | buttons)
 
     def show(self, picture: UInt8[np.ndarray, "h w 3"], status: TeleopStatus) -> None:
-        """Send the page a picture and how the episode stands, if one is open."""
+        """Send a picture and the status of the episode to the page, if one is open."""
         import cv2
         from websockets.exceptions import ConnectionClosed
 
@@ -118,20 +118,24 @@ class TeleopPage:
     # ------------------------------------------------------------------------------------ serving
 
     def _answer(self, connection: ServerConnection, request: Request) -> Response | None:
-        """Give out the page, refuse what is not of it, and let its own connection through."""
+        """Serve the page, reject other requests, and accept the page's own connection."""
         own = {f"{HOST}:{self.port}", f"localhost:{self.port}"}
         asked = urlsplit(request.path)
         token = parse_qs(asked.query).get("token", [""])[0]
         if request.headers.get("Host") not in own or not secrets.compare_digest(
             token.encode(), self._token.encode()
         ):
-            return connection.respond(HTTPStatus.FORBIDDEN, "Open the address that was printed.\n")
+            return connection.respond(
+                HTTPStatus.FORBIDDEN, "Open the address printed in the terminal.\n"
+            )
         if asked.path == "/drive":
             if request.headers.get("Origin") not in {f"http://{host}" for host in own}:
-                return connection.respond(HTTPStatus.FORBIDDEN, "Only the page itself drives.\n")
+                return connection.respond(
+                    HTTPStatus.FORBIDDEN, "Only the page itself may connect.\n"
+                )
             return None
         if asked.path != "/":
-            return connection.respond(HTTPStatus.NOT_FOUND, "There is one page, at /.\n")
+            return connection.respond(HTTPStatus.NOT_FOUND, "The only page is /.\n")
         answer = connection.respond(HTTPStatus.OK, _PAGE.read_text(encoding="utf-8"))
         del answer.headers["Content-Type"]
         answer.headers["Content-Type"] = "text/html; charset=utf-8"
@@ -140,11 +144,11 @@ class TeleopPage:
         return answer
 
     def _listen(self, connection: ServerConnection) -> None:
-        """Keep what one page says, until it leaves or another one comes."""
+        """Read the input of a page until it leaves or another one connects."""
         with self._lock:
             before, self._driver, self._given = self._driver, connection, HumanInput()
         if before is not None:
-            before.close(reason="another page drives now")
+            before.close(reason="another page has taken control")
         try:
             for message in connection:
                 try:
@@ -167,31 +171,31 @@ class TeleopPage:
 
 
 def read_input(message: str | bytes) -> HumanInput:
-    """Return what a page's message says.
+    """Return the input in a page's message.
 
     Raises:
-        InputError: it is not of the form ``{"keys": [...], "axes": [...], "buttons": [...]}``, too
-            long, or has numbers out of range.
+        InputError: the message is not of the form ``{"keys": [...], "axes": [...], "buttons":
+            [...]}``, is too long, or has numbers out of range.
     """
     try:
-        said = json.loads(message)
-        keys, axes, buttons = (_list_of(said, name) for name in ("keys", "axes", "buttons"))
+        payload = json.loads(message)
+        keys, axes, buttons = (_list_of(payload, name) for name in ("keys", "axes", "buttons"))
         if not all(isinstance(key, str) for key in keys):
-            raise ValueError("keys that are no texts")
-        if not all(type(b) is int and 0 <= b < _MOST_BUTTONS for b in buttons):
-            raise ValueError("buttons that are no small numbers")
+            raise ValueError("keys that are not strings")
+        if not all(type(b) is int and 0 <= b < _MAX_BUTTONS for b in buttons):
+            raise ValueError("buttons that are not small integers")
         given = tuple(float(axis) if type(axis) in (int, float) else np.nan for axis in axes)
         if not all(-1.0 <= axis <= 1.0 for axis in given):
             raise ValueError("axes beyond [-1, 1]")
     except (ValueError, TypeError, KeyError, RecursionError, OverflowError) as error:
         raise InputError(
-            f"A message that drives has keys, axes and buttons, each a list; this one has {error}."
+            f"An input message needs the lists keys, axes and buttons; this one has {error}."
         ) from error
     return HumanInput(known_keys(keys), given, frozenset(buttons))
 
 
-def _list_of(said: Any, name: str) -> Sequence[Any]:
-    found = said[name] if isinstance(said, dict) and name in said else None
-    if not isinstance(found, list) or len(found) > _MOST_HELD:
-        raise ValueError(f"no list of at most {_MOST_HELD} {name}")
+def _list_of(payload: Any, name: str) -> Sequence[Any]:
+    found = payload[name] if isinstance(payload, dict) and name in payload else None
+    if not isinstance(found, list) or len(found) > _MAX_HELD:
+        raise ValueError(f"no list of at most {_MAX_HELD} {name}")
     return found

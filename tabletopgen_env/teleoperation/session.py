@@ -1,4 +1,4 @@
-"""Episodes that a person plays, or that a policy plays until a person takes over."""
+"""Episodes controlled by a person, or by a policy until a person takes over."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ By = Literal["human", "policy"]
 
 @dataclass(frozen=True)
 class TeleopStatus:
-    """How an episode stands.
+    """Status of an episode.
 
     Attributes:
-        instruction: what is to be done.
-        by: who acted last.
-        step: steps done.
-        success: whether it is done now.
+        instruction: the instruction.
+        by: the last actor.
+        step: number of steps so far.
+        success: whether the task is solved now.
         over: "solved" once success has held, "time" at the time limit, None before.
-        gripper: "open" or "closed": what it was last told.
-        kept: episodes kept so far.
+        gripper: the last gripper command, "open" or "closed".
+        kept: number of episodes kept so far.
     """
 
     instruction: str
@@ -44,7 +44,7 @@ class TeleopStatus:
 
 @dataclass(frozen=True, eq=False)
 class TeleopEpisode:
-    """What was seen, felt, done and told in an episode; ``by_human`` has a row for each action."""
+    """Observations, states, actions and infos of an episode; ``by_human`` has a row per action."""
 
     seed: int
     observations: list[Any]
@@ -58,15 +58,15 @@ class TeleopEpisode:
 
 
 class TeleopSession:
-    """Plays episodes of "ee_delta" by what a person holds down.
+    """Plays "ee_delta" episodes from an operator's input.
 
-    A policy acts, where there is one, until the person moves the arm or the gripper; then the
-    person acts, until "policy" is asked for.
+    The policy, if any, acts until the person moves the arm or the gripper; then the person acts
+    until the event "policy".
 
     Args:
         env: an environment with a time limit.
-        view: the camera whose picture the person sees.
-        policy: what acts while the person does not.
+        view: the camera on display.
+        policy: the policy that acts while the person does not.
 
     Raises:
         InputError: the environment has another action mode.
@@ -77,7 +77,7 @@ class TeleopSession:
     ) -> None:
         mode = env.get_wrapper_attr("action_mode")
         if mode != "ee_delta":
-            raise InputError(f"A person drives the arm in action='ee_delta', not {mode!r}.")
+            raise InputError(f"Teleoperation requires action='ee_delta', got {mode!r}.")
         self._env, self._policy, self._operator = env, policy, Operator(view)
         self._episode: TeleopEpisode | None = None
         self._held = Held()
@@ -88,7 +88,7 @@ class TeleopSession:
 
     @property
     def status(self) -> TeleopStatus:
-        """How the episode stands."""
+        """The status of the episode."""
         episode = self._current()
         info = episode.infos[-1]
         gripper = "open" if self._operator.gripper > 0 else "closed"
@@ -109,9 +109,9 @@ class TeleopSession:
         self._operator.restart()
 
     def advance(self, given: HumanInput) -> TeleopEpisode | Literal["dropped"] | None:
-        """Do a step; return the episode once the person keeps it, "dropped" if it is to go.
+        """Advance by a step; return the episode when the person keeps it, or "dropped".
 
-        An episode that is over waits for one of the two. One without a step cannot be kept.
+        A finished episode waits for either event. An episode without steps cannot be kept.
         """
         episode, command = self._current(), self._operator.read(given)
         if "drop" in command.events:
@@ -128,7 +128,7 @@ class TeleopSession:
         return None
 
     def _step(self, asked: np.ndarray) -> None:
-        """Do what the person asks for, or what the policy does."""
+        """Apply the action of the person, or of the policy."""
         episode, action = self._current(), asked
         if self._by == "policy":
             assert self._player is not None

@@ -1,4 +1,4 @@
-"""A window of this machine through which a person drives: keyboard, or the first gamepad."""
+"""Local window for teleoperation, with the keyboard or the first gamepad."""
 
 from __future__ import annotations
 
@@ -21,24 +21,24 @@ _NAMES: Mapping[str, tuple[str, ...]] = MappingProxyType({
     "right": ("RIGHT",), **{letter: (letter.upper(),) for letter in "wasdrfqep"},
 })  # fmt: skip
 _STANDARD: Mapping[int, int] = MappingProxyType({0: 0, 3: 3, 4: 4, 5: 5, 6: 8, 7: 9})
-"""Numbers of the standard layout by those of GLFW's gamepads."""
+"""Numbers of gamepad buttons in the standard layout, by their GLFW number."""
 
 
 class TeleopWindow:
-    """A window with the camera's picture. Close it in the end.
+    """A window with the camera's picture. Close it after use.
 
     Args:
-        height, width: of the pictures, pixels.
+        height, width: size of the pictures, pixels.
 
     Raises:
-        BackendError: there is no display, or no window can be opened.
+        BackendError: no display is available, or no window can be opened.
     """
 
     def __init__(self, height: int, width: int) -> None:
         if not has_display():
             raise BackendError(
-                "Driving in a window needs a display and there is none (DISPLAY is not set). "
-                "Use --device page, and a browser."
+                "Driving in a window needs a display, but DISPLAY is not set. Use --device page "
+                "and a browser."
             )
         import glfw
 
@@ -53,7 +53,7 @@ class TeleopWindow:
         self._size = height, width
 
     def read(self) -> HumanInput | None:
-        """Return what is held down now; None once the window is closed."""
+        """Return the current input; None once the window is closed."""
         glfw, window = self._glfw, self._window
         glfw.poll_events()
         if glfw.window_should_close(window):
@@ -72,7 +72,7 @@ class TeleopWindow:
         return HumanInput(frozenset(keys), axes, buttons)
 
     def show(self, picture: UInt8[np.ndarray, "h w 3"], status: TeleopStatus) -> None:
-        """Draw a picture, and say in the title how the episode stands."""
+        """Draw a picture, and show the episode's status in the title."""
         from OpenGL import GL
 
         glfw = self._glfw

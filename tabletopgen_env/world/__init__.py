@@ -1,1 +1,1 @@
-"""The simulated world of an environment: robot, table and things, compiled."""
+"""The simulated world of an environment: robot, table and objects, compiled."""

@@ -1,4 +1,4 @@
-"""Scene and robot as one MuJoCo specification: the arm on its pedestal, cameras, the marker."""
+"""Scene and robot as one MuJoCo specification: the arm on its pedestal, cameras, and the marker."""
 
 from __future__ import annotations
 
@@ -21,36 +21,36 @@ if TYPE_CHECKING:
     import mujoco
 
 PREFIX = "panda/"
-"""Prefix of every name that belongs to the robot."""
+"""Prefix of the names of the robot's elements."""
 
 FRONT_CAMERA = "front"
-"""Name of the camera that looks at table and robot from across the table."""
+"""Name of the camera that views table and robot from across the table."""
 
 WRIST_CAMERA = PREFIX + "wrist"
 """Name of the camera on the hand."""
 
 TOP_CAMERA = "overhead"
-"""Name of the camera that looks straight down at the table; the scene itself brings a "top"."""
+"""Name of the camera that views the table from above; the scene already has a "top" camera."""
 
 SIDE_CAMERA = "side"
-"""Name of the camera that looks at table and robot from the robot's left."""
+"""Name of the camera that views table and robot from the robot's left."""
 
 MARKER = "marker/goal"
-"""Name of the body and the geom that mark a free goal spot; no object's name has a slash."""
+"""Name of the body and the geom that mark a free goal spot; object names contain no slash."""
 
 MarkerShape = Literal["disc", "ball"]
-"""What marks a spot: a disc on what stands there, or a ball in the air."""
+"""Shapes of the marker: a disc on a surface, or a ball in the air."""
 
 MARKER_COLOR = (0.1, 0.85, 0.25)
 """Red, green, blue of the marker."""
 
 MARKER_SIZE = (0.04, 0.0008, 0.0)
-"""MuJoCo's size of a disc that marks a spot until its task says another radius, metres."""
+"""MuJoCo size of the disc marker for the default radius, metres."""
 
 _FRONT_ELEVATION, _FRONT_FOV = np.deg2rad(30.0), np.deg2rad(45.0)
-_FRONT_MARGIN = 0.04  # free share of the front camera's picture on each side
-_TOP_HEIGHT = 2.0  # of the top camera over the table: well above the arm, metres
-_TOP_MARGIN = 1.08  # what it shows, in tables
+_FRONT_MARGIN = 0.04  # margin of the front camera's picture on each side, relative to its size
+_TOP_HEIGHT = 2.0  # height of the top camera above the table, well above the arm, metres
+_TOP_MARGIN = 1.08  # extent of its picture, relative to the table
 
 TIMESTEP = 0.002
 """Simulation step, seconds."""
@@ -61,22 +61,22 @@ def compose(
 ) -> mujoco.MjSpec:
     """Return the specification of ``scene`` with ``robot`` at ``mount``.
 
-    The robot is added to ``base``, the scene's own specification; None for a fresh one.
+    The robot is added to ``base``, a specification of the scene; None builds one.
     """
     import mujoco
 
     spec = scene_spec(scene) if base is None else base
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-    spec.option.impratio = FRICTION_STIFFNESS  # what the gripper holds does not creep
+    spec.option.impratio = FRICTION_STIFFNESS  # prevents slip of grasped objects
     spec.option.noslip_iterations = 0
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
-    # Several contacts a pair: on one alone flat things rock on hulls, and never fall asleep.
+    # Several contacts per pair: with a single one, flat objects rock on hulls and never sleep.
     spec.option.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
     spec.visual.global_.offwidth = spec.visual.global_.offheight = 2048
     frame = spec.worldbody.add_frame(pos=mount.position, quat=yaw_quaternion(mount.yaw))
     arm = robot.spec()
-    arm.assets = {**spec.assets, **arm.assets}  # MuJoCo warns of a child without assets
+    arm.assets = {**spec.assets, **arm.assets}  # MuJoCo warns about a child without assets
     spec.attach(arm, prefix=PREFIX, frame=frame)
     add_pedestal(spec, mount)
     front = front_camera(scene, mount, 4, 3)
@@ -98,7 +98,7 @@ def compose(
 
 
 def marker_kind(shape: MarkerShape) -> mujoco.mjtGeom:
-    """Return the type of MuJoCo's geom that a marker is."""
+    """Return MuJoCo's geom type for a marker."""
     import mujoco
 
     kinds = mujoco.mjtGeom
@@ -106,20 +106,20 @@ def marker_kind(shape: MarkerShape) -> mujoco.mjtGeom:
 
 
 def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
-    """Return the camera across the table from the robot that shows the top and the arm at home.
+    """Return the camera across the table from the robot, which shows the top and the arm at home.
 
-    In pictures at least as wide as high it shows both whole.
+    Both are entirely visible in pictures at least as wide as high.
     """
     return _framing(scene, mount, np.pi / 2, width, height)
 
 
 def side_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
-    """Return the camera on the robot's left that shows what ``front_camera`` does."""
+    """Return the camera on the robot's left, with the same content as ``front_camera``."""
     return _framing(scene, mount, np.pi, width, height)
 
 
 def _framing(scene: Scene, mount: Mount, around: float, width: int, height: int) -> Camera:
-    """Return the camera that looks at table and arm, ``around`` the vertical, base frame."""
+    """Return a camera that frames table and arm, at ``around`` about the vertical, base frame."""
     turn = rotation_z(mount.yaw)
     outline = np.asarray(scene.table.outline, float)
     top = np.column_stack([outline, np.full(len(outline), scene.table.height)])
@@ -138,7 +138,7 @@ def _add_camera(spec: mujoco.MjSpec, name: str, camera: Camera) -> None:
 
 
 def _add_top_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:
-    """Add the camera over the table, the robot's side below, the whole top in a square picture."""
+    """Add the camera above the table, with the robot's side at the bottom of a square picture."""
     axes = rotation_z(mount.yaw)
     outline = scene.table.outline @ axes[:2, :2]
     low, high = outline.min(0), outline.max(0)

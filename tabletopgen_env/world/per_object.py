@@ -1,4 +1,4 @@
-"""What is found out about a scene's objects, each when it is first asked for."""
+"""Lazily computed properties of a scene's objects."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ T = TypeVar("T")
 
 
 class PerObject(dict[str, T]):
-    """What ``find`` says of each object of a scene, by name; it holds what was asked for."""
+    """Results of ``find`` by object name, each computed on first access and cached."""
 
     def __init__(self, scene: Scene, find: Callable[[Object], T]) -> None:
         super().__init__()
         self._scene, self._find = scene, find
 
     def __missing__(self, name: str) -> T:
-        """Find it; two threads at once find the same."""
+        """Compute a missing value; concurrent threads compute the same one."""
         found = self[name] = self._find(self._scene.object(name))
         return found

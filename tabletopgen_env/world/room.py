@@ -1,9 +1,9 @@
-"""The room around the table: floor, sky and light, as bright as a well exposed picture wants them.
+"""The room around the table: floor, sky and lights, adjusted for a well-exposed picture.
 
-A white table top in the sun comes out at four fifths of full brightness, the floor at some two
-fifths, so that tables of any colour stand out. The sun shines over the shoulder of who looks from
-across the table, towards the robot: what the front camera shows is lit, and the arm's shadow falls
-away from the table. Behind table and robot the floor fades into haze.
+A white table top in the sun has four fifths of full brightness and the floor about two fifths, so
+that tables of any colour stand out. The sun shines from behind the front camera towards the robot,
+so that the visible sides are lit and the arm's shadow falls away from the table. Behind table and
+robot the floor fades into haze.
 """
 
 from __future__ import annotations
@@ -30,40 +30,40 @@ TILE = 0.5
 """Side of a tile, metres."""
 
 HAZE: Color = (0.76, 0.78, 0.81)
-"""Colour of what lies behind all, and of the floor far away."""
+"""Colour of the background, and of the floor far away."""
 
 ZENITH: Color = (0.58, 0.65, 0.74)
-"""Colour of the sky overhead where no haze is drawn: in MuJoCo's viewer."""
+"""Colour of the sky overhead where no haze is drawn, as in MuJoCo's viewer."""
 
 FLOOR_HALF = 3.0
-"""Half the side of the floor, metres. What the front camera sees of it ends in the haze; an endless
-floor would take a third of a small picture's time."""
+"""Half the side of the floor, metres. In the front camera's view it ends in the haze; an endless
+floor would take a third of the drawing time of a small picture."""
 
 AMBIENT, HEADLIGHT, SUN = 0.38, 0.20, 0.46
-"""Light from everywhere, from the camera, and from the sun. What faces sun and camera gets their
-sum, slightly more than a white thing can show."""
+"""Ambient light, headlight, and sunlight. A surface that faces the sun and the camera receives
+their sum, which slightly exceeds full brightness for white."""
 
 BRIGHTEST = AMBIENT + HEADLIGHT + SUN
-"""The most light that is exposed for; see ``exposure``."""
+"""The maximum light that the exposure compensates; see ``exposure``."""
 
-_SUNBEAM = (-0.40, -0.45, -1.0)  # where the sun shines, in the base frame
-_SUN_AWAY = 1.6  # where the sun is drawn from: above the arm, metres
-_FADE = (0.7, 2.2)  # where the floor begins to fade, and has, behind the table's middle, metres
-# Half the side of what shadows are drawn of, metres. MuJoCo maps them a little askew: surfaces that
-# lie beyond six tenths of this towards the sun are speckled where they run across the map's axes.
+_SUNBEAM = (-0.40, -0.45, -1.0)  # direction of the sun, in the base frame
+_SUN_AWAY = 1.6  # position of the sun: above the arm, metres
+_FADE = (0.7, 2.2)  # distances behind the table's centre at which the haze begins and ends, metres
+# Half the side of the area with shadows, metres. MuJoCo's shadow map is slightly skewed: surfaces
+# beyond six tenths of this towards the sun are speckled if they cross the map's axes.
 _SHADOWS_TO = 4.2
 _SHADOW_PIXELS = 3072
 
 
 def furnish(spec: mujoco.MjSpec, scene: Scene, mount: Mount, front: Camera) -> None:
-    """Give the floor of a specification its tiles, and add sky, haze and light.
+    """Tile the floor of a specification, and add sky, haze and lights.
 
-    ``front`` is the camera that shows table and robot: the haze begins behind them.
+    ``front`` is the camera that views table and robot: the haze begins behind them.
     """
     middle = np.array([0.0, 0.0, scene.table.height])
     _paint(spec)
     _shine(spec, middle, rotation_z(mount.yaw) @ _SUNBEAM)
-    spec.stat.center, spec.stat.extent = middle, 1.0  # what follows is in extents, so in metres
+    spec.stat.center, spec.stat.extent = middle, 1.0  # units are extents: 1 metre
     sight, distance = spec.visual.map, float(front.to_camera(middle[None])[0, 2])
     sight.fogstart, sight.fogend = (distance + behind for behind in _FADE)
     sight.shadowclip, spec.visual.quality.shadowsize = _SHADOWS_TO, _SHADOW_PIXELS
@@ -73,13 +73,13 @@ def furnish(spec: mujoco.MjSpec, scene: Scene, mount: Mount, front: Camera) -> N
 def exposure(
     suns: Float[np.ndarray, "n 3"], ambient: Float[np.ndarray, "3"], head: Float[np.ndarray, "3"]
 ) -> float:
-    """Return the factor, at most 1, that keeps a white thing in these lights from blowing out."""
+    """Return the factor, at most 1, that prevents overexposure of white in these lights."""
     brightest = float((suns.sum(0) + ambient + head).max())
     return min(1.0, BRIGHTEST / max(brightest, 1e-9))
 
 
 def backdrop(model: mujoco.MjModel) -> Backdrop:
-    """Return a furnished model's floor and haze for the software renderer."""
+    """Return the floor and haze of a furnished model for the software renderer."""
     sight, extent = model.vis.map, model.stat.extent
     fade = sight.fogstart * extent, sight.fogend * extent
     return Backdrop(TILES, TILE, FLOOR_HALF, HAZE, fade, model.geom(FLOOR).id)
@@ -98,7 +98,7 @@ def _paint(spec: mujoco.MjSpec) -> None:
         width=64,
         height=64,
     )
-    repeat = 1 / TILE  # of planes MuJoCo counts texture repeats by half sides; two tiles make one
+    repeat = 1 / TILE  # MuJoCo counts repeats on planes by half sides; two tiles each
     tiles = spec.add_material(
         name=FLOOR, texrepeat=[repeat, repeat], texuniform=True, specular=0, shininess=0
     )
@@ -106,7 +106,7 @@ def _paint(spec: mujoco.MjSpec) -> None:
     floor = spec.geom(FLOOR)
     floor.size = [FLOOR_HALF, FLOOR_HALF, 0.05]
     floor.material, floor.rgba = FLOOR, [1, 1, 1, 1]
-    # MuJoCo's gradient runs on below the horizon, which shows the colour halfway.
+    # MuJoCo's gradient continues below the horizon, which has the colour halfway.
     spec.add_texture(
         name="sky",
         type=mujoco.mjtTexture.mjTEXTURE_SKYBOX,
@@ -121,7 +121,7 @@ def _paint(spec: mujoco.MjSpec) -> None:
 def _shine(
     spec: mujoco.MjSpec, middle: Float[np.ndarray, "3"], beam: Float[np.ndarray, "3"]
 ) -> None:
-    """Set the room's light, and turn the scene's sun."""
+    """Set the ambient light, and direct the scene's sun."""
     head = spec.visual.headlight
     head.ambient, head.diffuse, head.specular = [AMBIENT] * 3, [HEADLIGHT] * 3, [0.0] * 3
     (sun,) = spec.lights

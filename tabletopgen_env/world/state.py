@@ -1,4 +1,4 @@
-"""What MuJoCo's data holds of the robot and the objects, as live views."""
+"""Live views of the robot and the objects in MuJoCo's data."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from jaxtyping import Float, Int
 
 @dataclass(frozen=True, eq=False)
 class WorldState:
-    """Views of one world's ``data``: they follow it, and what is written to them is written there.
+    """Writable live views of one world's ``data``.
 
-    Positions (m) and rotations (to the world frame) are of the last substep's beginning, as
-    MuJoCo leaves them; joints, velocities and commands are of its end.
+    Positions (m) and rotations (to the world frame) refer to the start of the last substep, as in
+    MuJoCo; joints, velocities and commands to its end.
 
     Attributes:
-        joints, joint_velocities: of the arm, rad and rad/s.
-        fingers, finger_velocities: of the two slides, m and m/s.
+        joints, joint_velocities: joints of the arm, rad and rad/s.
+        fingers, finger_velocities: the two finger slides, m and m/s.
         servos: the commands of the arm, rad.
         gripper: the command of the gripper, 0 closed, 255 open.
         tool, hand: position of the tool centre point, rotation of the hand.
@@ -39,9 +39,9 @@ class WorldState:
 
 
 def span(addresses: Int[np.ndarray, "n"]) -> slice:
-    """Return addresses, which follow one another as MuJoCo lays them out, as a slice."""
+    """Return consecutive MuJoCo addresses as a slice."""
     if not len(addresses):
         return slice(0, 0)
     first, last = int(addresses[0]), int(addresses[-1])
-    assert (np.diff(addresses) == 1).all(), "MuJoCo keeps what was added together together"
+    assert (np.diff(addresses) == 1).all(), "MuJoCo addresses of one group must be consecutive"
     return slice(first, last + 1)

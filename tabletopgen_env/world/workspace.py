@@ -1,4 +1,4 @@
-"""Where on a table things can still be put."""
+"""Free spots on a table."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ..robot.mount import clear_of_tall
 from .world import World
 
 FREE_MARGIN = 0.015
-"""Room left around a thing put on a free spot, metres."""
+"""Margin around an object on a free spot, metres."""
 
 LEAST_WAY = 0.12
-"""Least distance from where a thing stands to a free spot drawn for it, metres."""
+"""Minimum distance from an object's position to a free spot drawn for it, metres."""
 
 Fits = Callable[[Float[np.ndarray, "2"]], bool]
-"""Tells whether a point (x, y) of the table will do."""
+"""Returns whether a point (x, y) on the table is acceptable."""
 
 _TRIES, _ASKED = 400, 40
 
@@ -27,11 +27,11 @@ _TRIES, _ASKED = 400, 40
 def free_spot(
     world: World, name: str, rng: np.random.Generator, fits: Fits | None = None
 ) -> Float[np.ndarray, "2"] | None:
-    """Draw a point (x, y) of the table where an object can stand clear of everything, in reach.
+    """Draw a reachable point (x, y) on the table where an object has clearance from all others.
 
-    The point keeps ``LEAST_WAY`` from where the object stands, and no tall thing stands between it
-    and the base, in the forearm's way. ``fits`` may refuse some. None if 400 draws found none, or
-    ``fits`` refuses the first 40 found.
+    The point is at least ``LEAST_WAY`` from the object's position, and no tall object between it
+    and the base obstructs the forearm. ``fits`` may reject points. The result is None if 400 draws
+    yield no point, or if ``fits`` rejects the first 40.
     """
     table, position = world.scene.table, world.scene.object(name).pose.position
     radius = float(np.linalg.norm(world.footprints[name] - position[:2], axis=1).max())

@@ -1,10 +1,10 @@
-"""A robot at a table, compiled: ids by name, the start state, and what a task asks of the physics.
+"""A robot at a table, compiled: ids by name, the start state, and queries of the physics.
 
 ``World`` puts a robot beside a scene with ``MjSpec.attach`` (prefix "panda/"), compiles it and
 keeps model and data.
 
-Positions given to learners are in the *base frame*: origin at the robot's base, x forward, z up.
-It is the world frame turned and moved by the mount, so a policy sees every table from its own seat.
+Positions in observations are in the *base frame*: origin at the robot's base, x forward, z up. It
+is the world frame transformed by the mount, so a policy sees every table relative to the robot.
 """
 
 from __future__ import annotations
@@ -49,35 +49,35 @@ if TYPE_CHECKING:
 
 
 _CONTACT = 1e-4
-"""Metres between surfaces of things at rest that still count as touching."""
+"""Distance between the surfaces of resting objects that still counts as contact, metres."""
 
 _FIXED_REACH = 0.4
-"""How far the fixed part of the robot reaches from its base, at most, metres."""
+"""Maximum reach of the robot's fixed part from its base, metres."""
 
 
 T = TypeVar("T")
 
 
 class World:
-    """One scene with a robot, compiled, and its state.
+    """A compiled scene with a robot, and its state.
 
     Attributes:
-        scene: the scene; supports that its report denies are left out.
-        bundle: the bundle's folder that it was read from; None for others.
-        mount: where the robot's base stands, in the world frame.
-        model, data: MuJoCo's.
-        state: what ``data`` holds of the robot and the objects, as live views.
-        names: the scene's objects; the order of every per-object array.
+        scene: the scene, without supports that its report refutes.
+        bundle: the bundle folder from which it was read, None otherwise.
+        mount: the pose of the robot's base in the world frame.
+        model, data: the MuJoCo model and data.
+        state: live views of the robot and the objects in ``data``.
+        names: names of the scene's objects, in the order of every per-object array.
         bodies: their MuJoCo body ids.
         arm_qpos, arm_dof: addresses of the seven arm joints in qpos and qvel.
         finger_qpos: addresses of the two finger slides in qpos.
         actuators: ids of the seven servos and the gripper.
         robot_bodies: MuJoCo body ids of the robot's links, hand and fingers.
         tcp: id of the tool centre point's site.
-        cached: what others keep of the scene as it was given, by keys of theirs; twins share it.
-        openings: the hollow of each object by name, None where it has none.
-        plateaus: the flat top of each object by name, None where it has none.
-        absent: objects that are out of this episode; see ``randomization``.
+        cached: values that callers cache for the original scene, by key; twins share it.
+        openings: the hollow of each object by name, None without one.
+        plateaus: the flat top of each object by name, None without one.
+        absent: objects removed in this episode; see ``randomization``.
     """
 
     def __init__(
@@ -122,7 +122,7 @@ class World:
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self.state = self._view_state()
-        self._known: dict[Hashable, Any] = {}  # of this arrangement of the objects
+        self._known: dict[Hashable, Any] = {}  # for the current arrangement of the objects
         self._known_of_given = self._known
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
         self.cached: dict[Hashable, Any] = {}
@@ -130,7 +130,7 @@ class World:
         self.plateaus: Mapping[str, Plateau | None] = PerObject(scene, plateau)
 
     def twin(self) -> World:
-        """Return a world of the same scene that shares what is known of it, with its own model."""
+        """Return a world of the same scene with a separate model and shared caches."""
         other = copy.copy(self)
         other.model = copy.copy(self.model)
         other.data = new_data(other.model)
@@ -165,19 +165,19 @@ class World:
         return qpos
 
     def seat(self, mount: Mount) -> None:
-        """Take ``mount`` for where the robot's base is: the origin of the base frame."""
+        """Set the mount, which defines the base frame."""
         self.mount = mount
         self.base_rotation = rotation_z(mount.yaw)
         self.base_position = np.asarray(mount.position, float)
 
     def rearrange(self, scene: Scene) -> None:
-        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there."""
+        """Adopt the poses of the same objects in ``scene`` as the start state of ``reset``."""
         self.scene = scene
         self._start = self._start_qpos()
         self._known = self._known_of_given if scene is self._given else {}
 
     def reset(self) -> None:
-        """Put every object at its settled pose and the robot at home, everything at rest."""
+        """Place every object at its settled pose and the robot at home, all at rest."""
         import mujoco
 
         mujoco.mj_resetData(self.model, self.data)
@@ -189,8 +189,9 @@ class World:
     def step(self, substeps: int) -> None:
         """Simulate ``substeps`` steps of ``TIMESTEP`` seconds.
 
-        The arm's servo commands move evenly from the last call's to those in ``data.ctrl``, as a
-        real controller interpolates: commands that jump at 20 Hz shake loose what the hand holds.
+        The arm's servo commands are interpolated linearly from those of the last call to those in
+        ``data.ctrl``, as in a real controller: commands that jump at 20 Hz would shake loose a held
+        object.
         """
         import mujoco
 
@@ -204,7 +205,7 @@ class World:
         self._touches.clear()
 
     def place_arm(self, joints: Float[np.ndarray, "7"]) -> None:
-        """Put the arm's joints at rest at angles (rad), and have the servos keep them there."""
+        """Place the arm at rest at joint angles (rad), and set the servos to hold them."""
         state = self.state
         state.joints[:] = joints
         state.joint_velocities[:] = 0
@@ -218,7 +219,7 @@ class World:
         position: Float[np.ndarray, "3"],
         quaternion: Float[np.ndarray, "4"] | None = None,
     ) -> None:
-        """Put an object, at rest, at a world position (and wxyz orientation; None keeps it)."""
+        """Place an object at rest at a world position (and wxyz orientation; None keeps it)."""
         k = self.index(name)
         address = self._object_qpos[k]
         self.data.qpos[address[:3]] = position
@@ -228,7 +229,7 @@ class World:
         self._forward()
 
     def _forward(self) -> None:
-        """Let everything follow from a state that was written."""
+        """Compute all quantities derived from a newly written state."""
         import mujoco
 
         self._touches.clear()
@@ -238,18 +239,18 @@ class World:
 
     @cached_property
     def half_top(self) -> Float[np.ndarray, "2"]:
-        """Half the extents of the table top's outline, the longer one first, metres."""
+        """Half the extents of the table top's outline, the larger one first, metres."""
         half = np.ptp(self.scene.table.outline, axis=0) / 2
         return np.array([half.max(), half.min()])
 
     @cached_property
     def digest(self) -> str:
-        """The digest of the scene as it was given; see ``generator.bundle.digest``."""
+        """The digest of the original scene; see ``generator.bundle.digest``."""
         return digest(self._source)
 
     @cached_property
     def ungraspable(self) -> Mapping[str, str | None]:
-        """Why each object cannot be grasped as it rests, None where it can."""
+        """The reason why each resting object cannot be grasped, None if it can."""
         return {
             o.name: why_not_liftable(o)
             or why_not_graspable(o, self.openings[o.name] if is_too_wide(o) else None)
@@ -257,9 +258,9 @@ class World:
         }
 
     def remember(self, key: Hashable, find: Callable[[], T]) -> T:
-        """Return what ``find`` does, found once for each ``key`` where all is as ``reset`` puts it.
+        """Return the result of ``find``, cached by ``key`` for the state after ``reset``.
 
-        Where the base stands elsewhere, or anything is off or absent, it is found anew.
+        It is computed again if the base is elsewhere, or an object is displaced or absent.
         """
         off = not np.array_equal(self.data.qpos, self._start)
         if off or self.absent or self.mount is not self._own_mount:
@@ -270,16 +271,16 @@ class World:
 
     @property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "_k 2"]]:
-        """The convex outline of each object seen from above where it rests, world frame."""
+        """The convex outline of each resting object seen from above, world frame."""
         if "footprints" not in self._known:
             self._known["footprints"] = {o.name: footprint(o) for o in self.scene.objects}
         return self._known["footprints"]
 
     def index(self, name: str) -> int:
-        """Return the row of object ``name`` in per-object arrays.
+        """Return the row of the object ``name`` in per-object arrays.
 
         Raises:
-            SceneError: there is no such object.
+            SceneError: the object does not exist.
         """
         row = self._rows.get(name)
         if row is None:
@@ -307,17 +308,18 @@ class World:
         return float(self.state.positions[k, 2] + (self._points[k] @ up).min())
 
     def off_table(self) -> tuple[str, ...]:
-        """Return the objects whose centre is below the table's top: those that fell off it."""
+        """Return the objects that fell off the table: those with the centre below its top."""
         low = self.state.positions[:, 2] < self.scene.table.height
         if not np.count_nonzero(low):
             return ()
         return tuple(self.names[k] for k in np.flatnonzero(low))
 
     def touches(self, name: str) -> tuple[bool, bool, bool]:
-        """Return whether the left finger, the right finger, any part of the robot touches it.
+        """Return whether left finger, right finger, and any part of the robot touch the object.
 
-        Looked up once between two calls that move things. Nothing that moves touches a sleeping
-        thing, for the arm never sleeps and wakes what it meets; only the base is fixed.
+        The result is cached until the next call that moves something. No moving part touches a
+        sleeping object, because the arm never sleeps and wakes every object that it touches; only
+        the fixed base can touch one.
         """
         found = self._touches.get(name)
         if found is None:
@@ -325,7 +327,7 @@ class World:
         return found
 
     def _contacts(self, row: int) -> tuple[bool, bool, bool]:
-        """Return what ``touches`` does, of the object in a row."""
+        """Return the result of ``touches`` for the object in a row."""
         if self.data.tree_asleep[self._trees[row]] >= 0:
             return False, False, self._at_base(row)
         sides: set[int] = set()
@@ -336,7 +338,7 @@ class World:
         return 2 in sides, 3 in sides, bool(sides - {0})
 
     def _at_base(self, row: int) -> bool:
-        """Return whether an object, asleep and so without contacts, lies against a fixed part."""
+        """Return whether a sleeping object, which has no contacts, rests against a fixed part."""
         import mujoco
 
         model, data, body = self.model, self.data, self.bodies[row]
@@ -355,21 +357,21 @@ class World:
 
     @property
     def hand(self) -> Float[np.ndarray, "3 3"]:
-        """The rotation of the hand, that of the tool centre point's site, in the base frame."""
+        """The rotation of the hand (of the tool centre point's site) in the base frame."""
         return self.base_rotation.T @ self.state.hand
 
     def to_base(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
-        """Carry world points into the base frame."""
+        """Transform world points to the base frame."""
         return (points - self.base_position) @ self.base_rotation
 
     def to_world(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
-        """Carry points of the base frame into the world frame."""
+        """Transform points of the base frame to the world frame."""
         return points @ self.base_rotation.T + self.base_position
 
     def show_marker(
         self, position: Float[np.ndarray, "3"] | None, radius: float, shape: MarkerShape = "disc"
     ) -> None:
-        """Show the goal's marker at a world position, or hide it; all else stays as it was read."""
+        """Show the goal marker at a world position, or hide it, without changing other state."""
         place = [0, 0, -1] if position is None else position
         self.model.geom_type[self._marker_geom] = marker_kind(shape)
         self.model.geom_size[self._marker_geom, 0] = radius
@@ -381,14 +383,14 @@ class World:
 
 @cache
 def _count(steps: int) -> Float[np.ndarray, "steps 1"]:
-    """Return the numbers of ``steps`` steps, from 1, as a column."""
+    """Return the numbers of ``steps`` steps, starting at 1, as a column."""
     column = np.arange(1.0, steps + 1.0)[:, None]
     column.setflags(write=False)
     return column
 
 
 def gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
-    """Label bodies: 0 not the robot's, 1 robot, 2 left finger, 3 right finger."""
+    """Return a label for each body: 0 other, 1 robot, 2 left finger, 3 right finger."""
     sides = np.zeros(model.nbody, int)
     for k in range(model.nbody):
         name = model.body(k).name

@@ -1,4 +1,4 @@
-"""Worlds kept for the next reset: ``WorldCache`` for one environment, ``Masters`` for many."""
+"""Caches of compiled worlds: ``WorldCache`` for one environment, ``Masters`` for many."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from ..scenes.fixed import folder
 from .world import World
 
 KEPT = 16
-"""Compiled worlds that are kept unless said otherwise."""
+"""Default number of cached compiled worlds."""
 
 
 class WorldCache:
-    """The ``size`` worlds used last, by the key of their scene: a reset only writes the state.
+    """The ``size`` most recently used worlds by scene key: a reset only writes their state.
 
-    New ones, with ``robot`` at the table, are copied from ``masters``; None compiles each.
+    New worlds, with ``robot`` at the table, are copied from ``masters``; None compiles each.
     """
 
     def __init__(self, robot: Panda, size: int, masters: Masters | None = None) -> None:
@@ -32,7 +32,7 @@ class WorldCache:
         self._worlds: OrderedDict[str, World] = OrderedDict()
 
     def get(self, ref: SceneRef, on_drop: Callable[[World], None]) -> World:
-        """Return the world of ``ref``; ``on_drop`` is told of each that leaves the cache for it."""
+        """Return the world of ``ref``; ``on_drop`` receives each world evicted from the cache."""
         world = self._worlds.get(ref.key)
         if world is None:
             world = self._masters.twin(ref) if self._masters else _world(ref, self._robot)
@@ -43,7 +43,7 @@ class WorldCache:
         return world
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what a copy keeps: no worlds."""
+        """Return the state of a copy: an empty cache."""
         return {**self.__dict__, "_worlds": OrderedDict()}
 
 
@@ -53,16 +53,16 @@ def _world(ref: SceneRef, robot: Panda) -> World:
 
 @dataclass(eq=False)
 class _Master:
-    """A world that is copied and never moved; None until it is compiled."""
+    """A compiled world that is only copied, never stepped; None before it is compiled."""
 
     lock: threading.Lock = field(default_factory=threading.Lock)
     world: World | None = None
 
 
 class Masters:
-    """The ``size`` scenes used last, compiled once with ``robot``, for environments to copy.
+    """The ``size`` most recently used scenes, compiled once with ``robot``, for copying.
 
-    May be used by several threads. A copy has a model of its own, for environments write to it.
+    The methods are thread-safe. Each copy has its own model, since environments write to it.
     """
 
     def __init__(self, robot: Panda, size: int = KEPT) -> None:
@@ -84,7 +84,7 @@ class Masters:
             return master.world.twin()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return what a copy keeps: no worlds, and no lock."""
+        """Return the state of a copy: an empty cache without lock."""
         return {"_robot": self._robot, "_size": self._size}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -93,15 +93,15 @@ class Masters:
 
 @dataclass(frozen=True)
 class WorldConfig:
-    """What the worlds of an environment are made with, and how many it keeps.
+    """Settings of an environment's worlds and their cache.
 
     Args:
         robot: the robot; None for ``Panda()``.
-        cache: how many compiled worlds are kept, at least 1.
+        cache: maximum number of cached compiled worlds, at least 1.
         masters: compiled worlds to copy, shared with other environments; None to compile.
 
     Raises:
-        InputError: no robot of this package, or a cache out of range.
+        InputError: the robot is not a ``Panda``, or the cache is out of range.
     """
 
     robot: Panda | None = None
@@ -117,7 +117,7 @@ class WorldConfig:
 
     @property
     def arm(self) -> Panda:
-        """The robot, ``Panda()`` where none was named."""
+        """The robot, by default ``Panda()``."""
         return self.robot or Panda()
 
     def worlds(self) -> WorldCache:

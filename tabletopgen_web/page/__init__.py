@@ -1,1 +1,1 @@
-"""The static page: a gallery of bundles, and each of them live in the browser."""
+"""The static page: a gallery of bundles, each with an interactive view in the browser."""

@@ -1,4 +1,4 @@
-"""The command that makes a static page of bundles: ``page``."""
+"""The ``page`` command, which creates a static page of bundles."""
 
 from __future__ import annotations
 
@@ -26,25 +26,25 @@ def page(
     title: str = "Tables",
     contents: OmitArgPrefixes[FolderOptions] = _CONTENTS,
 ) -> int:
-    """Make a static page of bundles: a gallery, and every scene live in the browser.
+    """Create a static page of bundles: a gallery, and an interactive view of every scene.
 
-    The page simulates with MuJoCo's WebAssembly and needs no server of its own: put the folder on
-    any static host, or run `python -m http.server` in it. It loads nothing from elsewhere.
+    The page simulates with MuJoCo's WebAssembly and works on any static host: upload the folder, or
+    run `python -m http.server` in it. It loads no external resources.
 
     Args:
         bundles: Names, digests, globs or paths; "starter" for the shipped tables.
-        out: The page's folder. A page that is there already makes way.
-        title: What the gallery is called.
-        contents: What it holds of each scene.
+        out: The page's folder. An existing page is replaced.
+        title: Title of the gallery.
+        contents: Content per scene.
     """
     import assets_cache
 
     from .site import write_site
 
     if not bundles:
-        raise InputError("Name at least one bundle; `tabletopgen cache list` shows what there is.")
+        raise InputError("Name at least one bundle; `tabletopgen cache list` lists them.")
     if contents.episodes < 0:
-        raise InputError(f"--episodes is a number from 0 on, got {contents.episodes}.")
+        raise InputError(f"--episodes must be at least 0, got {contents.episodes}.")
     check_folder(out.absolute().parent)
     found = list(dict.fromkeys(p for wanted in bundles for p in assets_cache.find(wanted)))
     with _progress(len(found)) as report:
@@ -52,18 +52,18 @@ def page(
     print(escape(str(site.path)))
     for row in site.scenes:
         if row.error is not None:
-            print(escape(f"  {row.id} is listed, but not shown: {row.error}"))
+            print(escape(f"  {row.id} is listed, but cannot be shown: {row.error}"))
     shown = sum(row.error is None for row in site.scenes)
     print(
-        f"  {shown} scene{'s' * (shown != 1)}, {site.bytes / 1e6:.1f} MB; to look at them: "
-        f"python -m http.server --directory {escape(str(out))}"
+        f"  {shown} scene{'s' * (shown != 1)}, {site.bytes / 1e6:.1f} MB; to view them: python -m "
+        f"http.server --directory {escape(str(out))}"
     )
     return 0 if shown else 1
 
 
 @contextmanager
 def _progress(scenes: int) -> Iterator[Callable[[str, str], None]]:
-    """Show how many scenes are done, on standard error."""
+    """Show the number of finished scenes on standard error."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 

@@ -1,4 +1,4 @@
-"""Episodes of the expert, recorded to be played back in the browser."""
+"""Episodes of the expert, recorded for playback in the browser."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from generator.errors import SceneError, require_known
 from tabletopgen_env.tasks.names import NAMES
 
 CONTROL_HZ = 20
-"""Recorded states in a second."""
+"""Recorded states per second."""
 
 TRIES = 4
-"""Seeds that are tried for an episode that the expert solves."""
+"""Maximum number of seeds tried for an episode that the expert solves."""
 
 
 @dataclass(frozen=True, eq=False)
 class RecordedPlay:
-    """One episode as states of the composed model (``robot.robot_document``).
+    """One episode as a sequence of states of the composed model (``robot.robot_document``).
 
     ``rows`` has a row for the start and one for each control step: qpos of the model (metres,
     radians, quaternions wxyz), then the position of the goal's marker in the world (metres).
@@ -36,11 +36,11 @@ class RecordedPlay:
 
     @property
     def seconds(self) -> float:
-        """How long it lasts."""
+        """The duration of the episode, seconds."""
         return (len(self.rows) - 1) / CONTROL_HZ
 
     def to_bytes(self) -> bytes:
-        """Return the file: a header's length (uint32, little-endian), the header, the rows."""
+        """Return the file content: header length (uint32, little-endian), header, rows."""
         header = {
             "task": self.task,
             "instruction": self.instruction,
@@ -58,7 +58,7 @@ class RecordedPlay:
 
 @dataclass(frozen=True)
 class PlayRow:
-    """What the page says of a recorded episode."""
+    """A recorded episode in the page's data."""
 
     task: str
     instruction: str
@@ -68,19 +68,19 @@ class PlayRow:
 
     @staticmethod
     def of(play: RecordedPlay, file: str) -> PlayRow:
-        """Return the row of an episode that lies in ``file``."""
+        """Return the row of an episode stored in ``file``."""
         return PlayRow(play.task, play.instruction, file, round(play.seconds, 2), play.success)
 
 
 def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> RecordedPlay:
-    """Have the scripted expert play one episode of a task at a bundle.
+    """Record the scripted expert in one episode of a task at a bundle.
 
-    Of the seeds from ``seed`` on, at most ``tries``, the first one counts that it solves, else the
-    last one that it can try.
+    At most ``tries`` seeds are tried, starting at ``seed``. The result is the first episode that
+    the expert solves, or else the last one that it attempts.
 
     Raises:
-        InputError: there is no such task.
-        SceneError: the scene offers nothing to do in this task.
+        InputError: the task is unknown.
+        SceneError: the scene has no valid instance of this task.
     """
     import gymnasium as gym
 
@@ -106,5 +106,5 @@ def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> R
     finally:
         env.close()
     if play is None:
-        raise SceneError(f"The expert knows no way to do {task} at {bundle.name}.")
+        raise SceneError(f"The expert cannot solve {task} at {bundle.name}.")
     return play

@@ -1,4 +1,4 @@
-"""What a page holds of each scene; the command ``page`` makes its options of it."""
+"""Content per scene of a page; also options of the ``page`` command."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from dataclasses import dataclass
 from typing import Literal
 
 PageFormat = Literal["glb", "mjcf", "sdf", "urdf", "usd", "usdz"]
-"""The keys of ``generator.exports.WRITERS``, which takes a while to import."""
+"""The keys of ``generator.exports.WRITERS``, repeated here because that import is slow."""
 
 
 @dataclass(frozen=True)
 class FolderOptions:
-    """What a page holds of each scene.
+    """Content of a page per scene.
 
     Attributes:
-        formats: Exports to download beside the bundle; usd and usdz need the extra "usd".
-        episodes: The most episodes of the scripted expert to play back, one for each task.
-        robot: Also put the arm at each table, which episodes need.
+        formats: Exports to download in addition to the bundle; usd and usdz need the extra "usd".
+        episodes: Maximum number of recorded episodes of the scripted expert, one per task.
+        robot: Add the arm to each table; required for episodes.
     """
 
     formats: tuple[PageFormat, ...] = ("glb", "urdf", "sdf")

@@ -1,4 +1,4 @@
-"""A bundle's scene with the Panda at its table, as a document that names the bundle's own files."""
+"""A bundle's scene with the Panda, as a document that refers to the files of the bundle."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from tabletopgen_env.world.world import World
 _FILE = re.compile(r'\bfile="([^"]+)"')
 
 START = "home"
-"""The keyframe that episodes start from: everything settled, the arm at home."""
+"""The keyframe at which episodes start: objects settled, arm at home."""
 
 
 def robot_document(scene: Scene, files: frozenset[str]) -> str:
-    """Return the MJCF of ``scene`` with the arm where environments put it.
+    """Return the MJCF of ``scene`` with the arm at its mount in environments.
 
-    It is the model that environments step, so that recorded states fit. Of files it names those of
-    the bundle, ``files``.
+    It is the model that environments simulate, so recorded states match. It refers only to the
+    files of the bundle, ``files``.
 
     Raises:
-        SceneError: MuJoCo cannot build it, or the arm finds no place.
+        SceneError: MuJoCo cannot compile the scene, or there is no mount for the arm.
     """
     scene = hold_supports(scene)
     mount = Mount.beside(scene)
@@ -38,5 +38,5 @@ def robot_document(scene: Scene, files: frozenset[str]) -> str:
     spec.compile()
     text = spec.to_xml()
     foreign = {named[1] for named in _FILE.finditer(text)} - files
-    assert not foreign, f"files that the bundle does not have: {sorted(foreign)}"
+    assert not foreign, f"files that are not in the bundle: {sorted(foreign)}"
     return text

@@ -1,4 +1,4 @@
-"""What a gallery shows of a bundle, as JSON values; ``web/src/data.ts`` reads them."""
+"""Gallery entries of bundles as JSON values; ``web/src/data.ts`` reads them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _WORD = re.compile(r"[a-z]+")
 
 @dataclass(frozen=True)
 class ThingRow:
-    """One object: its size along its own axes (metres), its mass (kg), and what it stands on."""
+    """One object: its size along its own axes (metres), its mass (kg), and its support."""
 
     name: str
     label: str
@@ -35,7 +35,7 @@ class ThingRow:
 
 @dataclass(frozen=True)
 class TableRow:
-    """The table: what it is called, and its extent in x, y and z (metres)."""
+    """The table: its name, and its extents along x, y and z (metres)."""
 
     label: str
     size: tuple[float, ...]
@@ -43,7 +43,7 @@ class TableRow:
 
 @dataclass(frozen=True)
 class GateRow:
-    """The figures of the physical gate: metres and radians."""
+    """Results of the physical gate, in metres and radians."""
 
     passed: bool
     failures: tuple[str, ...]
@@ -54,7 +54,7 @@ class GateRow:
 
 @dataclass(frozen=True)
 class TaskRow:
-    """How many of a task's instances the expert is certified at, and its share of episodes."""
+    """Certified instances of a task, and the expert's success rate."""
 
     task: str
     instances: int
@@ -64,7 +64,7 @@ class TaskRow:
 
 @dataclass(frozen=True)
 class CertificateRow:
-    """A bundle's certificate in a few numbers."""
+    """Summary of a bundle's certificate."""
 
     instances: int
     certified: int
@@ -73,18 +73,18 @@ class CertificateRow:
 
 @dataclass(frozen=True)
 class SceneRow:
-    """What the gallery shows of a scene.
+    """Gallery entry of a scene.
 
     Attributes:
         id: the name of the bundle's folder.
-        name, kind, prompt: of the scene and its provenance; ``kind`` is "text", "image", "compose",
-            "import" or the like.
-        asked: what edits asked for, the first one first.
-        theme: the kind of table that the text names, or else the scene's name; "" for none.
-        seed: what the scene was drawn with; None where that is not recorded.
-        difficulty: how hard it is to work at, in [0, 1]; None where that was not computed.
+        name, kind, prompt: name and provenance of the scene; ``kind`` is "text", "image",
+            "compose", "import" or similar.
+        asked: requests of the edits, in order.
+        theme: the kind of table in the text, or else in the scene's name; "" for none.
+        seed: the seed of the scene; None if it is not recorded.
+        difficulty: difficulty for manipulation, in [0, 1]; None if it was not computed.
         thumbnail: path of a small picture, relative to the page's JSON file; None without one.
-        error: why the bundle cannot be shown; None if it can.
+        error: reason why the bundle cannot be shown; None if it can.
     """
 
     id: str
@@ -106,16 +106,16 @@ class SceneRow:
 
 @steady
 def read_facts(path: str | Path) -> dict[str, Any]:
-    """Return the checked content of a bundle's ``scene.json``.
+    """Return the validated content of a bundle's ``scene.json``.
 
     Raises:
-        BundleError: there is no bundle, or it is damaged or of another schema.
+        BundleError: the bundle is missing, damaged or has another schema.
     """
     return read_truth(Path(path))
 
 
 def read_row(path: Path) -> SceneRow:
-    """Return a bundle's row by its ``scene.json`` alone; ``error`` says why it cannot be read."""
+    """Return a bundle's row from its ``scene.json`` alone, with an ``error`` if that fails."""
     try:
         return row_of_facts(read_facts(path), path.name)
     except (BundleError, OSError) as error:
@@ -123,9 +123,9 @@ def read_row(path: Path) -> SceneRow:
 
 
 def read_whole_row(path: Path) -> tuple[SceneRow, Scene | None]:
-    """Return a bundle's row, with its difficulty and certificate, and the scene, all checked.
+    """Return a bundle's row with difficulty and certificate, and its scene, all validated.
 
-    The scene is None where the row has an ``error``.
+    The scene is None if the row has an ``error``.
     """
     from tabletopgen_env.scenes.difficulty import difficulty
 
@@ -139,10 +139,10 @@ def read_whole_row(path: Path) -> tuple[SceneRow, Scene | None]:
 
 
 def row_of_facts(facts: Mapping[str, Any], id: str) -> SceneRow:
-    """Return the row of a bundle called ``id`` whose ``scene.json`` says ``facts``.
+    """Return the row of a bundle called ``id`` from the content ``facts`` of its ``scene.json``.
 
     Raises:
-        BundleError: they do not say what a scene has.
+        BundleError: required fields are missing.
     """
     try:
         models, table, made = facts["models"], facts["table"], facts["provenance"]
@@ -162,7 +162,7 @@ def row_of_facts(facts: Mapping[str, Any], id: str) -> SceneRow:
             warnings=tuple(map(str, made.get("warnings") or ())),
         )
     except (TypeError, LookupError, ValueError, AttributeError) as error:
-        raise BundleError(f"{id}: scene.json does not say what a scene has. Make it again.") from (
+        raise BundleError(f"{id}: scene.json lacks required fields. Create the scene again.") from (
             error
         )
 
@@ -176,14 +176,14 @@ def _thing(entry: Mapping[str, Any], model: Mapping[str, Any]) -> ThingRow:
 
 
 def theme_of(words: str) -> str:
-    """Return the kind of table that words name, "" if they name none."""
+    """Return the kind of table that a text names, "" if it names none."""
     from generator.language.semantics.tone import find_theme
 
     return find_theme(_WORD.findall(words.lower())) or ""
 
 
 def certificate_row(certificate: Certificate) -> CertificateRow:
-    """Return a certificate in a few numbers."""
+    """Return the summary of a certificate."""
     by_task: dict[str, list[Any]] = defaultdict(list)
     for instance in certificate.instances:
         by_task[instance.task].append(instance)

@@ -1,7 +1,7 @@
-"""One scene's folder of a page: the bundle's data, the robot's model, episodes, downloads.
+"""One scene's folder in a page: the bundle's data, the robot's model, episodes, downloads.
 
-``view.json`` lists it all (``SceneFiles`` in ``web/src/data.ts``); the studio serves such folders,
-too.
+``view.json`` lists the files (``SceneFiles`` in ``web/src/data.ts``). The studio serves such
+folders, too.
 """
 
 from __future__ import annotations
@@ -27,15 +27,15 @@ from .robot import START, robot_document
 from .rows import SCHEMA, SceneRow, read_whole_row
 
 VIEW = "view.json"
-"""The file of a scene's folder that lists the others."""
+"""The file that lists the others in a scene's folder."""
 
 THUMBNAIL = "thumbnail.jpg"
 
 SHOWN = ("PickPlace", "Stack", "Tidy", "Swap", "Sequence", "Lift", "Push", "Reach")
-"""Tasks whose episodes are shown, those first that show most."""
+"""Tasks with episodes, in order of preference."""
 
 _LABELS = {
-    "mjcf": "MJCF, every mesh a file",
+    "MJCF with separate mesh files": "MJCF, every mesh a file",
     "urdf": "URDF",
     "sdf": "SDF",
     "glb": "glTF (GLB)",
@@ -43,17 +43,17 @@ _LABELS = {
     "usdz": "USDZ",
 }
 _DRAWN = ("meshes/", "textures/")
-_DATA = (".json", ".obj", ".png")  # what a browser runs nothing of
-_PICTURES = ("reference", "preview")  # the first that there is lies over the view
-_THUMBNAILS = ("preview", "reference")  # the first that there is becomes the thumbnail
+_DATA = (".json", ".obj", ".png")  # file types that browsers never execute
+_PICTURES = ("reference", "preview")  # the first existing one is overlaid on the view
+_THUMBNAILS = ("preview", "reference")  # the first existing one becomes the thumbnail
 _THUMB = (480, 360)
 _QUALITY = 82
-_EPOCH = (1980, 1, 1, 0, 0, 0)  # of all files in an archive: the same scene gives the same bytes
+_EPOCH = (1980, 1, 1, 0, 0, 0)  # time of all files in an archive
 
 
 @dataclass(frozen=True, eq=False)
 class SceneFolder:
-    """The files of a scene's folder by their path in it, and what a gallery shows of the scene."""
+    """The files of a scene's folder by relative path, and its gallery entry."""
 
     row: SceneRow
     files: Mapping[str, bytes]
@@ -68,8 +68,8 @@ def scene_folder(
 
     Args:
         bundle: the bundle's folder, checked as ``load_verified`` does.
-        options: what else it holds.
-        report: called with what is being made ("PickPlace", "glb").
+        options: additional content.
+        report: called with the current item ("PickPlace", "glb").
 
     Raises:
         BundleError: the bundle is damaged.
@@ -99,9 +99,9 @@ def scene_folder(
 
 
 def _is_data(name: str) -> bool:
-    """Tell whether a bundle's file is served: it may list any other, a web page with a script, too.
+    """Return whether a bundle's file is served; a bundle may also list scripts or web pages.
 
-    The archive of the bundle has them all.
+    The archive of the bundle contains all files.
     """
     return name == "scene.xml" or name.lower().endswith(_DATA)
 
@@ -115,10 +115,10 @@ def _robot(
     shown: Mapping[str, str],
     report: Callable[[str], None],
 ) -> tuple[dict[str, Any] | None, list[dict[str, object]]]:
-    """Add the scene with the arm, and episodes; return what ``view.json`` says of them."""
+    """Add the scene with the arm, and episodes; return their entry in ``view.json``."""
     try:
         files["arm/scene.xml"] = robot_document(scene, frozenset(shown)).encode()
-    except SceneError:  # nowhere to stand: the scene is shown without it
+    except SceneError:  # no mount for the arm: show the scene without it
         return None, []
     arm = {"xml": "arm/scene.xml", "files": dict(shown), "start": START}
     rows: list[dict[str, object]] = []
@@ -131,7 +131,7 @@ def _robot(
         report(task)
         try:
             play = record_play(bundle, task)
-        except TabletopError:  # nothing to do in this task
+        except TabletopError:  # no valid instance of this task
             continue
         if not play.success:
             continue
@@ -149,7 +149,7 @@ def _downloads(
     files: dict[str, bytes],
     report: Callable[[str], None],
 ) -> list[dict[str, Any]]:
-    """Add the bundle and its exports as one file each; return what ``view.json`` says of them."""
+    """Add the bundle and its exports as one file each; return their entry in ``view.json``."""
     made = {f"{name}.zip": ("Bundle (MJCF)", archive(name, held))}
     for kind in formats:
         report(kind)
@@ -167,7 +167,7 @@ def _downloads(
 
 
 def archive(folder: str, files: Mapping[str, bytes]) -> bytes:
-    """Return a zip file of a folder; the same files give the same bytes."""
+    """Return a zip file of a folder; equal files give equal bytes."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(files):
@@ -179,7 +179,7 @@ def archive(folder: str, files: Mapping[str, bytes]) -> bytes:
 
 
 def _picture(held: Mapping[str, bytes]) -> dict[str, Any] | None:
-    """Return what ``view.json`` says of the picture that was taken from the scene's camera."""
+    """Return the entry in ``view.json`` of the picture from the scene's camera."""
     from generator.bundle.contents import picture_size
 
     for kind in _PICTURES:
@@ -190,7 +190,7 @@ def _picture(held: Mapping[str, bytes]) -> dict[str, Any] | None:
 
 
 def _thumbnail(held: Mapping[str, bytes], files: dict[str, bytes]) -> str | None:
-    """Add a small picture of the scene as it simulates; return its path, None without one."""
+    """Add a small picture of the simulated scene; return its path, or None without one."""
     from PIL import Image
 
     from generator.bundle.contents import decode_png

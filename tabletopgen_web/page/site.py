@@ -1,4 +1,4 @@
-"""A static site: the front end, a gallery, and a folder for every scene."""
+"""A static site: the front end, a gallery, and a folder per scene."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ GALLERY = "gallery.json"
 """The file of a site that lists its scenes."""
 
 _MARKER = ".tabletopgen-page"
-_WORDS = "A page that `tabletopgen page` wrote; it may be replaced.\n"
+_WORDS = "A page that `tabletopgen page` wrote; it may be replaced.\\n"
 
 
 @dataclass(frozen=True)
@@ -40,22 +40,22 @@ def write_site(
     options: FolderOptions | None = None,
     report: Callable[[str, str], None] = lambda _scene, _what: None,
 ) -> Site:
-    """Write a static site of bundles to the folder ``out``, whole or not at all.
+    """Write a static site of bundles to the folder ``out``, atomically.
 
-    A site that lies there makes way; any other folder that is not empty is refused. A bundle that
-    cannot be read is listed with the reason.
+    An existing site is replaced; any other non-empty folder is rejected. A bundle that cannot be
+    read is listed with the reason.
 
     Args:
-        bundles: the bundles' folders, shown in this order.
-        out: the site's folder; made if missing.
-        title: what the gallery is called.
-        options: what each scene's folder holds.
-        report: called with a scene's name and what of it is being made.
+        bundles: the bundles' folders, in display order.
+        out: the site's folder, created if missing.
+        title: title of the gallery.
+        options: content of each scene's folder.
+        report: called with a scene's name and its current item.
 
     Raises:
-        BackendError: the front end is not there and cannot be built.
-        InputError: ``out`` holds something else, or two bundles have one name.
-        StorageError: ``out`` cannot be written, or the disk is full.
+        BackendError: the front end is missing and cannot be built.
+        InputError: ``out`` contains something else, or two bundles have the same name.
+        StorageError: ``out`` is not writable, or the disk is full.
     """
     static, out = static_folder(), out.absolute()
     _check(bundles, out)
@@ -93,14 +93,15 @@ def _check(bundles: Sequence[Path], out: Path) -> None:
         raise InputError(f"Two bundles are called {twice!r}. Name each once.")
     if out.is_dir() and any(out.iterdir()) and not (out / _MARKER).is_file():
         raise InputError(
-            f"{out} holds something else than a page, which would be removed. Choose a new folder."
+            f"{out} contains something other than a page, which would be deleted. Choose a new "
+            f"folder."
         )
     if out.exists() and not out.is_dir():
         raise InputError(f"{out} is a file. Choose a folder.")
 
 
 def _relative(row: SceneRow) -> SceneRow:
-    """Return a row as the gallery's file has it, one folder up."""
+    """Return a row for the gallery's file, with paths relative to the parent folder."""
     small = row.thumbnail
     return row if small is None else replace(row, thumbnail=f"scenes/{row.id}/{small}")
 

@@ -1,15 +1,15 @@
-"""A local web application to make, change and look at tables: ``tabletopgen studio``.
+"""A local web application to create, edit and view tables: ``tabletopgen studio``.
 
 ====================  ============================================================================
-``contracts``         what requests and answers hold
-``specs``, ``fields`` jobs, as a page asks for them
-``folder``            where everything is kept
-``queue/``            jobs and events in a database, and the processes that do the jobs
+``contracts``         types of responses
+``specs``, ``fields`` job requests and their validation
+``folder``            the data folder
+``queue/``            jobs and events in a database, and the processes that run the jobs
 ``worker``, ``work/`` the process of one job
 ``library/``          scenes, uploaded pictures, answers of studies
-``server/``           who may ask, how much they may send, which errors they get
+``server/``           access control, request limits, and error responses
 ``routes/``           the endpoints
-``page_parts``        what it takes from the pages' package
+``page_parts``        parts from the ``page`` package
 ``command``           the command
 ====================  ============================================================================
 

@@ -1,4 +1,4 @@
-"""The command ``studio``."""
+"""The ``studio`` command."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from generator.errors import BackendError, InputError, escape, require_number
 if TYPE_CHECKING:
     from ..study.page_data import StudyPage
 
-_MOST_STUDIES = 16
+_MAX_STUDIES = 16
 _POST = "/api/studies/{study}/answers"
 
 
@@ -26,19 +26,19 @@ def studio(
     study: tuple[Path, ...] = (),
     browser: bool = True,
 ) -> int:
-    """Open a page of this machine to make, change and look at tables.
+    """Serve a local web page to create, edit and view tables.
 
-    The page is served to this machine alone, and to those that know the token in the printed
-    address. Jobs wait in a queue that outlives the studio.
+    The page is accessible only from this machine and only with the token in the printed address.
+    Jobs wait in a queue that persists when the studio stops.
 
     Args:
-        port: Where it listens; 0 for any port that is free.
-        host: Another address than this machine's own lets other machines in.
-        folder: Where jobs, pictures and new scenes are kept; the user state folder if left out.
-        workers: How many jobs run at a time.
-        study: Pages that `study new` wrote with --post '/api/studies/{study}/answers'; for each an
-            address for raters is printed, which opens nothing else. At most 16.
-        browser: Open the address in a browser; it is printed, too.
+        port: Port of the server; 0 for any free port.
+        host: Address of the server. Addresses other than the default let other machines connect.
+        folder: Folder for jobs, pictures and new scenes; by default the user state folder.
+        workers: Number of jobs that run at a time.
+        study: Pages from `study new` with --post '/api/studies/{study}/answers', at most 16. The
+            studio prints an address for the raters of each, which gives access to nothing else.
+        browser: Open the address in a browser, besides printing it.
     """
     try:
         import starlette  # noqa: F401
@@ -63,7 +63,7 @@ def studio(
     place = StudioFolder.usual() if folder is None else StudioFolder(folder.absolute())
     static = static_folder()
     with place.locking(), bind(host, port) as listening:
-        open_database(place.database).close()  # what is wrong with it is said before all else
+        open_database(place.database).close()  # report errors in the studies first
         tokens = {name: place.make_token(name) for name in studies}
         number, ticket = listening.getsockname()[1], secrets.token_urlsafe(24)
         access = Access(
@@ -71,14 +71,14 @@ def studio(
         )
         if not access.is_local:
             print(escape(
-                f"warning: {host} lets other machines in, unencrypted; whoever knows the token can "
-                "use this studio and what it may pay for."
+                f"warning: {host} accepts unencrypted connections from other machines; anyone "
+                f"with the token can use this studio and its paid services."
             ), file=sys.stderr)  # fmt: skip
         place.announce(access.address)
         changes = Changes()
         app = make_application(place, access, static, workers, changes, studies)
         busy = serve(app, listening, access, browser, changes.close)
-    if busy:  # a thread would keep the process; it puts files in place whole, or not at all
+    if busy:  # a thread would keep the process alive; the work writes files atomically
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(0)
@@ -86,17 +86,17 @@ def studio(
 
 
 def _read_studies(paths: tuple[Path, ...]) -> dict[str, StudyPage]:
-    """Return the pages of studies, by study."""
+    """Return the pages of studies by study id."""
     from ..study.page_data import read_page, read_template
 
-    if len(paths) > _MOST_STUDIES:
-        raise InputError(f"--study names {len(paths)} files; at most {_MOST_STUDIES} are served.")
+    if len(paths) > _MAX_STUDIES:
+        raise InputError(f"--study got {len(paths)} files; the maximum is {_MAX_STUDIES}.")
     template = read_template() if paths else ""
     found: dict[str, StudyPage] = {}
     for path in paths:
         page = read_page(path, template, _POST)
         if page.study in found:
-            raise InputError(f"{str(path)!r} is of study {page.study}, which is there already. "
-                             "Name each study once.")  # fmt: skip
+            raise InputError(f"{str(path)!r} belongs to study {page.study}, which was already "
+            f"given. Name each study once.")  # fmt: skip
         found[page.study] = page
     return found

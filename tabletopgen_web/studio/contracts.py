@@ -1,6 +1,6 @@
-"""What the studio answers, as values; ``encode`` makes JSON of them.
+"""Types of the studio's responses; ``encode`` converts them to JSON.
 
-``web/src/studio/api.ts`` has the same types for the page.
+``web/src/studio/api.ts`` defines the same types for the page.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ ScenePlace = Literal["workspace", "store", "shipped"]
 
 @dataclass(frozen=True)
 class StageRow:
-    """The stage that a job is at: its name, its number from 1, and how many there are."""
+    """The current stage of a job: its name, its number from 1, and the total."""
 
     name: str
     number: int
@@ -29,7 +29,7 @@ class StageRow:
 
 @dataclass(frozen=True)
 class FigureRow:
-    """A picture of what a stage found."""
+    """A picture of a stage's result."""
 
     name: str
     stage: str
@@ -38,12 +38,12 @@ class FigureRow:
 
 @dataclass(frozen=True)
 class JobResult:
-    """What a job made: a scene of the workspace, or a file to fetch from ``url``.
+    """Result of a job: a scene of the workspace, or a file to fetch from ``url``.
 
-    ``facts`` are more about it: ``spent`` (what calls to servers cost), of an episode ``success``
-    and ``steps``, of an edit ``not_understood`` (words of what it did not take), of a scene of a
-    picture ``mean_iou`` (how like the picture its view is, in [0, 1] or None) and ``doubts`` (why
-    it is not the picture's).
+    ``facts`` hold details: ``spent`` (cost of calls to servers); for an episode ``success`` and
+    ``steps``; for an edit ``not_understood`` (ignored words); for a scene from a picture
+    ``mean_iou`` (similarity of its view to the picture, in [0, 1] or None) and ``doubts`` (reasons
+    why it may not match the picture).
     """
 
     scene: str | None = None
@@ -55,10 +55,10 @@ class JobResult:
 
 @dataclass(frozen=True)
 class JobRow:
-    """A job. Times are seconds since 1970; ``runs`` is how often it was begun.
+    """A job. Times are seconds since 1970; ``runs`` is the number of starts.
 
-    ``request`` is what was asked for, ``log`` the end of what its process wrote, of a single job
-    alone.
+    ``request`` is the original request; ``log``, the end of the process's output, is present only
+    in responses about a single job.
     """
 
     id: str
@@ -79,9 +79,9 @@ class JobRow:
 
 @dataclass(frozen=True)
 class JobEvent:
-    """Something that happened to a job; ``data`` stands beside the other fields in JSON.
+    """An event of a job; in JSON, the entries of ``data`` are at the top level.
 
-    state: ``state`` (of a job that was removed "deleted"), ``error``; stage: ``name``, ``number``,
+    state: ``state`` ("deleted" for a removed job), ``error``; stage: ``name``, ``number``,
     ``total``; figure: a ``FigureRow``; log: ``text``; result: a ``JobResult``.
     """
 
@@ -94,11 +94,12 @@ class JobEvent:
 
 @dataclass(frozen=True)
 class StudioScene(SceneRow):
-    """A scene of the list: what a gallery shows of it, and more.
+    """A scene of the list: its gallery entry, and more.
 
-    ``place``, in JSON ``in``, is where its bundle lies, ``saved`` whether the user's store has it,
-    too; ``digest`` ends its name; ``parent`` is the scene it was edited from, which need not exist
-    any more, after ``edits`` edits, of which ``last_edit`` says the last in words.
+    ``place`` (``in`` in JSON) is the location of its bundle, ``saved`` whether the user's store
+    also has it; ``digest`` is the end of its name; ``parent`` is the scene from which it was
+    edited, which may no longer exist; ``edits`` is the number of edits, and ``last_edit`` describes
+    the last one.
     """
 
     place: ScenePlace = "workspace"
@@ -112,10 +113,10 @@ class StudioScene(SceneRow):
 
 @dataclass(frozen=True)
 class EditRow:
-    """A step of a scene's history: the scene after it, and what was asked for.
+    """A step of a scene's history: the resulting scene, and the request.
 
-    ``kind`` is "made" for how it began, else that of the edit; ``exists`` whether its bundle is
-    there.
+    ``kind`` is "made" for the original scene, else the kind of the edit; ``exists`` is whether its
+    bundle exists.
     """
 
     id: str
@@ -128,7 +129,7 @@ class EditRow:
 
 @dataclass(frozen=True)
 class PictureRow:
-    """An uploaded picture: its id, and its size upright in pixels."""
+    """An uploaded picture: its id, and its upright size in pixels."""
 
     picture: str
     width: int
@@ -137,7 +138,7 @@ class PictureRow:
 
 @dataclass(frozen=True)
 class ExplainedRow:
-    """How a phrase of a text was read."""
+    """The interpretation of a phrase in a text."""
 
     role: str
     phrase: str
@@ -146,7 +147,7 @@ class ExplainedRow:
 
 @dataclass(frozen=True)
 class Explanation:
-    """What would be put on which table, in a sentence, and how each phrase was read."""
+    """The interpretation of a text: a summary of table and objects, and each phrase."""
 
     summary: str
     rows: tuple[ExplainedRow, ...]
@@ -154,7 +155,7 @@ class Explanation:
 
 @dataclass(frozen=True)
 class RoleRow:
-    """Who answers a role's questions, and the settings that decide the answers."""
+    """The backend of a role, and the settings that affect its answers."""
 
     role: str
     backend: str
@@ -163,10 +164,10 @@ class RoleRow:
 
 @dataclass(frozen=True)
 class EstimateRow:
-    """What a job would ask servers first, and for at most how much. Nothing was sent.
+    """The first requests of a job to servers, and their maximum cost. Nothing was sent.
 
-    ``calls`` is a line each; what comes after them depends on the answers. ``asks_servers`` is
-    false where a job costs nothing.
+    ``calls`` has a line per call; later calls depend on the answers. ``asks_servers`` is false if a
+    job is free.
     """
 
     roles: tuple[RoleRow, ...]
@@ -176,7 +177,7 @@ class EstimateRow:
 
 @dataclass(frozen=True)
 class BackendRow:
-    """A backend: its roles, what it needs, what of that is missing, whether calls cost money."""
+    """A backend: its roles, requirements, missing requirements, and whether calls cost money."""
 
     name: str
     roles: tuple[str, ...]
@@ -188,7 +189,7 @@ class BackendRow:
 
 @dataclass(frozen=True)
 class StudioState:
-    """What this studio is and can do."""
+    """Properties and capabilities of this studio."""
 
     version: str
     roles: tuple[str, ...]
@@ -203,7 +204,7 @@ class StudioState:
 
 
 def encode(value: Any) -> Any:
-    """Return an answer as JSON values."""
+    """Return a response as JSON values."""
     if isinstance(value, StudioScene):
         row = {k: encode(v) for k, v in _fields(value).items()}
         row["in"] = row.pop("place")

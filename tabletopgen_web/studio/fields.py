@@ -1,4 +1,4 @@
-"""Fields of a JSON object from outside: each is checked as it is read, unknown ones are refused."""
+"""Validation of the fields of a JSON object from outside."""
 
 from __future__ import annotations
 
@@ -9,22 +9,22 @@ from typing import Any
 from generator.errors import InputError, choices, require_known, require_number, require_seed
 
 MOST_SHOWN = 60
-"""Characters of a wrong value that a message repeats."""
+"""Maximum number of characters of an invalid value in a message."""
 
-_LARGE = 10**15  # more is infinite in a message
+_LARGE = 10**15  # larger numbers overflow to infinity in messages
 
 
 class Fields:
-    """Reads the fields of an object; ``end`` refuses what was not read.
+    """Reads and validates the fields of an object; ``end`` rejects fields that were not read.
 
     Raises:
-        InputError: by each method, of a value of another type or out of range; the sentence names
-            the field.
+        InputError: raised by each method if a value has another type or is out of range; the
+            message names the field.
     """
 
     def __init__(self, payload: object, what: str) -> None:
         if not isinstance(payload, Mapping):
-            raise InputError(f"{what} is a JSON object, not {type(payload).__name__}.")
+            raise InputError(f"{what} must be a JSON object, not {type(payload).__name__}.")
         self._payload: Mapping[str, Any] = payload
         self._what = what
         self._known: set[str] = set()
@@ -34,14 +34,14 @@ class Fields:
         return self._payload.get(name)
 
     def text(self, name: str, max_length: int, *, multiline: bool = False) -> str:
-        """Return a text that is neither missing nor blank."""
+        """Return a string that is neither missing nor blank."""
         found = self.optional_text(name, max_length, multiline=multiline)
         if found is None:
-            raise InputError(f"{self._what} needs {name}, a text.")
+            raise InputError(f"{self._what} needs {name}, a string.")
         return found
 
     def optional_text(self, name: str, max_length: int, *, multiline: bool = False) -> str | None:
-        """Return a text, None where it is missing or null."""
+        """Return a string, None if it is missing or null."""
         found = self._get(name)
         if found is None:
             return None
@@ -49,7 +49,7 @@ class Fields:
         return found
 
     def seed(self) -> int:
-        """Return the field ``seed``; 0 where it is missing."""
+        """Return the field ``seed``; 0 if it is missing."""
         found = self._get("seed")
         if found is None:
             return 0
@@ -57,52 +57,52 @@ class Fields:
         return found
 
     def number(self, name: str, minimum: float, maximum: float) -> float | None:
-        """Return a number, None where it is missing or null."""
+        """Return a number, None if it is missing or null."""
         found = self._get(name)
         if found is None:
             return None
         return _check_number(found, f"{self._what} needs {name}", minimum, maximum)
 
     def choice(self, name: str, known: Collection[str]) -> str:
-        """Return one of the texts ``known``."""
+        """Return one of the strings in ``known``."""
         found = self.optional_choice(name, known)
         if found is None:
             raise InputError(f"{self._what} needs {name}.{choices('', known)}")
         return found
 
     def optional_choice(self, name: str, known: Collection[str]) -> str | None:
-        """Return one of the texts ``known``, None where it is missing or null."""
+        """Return one of the strings in ``known``, None if it is missing or null."""
         found = self._get(name)
         if found is None:
             return None
         if not isinstance(found, str):
-            raise InputError(f"{name} is a text, not {type(found).__name__}.")
+            raise InputError(f"{name} must be a string, not {type(found).__name__}.")
         require_known(found[:MOST_SHOWN], known, f"{self._what}: {name} cannot be")
         return found
 
     def texts(self, name: str, max_count: int, max_length: int) -> tuple[str, ...]:
-        """Return a list of texts; empty where it is missing."""
+        """Return a list of strings, empty if it is missing."""
         found = self._get(name)
         if found is None:
             return ()
         if not isinstance(found, list) or len(found) > max_count:
-            raise InputError(f"{name} is a list of at most {max_count} texts.")
+            raise InputError(f"{name} must be a list of at most {max_count} strings.")
         for each in found:
             _check_text(each, name, max_length, multiline=False)
         return tuple(found)
 
     def pair(self, name: str, size: float) -> tuple[float, float] | None:
-        """Return two numbers from ``-size`` to ``size``, None where it is missing or null."""
+        """Return two numbers in [-``size``, ``size``], None if missing or null."""
         found = self._get(name)
         if found is None:
             return None
         if not isinstance(found, list) or len(found) != 2:
-            raise InputError(f"{name} is a list of two numbers.")
+            raise InputError(f"{name} must be a list of two numbers.")
         first, second = (_check_number(v, f"{name} needs each", -size, size) for v in found)
         return first, second
 
     def end(self) -> None:
-        """Refuse fields that were not read."""
+        """Reject fields that were not read."""
         for name in self._payload:
             if name not in self._known:
                 hint = choices(name[:MOST_SHOWN], self._known)
@@ -111,14 +111,14 @@ class Fields:
 
 def _check_text(found: object, name: str, max_length: int, multiline: bool) -> None:
     if not isinstance(found, str):
-        raise InputError(f"{name} is a text, not {type(found).__name__}.")
+        raise InputError(f"{name} must be a string, not {type(found).__name__}.")
     if not found.strip():
         raise InputError(f"{name} is empty.")
     if len(found) > max_length:
-        raise InputError(f"{name} has {len(found)} characters; at most {max_length} are read.")
+        raise InputError(f"{name} has {len(found)} characters; the maximum is {max_length}.")
     shown = found.replace("\n", " ").replace("\r", " ").replace("\t", " ") if multiline else found
     if not shown.isprintable():
-        raise InputError(f"{name} holds characters that cannot be printed.")
+        raise InputError(f"{name} contains non-printable characters.")
 
 
 def _check_number(found: object, needs: str, minimum: float, maximum: float) -> float:

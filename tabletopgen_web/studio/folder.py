@@ -1,17 +1,17 @@
-"""The folder in which a studio keeps everything, and the lock that it is one studio's.
+"""The data folder of a studio, and the lock that limits it to one process.
 
 ::
 
     jobs.sqlite3       jobs and events
-    reserve            room in which endings are written on a full disk
+    reserve            reserved space to record job results on a full disk
     scenes/            the workspace: bundles made here
-    pictures/<id>      uploaded pictures, as they came; <id>.png as they are shown
-    figures/<job>/     what the stages of a job found
+    pictures/<id>      uploaded pictures in original form; <id>.png for display
+    figures/<job>/     pictures of a job's stages
     files/<job>/       exports and episodes
-    views/<scene>/     scenes as the viewer loads them; made again where they are missing
+    views/<scene>/     scenes prepared for the viewer, regenerated if missing
     answers/<study>/   answers of studies
-    studies.secret     what raters' tokens are made from
-    studio.lock, studio.json   who uses the folder
+    studies.secret     the secret from which raters' tokens are derived
+    studio.lock, studio.json   the process that uses the folder
 """
 
 from __future__ import annotations
@@ -31,63 +31,64 @@ from generator.errors import StorageError, TabletopError
 from generator.io.bounded import parse_object, read_regular
 from generator.io.files import check_folder, make_private, write_whole
 
-_MOST_BYTES = 4096  # of studio.json
+_MAX_BYTES = 4096  # of studio.json
+_ADDRESS = "The studio's address"
 _WHO, _SECRET = "studio.json", "studies.secret"
 
 
 @dataclass(frozen=True)
 class StudioFolder:
-    """Where a studio keeps what it has."""
+    """The data folder of a studio."""
 
     root: Path
 
     @classmethod
     def usual(cls) -> StudioFolder:
-        """Return this user's."""
+        """Return the default folder of this user."""
         import platformdirs
 
         return cls(Path(platformdirs.user_state_dir("tabletopgen")) / "studio")
 
     @property
     def database(self) -> Path:
-        """Jobs and events."""
+        """Path of the database of jobs and events."""
         return self.root / "jobs.sqlite3"
 
     @property
     def scenes(self) -> Path:
-        """The workspace."""
+        """Path of the workspace."""
         return self.root / "scenes"
 
     @property
     def pictures(self) -> Path:
-        """Uploaded pictures."""
+        """Path of the uploaded pictures."""
         return self.root / "pictures"
 
     @property
     def figures(self) -> Path:
-        """Pictures of what stages found, a folder a job."""
+        """Path of the pictures of stages, a folder per job."""
         return self.root / "figures"
 
     @property
     def files(self) -> Path:
-        """What jobs made that is no scene, a folder a job."""
+        """Path of the other files of jobs, a folder per job."""
         return self.root / "files"
 
     @property
     def views(self) -> Path:
-        """Scenes as the viewer loads them."""
+        """Path of the scenes prepared for the viewer."""
         return self.root / "views"
 
     @property
     def answers(self) -> Path:
-        """Answers of studies, a folder a study."""
+        """Path of the answers of studies, a folder per study."""
         return self.root / "answers"
 
     def make(self) -> None:
-        """Make what is missing of it, for its owner alone.
+        """Create missing folders, accessible only to their owner.
 
         Raises:
-            StorageError: it cannot be written.
+            StorageError: the folder is not writable.
         """
         check_folder(self.root, "--folder")
         try:
@@ -102,10 +103,10 @@ class StudioFolder:
 
     @contextlib.contextmanager
     def locking(self) -> Iterator[None]:
-        """Make the folder and hold it as this process's own meanwhile.
+        """Create the folder and hold its lock in the context.
 
         Raises:
-            StorageError: another studio uses it, or it cannot be written.
+            StorageError: another studio uses the folder, or it is not writable.
         """
         self.make()
         lock = FileLock(self.root / "studio.lock", timeout=0, thread_local=False)
@@ -114,7 +115,7 @@ class StudioFolder:
         except Timeout:
             raise StorageError(
                 f"Another studio{self._who()} uses {self.root}. Open the address that it printed, "
-                "with its token, or choose another --folder."
+                f"including the token, or choose another --folder."
             ) from None
         except OSError as error:
             raise StorageError(
@@ -126,31 +127,31 @@ class StudioFolder:
             lock.release()
 
     def announce(self, address: str) -> None:
-        """Write down where this studio is, without its token, for a second one to tell."""
+        """Record the studio's address, without its token, for the error of a second studio."""
         facts = json.dumps({"process": os.getpid(), "address": address})
-        write_whole(self.root / _WHO, facts, "Where the studio is", "Free space there.")
+        write_whole(self.root / _WHO, facts, _ADDRESS, "Free space there.")
 
     def make_token(self, study: str) -> str:
-        """Return the token of a study's raters, the same one as long as the folder is there.
+        """Return the token of a study's raters, which is constant for the lifetime of the folder.
 
-        It outlives the studio, so that an address that was sent to raters stays good.
+        It persists when the studio stops, so addresses sent to raters remain valid.
 
         Raises:
-            StorageError: what it is made from cannot be written, or is damaged.
+            StorageError: the secret is not writable, or is damaged.
         """
         path = self.root / _SECRET
         if not path.exists():
             new = secrets.token_hex(32)
             write_whole(path, new, "The studies' secret", "Free space there.", mode=0o600)
-        secret = read_regular(path, "The studies' secret", StorageError, max_bytes=_MOST_BYTES)
+        secret = read_regular(path, "The studies' secret", StorageError, max_bytes=_MAX_BYTES)
         if len(secret) != 64:
             raise StorageError(f"{path} is damaged. Remove it; raters then need new addresses.")
         return hmac.new(secret, study.encode(), "sha256").hexdigest()[:48]
 
     def _who(self) -> str:
         try:
-            raw = read_regular(self.root / _WHO, "Where it is", StorageError, max_bytes=_MOST_BYTES)
-            facts = parse_object(raw, "Where it is", StorageError)
+            raw = read_regular(self.root / _WHO, _ADDRESS, StorageError, max_bytes=_MAX_BYTES)
+            facts = parse_object(raw, _ADDRESS, StorageError)
             return f" (process {facts['process']}, at {facts['address']})"
         except (TabletopError, KeyError):
             return ""

@@ -1,4 +1,4 @@
-"""What the studio takes from the pages' package: a scene as the viewer loads it, and an episode."""
+"""Functions from the ``page`` package: a scene prepared for the viewer, and an episode."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from ..page.episodes import RecordedPlay, record_play
 from ..page.options import FolderOptions
 from ..page.scene_folder import scene_folder
 
-_OPTIONS = FolderOptions(formats=(), episodes=0)  # the rest is made when it is asked for
+_OPTIONS = FolderOptions(formats=(), episodes=0)  # heavier imports are deferred
 
 
 def write_view(bundle: Path, folder: Path) -> None:
-    """Write a bundle into an empty folder as the viewer loads it: ``view.json`` and its files.
+    """Prepare a bundle for the viewer in an empty folder: ``view.json`` and its files.
 
     Raises:
         BundleError: the bundle is damaged.
-        OSError: the disk refuses.
+        OSError: the folder is not writable.
     """
     made = scene_folder(bundle, _OPTIONS)
     if made.row.error is not None:
@@ -30,9 +30,9 @@ def write_view(bundle: Path, folder: Path) -> None:
 
 
 def play_episode(bundle: Path, task: str, seed: int) -> RecordedPlay:
-    """Have the scripted expert play one episode of a task at a scene.
+    """Record the scripted expert in one episode of a task at a scene.
 
     Raises:
-        SceneError: the scene offers nothing to do, or the expert knows no way with this seed.
+        SceneError: the scene has no valid task, or the expert cannot solve it with this seed.
     """
     return record_play(bundle, task, seed, tries=1)

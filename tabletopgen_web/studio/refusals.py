@@ -1,4 +1,4 @@
-"""Refusals that have an HTTP status of their own; other errors get theirs by their kind."""
+"""Refused requests with specific HTTP statuses; other errors map to statuses by type."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from generator.errors import (
 
 
 class RefusedError(InputError):
-    """A request that is refused: ``status`` is that of the answer, the message one sentence."""
+    """A refused request: ``status`` is the HTTP status, the message one sentence."""
 
     def __init__(self, status: int, message: str) -> None:
         super().__init__(message)
@@ -32,7 +32,7 @@ _STATUSES: tuple[tuple[type[TabletopError], int], ...] = (
 
 
 def status_of(error: TabletopError) -> int:
-    """Return the HTTP status that answers an error."""
+    """Return the HTTP status for an error."""
     if isinstance(error, RefusedError):
         return error.status
     return next((status for kind, status in _STATUSES if isinstance(error, kind)), 500)

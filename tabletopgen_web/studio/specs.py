@@ -1,4 +1,4 @@
-"""Jobs as they are asked for: JSON objects of known fields, read into values."""
+"""Job requests: JSON objects with known fields, read into values."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from .contracts import JobKind
 from .fields import Fields
 
 FORMATS: tuple[str, ...] = get_args(PageFormat)
-"""What scenes can be exported as."""
+"""Export formats of scenes."""
 
 _LONGEST_TITLE = 120
 
 MOST_TEXT = 4000
-"""Characters of a description."""
+"""Maximum number of characters of a description."""
 
 SCENE_ID = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,79}-[0-9a-f]{12}")
-"""A scene's id is the name of its bundle's folder."""
+"""A scene's id: the name of its bundle's folder."""
 
 PICTURE_ID = re.compile(r"[0-9a-f]{32}")
 
-_MOST_BUDGET = 1e6
-_FAR = 10.0  # metres from a table's middle
+_MAX_BUDGET = 1e6
+_FAR = 10.0  # maximum distance from a table's centre, metres
 _EDITS = {
     "swap": "words [NAME, WHAT]",
     "add": "words [WHAT AND WHERE]",
@@ -44,7 +44,7 @@ _EDITS = {
 
 @dataclass(frozen=True)
 class Paid:
-    """Who answers the questions of a job, and what that may cost (None: no limit)."""
+    """Backends of a job, and its cost limit (None: no limit)."""
 
     mix: Mix
     budget: float | None = None
@@ -52,7 +52,7 @@ class Paid:
 
 @dataclass(frozen=True)
 class GenerateSpec:
-    """A text, or an uploaded picture, to a scene by the whole method."""
+    """A scene from a text or an uploaded picture, by the full method."""
 
     text: str | None
     picture: str | None
@@ -63,7 +63,7 @@ class GenerateSpec:
 
 @dataclass(frozen=True)
 class ComposeSpec:
-    """A text to a scene at once, of catalogue objects."""
+    """A scene from a text, composed directly of catalogue objects."""
 
     text: str
     seed: int
@@ -73,7 +73,7 @@ class ComposeSpec:
 
 @dataclass(frozen=True)
 class EditSpec:
-    """A change of a scene; with ``paid.mix`` not given, new things come from the catalogue."""
+    """An edit of a scene; without ``paid.mix``, new objects come from the catalogue."""
 
     scene: str
     action: EditKind
@@ -86,7 +86,7 @@ class EditSpec:
 
 @dataclass(frozen=True)
 class EpisodeSpec:
-    """An episode of a task at a scene, which the scripted expert plays."""
+    """An episode of a task at a scene, played by the scripted expert."""
 
     scene: str
     task: str
@@ -105,12 +105,12 @@ JobSpec = GenerateSpec | ComposeSpec | EditSpec | EpisodeSpec | ExportSpec
 
 
 def read_spec(payload: object) -> JobSpec:
-    """Return the job that a JSON object asks for.
+    """Return the job in a JSON object.
 
     Raises:
-        InputError: a field is missing, unknown, of another type or out of range.
-        BackendError: nobody answers a role's questions under the name that it is given.
-        SceneError: the scene cannot be called so.
+        InputError: a field is missing, unknown, has another type or is out of range.
+        BackendError: a role's backend is unknown.
+        SceneError: the scene's name is invalid.
     """
     fields = Fields(payload, "A job")
     kind = fields.choice("kind", get_args(JobKind))
@@ -120,7 +120,7 @@ def read_spec(payload: object) -> JobSpec:
 
 
 def title_of(spec: JobSpec) -> str:
-    """Return a job in a few words."""
+    """Return a short title of a job."""
     if isinstance(spec, GenerateSpec):
         return shorten(spec.text or "a picture", _LONGEST_TITLE, placeholder=" …")
     if isinstance(spec, ComposeSpec):
@@ -136,7 +136,7 @@ def title_of(spec: JobSpec) -> str:
 
 
 def scene_of(spec: JobSpec) -> str | None:
-    """Return the id of the scene that a job begins with, if there is one."""
+    """Return the id of the job's input scene, if any."""
     return None if isinstance(spec, GenerateSpec | ComposeSpec) else spec.scene
 
 
@@ -162,7 +162,7 @@ def _read_edit(fields: Fields) -> EditSpec:
     to, turn = fields.pair("to", _FAR), fields.number("turn", -360, 360)
     seed, paid = fields.seed(), _read_paid(fields, False)
     if not WordedEdit(action, words, to, turn, seed).is_complete:
-        raise InputError(f"{action} needs {_EDITS[action]}; to and turn go with move alone.")
+        raise InputError(f"{action} needs {_EDITS[action]}; to and turn are only for move.")
     return EditSpec(scene, action, words, to, turn, seed, paid)
 
 
@@ -186,7 +186,7 @@ _READERS: Mapping[str, Any] = {
 def _identifier(fields: Fields, name: str, shape: re.Pattern[str], what: str) -> str | None:
     found = fields.optional_text(name, 120)
     if found is not None and not shape.fullmatch(found):
-        raise InputError(f"{name} is the id of {what}.")
+        raise InputError(f"{name} must be the id of {what}.")
     return found
 
 
@@ -207,7 +207,7 @@ def _read_name(fields: Fields) -> str | None:
 
 
 def _read_paid(fields: Fields, always: bool) -> Paid:
-    """Read who answers; ``always``: the embedded backends do where nobody is named."""
+    """Read the backends; with ``always``, default to the embedded ones."""
     from generator.backends.select import check_names
 
     names = {name: fields.optional_choice(name, TABLE) for name in ("backend", *PROTOCOLS)}
@@ -215,4 +215,4 @@ def _read_paid(fields: Fields, always: bool) -> Paid:
         names["backend"] = "embedded"
     mix = Mix(**names)
     check_names(mix.default, mix.roles())
-    return Paid(mix, fields.number("budget", 0, _MOST_BUDGET))
+    return Paid(mix, fields.number("budget", 0, _MAX_BUDGET))

@@ -1,8 +1,8 @@
 """The process of one job: ``python -m tabletopgen_web.studio.worker``, started by the server.
 
-It reads its order, a line of JSON, from standard input, and says lines of JSON on standard output:
-stages, figures, then a result or an error. Whatever else is printed goes to standard error. It ends
-as soon as its input is closed, so that it never outlives the server.
+It reads its order, a line of JSON, from standard input, and writes lines of JSON to standard
+output: stages, figures, then a result or an error. All other output goes to standard error. It ends
+as soon as its input is closed, so it never outlives the server.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from .work.files import export_scene, record
 from .work.order import JobOrder, Telling
 from .work.scenes import compose_scene, edit_scene, generate_scene
 
-_MOST_BYTES = 2**20  # of an order
+_MAX_BYTES = 2**20  # maximum size of an order
 
 
 def do(order: JobOrder, telling: Telling) -> Mapping[str, Any]:
-    """Do a job; return what it made.
+    """Run a job; return its result.
 
     Raises:
-        TabletopError: it cannot be done.
+        TabletopError: the job failed.
     """
     if order.kind == "estimate":
         return estimate(order, telling)
@@ -51,10 +51,10 @@ def do(order: JobOrder, telling: Telling) -> Mapping[str, Any]:
 
 
 def main() -> int:
-    """Do the job that standard input says; return the process's exit code."""
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # a background process ignores it
+    """Run the job from standard input; return the process's exit code."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a background process ignores Ctrl-C
     speech = _take_over_output()
-    line = sys.stdin.buffer.readline(_MOST_BYTES)
+    line = sys.stdin.buffer.readline(_MAX_BYTES)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     telling = Telling(speech, Path())
     try:
@@ -70,16 +70,16 @@ def main() -> int:
         telling.say(type="error", message="The machine has too little memory for this job.")
     except OSError as error:
         where = f" ({error.filename})" if error.filename else ""
-        telling.say(type="error", message=f"The disk refuses{where}: {error.strerror or error}.")
+        telling.say(type="error", message=f"Disk error{where}: {error.strerror or error}.")
     except Exception as error:
         traceback.print_exc()
-        told = f"{type(error).__name__}: {error}"
-        telling.say(type="error", message=f"This should not happen: {told}. See the log.")
+        message = f"{type(error).__name__}: {error}"
+        telling.say(type="error", message=f"Internal error: {message}. See the log.")
     return 1
 
 
 def _take_over_output() -> BinaryIO:
-    """Return what the server reads; what is printed from here on goes to standard error."""
+    """Return the stream to the server; redirect other output to standard error."""
     speech = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     return speech

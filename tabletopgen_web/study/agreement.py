@@ -1,7 +1,7 @@
-"""How far raters agree: Krippendorff's alpha.
+"""Agreement of raters: Krippendorff's alpha.
 
-K. Krippendorff, "Computing Krippendorff's Alpha-Reliability", University of Pennsylvania, 2011; any
-number of raters, any of whom may have left any unit out.
+K. Krippendorff, "Computing Krippendorff's Alpha-Reliability", University of Pennsylvania, 2011. It
+supports any number of raters and missing values.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ Metric = Literal["nominal", "ordinal"]
 
 
 def krippendorff(units: Iterable[Sequence[int]], metric: Metric) -> float | None:
-    """Return alpha of what raters said of units: 1 if they agree, 0 as if by chance, below if less.
+    """Return Krippendorff's alpha: 1 for agreement, 0 for chance level, negative below chance.
 
-    ``units`` holds the values that one unit was given, in any order; units with fewer than two are
-    left out. With o the coincidences of values c and k within units, each unit's pairs weighed by
-    1 / (its values - 1), and n their sums::
+    ``units`` holds the values of each unit, in any order; units with fewer than two values are
+    ignored. With o the coincidences of values c and k within units, where each unit's pairs have
+    the weight 1 / (number of values - 1), and n their sums::
 
         alpha = 1 - (n - 1) sum_ck o_ck d_ck / sum_ck n_c n_k d_ck
 
-    d is 1 for values that differ (nominal), or the square of the sum of n from c to k, less half of
-    n_c and n_k (ordinal; values in their order). None if fewer than two units' values, or none that
-    differ, leave it undefined.
+    d is 1 for different values (nominal), or the square of the sum of n from c to k minus half of
+    n_c and n_k (ordinal, with sorted values). Returns None if alpha is undefined, because there are
+    too few units or all values are equal.
     """
     paired = [list(unit) for unit in units if len(unit) > 1]
     values = sorted({value for unit in paired for value in unit})
@@ -46,5 +46,5 @@ def krippendorff(units: Iterable[Sequence[int]], metric: Metric) -> float | None
 def _distances(sums: Float[np.ndarray, "v"], metric: Metric) -> Float[np.ndarray, "v v"]:
     if metric == "nominal":
         return 1.0 - np.eye(len(sums))
-    middle = np.cumsum(sums) - sums / 2  # of each value's ranks
+    middle = np.cumsum(sums) - sums / 2  # mean rank of each value
     return (middle[:, None] - middle[None, :]) ** 2

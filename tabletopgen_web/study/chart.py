@@ -1,4 +1,4 @@
-"""A study's figures as a picture: means by criterion, and shares of the forced choice."""
+"""Chart of a study: mean ratings per criterion, and shares of the forced choice."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _HATCHES = ("", "//", "..", "xx", "--", "\\\\", "++", "oo")
-"""So that methods can be told apart without colours."""
+"""Hatches that distinguish methods without colour."""
 
 
 def draw_chart(report: StudyReport) -> bytes:
@@ -37,7 +37,7 @@ def draw_chart(report: StudyReport) -> bytes:
 
 
 def figure(report: StudyReport) -> Figure:
-    """Return the chart: bars with 95 % intervals."""
+    """Return the chart as a figure: bars with 95 % intervals."""
     from matplotlib.figure import Figure
 
     chart = Figure(figsize=(9.0, 4.2), dpi=120, layout="constrained")
@@ -83,7 +83,7 @@ def _draw_shares(axes: Axes, report: StudyReport) -> None:
 
 
 def _errors(means: Sequence[float], intervals: Sequence[Interval | None]) -> np.ndarray | None:
-    """Return how far intervals reach below and above, 2 rows; None where there is none."""
+    """Return the lower and upper extents of intervals in 2 rows, or None without intervals."""
     if any(one is None for one in intervals):
         return None
     bounds = np.array([one for one in intervals if one is not None]).T
@@ -91,5 +91,5 @@ def _errors(means: Sequence[float], intervals: Sequence[Interval | None]) -> np.
 
 
 def _plain(name: str) -> str:
-    """Return a name of which nothing is markup, nor left out of the legend for its first letter."""
+    """Return a name without markup, and without a first character that hides it from the legend."""
     return name.replace("$", r"\$").removeprefix("_")

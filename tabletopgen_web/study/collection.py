@@ -16,17 +16,17 @@ from .design import MAX_SCENES, Drawing
 from .pictures import ENDINGS, decode, digest_of, encode, read_picture
 
 ABOVE = ".above"
-"""What the stem of a plain picture from above ends with: ``desk.above.png`` beside ``desk.png``."""
+"""Suffix of the stem of a plain picture from above: ``desk.above.png`` beside ``desk.png``."""
 
-_MOST_ENTRIES = 5000  # of a folder
+_MAX_ENTRIES = 5000  # maximum number of entries of a folder
 
 
 @dataclass(frozen=True, eq=False)
 class FoundResult:
-    """A method's result, not drawn yet: a bundle, or a plain picture.
+    """A method's result before rendering: a bundle, or a plain picture.
 
-    ``stem`` is the scene's name as the method has it; ``digest`` that of a bundle's input picture,
-    None if it keeps none.
+    ``stem`` is the scene's name in the method's folder; ``digest`` is that of the bundle's input
+    picture, None if it has none.
     """
 
     path: Path
@@ -47,7 +47,7 @@ class RatedScene:
 
 @dataclass(frozen=True, eq=False)
 class _Input:
-    """An input picture: a file, or what a bundle keeps."""
+    """An input picture: a file, or the one in a bundle."""
 
     stem: str
     digest: str
@@ -57,22 +57,22 @@ class _Input:
     def read(self) -> UInt8[np.ndarray, "h w 3"]:
         found = _reference(self.path) if self.bundle else read_picture(self.path)
         if found is None or digest_of(found) != self.digest:
-            raise InputError(f"{str(self.path)!r} was changed meanwhile. Try again.")
+            raise InputError(f"{str(self.path)!r} changed during the collection. Try again.")
         return found
 
 
 def collect(
     folders: Mapping[str, Path], inputs: Path | None, drawing: Drawing
 ) -> tuple[list[RatedScene], list[str]]:
-    """Return the scenes that all methods have results of, and what was left out of the folders.
+    """Return the scenes for which all methods have results, and the ignored entries.
 
-    A scene is one input picture. A bundle belongs to the one that it was made from, by its pixels;
-    a plain picture, and a bundle that has none, to that with the same stem. Input pictures are
-    those of ``inputs``, else those of the bundles.
+    A scene is one input picture. A bundle is matched to its input picture by the pixels; a plain
+    picture, or a bundle without an input picture, by the stem. The input pictures come from
+    ``inputs``, or else from the bundles.
 
     Raises:
-        InputError: a folder or a picture cannot be used, a result has no input picture, or a
-            method has no result of a scene or more than one.
+        InputError: a folder or a picture is invalid, a result has no input picture, or a method has
+            no result or several results for a scene.
         BundleError: a bundle is damaged.
     """
     ignored: list[str] = []
@@ -85,8 +85,8 @@ def collect(
             other = placed[digest].setdefault(method, result)
             if other is not result:
                 raise InputError(
-                    f"{method} has two results of one input picture, {str(other.path)!r} and "
-                    f"{str(result.path)!r}. Leave one in its folder."
+                    f"{method} has two results for one input picture, {str(other.path)!r} and "
+                    f"{str(result.path)!r}. Remove one."
                 )
     used = [one for one in known if one.digest in placed]
     ignored += [f"{one.stem} (no method has a result)" for one in known if one not in used]
@@ -97,7 +97,7 @@ def collect(
 
 
 def _rename(inputs: Sequence[_Input]) -> list[_Input]:
-    """Return the inputs by names that differ: bundles of several pictures may share one."""
+    """Return the inputs with distinct names: bundles of several pictures may share one."""
     stems = [one.stem for one in inputs]
     return [
         one if stems.count(one.stem) == 1 else replace(one, stem=f"{one.stem}-{one.digest[:6]}")
@@ -106,7 +106,7 @@ def _rename(inputs: Sequence[_Input]) -> list[_Input]:
 
 
 def _find(folder: Path, ignored: list[str]) -> list[FoundResult]:
-    """Return the results in a folder, which may be a bundle itself; others go to ``ignored``."""
+    """Return the results in a folder, or at a bundle; other entries go to ``ignored``."""
     if (folder / "scene.json").is_file():
         return [_read_bundle(folder)]
     results = []
@@ -121,24 +121,22 @@ def _find(folder: Path, ignored: list[str]) -> list[FoundResult]:
             ignored.append(str(path))
     if not results:
         raise InputError(
-            f"{str(folder)!r} holds no results. Put bundles there, or a picture SCENE.png for each "
-            "scene."
+            f"{str(folder)!r} contains no results. Add bundles, or a picture SCENE.png for each "
+            f"scene."
         )
     return results
 
 
 def _entries(folder: Path) -> list[Path]:
-    """Return what lies in a folder, by name, without hidden entries."""
+    """Return the entries of a folder by name, without hidden ones."""
     try:
         found = sorted(p for p in folder.iterdir() if not p.name.startswith("."))
     except OSError as error:
         raise InputError(
-            f"{str(folder)!r} cannot be read: {error.strerror or error}. Name a folder."
+            f"{str(folder)!r} cannot be read: {error.strerror or error}. Pass a folder."
         ) from error
-    if len(found) > _MOST_ENTRIES:
-        raise InputError(
-            f"{str(folder)!r} has more than the {_MOST_ENTRIES} entries that are read."
-        )
+    if len(found) > _MAX_ENTRIES:
+        raise InputError(f"{str(folder)!r} has more than {_MAX_ENTRIES} entries, the maximum.")
     return found
 
 
@@ -149,7 +147,7 @@ def _read_bundle(path: Path) -> FoundResult:
 
 
 def _reference(path: Path) -> UInt8[np.ndarray, "h w 3"] | None:
-    """Return a bundle's input picture; None if it keeps none."""
+    """Return a bundle's input picture; None if it has none."""
     from generator.bundle import load_pictures
 
     raw = load_pictures(path).get("reference")
@@ -173,22 +171,22 @@ def _read_inputs(folder: Path, ignored: list[str]) -> list[_Input]:
             raise InputError(f"{str(path)!r} is the same picture as {other.stem!r}; remove one.")
     stems = [one.stem for one in known.values()]
     if twice := next((s for s in stems if stems.count(s) > 1), None):
-        raise InputError(f"{str(folder)!r} has two pictures called {twice!r}; rename one.")
+        raise InputError(f"{str(folder)!r} has two pictures named {twice!r}; rename one.")
     if not known:
-        raise InputError(f"--inputs {str(folder)!r} holds no pictures. Put SCENE.png files there.")
+        raise InputError(f"--inputs {str(folder)!r} contains no pictures. Add SCENE.png files.")
     return list(known.values())
 
 
 def _inputs_of(found: Mapping[str, Sequence[FoundResult]]) -> list[_Input]:
-    """Return the input pictures of bundles, each once, called by the first bundle's name."""
+    """Return the distinct input pictures of bundles, each named after its first bundle."""
     known: dict[str, _Input] = {}
     for result in (result for results in found.values() for result in results):
         if (digest := result.digest) is not None:
             known.setdefault(digest, _Input(result.stem, digest, result.path, True))
     if not known:
         raise InputError(
-            "None of the results keeps its input picture. Name a folder of them, called like the "
-            "results, by --inputs."
+            "None of the results includes its input picture. Pass a folder of input pictures with "
+            "the names of the results as --inputs."
         )
     return list(known.values())
 
@@ -197,11 +195,11 @@ def _input_of(method: str, result: FoundResult, known: Sequence[_Input]) -> _Inp
     same = [one for one in known if one.digest == result.digest]
     same = same or [one for one in known if one.stem == result.stem]
     if len(same) != 1:
-        several = "several input pictures are called so" if same else "no input picture fits"
+        several = "several input pictures have this name" if same else "no input picture fits"
         raise InputError(
-            f"{str(result.path)!r} of {method} belongs to no scene: {several}."
+            f"{str(result.path)!r} of {method} matches no scene: {several}."
             + choices(result.stem, {one.stem for one in known})
-            + " Rename it, or name a folder of input pictures by --inputs."
+            + " Rename it, or pass a folder of input pictures as --inputs."
         )
     return same[0]
 
@@ -209,17 +207,17 @@ def _input_of(method: str, result: FoundResult, known: Sequence[_Input]) -> _Inp
 def _check_complete(
     used: Sequence[_Input], placed: Mapping[str, Mapping[str, FoundResult]], methods: Sequence[str]
 ) -> None:
-    missing = [f"{m} has none of {one.stem}" for one in used for m in methods
+    missing = [f"{m} has none for {one.stem}" for one in used for m in methods
                if m not in placed[one.digest]]  # fmt: skip
     if missing:
         more = f", and {len(missing) - 10} more" if len(missing) > 10 else ""
         raise InputError(
-            f"Every method needs a result of every scene: {', '.join(missing[:10])}{more}. Add "
-            "them, or take the others' results of those scenes out. Bundles of one scene that keep "
-            "different input pictures are matched by name if --inputs names the pictures."
+            f"Every method needs a result for every scene: {', '.join(missing[:10])}{more}. Add "
+            f"them, or remove the other methods' results for those scenes. Bundles of one scene "
+            f"with different input pictures are matched by name if --inputs gives the pictures."
         )
     if len(used) > MAX_SCENES:
-        raise InputError(f"{len(used)} scenes: a study has at most {MAX_SCENES}.")
+        raise InputError(f"{len(used)} scenes; the maximum is {MAX_SCENES}.")
 
 
 def _draw(
@@ -231,7 +229,7 @@ def _draw(
 
 
 def _views(result: FoundResult, drawing: Drawing) -> Iterator[UInt8[np.ndarray, "h w 3"]]:
-    """Yield a result from its reference's camera and, if asked for, from above."""
+    """Yield the picture of a result from its reference's camera and, optionally, from above."""
     if not result.bundle:
         yield read_picture(result.path)
         if drawing.above:
@@ -252,7 +250,6 @@ def _above(path: Path) -> Path:
     there = [path.with_name(n) for n in names if path.with_name(n).is_file()]
     if not there:
         raise InputError(
-            f"{str(path)!r} has no picture from above. Put {names[0]!r} beside it, or leave out "
-            "--above."
+            f"{str(path)!r} has no picture from above. Add {names[0]!r} beside it, or omit --above."
         )
     return there[0]

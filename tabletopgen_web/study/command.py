@@ -1,4 +1,4 @@
-"""Make a user study as one HTML file, and count what people answered."""
+"""The commands that create a user study as one HTML file, and evaluate the answers."""
 
 from __future__ import annotations
 
@@ -35,19 +35,19 @@ def make_page(
     drawing: OmitArgPrefixes[Drawing] = _DRAWING,
     json: bool = False,
 ) -> int:
-    """Make a study that compares methods' results of the same input pictures.
+    """Create a study that compares methods' results for the same input pictures.
 
-    The page is one HTML file with all pictures inside. It names no method; FILE.key.json beside it
-    says which result is whose, and stays with you. Send the page to raters, or serve it.
+    The page is one HTML file that contains all pictures. It names no method; FILE.key.json beside
+    it maps results to methods, and must remain with you. Send the page to raters, or serve it.
 
     Args:
         methods: Each method's name and the folder of its results: bundles, or a picture SCENE.png
             for each scene. Bundles are drawn from the camera of their input picture.
         out: The page, FILE.html.
-        inputs: Folder of the input pictures, called like the scenes; those that bundles keep are
-            used if left out.
-        study: How the study is held.
-        drawing: How results are shown.
+        inputs: Folder of the input pictures, named after the scenes; by default those in the
+            bundles.
+        study: Settings of the study.
+        drawing: Display of the results.
         json: Print one JSON object instead of lines.
     """
     from .collection import collect
@@ -56,7 +56,7 @@ def make_page(
 
     folders = _folders(methods)
     if out.suffix.lower() not in (".html", ".htm"):
-        raise InputError(f"--out {str(out)!r} is a page: let its name end with .html.")
+        raise InputError(f"--out {str(out)!r} must end with .html.")
     for path in (out, key_path(out)):
         check_target(path)
     template = read_template()
@@ -75,7 +75,7 @@ def make_page(
         f"{page} ({facts['bytes'] / 1e6:.1f} MB): study {files.key.study}, {len(scenes)} "
         f"scene{'s' * (len(scenes) != 1)} of {len(folders)} methods; a rater sees "
         f"{files.key.scenes_each}",
-        f"{key}: keep it to yourself; `tabletopgen study report` needs it",
+        f"{key}: keep this file private; `tabletopgen study report` needs it",
     ])  # fmt: skip
     return 0
 
@@ -92,18 +92,18 @@ def count_answers(
     seed: int = 0,
     json: bool = False,
 ) -> int:
-    """Count answers: means, preferences and wins with 95 % intervals, and raters' agreement.
+    """Evaluate answers: means, preferences and wins with 95 % intervals, and agreement of raters.
 
-    Answers that do not fit the study are left out, with a line that says why.
+    Answers that do not fit the study are excluded, with a line that gives the reason.
 
     Args:
-        answers: Files that raters sent, or folders of them.
+        answers: Files from raters, or folders of them.
         key: FILE.key.json, which `study new` wrote.
         out: Folder for table.md (the paper's Table 2 first), table.csv, report.json and, with
             Matplotlib (extra "plot"), chart.png.
-        min_seconds: Time below which a rater does not count, in place of the study's own.
-        allow_failed: Attention checks that a rater may fail and still count.
-        seed: Of the bootstrap.
+        min_seconds: Minimum time of a rater, in place of the study's.
+        allow_failed: Maximum number of failed attention checks of a rater.
+        seed: Seed of the bootstrap.
         json: Print one JSON object instead of lines.
     """
     from .answers import read_all
@@ -116,7 +116,7 @@ def count_answers(
     known = read_key(key)
     found, left = read_all(answers, known)
     for one in left:
-        _warn(f"left out: {one.file}: {one.reason}")
+        _warn(f"excluded: {one.file}: {one.reason}")
     report = measure(
         found, left, known, min_seconds=min_seconds, allowed_failures=allow_failed, seed=seed
     )
@@ -129,7 +129,7 @@ def count_answers(
 def _folders(methods: tuple[str, ...]) -> dict[str, Path]:
     pairs = [text.partition("=") for text in methods]
     if wrong := next((name for name, equals, folder in pairs if not (equals and folder)), None):
-        raise InputError(f"{wrong!r} is not METHOD=FOLDER. Write for example ours=scenes/ours.")
+        raise InputError(f"{wrong!r} is not METHOD=FOLDER. An example is ours=scenes/ours.")
     check_methods(name for name, _, _ in pairs)
     return {name: Path(folder) for name, _, folder in pairs}
 
@@ -150,7 +150,7 @@ def _write(report: StudyReport, out: Path) -> None:
     try:
         out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise StorageError(f"{out} cannot be made: {error.strerror or error}.") from error
+        raise StorageError(f"{out} cannot be created: {error.strerror or error}.") from error
     for name in files:
         check_target(out / name)
     for name, content in files.items():

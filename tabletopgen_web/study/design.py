@@ -1,4 +1,4 @@
-"""What a study asks, and its settings."""
+"""Questions and settings of a study."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from generator.errors import InputError, require_number, require_seed
 from generator.io.bounded import printable
 
 CRITERIA = ("visual_fidelity", "image_alignment", "physical_plausibility", "overall")
-"""What each result is rated for, from 1 (very poor) to 7 (excellent)."""
+"""Criteria for each result, rated from 1 (very poor) to 7 (excellent)."""
 
 SHORT = ("VF", "IA", "PP", "Overall")
-"""What tables call the criteria."""
+"""Names of the criteria in tables."""
 
 LEVELS = range(1, 8)
 
@@ -23,7 +23,7 @@ SCHEMA = 1
 MAX_SCENES, MAX_METHODS = 200, 8
 
 SECONDS_A_SCENE = 25.0
-"""The paper's minimum time, 200 s for 8 scenes, by scene."""
+"""The paper's minimum time per scene: 200 s for 8 scenes."""
 
 _METHOD = re.compile(r"\w[\w .,+()/-]{0,58}[\w)+]|\w")
 _POST = re.compile(r"(?:/[A-Za-z0-9_.~-]+|/\{study\})+")
@@ -31,17 +31,16 @@ _POST = re.compile(r"(?:/[A-Za-z0-9_.~-]+|/\{study\})+")
 
 @dataclass(frozen=True)
 class StudyOptions:
-    """How a study is held.
+    """Settings of a study.
 
     Attributes:
-        title: What the page is headed with; its own title in the rater's language if left out.
-        scenes: Scenes that each rater sees, drawn at random; 8, or all if there are fewer, if left
-            out.
-        seed: What the codes are made from, by which results are known.
-        min_seconds: Time below which a rater's answers do not count; 25 a scene if left out.
-        attention: Attention checks for each rater: in so many scenes one more item that says which
-            number to choose.
-        post: Path on the page's own server that answers are sent to, in place of a file, when the
+        title: Heading of the page; by default a title in the rater's language.
+        scenes: Number of random scenes per rater; by default 8, or all if there are fewer.
+        seed: Seed of the codes that stand for results.
+        min_seconds: Minimum time of a rater; by default 25 s per scene.
+        attention: Attention checks per rater: the number of scenes with an additional item that
+            tells the rater which number to choose.
+        post: Path on the page's own server to which answers are sent, instead of a file, if the
             page comes from a server. {study} in it stands for the study's id.
     """
 
@@ -62,34 +61,36 @@ class StudyOptions:
         require_number("study needs attention", self.attention, minimum=0, integer=True)
         if self.post is not None and not is_post_path(self.post):
             raise InputError(
-                f"--post {self.post!r} is no path on the page's own server. Use a path such as "
+                f"--post {self.post!r} is not a path on the page's own server. Use a path such as "
                 "/api/studies/{study}/answers, of letters, digits and '_.~-'."
             )
 
     def scenes_of(self, available: int) -> int:
-        """Return how many scenes a rater sees of so many.
+        """Return how many scenes a rater sees, given the number of available scenes.
 
         Raises:
-            InputError: there are fewer scenes than asked for, or fewer than attention checks.
+            InputError: there are fewer scenes than requested, or fewer than attention checks.
         """
         count = min(8, available) if self.scenes is None else self.scenes
         if count > available:
-            raise InputError(f"--scenes {count}: there are {available}. Ask for at most as many.")
+            raise InputError(
+                f"--scenes {count}: only {available} are available. Choose at most that many."
+            )
         if self.attention > count:
             raise InputError(
                 f"--attention {self.attention}: a rater sees {count} "
-                f"scene{'s' * (count != 1)}, with at most one check in each. Ask for fewer."
+                f"scene{'s' * (count != 1)}, with at most one check in each. Choose fewer."
             )
         return count
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """How results are shown; ``side`` bounds the longer side of a picture, pixels.
+    """Display of results; ``side`` bounds the longer side of a picture, pixels.
 
     Attributes:
-        above: Show each result from straight above, too; plain pictures need SCENE.above.png.
-        side: Longest side of a picture in the page, pixels.
+        above: Also show each result from above; plain pictures need SCENE.above.png.
+        side: Maximum length of a picture's longer side, pixels.
     """
 
     above: bool = False
@@ -101,29 +102,30 @@ class Drawing:
 
 
 def is_post_path(path: str) -> bool:
-    """Tell whether a path is absolute on its own server and leads nowhere else."""
+    """Return whether a path is absolute and stays on its own server."""
     return len(path) <= 200 and bool(_POST.fullmatch(path)) and not {".", ".."} & {*path.split("/")}
 
 
 def check_methods(names: Iterable[str]) -> tuple[str, ...]:
-    """Return methods' names once they are checked.
+    """Return validated names of methods.
 
     Raises:
-        InputError: there are fewer than two or too many, one is there twice, or is no plain name.
+        InputError: there are fewer than two names or too many, a name occurs twice, or is not
+            valid.
     """
     found = tuple(names)
     for name in found:
         if not (isinstance(name, str) and _METHOD.fullmatch(name)):
             raise InputError(
-                f"{name!r:.90} is no method's name: use at most 60 letters, digits, spaces and "
-                "'_.,+()/-', a letter or a digit first."
+                f"{name!r:.90} is not a valid method name: use at most 60 letters, digits, spaces "
+                f"and '_.,+()/-', starting with a letter or a digit."
             )
     folded = [name.casefold() for name in found]
     if len(set(folded)) < len(found):
-        raise InputError(f"A method is there twice: {', '.join(found)}. Give each its own name.")
+        raise InputError(f"A method occurs twice: {', '.join(found)}. Give each a distinct name.")
     if not 2 <= len(found) <= MAX_METHODS:
         raise InputError(
-            f"A study compares 2 to {MAX_METHODS} methods, got {len(found)}. Name each as "
-            "METHOD=FOLDER."
+            f"A study compares 2 to {MAX_METHODS} methods, got {len(found)}. Pass each as "
+            f"METHOD=FOLDER."
         )
     return found

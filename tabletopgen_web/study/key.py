@@ -1,4 +1,4 @@
-"""The key of a study: which code is which method's result. It stays with the experimenter."""
+"""The key of a study: the method behind each code. The experimenter keeps it private."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from generator.io.bounded import is_count, is_number, parse_object, printable, r
 from .design import SCHEMA, check_methods
 
 CODE = re.compile(r"[a-z][0-9a-f]{10}")
-"""By which the page knows scenes and results."""
+"""Pattern of the codes that stand for scenes and results in the page."""
 
 STUDY = re.compile(r"[0-9a-f]{12}")
 
@@ -24,7 +24,7 @@ _MAX_BYTES = 4 * 2**20
 
 @dataclass(frozen=True)
 class KeyScene:
-    """A scene of a study: its name, and the method of each result by the result's code."""
+    """A scene of a study: its name, and the method of each result by code."""
 
     name: str
     digest: str
@@ -33,7 +33,7 @@ class KeyScene:
 
 @dataclass(frozen=True)
 class StudyKey:
-    """What the experimenter knows of a study; ``scenes`` are by code."""
+    """The private key of a study; ``scenes`` are by code."""
 
     study: str
     title: str
@@ -45,7 +45,7 @@ class StudyKey:
     scenes: Mapping[str, KeyScene]
 
     def text(self) -> str:
-        """Return the key as JSON, the same bytes for the same key."""
+        """Return the key as JSON; equal keys give equal bytes."""
         facts = {
             "schema": SCHEMA, "study": self.study, "title": self.title, "seed": self.seed,
             "methods": list(self.methods), "scenes_each": self.scenes_each,
@@ -62,7 +62,7 @@ def read_key(path: Path) -> StudyKey:
     """Read a study's key.
 
     Raises:
-        InputError: it cannot be read, or is none.
+        InputError: the file cannot be read, or is not a key.
     """
     raw = read_regular(path, "The key", InputError, max_bytes=_MAX_BYTES)
     facts = parse_object(raw, f"The key {str(path)!r}", InputError)
@@ -81,14 +81,14 @@ def _key(facts: Mapping[str, Any]) -> StudyKey:
     methods = check_methods(facts["methods"])
     counts = facts["seed"], facts["scenes_each"], facts["attention"]
     if not (type(facts["seed"]) is int and all(map(is_count, counts[1:]))):
-        raise ValueError("seed, scenes_each and attention are whole numbers")
+        raise ValueError("seed, scenes_each and attention must be integers")
     if not is_number(facts["min_seconds"]):
-        raise ValueError("min_seconds is a number")
+        raise ValueError("min_seconds must be a number")
     if not STUDY.fullmatch(facts["study"]):
-        raise ValueError("study is 12 hexadecimal digits")
+        raise ValueError("study must be 12 hexadecimal digits")
     scenes = {code: _scene(code, scene, methods) for code, scene in facts["scenes"].items()}
     if not 1 <= facts["scenes_each"] <= len(scenes):
-        raise ValueError("scenes_each is from 1 to the number of scenes")
+        raise ValueError("scenes_each must be from 1 to the number of scenes")
     title = printable(facts["title"], "title", InputError)
     return StudyKey(facts["study"], title, counts[0], methods, counts[1], counts[2],
                     float(facts["min_seconds"]), scenes)  # fmt: skip
@@ -97,10 +97,10 @@ def _key(facts: Mapping[str, Any]) -> StudyKey:
 def _scene(code: str, facts: Mapping[str, Any], methods: tuple[str, ...]) -> KeyScene:
     results = facts["results"]
     if not all(CODE.fullmatch(one) for one in (code, *results)):
-        raise ValueError("codes are a letter and 10 hexadecimal digits")
+        raise ValueError("codes must be a letter and 10 hexadecimal digits")
     if sorted(results.values()) != sorted(methods):
-        raise ValueError("each scene has one result of each method")
+        raise ValueError("each scene must have one result of each method")
     name = printable(facts["name"], "name", InputError)
     if not re.fullmatch("[0-9a-f]{64}", facts["input_sha256"]):
-        raise ValueError("input_sha256 is 64 hexadecimal digits")
+        raise ValueError("input_sha256 must be 64 hexadecimal digits")
     return KeyScene(name, facts["input_sha256"], dict(results))

@@ -1,4 +1,4 @@
-"""The page of a study: one HTML file with all pictures inside that names no method."""
+"""The page of a study: one HTML file with all pictures and no method names."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from .page_data import fill
 
 @dataclass(frozen=True)
 class StudyFiles:
-    """A study's page, as HTML, and its key."""
+    """The page of a study as HTML, and its key."""
 
     page: str
     key: StudyKey
@@ -31,15 +31,15 @@ class StudyFiles:
 def make_study(
     scenes: Sequence[RatedScene], methods: Sequence[str], options: StudyOptions, template: str
 ) -> StudyFiles:
-    """Make a study; the same scenes, methods, options and template make the same bytes.
+    """Create a study; equal scenes, methods, options and template give equal bytes.
 
-    ``template`` is the built page, ``static/study.html``. Scenes and results are known in it by
-    codes, in the order of these. Of each scene the first result is of one method, the second of
-    another and so on, so that the page can balance where each method is shown; the key says which.
+    ``template`` is the built page, ``static/study.html``. In the page, codes stand for scenes and
+    results, sorted by code. The position of a result in its scene determines its method, so the
+    page can balance the display positions of the methods; only the key names them.
 
     Raises:
-        InputError: the options do not fit the scenes, the title names a method, or the page would
-            be too large.
+        InputError: the options do not fit the scenes, the title names a method, or the page is too
+            large.
     """
     names = check_methods(methods)
     _check_title(options.title, names)
@@ -69,8 +69,8 @@ def write_study(files: StudyFiles, out: Path) -> tuple[Path, Path]:
     """Write the page and, beside it, its key; return both paths.
 
     Raises:
-        InputError: the key of another study is there, without which its answers are lost.
-        StorageError: they cannot be written; neither is left then.
+        InputError: the key of another study exists, and its answers would be lost without it.
+        StorageError: the files cannot be written; neither file remains.
     """
     key = key_path(out)
     for path in (out, key):
@@ -78,13 +78,13 @@ def write_study(files: StudyFiles, out: Path) -> tuple[Path, Path]:
     new = not key.is_file()
     if not new and read_key(key).study != files.key.study:
         raise InputError(
-            f"{str(key)!r} is the key of another study, and its answers cannot be read without it. "
-            "Choose another --out, or move it away."
+            f"{str(key)!r} is the key of another study, and its answers cannot be read without "
+            f"it. Choose another --out, or move the key."
         )
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise StorageError(f"{out.parent} cannot be made: {error.strerror or error}.") from error
+        raise StorageError(f"{out.parent} cannot be created: {error.strerror or error}.") from error
     write_whole(key, files.key.text(), "The key", "Choose another --out.")
     try:
         write_whole(out, files.page, "The page", "Choose another --out.")
@@ -96,7 +96,7 @@ def write_study(files: StudyFiles, out: Path) -> tuple[Path, Path]:
 
 
 def key_path(out: Path) -> Path:
-    """Return where the key of a page goes: ``FILE.key.json`` beside ``FILE.html``."""
+    """Return the path of a page's key: ``FILE.key.json`` beside ``FILE.html``."""
     return out.with_suffix(".key.json")
 
 
@@ -124,7 +124,7 @@ def _result_code(seed: int, scene: RatedScene, method: str) -> str:
 
 
 def _scene_facts(code: str, scene: RatedScene, columns: Sequence[str], seed: int) -> dict[str, Any]:
-    """Return what the page knows of a scene."""
+    """Return the page's data of a scene."""
     return {
         "id": code,
         "input": _data_url(scene.picture),

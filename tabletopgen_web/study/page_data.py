@@ -1,7 +1,7 @@
-"""The built page, filled with a study's data; and such a page, read back as a foreign file.
+"""The built page filled with a study's data, and validation of such a page as an untrusted file.
 
-A page is what it was filled with and nothing else: filled again it has to have the same bytes, so
-that no code and no markup but the built page's own comes from a file.
+A page is valid if filling the template with its data gives the same bytes. All code and markup of a
+served page therefore come from the built page.
 """
 
 from __future__ import annotations
@@ -23,26 +23,26 @@ from .design import MAX_METHODS, MAX_SCENES, SCHEMA
 from .key import CODE, STUDY, KeyScene, StudyKey
 
 MARK = '<script id="study" type="application/json">null</script>'
-"""Where the built page takes a study's data."""
+"""Placeholder of the study's data in the built page."""
 
 _BEFORE, _AFTER = MARK.split("null")
 _CHARSET = '<meta charset="utf-8" />'
 _SCRIPT = re.compile(r'<script type="module"[^>]*>(.*?)</script>', re.DOTALL)
 _STYLE = re.compile(r"<style[^>]*>(.*?)</style>", re.DOTALL)
 _PICTURE = re.compile(r"data:image/jpeg;base64,[A-Za-z0-9+/]++={0,2}")
-_MAX_BYTES = 200 * 2**20  # that are written
+_MAX_BYTES = 200 * 2**20  # maximum size of a written page
 _MAX_READ = 64 * 2**20
 
 
 @dataclass(frozen=True)
 class StudyPage:
-    """A page that was read back.
+    """A validated page.
 
     Attributes:
         study: The study's id.
         content: The page, the bytes of its file.
-        policy: What it may do, for the header Content-Security-Policy.
-        key: The study's key as far as the page knows it: its methods are numbers.
+        policy: The value of the header Content-Security-Policy.
+        key: The public part of the study's key: its methods are numbers.
     """
 
     study: str
@@ -51,10 +51,10 @@ class StudyPage:
     key: StudyKey
 
     def check(self, answers: Mapping[str, Any]) -> None:
-        """Check that a rater's answers are of this study, and complete.
+        """Check that a rater's answers belong to this study and are complete.
 
         Raises:
-            InputError: they are not; the message says why.
+            InputError: the answers are invalid; the message gives the reason.
         """
         try:
             parse_answers(json.dumps(answers).encode(), self.key)
@@ -66,7 +66,7 @@ def read_template() -> str:
     """Return the built page without a study.
 
     Raises:
-        BackendError: the front end is not there and cannot be built.
+        BackendError: the front end is missing and cannot be built.
     """
     from ..frontend import static_folder
 
@@ -74,17 +74,19 @@ def read_template() -> str:
 
 
 def fill(template: str, facts: Mapping[str, Any]) -> str:
-    """Put a study's data into the built page, and a policy that allows nothing but that page.
+    """Insert a study's data into the built page, with a policy that allows nothing but that page.
 
     Raises:
-        InputError: the built page has no place for them, or would be too large.
+        InputError: the built page has no placeholder, or the result is too large.
     """
     if template.count(MARK) != 1 or template.count(_CHARSET) != 1:
-        raise InputError("The built page has no place for a study's data. Run `make web` again.")
+        raise InputError(
+            "The built page has no placeholder for a study's data. Run `make web` again."
+        )
     data = json.dumps(facts, ensure_ascii=True, separators=(",", ":")).replace("<", "\\u003c")
     if len(data) > _MAX_BYTES:
         raise InputError(
-            f"The page would have {len(data) >> 20} MiB; at most {_MAX_BYTES >> 20} are made. Use "
+            f"The page would have {len(data) >> 20} MiB; the maximum is {_MAX_BYTES >> 20}. Use "
             "a smaller --side or fewer scenes."
         )
     policy = _policy(template, posts=bool(facts["post"]))
@@ -94,12 +96,12 @@ def fill(template: str, facts: Mapping[str, Any]) -> str:
 
 
 def read_page(path: Path, template: str, post: str) -> StudyPage:
-    """Read a page that ``study new`` filled ``template`` for, and that posts to the path ``post``.
+    """Read a page that ``study new`` created from ``template``, posting to the path ``post``.
 
     ``{study}`` in the path stands for the study's id.
 
     Raises:
-        InputError: the file is none; the message says why, and what to do.
+        InputError: the file is not such a page; the message gives the reason and a remedy.
     """
     raw = read_regular(path, "The study's page", InputError, max_bytes=_MAX_READ)
     try:
@@ -109,24 +111,25 @@ def read_page(path: Path, template: str, post: str) -> StudyPage:
     data = text.partition(_BEFORE)[2].partition(_AFTER)[0]
     if data in ("", "null"):
         raise InputError(
-            f"{str(path)!r} is no page of a study. Name a file that `tabletopgen study new` wrote."
+            f"{str(path)!r} is not the page of a study. Pass a file written by `tabletopgen study "
+            f"new`."
         )
     try:
         facts = parse_object(data, "Its data", InputError, max_bytes=_MAX_READ)
         key = _blind_key(facts)
     except (InputError, AttributeError, KeyError, TypeError, ValueError) as error:
         raise InputError(
-            f"{str(path)!r} holds no study that can be used ({error!s:.200}). Make it again by "
+            f"{str(path)!r} contains no valid study ({error!s:.200}). Create it again with "
             "`tabletopgen study new`."
         ) from error
     if fill(template, facts) != text:
         raise InputError(
-            f"{str(path)!r} is not as this version's `tabletopgen study new` writes it: it was "
-            "made by another version, or changed. Make it again with the same options."
+            f"{str(path)!r} differs from the output of this version's `tabletopgen study new`: it "
+            f"was created by another version, or modified. Create it again with the same options."
         )
     if facts["post"] != post.replace("{study}", key.study):
         raise InputError(
-            f"{str(path)!r} does not send its answers here. Make it again with --post '{post}'."
+            f"{str(path)!r} does not send its answers here. Create it again with --post '{post}'."
         )
     return StudyPage(key.study, raw, f"{_policy(template, posts=True)}; frame-ancestors 'none'",
                      key)  # fmt: skip
@@ -142,7 +145,7 @@ def _policy(template: str, *, posts: bool) -> str:
 
 
 def _hashes(element: re.Pattern[str], template: str) -> str:
-    """Return the sources of a policy that allow the inline elements of the built page."""
+    """Return the policy sources that allow the inline elements of the built page."""
     digests = [hashlib.sha256(text.encode()).digest() for text in element.findall(template)]
     return " ".join(f"'sha256-{base64.b64encode(d).decode()}'" for d in digests) or "'none'"
 
@@ -153,7 +156,7 @@ def _blind_key(facts: Mapping[str, Any]) -> StudyKey:
     names = {"schema", "study", "title", "scenesEach", "attention", "scenes", "post"}
     scenes, each, attention = facts["scenes"], facts["scenesEach"], facts["attention"]
     if facts.keys() != names or not STUDY.fullmatch(facts["study"]):
-        raise ValueError("its entries are not those of a study")
+        raise ValueError("it does not have the entries of a study")
     if not (isinstance(scenes, list) and 1 <= len(scenes) <= MAX_SCENES):
         raise ValueError(f"a study has 1 to {MAX_SCENES} scenes")
     if not (is_count(each) and is_count(attention) and attention <= each <= len(scenes) and each):
@@ -161,7 +164,7 @@ def _blind_key(facts: Mapping[str, Any]) -> StudyKey:
     keyed = dict(_blind_scene(scene) for scene in scenes)
     columns = {tuple(one.results.values()) for one in keyed.values()}
     if len(keyed) < len(scenes) or len(columns) != 1:
-        raise ValueError("its scenes do not fit each other")
+        raise ValueError("its scenes do not match each other")
     title = printable(facts["title"], "title", InputError)
     return StudyKey(facts["study"], title, 0, columns.pop(), each, attention, 0.0, keyed)
 
@@ -172,9 +175,9 @@ def _blind_scene(scene: Mapping[str, Any]) -> tuple[str, KeyScene]:
         raise ValueError(f"a scene has 2 to {MAX_METHODS} results")
     codes = [scene["id"], *(one["id"] for one in results)]
     if not all(CODE.fullmatch(code) for code in codes) or len(set(codes)) < len(codes):
-        raise ValueError("codes are a letter and 10 hexadecimal digits, each its own")
+        raise ValueError("codes must be a letter and 10 hexadecimal digits, without repetition")
     views = [view for one in results for view in one["views"]]
     if not all(_PICTURE.fullmatch(picture) for picture in (scene["input"], *views)):
-        raise ValueError("pictures are JPEG within the page")
+        raise ValueError("pictures must be embedded JPEG")
     named = {one["id"]: str(k) for k, one in enumerate(results, 1)}
     return codes[0], KeyScene(codes[0], "0" * 64, named)

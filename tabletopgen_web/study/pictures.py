@@ -1,4 +1,4 @@
-"""Pictures of a study: read within bounds, written as JPEG without anything but pixels."""
+"""Pictures of a study: read within limits, written as JPEG without metadata."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from generator.io.bounded import read_regular
 from generator.method.reference import ReferenceConfig, read_image
 
 ENDINGS = (".png", ".jpg", ".jpeg", ".webp")
-"""Of files that are taken for pictures."""
+"""File suffixes of pictures."""
 
 _QUALITY = 90
 
 
 def read_picture(path: Path) -> UInt8[np.ndarray, "h w 3"]:
-    """Read a picture file as a scene's reference is read: upright, sRGB on white, bounded.
+    """Read a picture file with a reference's limits and format: upright, sRGB on white.
 
     Raises:
-        InputError: it is no picture, or out of bounds; the message names it.
+        InputError: the file is not a picture, or exceeds a limit; the message names the file.
     """
     raw = read_regular(path, "The picture", InputError, max_bytes=ReferenceConfig().max_bytes)
     return decode(raw, str(path))
@@ -33,7 +33,7 @@ def decode(raw: bytes, what: str) -> UInt8[np.ndarray, "h w 3"]:
     """Return a picture's pixels, as ``read_picture`` does.
 
     Raises:
-        InputError: it is no picture, or out of bounds; the message begins with ``what``.
+        InputError: the data is not a picture, or exceeds a limit; the message begins with ``what``.
     """
     try:
         return read_image(raw)
@@ -42,13 +42,13 @@ def decode(raw: bytes, what: str) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def digest_of(picture: UInt8[np.ndarray, "h w 3"]) -> str:
-    """Return the SHA-256 of a picture's size and pixels: the same for a photo and its copies."""
+    """Return the SHA-256 of a picture's size and pixels, which is equal for copies of a photo."""
     size = np.array(picture.shape, "<i8").tobytes()
     return hashlib.sha256(size + np.ascontiguousarray(picture).tobytes()).hexdigest()
 
 
 def encode(picture: UInt8[np.ndarray, "h w 3"], side: int) -> bytes:
-    """Return a picture as JPEG, its longer side at most ``side`` pixels; no metadata."""
+    """Return a picture as JPEG without metadata; its longer side is at most ``side`` pixels."""
     from PIL import Image
 
     image = Image.fromarray(np.ascontiguousarray(picture))

@@ -1,4 +1,4 @@
-"""What raters' answers say of the methods: means, choices, wins, agreement, with intervals."""
+"""Statistics of raters' answers: means, choices, wins, and agreement, with intervals."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from .design import CRITERIA
 from .key import StudyKey
 
 RESAMPLES = 10_000
-"""Of the bootstrap."""
+"""Number of bootstrap samples."""
 
 Interval = tuple[float, float]
 
 
 @dataclass(frozen=True)
 class CountedMean:
-    """A mean and its 95 % interval, None of fewer than two raters."""
+    """A mean and its 95 % interval, None for fewer than two raters."""
 
     mean: float
     interval: Interval | None
@@ -35,10 +35,11 @@ class CountedMean:
 
 @dataclass(frozen=True)
 class MethodFigures:
-    """What is measured of a method.
+    """Figures of a method.
 
-    ``means`` are of ``CRITERIA``, ``average`` of the first three, as in Table 2; ``chosen`` of all
-    choices, ``share`` of them with Wilson's interval ``share_interval``.
+    ``means`` has a mean per entry of ``CRITERIA``, ``average`` is that of the first three, as in
+    Table 2; ``chosen`` is the number of choices of this method, ``share`` their share with Wilson's
+    interval ``share_interval``.
     """
 
     method: str
@@ -51,11 +52,11 @@ class MethodFigures:
 
 @dataclass(frozen=True)
 class PairFigures:
-    """A method against another.
+    """Comparison of two methods.
 
-    ``rate`` is the share of scenes that a rater gave it the higher overall mark, equal marks
-    counting half; ``chosen`` and ``other_chosen`` how often either was preferred to all methods,
-    ``chosen_share`` the first's share of these two with Wilson's interval, None without any.
+    ``rate`` is the share of rated scenes in which the first method has the higher overall score,
+    with ties counted as half; ``chosen`` and ``other_chosen`` are the numbers of choices of either
+    method, ``chosen_share`` is the first's share of both with Wilson's interval, None without any.
     """
 
     method: str
@@ -72,7 +73,7 @@ class PairFigures:
 
 @dataclass(frozen=True)
 class Exclusions:
-    """Raters that do not count, by id; one may be in both lists."""
+    """Excluded raters by id; a rater may be in both lists."""
 
     inattentive: tuple[str, ...]
     too_fast: tuple[str, ...]
@@ -82,7 +83,7 @@ class Exclusions:
 
 @dataclass(frozen=True)
 class StudyReport:
-    """The figures of a study; ``raters`` count, of ``read`` that were read."""
+    """The figures of a study; ``raters`` is the number of counted raters of ``read``."""
 
     study: str
     title: str
@@ -113,16 +114,16 @@ def measure(
     allowed_failures: int = 0,
     seed: int = 0,
 ) -> StudyReport:
-    """Measure a study; the same answers and seed give the same figures.
+    """Evaluate a study; equal answers and seed give equal figures.
 
-    Raters that failed more attention checks than allowed, or took less than ``min_seconds`` (the
-    study's own if left out), do not count. Means are over all ratings of the others. Their 95 %
+    Raters who failed more attention checks than allowed, or took less than ``min_seconds`` (by
+    default the study's), are excluded. Means are over all ratings of the others. Their 95 %
     intervals are percentiles (2.5 and 97.5) of 10,000 bootstrap samples of *raters*, drawn with
-    ``seed``, each with all of its answers: marks of one rater are alike. They hold for the study's
-    scenes. Wilson's intervals of choices take these for independent.
+    ``seed``, each with all of the rater's answers, since scores of one rater are correlated. They
+    apply to the study's scenes. Wilson's intervals assume independent choices.
 
     Raises:
-        InputError: no rater is left, or a setting is out of range.
+        InputError: no rater remains, or a setting is out of range.
     """
     require_seed(seed)
     require_number("report needs allow-failed", allowed_failures, minimum=0, integer=True)
@@ -133,9 +134,9 @@ def measure(
     kept = [a for a in answers if a.rater not in {*inattentive, *fast}]
     if not kept:
         raise InputError(
-            f"No rater is left: of {len(answers)} read, {len(inattentive)} failed the attention "
-            f"checks and {len(fast)} took less than {least:g} s; {len(left_out)} files were left "
-            "out" + (f", the first because {left_out[0].reason}" if left_out else ".")
+            f"No rater remains: of {len(answers)} read, {len(inattentive)} failed the attention "
+            f"checks and {len(fast)} took less than {least:g} s; {len(left_out)} files were "
+            f"excluded" + (f", the first because {left_out[0].reason}" if left_out else ".")
         )
     drawn = _resample(len(kept), seed)
     languages = sorted(a.language for a in kept)
@@ -154,7 +155,7 @@ def measure(
 
 
 def _resample(raters: int, seed: int) -> Int[np.ndarray, "b r"]:
-    """Return how often each rater is in each bootstrap sample."""
+    """Return the count of each rater in each bootstrap sample."""
     rng = np.random.default_rng(seed)
     picked = np.empty((RESAMPLES, raters), np.int16)
     for row in picked:
@@ -165,7 +166,7 @@ def _resample(raters: int, seed: int) -> Int[np.ndarray, "b r"]:
 def _mean(
     sums: Sequence[float], counts: Sequence[float], drawn: Int[np.ndarray, "b r"]
 ) -> CountedMean:
-    """Return the mean of what raters' ``sums`` of ``counts`` values come to."""
+    """Return the mean from raters' ``sums`` of ``counts`` values."""
     total, count = np.array(sums, float), np.array(counts, float)
     mean = float(total.sum() / count.sum())
     if len(sums) < 2:
@@ -210,7 +211,7 @@ def _pair(
 
 
 def _agreement(kept: Sequence[RaterAnswers], key: StudyKey) -> dict[str, float | None]:
-    """Return alpha of each criterion (ordinal; a unit is a result) and of the choice (nominal)."""
+    """Return alpha of each criterion (ordinal, per result) and of the choice (nominal)."""
     marks: dict[tuple[str, str], list[tuple[int, ...]]] = defaultdict(list)
     chosen: dict[str, list[int]] = defaultdict(list)
     for scene in (s for a in kept for s in a.scenes):

@@ -1,4 +1,4 @@
-"""A study's figures as tables: Markdown with the paper's Table 2, CSV, lines for a terminal."""
+"""Tables of a study: Markdown with the paper's Table 2, CSV, and lines for a terminal."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _CELLS: tuple[Cell, ...] = (
 
 
 def to_markdown(report: StudyReport) -> str:
-    """Return the report as a page: Table 2, then intervals, pairs, agreement, who counts."""
+    """Return the report in Markdown: Table 2, then intervals, pairs, agreement, and raters."""
     parts = [
         f"# {_cell(report.title) or 'User study'}\n",
         table_2(report),
@@ -49,7 +49,7 @@ def to_markdown(report: StudyReport) -> str:
 
 
 def table_2(report: StudyReport) -> str:
-    """Return the paper's Table 2 as Markdown; the best of each column is bold."""
+    """Return the paper's Table 2 in Markdown, with the best value of each column in bold."""
     rows = []
     best = [max(cell(m) for m in report.methods) for cell in _CELLS]
     for m in report.methods:
@@ -60,7 +60,7 @@ def table_2(report: StudyReport) -> str:
 
 
 def to_csv(report: StudyReport) -> str:
-    """Return a row of numbers for each method: Table 2's, each with its interval."""
+    """Return a CSV row per method: the values of Table 2, each with its interval."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     names = [n for c in (*CRITERIA, "average", "share") for n in (c, f"{c}_low", f"{c}_high")]
@@ -75,7 +75,7 @@ def to_csv(report: StudyReport) -> str:
 
 
 def lines(report: StudyReport) -> list[str]:
-    """Return what a terminal shows: the table with 95 % intervals, and who counts."""
+    """Return the lines for a terminal: the table with 95 % intervals, and the raters."""
     wide = max(len(m.method) for m in report.methods)
     rows = [f"{'':<{wide}}" + "".join(f"  {h:<17}" for h in (*SHORT, "Avg.")) + "  chosen (share)"]
     for m in report.methods:
@@ -87,7 +87,7 @@ def lines(report: StudyReport) -> list[str]:
 
 
 def count_lines(report: StudyReport) -> list[str]:
-    """Return who counts, who does not and why, and how long it took."""
+    """Return the lines about counted and excluded raters, and their time."""
     out, left = report.excluded, len(report.left_out)
     raters = "rater" if report.raters == 1 else "raters"
     few = ["intervals and agreement need two raters or more"] if report.raters < 2 else []
@@ -100,7 +100,7 @@ def count_lines(report: StudyReport) -> list[str]:
         *few,
         f"{len(out.inattentive)} failed {checks}",
         f"{len(out.too_fast)} took less than {out.min_seconds:g} s",
-        f"{left} {'file was' if left == 1 else 'files were'} left out",
+        f"{left} {'file was' if left == 1 else 'files were'} excluded",
     ]
 
 

@@ -1,4 +1,4 @@
-"""The certificates of the shipped bundles; CONTRIBUTING.md has the command that makes them."""
+"""The certificates of the shipped bundles; CONTRIBUTING.md has the command to regenerate them."""
 
 from pathlib import Path
 
@@ -40,7 +40,7 @@ def certificate(path: Path) -> Certificate:
 
 
 def solved(path: Path, name: TaskName) -> set[Asked]:
-    """What the certificate of a bundle says the expert solves of a task."""
+    """Return the instances of a task that the expert solves according to the certificate."""
     listed = certificate(path).instances
     return {asked(i) for i in listed if i.name == name and i.certified}
 
@@ -50,7 +50,7 @@ def asked(instance: TaskInstance) -> Asked:
 
 
 def played(env: TabletopEnv, seed: int) -> Asked:
-    """What a reset asks for; it has to be certified."""
+    """Return the episode of a reset, which must be certified."""
     assert env.reset(seed=seed)[1]["certified"] is True
     return asked(instance_of(env.task, env.episode))
 
@@ -72,7 +72,7 @@ def test_it_lists_what_the_bundle_offers_and_environments_keep_to_it(name: str) 
         if known := solved(path, kind):
             assert {played(env, seed) for seed in range(3)} <= known
         else:
-            said = "no certified task" if listed else "Nothing to do"
+            said = "no certified task" if listed else "No valid task"
             with pytest.raises(SceneError, match=said):
                 env.reset(seed=0)
 

@@ -1,4 +1,4 @@
-"""Published or absent: savers, removers and readers of one store at the same time."""
+"""Concurrent saving, removal and reading of one store: bundles are published or absent."""
 
 import os
 import shutil
@@ -91,7 +91,7 @@ def test_a_save_outlives_removals_between_any_two_of_its_steps(
     tries = []
 
     def replace(self: Path, target: Path) -> Path:
-        """Another saver is faster, and a remover comes before this one has looked."""
+        """Simulate a faster saver, and a remover before this process checks again."""
         tries.append(target)
         if len(tries) > 3:
             return real(self, target)

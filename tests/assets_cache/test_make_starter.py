@@ -1,4 +1,4 @@
-"""Remaking the shipped bundles: what stays the same keeps its certificate."""
+"""Regeneration of the shipped bundles: unchanged ones keep their certificates."""
 
 import shutil
 from collections.abc import Mapping
@@ -22,7 +22,7 @@ from tabletopgen_env.certificates.certificate import (
 
 
 def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:
-    """Bundles of a cube that stands where the seed says, in place of composed ones."""
+    """Make bundles of a cube positioned by the seed, instead of composed ones."""
     paths = []
     for name, (_, seed) in recipes.items():
         scene = toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.01 * seed, 0.0)),))

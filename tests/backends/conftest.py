@@ -1,1 +1,1 @@
-"""Puts this folder on the path, so that its folders' tests can share what is in it."""
+"""Puts this folder on the path, so that the tests of its subfolders can share modules."""

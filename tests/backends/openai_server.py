@@ -1,4 +1,4 @@
-"""A small server that speaks OpenAI's protocol, and Ark's form of it, with its ways to fail."""
+"""A small server with OpenAI's protocol and Ark's variant of it, and their failures."""
 
 import base64
 import email.parser
@@ -31,7 +31,7 @@ OPTIONS = {
 
 @dataclass
 class Request:
-    """What came in: the path, the headers, what the body says (files decoded), and when."""
+    """A received request: path, headers, body (with decoded files), and time."""
 
     path: str
     headers: dict[str, str]
@@ -40,7 +40,7 @@ class Request:
 
     @property
     def text(self) -> str:
-        """The words of a chat's last message, or of a prompt."""
+        """The text of a chat's last message, or of a prompt."""
         if "prompt" in self.body:
             return self.body["prompt"]
         content = self.body["messages"][-1]["content"]
@@ -49,7 +49,7 @@ class Request:
 
 @dataclass
 class Script:
-    """How the server behaves. ``chat`` writes an answer, ``paint`` draws a picture.
+    """Behaviour of the server.
 
     ``urls``: pictures are answered as addresses, all as ``address`` if there is one. ``forms`` are
     the response formats it knows, ``bounds`` the limits of an answer; ``failures`` befall the next
@@ -272,7 +272,7 @@ def pixels(data: bytes) -> np.ndarray:
 
 @dataclass
 class Running:
-    """A server that runs: its address and its script."""
+    """A running server: its address and its script."""
 
     url: str
     script: Script

@@ -1,4 +1,4 @@
-"""Painted test pictures with known truth: a table of the catalogue and things on it."""
+"""Painted test pictures with ground truth: a table of the catalogue with objects."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -25,7 +25,7 @@ SIZES: dict[OutlineKind, tuple[float, float, float]] = {
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture, the camera that took it, and what every pixel shows: an id, at a depth (m)."""
+    """A picture, its camera, and the object id and depth (m) of every pixel."""
 
     image: np.ndarray
     ids: np.ndarray
@@ -45,9 +45,9 @@ def paint(
     size: tuple[int, int] = (640, 480),
     table: float = 1.0,
 ) -> Picture:
-    """Paint a table with things (category, x, y, z above the top; metres); angles in degrees.
+    """Paint a table with objects (category, x, y, z above the top; metres); angles in degrees.
 
-    ``table`` times the usual size is the table's.
+    ``table`` scales the usual size of the table.
     """
     length, width, height = SIZES[outline]
     across = (table * length, table * width, height)
@@ -67,7 +67,7 @@ def paint(
 
 
 def detections(picture: Picture, names: Sequence[str]) -> dict[str, Detection]:
-    """Return where each thing of a picture is, by names as "mug_1", the table's first."""
+    """Return the place of each object in a picture, by names such as "mug_1", the table first."""
     return {
         name: Detection(name.removesuffix("_1"), mask_box(picture.ids == k), picture.ids == k)
         for k, name in enumerate(names)
@@ -75,7 +75,7 @@ def detections(picture: Picture, names: Sequence[str]) -> dict[str, Detection]:
 
 
 def as_shown(image: np.ndarray, name: str, found: Detection) -> Instance:
-    """Return an instance that is what a picture shows of a thing, not completed."""
+    """Return the instance of an object's visible part in a picture, without completion."""
     x0, y0, x1, y1 = found.box.astype(int)
     crop = np.dstack([image, 255 * found.mask.astype(np.uint8)])[y0:y1, x0:x1]
     return Instance(name, found.label, found.box, found.mask, crop, found.box)

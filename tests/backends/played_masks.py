@@ -1,4 +1,4 @@
-"""A prompted model that knows the true masks: for the contract suite, where no file is fetched."""
+"""A prompted model with ground-truth masks, for the contract suite without weights."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from generator.geometry import mask_box
 
 
 class PlayedModel:
-    """Draws the true masks of one picture."""
+    """Returns the true masks of one picture."""
 
     def __init__(self, masks: Sequence[np.ndarray]) -> None:
         self.masks = [np.asarray(mask, bool) for mask in masks]

@@ -1,4 +1,4 @@
-"""Grounding DINO, SAM 2 and SAM 3 played by one who knows what the picture shows.
+"""Grounding DINO, SAM 2 and SAM 3 simulated from the ground truth of a picture.
 
 Their inputs and outputs are those of the classes of transformers; which part of the picture they
 are shown is told from its pixels. What is checked is what the backend makes of right answers.
@@ -35,7 +35,7 @@ def tokenizer() -> transformers.PreTrainedTokenizerFast:
 
 
 class Player:
-    """Knows the truth, and from the pixels it is shown, which tile they are."""
+    """Knows the ground truth, and identifies tiles by their pixels."""
 
     device = torch.device("cpu")
 
@@ -59,7 +59,7 @@ class Player:
         return mask[tile.y0 : tile.y1, tile.x0 : tile.x1]
 
     def there(self, tile: Tile) -> list[tuple[str, np.ndarray, np.ndarray]]:
-        """Return words, boxes (shares of the tile's sides) and masks of what the tile shows."""
+        """Return words, boxes (shares of the tile's sides) and masks in a tile."""
         parts = [(word, self.part(tile, mask)) for word, mask in self.truth]
         size = [*tile.size, *tile.size]
         return [(word, mask_box(part) / size, part) for word, part in parts if part.any()]
@@ -134,14 +134,14 @@ class PlayedSam3(Player):
 
 
 def logits_of(mask: np.ndarray) -> torch.Tensor:
-    """Return a mask as the models give it: a map of SIDE x SIDE logits."""
+    """Return a mask in the models' format: a map of SIDE x SIDE logits."""
     shown = torch.from_numpy(mask.astype(np.float32))[None, None]
     small = functional.interpolate(shown, (SIDE, SIDE), mode="bilinear", antialias=True)
     return 20 * (small[0, 0] - 0.5)
 
 
 def play(segmenter: HuggingFaceSegmenter, image: np.ndarray, truth: Truth) -> Mapping[str, Player]:
-    """Let players answer for a segmenter's models; return them by "finder" and "masker"."""
+    """Replace a segmenter's models by players; return them by "finder" and "masker"."""
     set_field = object.__setattr__
     if segmenter.detector == "sam3":
         three = PlayedSam3(image, truth, segmenter, HALVES)

@@ -1,4 +1,4 @@
-"""What can be selected by name: the contract suites go through all of it."""
+"""Names that can be selected: the contract suites cover all of them."""
 
 import importlib
 
@@ -6,11 +6,11 @@ from generator.backends.select import TABLE
 
 
 def names(role: str) -> tuple[str, ...]:
-    """Return the names of the backends that have a role."""
+    """Return the names of the backends with a role."""
     return tuple(name for name, roles in TABLE.items() if role in roles)
 
 
 def kind(name: str, role: str) -> type:
-    """Return the class that answers for a role under a name."""
+    """Return the class of a role's backend."""
     module, _, attribute = TABLE[name][role].partition(":")
     return getattr(importlib.import_module(module), attribute)

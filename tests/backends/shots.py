@@ -1,4 +1,4 @@
-"""RGB-D pictures of painted tables in a room, with a sensor's noise, whose truth is known."""
+"""RGB-D pictures of painted tables in a room, with sensor noise and ground truth."""
 
 from dataclasses import dataclass
 
@@ -14,7 +14,7 @@ THINGS = [("bowl", 0.2, 0.15, 0.0), ("mug", -0.25, 0.05, 0.0), ("apple", 0.1, -0
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """A painted table in a room: its depth map, with a sensor's noise, and intrinsics."""
+    """A painted table in a room: its depth map with sensor noise, and intrinsics."""
 
     picture: Picture
     depth: np.ndarray
@@ -32,7 +32,7 @@ def shoot(outline: OutlineKind = "rectangle", things=THINGS, *, noise=0.001, **v
 
 
 def room(camera: Camera) -> np.ndarray:
-    """Depth of a floor at z = 0 and of a wall 2 m behind the table's middle."""
+    """Return the depth of a floor at z = 0 and of a wall 2 m behind the table's centre."""
     y, x = np.mgrid[0 : camera.height, 0 : camera.width] + 0.5
     rays = camera.rays(np.column_stack([x.ravel(), y.ravel()]))
     floor = -camera.position[2] / np.where(rays[:, 2] < -1e-9, rays[:, 2], np.nan)

@@ -1,4 +1,4 @@
-"""What is said of backends: each of the table, and what it lacks here."""
+"""Availability of backends: all of the table, and their missing requirements."""
 
 from pathlib import Path
 
@@ -16,7 +16,7 @@ VARIABLES = (
 
 @pytest.fixture(autouse=True)
 def bare(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """An environment that names nothing, and no weights."""
+    """An environment without settings and weights."""
     for name in VARIABLES:
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("TABLETOPGEN_MODELS", str(tmp_path / "models"))

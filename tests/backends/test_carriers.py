@@ -1,4 +1,4 @@
-"""Boards and mats under things: found by their colour and shape, unlike shadows and inlays."""
+"""Boards and mats under objects: detected by colour and shape, unlike shadows and inlays."""
 
 from __future__ import annotations
 

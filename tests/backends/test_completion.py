@@ -1,4 +1,4 @@
-"""Completion of one object: clean outline, hidden halves redrawn."""
+"""Completion of one object: clean outline, redrawn hidden parts."""
 
 import cv2
 import numpy as np

@@ -1,4 +1,4 @@
-"""What the protocols promise, held against every backend that answers them.
+"""The contracts of the protocols, tested with every backend.
 
 The cloud's models are played by a local server that answers from the truth of the painted table,
 the open segmenting models by objects that do: what is checked is what the backend makes of right
@@ -54,7 +54,7 @@ NAMES = (TABLE, "mug_1", "book_1", "apple_1")
 
 @dataclass(frozen=True, eq=False)
 class Desk:
-    """A painted table with three things, and all that is known of it."""
+    """A painted table with three objects, and its ground truth."""
 
     reference: Reference
     detections: dict[str, Detection]
@@ -70,7 +70,7 @@ def desk() -> Desk:
 
 
 def _told(desk: Desk, request: Request) -> str:
-    """The right answer to a question of the cloud's reasoner."""
+    """Return the correct answer to a question of the cloud's reasoner."""
     cm = {k: [round(100 * float(v), 1) for v in desk.models[n].size] for k, n in enumerate(NAMES)}
     sides = {k: dict(zip(("length", "width", "height"), v, strict=True)) for k, v in cm.items()}
     things = range(1, len(NAMES))
@@ -136,7 +136,7 @@ def imager(backend: tuple[Any, Any]) -> Any:
 
 @pytest.fixture(scope="module")
 def instances(desk: Desk, imager: Any) -> tuple[Instance, ...]:
-    """Each thing completed by the imager itself, with the name that a stage gives it."""
+    """Each object completed by the imager itself, under the name from the stage."""
     from dataclasses import replace
 
     made = []
@@ -157,7 +157,7 @@ def view(desk: Desk, reasoner: Any, instances: tuple[Instance, ...]) -> Any:
 
 
 def test_every_backend_that_can_be_selected_is_held_against_its_protocols() -> None:
-    """Modelers have a suite of their own, which goes through all names by itself."""
+    """Modelers have a separate suite, which covers all names."""
     held = {
         "reasoner": set(REASONERS),
         "imager": set(REASONERS),
@@ -305,7 +305,7 @@ def segmenter(request: pytest.FixtureRequest, desk: Desk) -> Any:
 
 @pytest.fixture(scope="module")
 def found(segmenter: Any, desk: Desk) -> tuple[Detection, ...]:
-    """Labels repeat for each expected thing, and what is not there is asked for, too."""
+    """Labels repeat for each expected object, and missing objects are also requested."""
     labels = (TABLE, "mug", "book", "book", "apple", "banana")
     return segmenter.segment(desk.reference.image, labels)
 
@@ -347,7 +347,7 @@ def test_segment_repeats_itself(segmenter: Any, desk: Desk, found: tuple[Detecti
 
 @pytest.mark.slow
 def test_segments_become_instances(segmenter: Any, desk: Desk) -> None:
-    """The mix that a picture takes without a key: everything but the segmenter is embedded."""
+    """The default mix for a picture without a key: everything but the segmenter is embedded."""
     names = ("mug", "book", "apple")
 
     class Lists(EmbeddedReasoner):

@@ -1,4 +1,4 @@
-"""Tabletops cut by the frame: outlines from a region and a known camera."""
+"""Table tops cut by the frame: outlines from a region and a known camera."""
 
 import cv2
 import numpy as np
@@ -45,7 +45,7 @@ def test_a_whole_top_keeps_its_shape_and_turn(shape):
 
 
 def test_a_cut_top_is_true_where_its_edge_shows_and_holds_all_that_is_seen():
-    """The far right corner is in sight; left and near side go on behind the frame."""
+    """The far right corner is visible; the left and near sides continue outside the frame."""
     mask, camera = region(aim=(0.5, 0.3), distance=0.9)
     assert is_cut(mask) and frame_share(mask) > 0.4
     plane = scaled_plane(plane_from_view(mask, VIEW), 1.0)

@@ -1,4 +1,4 @@
-"""Plane, sizes, places and stacking measured in rendered depth maps, whose truth is known."""
+"""Plane, sizes, positions and stacking from rendered depth maps with ground truth."""
 
 from dataclasses import replace
 
@@ -61,7 +61,7 @@ def test_hardly_anything_known_measures_nothing():
 
 @pytest.mark.slow
 def test_a_picture_cut_off_centre_keeps_its_metres():
-    """Cropping moves the principal point; nothing in the world moves."""
+    """Cropping moves the principal point, and nothing in the world."""
     shot = shoot(azimuth=15)
     whole = find_depth_plane(shot.depth, shot.intrinsics)
     i = shot.intrinsics
@@ -75,7 +75,7 @@ def test_a_picture_cut_off_centre_keeps_its_metres():
 
 @pytest.mark.slow
 def test_a_rolled_camera_sees_the_same_table():
-    """Turning the depth map by a quarter is too much; a few degrees are read off the plane."""
+    """A rotation of the depth map by a quarter is too much; a few degrees follow from the plane."""
     shot = shoot(noise=0.0)
     plane = find_depth_plane(shot.depth, shot.intrinsics)
     camera = shot.picture.camera
@@ -96,7 +96,7 @@ def test_a_rolled_camera_sees_the_same_table():
 
 @pytest.mark.slow
 def test_the_table_mask_decides_between_planes():
-    """A big box on the floor is no table, unless the mask says so."""
+    """A big box on the floor is not a table, unless the mask marks it."""
     shot = shoot()
     floor = ~np.isfinite(shot.picture.depth)
     plane = find_depth_plane(shot.depth, shot.intrinsics, floor)

@@ -1,4 +1,4 @@
-"""What an eye found held against depth: flat finds, spilt and broken masks, missed things."""
+"""Detections compared with depth: flat ones, spilled and broken masks, missed objects."""
 
 from dataclasses import replace
 
@@ -93,7 +93,7 @@ def test_an_upper_part_that_stands_on_nothing_joins_the_lower(shot, plane):
 
 
 def halves(shot: Shot, number: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the upper and the lower half of a thing's mask."""
+    """Return the upper and the lower half of an object's mask."""
     mask = shot.picture.ids == number
     _, top, _, low = mask_box(mask)
     upper = mask & (np.arange(len(mask))[:, None] < (top + low) / 2)
@@ -157,7 +157,8 @@ def test_no_floor_in_sight_leaves_the_height_open(shot, plane):
 
 # --------------------------------------------------------------------------- into the scene
 def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
-    """Run sizes, models and places on true masks; the modeler's sizes are off by ``wrong``."""
+    """Compute sizes, models and positions from true masks; the modeler's sizes are off by
+    ``wrong``."""
     reference, instances = scene_of(shot, names)
     reasoner, imager = EmbeddedReasoner(), EmbeddedImager()
     view = reasoner.estimate_view(reference, instances[0])
@@ -181,7 +182,7 @@ def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
     ],
 )
 def test_scenes_have_the_measured_places_and_sizes(things):
-    """Whatever size the modeler believed: places within 2 cm, sizes within 15 %."""
+    """Whatever the modeler's sizes: positions within 2 cm, sizes within 15 %."""
     shot = shoot(things=things, noise=0.002, elevation=42, azimuth=15)
     names = tuple(key for key, *_ in things)
     found = aligned(shot, names, np.array([1.5, 1.5, 1.2]))

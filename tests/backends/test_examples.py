@@ -1,4 +1,4 @@
-"""Words that the eye never learned are told apart by examples and sizes."""
+"""Classification of unlearned words by examples and sizes."""
 
 from collections.abc import Mapping
 
@@ -18,7 +18,7 @@ from tabletop_objects import find_category
 
 
 def draw_with_truth(text: str, seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Return a text's drawing, and where in it each noun's thing is; each is there once."""
+    """Return a text's drawing, and the position of each noun's object in it."""
     plan = plan_scene(text, seed)
     painted, order = painter.paint(plan, seed)
     nouns = {planned.name: planned.noun for planned in plan.objects}
@@ -26,7 +26,7 @@ def draw_with_truth(text: str, seed: int) -> tuple[np.ndarray, dict[str, np.ndar
 
 
 def wrong_names(image: np.ndarray, masks: Mapping[str, np.ndarray]) -> list[tuple[str, str]]:
-    """Return what is called by another word than its own: (its own, the other)."""
+    """Return the misclassified objects: (true word, predicted word)."""
     found = EmbeddedSegmenter().segment(image, (TABLE, *masks))
     wrong = []
     for detection in found[1:]:

@@ -1,4 +1,4 @@
-"""The network's parts, and what is done when its weights are not to be had."""
+"""The network's parts, and its behaviour without weights."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Views from hardly above the top: told by how little of it shows beside what stands on it."""
+"""Views from slightly above the top, detected by the visible share of the top."""
 
 from __future__ import annotations
 

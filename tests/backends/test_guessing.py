@@ -1,4 +1,4 @@
-"""Poses read naively off masks and boxes: what stands in for DRO and TSA in an ablation."""
+"""Naive poses from masks and boxes: the replacement of DRO and TSA in ablations."""
 
 import cv2
 import numpy as np
@@ -21,7 +21,7 @@ def thing(name: str, mask: np.ndarray) -> Instance:
 
 
 def bar(degrees: float, center: tuple[int, int] = (300, 200)) -> Instance:
-    """A long thin thing, turned counter-clockwise in the picture."""
+    """Return a long thin object, rotated counter-clockwise in the picture."""
     along = 60 * np.array([np.cos(np.deg2rad(degrees)), -np.sin(np.deg2rad(degrees))])
     ends = [tuple(int(v) for v in np.round(np.array(center) + s * along)) for s in (-1, 1)]
     mask = np.zeros(SHAPE, np.uint8)

@@ -1,4 +1,4 @@
-"""The judge of what the eye finds: its clues, its choices, and what training teaches it."""
+"""The judge of the eye's detections: its features, its choices, and its training."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Words of neighbouring categories go to the right one."""
+"""Words of similar categories map to the right one."""
 
 import pytest
 

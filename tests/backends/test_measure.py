@@ -1,4 +1,4 @@
-"""Sizes of things and of the table, from a picture and the tabletop's plane."""
+"""Sizes of objects and of the table, from a picture and the plane of the table top."""
 
 import numpy as np
 import pytest

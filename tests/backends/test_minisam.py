@@ -1,4 +1,4 @@
-"""The prompted segmenter: which masks are things, which are parts; files fetched and checked."""
+"""The prompted segmenter: masks of objects and of parts; download and verification of files."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def test_a_closer_look_shows_what_a_mask_is_a_piece_of() -> None:
 
 
 class FramedModel(PlayedModel):
-    """Shows no more of the true masks than its frame does; a point asks for the last of them."""
+    """Returns the true masks cropped to its frame; a point selects the last of them."""
 
     def at_point(self, point: np.ndarray) -> Drawn:
         return self._draw(len(self.masks) - 1)

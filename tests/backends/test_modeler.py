@@ -1,4 +1,4 @@
-"""Analysis by synthesis: what the modeler makes of rendered shapes it is told nothing about."""
+"""Analysis by synthesis: the modeler on rendered shapes without further information."""
 
 from functools import cache
 
@@ -216,7 +216,7 @@ def test_convex_pieces_tile_the_outline():
 
 @pytest.mark.parametrize("elevation", [3.0, 20.0, 60.0, 80.0, 88.0])
 def test_no_outline_is_drawn_out_beyond_all_bounds(elevation: float) -> None:
-    """A standing profile seen from above, or a slab seen from its edge, is no candidate."""
+    """A standing profile seen from above, or a slab seen from its edge, is not a candidate."""
     camera = camera_view(View(0.0, np.deg2rad(elevation), 0.7), np.array([60.0, 60.0]), 120, 120)
     rotation, focal = view_rotation(camera), 150.0
     small = Projection(rotation, -focal * rotation[2], focal, np.array([60.0, 60.0]), 120, 120)

@@ -54,7 +54,7 @@ def test_unknown_things_get_no_category():
 
 
 def sizes(*rows: list[float]) -> np.ndarray:
-    """Return how many times their usual size things look, by word; shapes are alike."""
+    """Return apparent sizes relative to the usual ones, by word; shapes are equal."""
     scales = np.array(rows, float)
     return np.stack([scales, np.zeros_like(scales)], 2)
 

@@ -15,7 +15,7 @@ def picture() -> np.ndarray:
 
 
 def inked(picture: np.ndarray) -> np.ndarray:
-    """Where the picture is not white."""
+    """Return the mask of the pixels that are not white."""
     return picture.min(axis=2) < 250
 
 

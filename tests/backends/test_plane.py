@@ -1,4 +1,4 @@
-"""The camera and the homography found from a tabletop's outline."""
+"""The camera and the homography from the outline of a table top."""
 
 import cv2
 import numpy as np

@@ -1,4 +1,4 @@
-"""What the eye tells of things' proportions, and what training teaches it."""
+"""The eye's estimates of objects' proportions, and their training."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""The services and installed models themselves: what costs money only where it is said how much.
+"""Real services and installed models; paid calls only with an explicit budget.
 
     TABLETOPGEN_TEST_BUDGET=2 pytest -m real tests/backends/test_real_services.py
 
@@ -38,7 +38,7 @@ USUAL = {TABLE: (1.2, 0.7, 0.74), "mug_1": (0.12, 0.09, 0.1), "book_1": (0.15, 0
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory: pytest.TempPathFactory) -> Session:
-    """What all calls share, and the most that they may cost."""
+    """The session of all calls, with their cost limit."""
     budget = float(os.environ.get(BUDGET, "0"))
     return Session(store=CallStore(tmp_path_factory.mktemp("calls")), budget=budget)
 
@@ -53,14 +53,14 @@ def cloud(session: Session) -> Backends:
 
 @pytest.fixture(scope="module")
 def desk() -> tuple[Reference, dict[str, Detection]]:
-    """A painted table with three things, and where they are."""
+    """A painted table with three objects, and their positions."""
     picture = paint("rectangle", "oak", PLACES, elevation=ELEVATION)
     return Reference(picture.image), detections(picture, NAMES)
 
 
 @pytest.fixture(scope="module")
 def instances(desk: Any) -> tuple[Instance, ...]:
-    """What shows of each thing, as it is."""
+    """The visible part of each object."""
     reference, found = desk
     return tuple(as_shown(reference.image, name, d) for name, d in found.items())
 

@@ -1,4 +1,4 @@
-"""Masks, counts and names on painted pictures whose truth is known."""
+"""Masks, counts and names on painted pictures with ground truth."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What the eye sees of a painted picture: things apart from each other, also one in another."""
+"""The eye's detections in a painted picture: separate objects, and objects in others."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Standing stacks of ellipses: closed solids, and silhouettes met again by them."""
+"""Standing stacks of ellipses: closed solids that reproduce silhouettes."""
 
 import numpy as np
 import trimesh

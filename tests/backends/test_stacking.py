@@ -1,4 +1,4 @@
-"""On, in, behind and in front of, told from visible and whole masks."""
+"""On, in, behind and in front of, inferred from visible and complete masks."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""A table rebuilt from its picture: the top's outline, legs, height and colours."""
+"""A table reconstructed from its picture: outline, legs, height and colours."""
 
 from dataclasses import replace
 
@@ -105,7 +105,7 @@ def test_a_corner_behind_a_thing_is_still_a_corner():
 
 
 def test_what_things_add_to_the_outline_says_nothing_of_its_shape():
-    """A thing at the far edge, taken for the top in part, bends the hull on both its sides."""
+    """An object at the far edge, partly taken for the top, bends the hull on both of its sides."""
     plane = found_plane(TOPS["rectangle"], VIEW, VIEW)
     y, x = np.mgrid[:HEIGHT, :WIDTH] + 0.5
     far = plane.to_pixels(plane.top())[:, 1].min()

@@ -1,4 +1,4 @@
-"""Light taken out of colours: what is estimated, and what is left alone."""
+"""Removal of lighting from colours: estimated lighting, and unchanged colours."""
 
 import numpy as np
 

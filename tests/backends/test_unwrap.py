@@ -1,4 +1,4 @@
-"""Texture atlases: every chart has a place of its own, however many there are."""
+"""Texture atlases: every chart has a separate place, for any number of charts."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from generator.scene.triangles import weld_index
 
 
 def soup(count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Triangles that share nothing, each a chart of its own."""
+    """Return triangles without shared vertices, each a separate chart."""
     rng = np.random.default_rng(0)
     vertices = rng.uniform(-1.0, 1.0, (3 * count, 3))
     return vertices, np.arange(3 * count).reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""Warp's kernels are compiled once for all runs of the tests, into ``build/``."""
+"""Compiles Warp's kernels once for all test runs, into ``build/``."""
 
 import os
 from pathlib import Path
@@ -12,9 +12,9 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.fixture(scope="session")
 def kernels() -> Path:
-    """The folder of the compiled kernels, the user's own if one is named.
+    """The folder of the compiled kernels, by default the user's.
 
-    One process compiles them; those beside it wait, and load them.
+    One process compiles them; the others wait, and load them.
     """
     from tabletopgen_env.parallel.batch.bank import SceneBank
     from tabletopgen_env.parallel.batch.batch_world import BatchWorld

@@ -1,4 +1,4 @@
-"""Worlds of shipped tables, and batches of them held against MuJoCo itself."""
+"""Worlds of shipped tables, and batches of them compared with MuJoCo."""
 
 from functools import cache
 from pathlib import Path
@@ -18,13 +18,13 @@ REASON = "MuJoCo Warp is not installed: pip install 'tabletopgen[gpu]'"
 
 
 def need_warp() -> None:
-    """Skip the module where the extra is missing."""
+    """Skip the module if the extra is missing."""
     pytest.importorskip("mujoco_warp", reason=REASON)
 
 
 @cache
 def shipped(*names: str) -> tuple[World, ...]:
-    """Return the worlds of shipped tables of these names, or of all; not to be changed."""
+    """Return the worlds of shipped tables with these names, or of all; read-only."""
     bundles = sorted(
         p for p in (ROOT / "assets_cache").glob("*/*/") if (p / "scene.json").is_file()
     )
@@ -33,14 +33,14 @@ def shipped(*names: str) -> tuple[World, ...]:
 
 
 def awake(world: World) -> World:
-    """Return a copy of a world, at its start, in which nothing sleeps."""
+    """Return a copy of a world at its start, without sleeping bodies."""
     twin = world.twin()
     twin.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
     return twin
 
 
 def turn(one: Float[np.ndarray, "3 3"], other: Float[np.ndarray, "3 3"]) -> float:
-    """Return the angle between two rotations, degrees, exact for small ones."""
+    """Return the angle between two rotations, degrees, accurate for small angles."""
     between = one.astype(float).T @ other
     axis = [
         between[2, 1] - between[1, 2],

@@ -1,4 +1,4 @@
-"""Banks: what of a scene goes where, and which scenes stay out."""
+"""Scene banks: placement of scenes' parts, and exclusion of scenes."""
 
 import itertools
 import re

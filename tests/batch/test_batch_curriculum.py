@@ -27,7 +27,7 @@ def batch(scenes: SceneChoice, task: str = "Reach") -> TabletopBatchEnv:
 
 
 def play(env: TabletopBatchEnv, monkeypatch: pytest.MonkeyPatch) -> list[list[int]]:
-    """Play episodes of which those at the first scene succeed; return those that were begun."""
+    """Play episodes, successful at the first scene only; return the started ones."""
     own = rewards.terms
 
     def terms(*given):

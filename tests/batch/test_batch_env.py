@@ -1,4 +1,4 @@
-"""The batch as a Gymnasium vector environment: the single environment's episodes, many at once."""
+"""The batch as a Gymnasium vector environment, with the single environment's episodes."""
 
 import re
 from typing import Any
@@ -48,7 +48,7 @@ def in_turn(env: TabletopBatchEnv) -> tuple[Any, dict[str, Any]]:
 
 
 def play(env: TabletopBatchEnv, steps: int) -> list[dict[str, Any]]:
-    """Play every episode of a batch alone, by the expert; return what was seen and done."""
+    """Play every episode of a batch alone with the expert; return observations and actions."""
     played = []
     single = make_env(SCENES, task=env.task, randomization="starts")
     for row, seed in enumerate(env.episodes.seeds):

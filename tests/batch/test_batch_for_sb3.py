@@ -1,4 +1,4 @@
-"""A batch as Stable-Baselines3 has its environments."""
+"""A batch as a vector environment of Stable-Baselines3."""
 
 import numpy as np
 import pytest

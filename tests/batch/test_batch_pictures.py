@@ -1,4 +1,4 @@
-"""Pictures of a batch against those of the single environment."""
+"""Pictures of a batch compared with those of the single environment."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Batches against MuJoCo itself, and what one world of a batch may do to the others."""
+"""Batches compared with MuJoCo, and isolation of the worlds in a batch."""
 
 import re
 from functools import partial
@@ -40,19 +40,19 @@ def home(worlds: int) -> Tensor:
 
 
 def everything(batch: BatchWorld, world: int) -> list[Tensor]:
-    """What a world holds, copied."""
+    """Return a copy of a world's content."""
     state = batch.state
     names = [*type(state).__dataclass_fields__]
     return [getattr(state, name)[world].clone() for name in names] + [batch.bad[world].clone()]
 
 
 def same(one: list[Tensor], other: list[Tensor]) -> bool:
-    """Tell whether two worlds hold the same bits."""
+    """Return whether two worlds are identical."""
     return all(torch.equal(a, b) for a, b in zip(one, other, strict=True))
 
 
 def assert_close(batch: BatchWorld, k: int, world: World, mm: float, degrees: float) -> None:
-    """Check where the objects of a batch's world are against one of MuJoCo's."""
+    """Compare the objects of a batch's world with one of MuJoCo's."""
     state, bank = batch.state, batch.bank
     scene = int(state.scene[k])
     for name in world.names:
@@ -80,7 +80,7 @@ def test_two_tables_rest_as_in_mujoco(batch: BatchWorld) -> None:
 
 @pytest.mark.slow
 def test_what_spins_in_the_air_does_so_as_in_mujoco(batch: BatchWorld) -> None:
-    """Bodies with inertias askew, for which the model has to have room."""
+    """Bodies with rotated inertias, for which the model needs space."""
     batch.load([0, 1, 2], [0, 1, 0])
     spin = torch.tensor([3.0, -4.0, 5.0])
     batch.state.slot_qpos[..., 2] += 0.3 * batch.state.filled
@@ -253,7 +253,7 @@ def test_what_does_not_fit_says_how_many_do(
 def test_a_world_takes_the_memory_that_is_said(
     bank: SceneBank, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Against all that MuJoCo Warp allocates for model, state and the work of a step."""
+    """Compared with all allocations of MuJoCo Warp for model, state and a step."""
     warp = engine.Engine.load().warp
     taken = []
     make = {name: getattr(warp, name) for name in ("empty", "zeros", "full")}

@@ -1,4 +1,4 @@
-"""Which episodes of a deck come next."""
+"""Choice of the next episodes of a deck."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def choice(seed: int = 0) -> EpisodeChoice:
 
 
 def learned(seed: int = 0) -> EpisodeChoice:
-    """Episodes of the first bin always succeed, half of the second, none was told of the third."""
+    """Episodes of the first bin always succeed, half of the second do, the third is unknown."""
     made = choice(seed)
     for k in range(200):
         rows = made.draw(WORLDS[:3])

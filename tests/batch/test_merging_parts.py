@@ -1,4 +1,4 @@
-"""Convex parts merged: fewer of them, that cover what was covered and leave hollows open."""
+"""Merging of convex parts: fewer parts that cover the same volume and keep hollows open."""
 
 import numpy as np
 import pytest

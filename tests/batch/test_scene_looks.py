@@ -1,4 +1,4 @@
-"""What is drawn of scenes, and the one model that draws them all."""
+"""Visual geoms of scenes, and the single model that draws them all."""
 
 import mujoco
 import numpy as np
@@ -17,7 +17,7 @@ def bank() -> SceneBank:
 
 
 def corners(model: mujoco.MjModel, mesh: int, pose: DrawnPose) -> np.ndarray:
-    """Return a mesh's vertices where a geom has it."""
+    """Return a mesh's vertices at the pose of a geom."""
     first = model.mesh_vertadr[mesh]
     points = model.mesh_vert[first : first + model.mesh_vertnum[mesh]]
     return points @ pose.rotation.T + pose.position

@@ -1,4 +1,4 @@
-"""Every shipped table in one batch, and the expert's lifts replayed there."""
+"""Every shipped table in one batch, with replays of the expert's lifts."""
 
 from dataclasses import dataclass
 
@@ -55,7 +55,7 @@ def test_all_shipped_tables_rest_as_in_mujoco() -> None:
 
 @dataclass(frozen=True)
 class Take:
-    """An episode of the expert's: its target, and the commands of every step."""
+    """An episode of the expert: its target, and the commands of every step."""
 
     world: World
     target: str
@@ -63,7 +63,7 @@ class Take:
 
 
 def record(world: World, seed: int) -> Take | None:
-    """Let the expert lift what it is asked to; None if it fails."""
+    """Lift the requested object with the expert; None if that fails."""
     env = TabletopEnv(world.scene, task=Lift())
     expert = begun(env, seed)
     ctrl, success = [], False

@@ -1,4 +1,4 @@
-"""Tiny suites: toy tables on disk under the names that suites look for, one that is composed."""
+"""Tiny suites: toy tables on disk under the names that suites expect, and a composed one."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ def store(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="session")
 def reach(store: Path) -> TaskSuites:
-    """Suites of Reach at two toy tables, of which one is hard."""
+    """Suites of Reach at two toy tables, one of them hard."""
     tables = []
     for seed, (size, difficulty) in enumerate([(0.04, 0.1), (0.05, 0.3)]):
         scene = toy_scene((toy_object("cube_1", (size,) * 3, (-0.1, 0.0)),))

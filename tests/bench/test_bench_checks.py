@@ -1,4 +1,4 @@
-"""Results are checked: by their own figures, and by playing some of their episodes again."""
+"""Checks of results: consistency of the figures, and replays of some episodes."""
 
 import dataclasses
 import json
@@ -33,7 +33,7 @@ def zero(toy: Suite, store: Path, tmp_path: Path) -> Path:
 
 
 def forged(suite: Suite, path: Path, outcome: SuiteOutcome, kind: str = "policy") -> Path:
-    """Write a result that nobody played, each episode alike, with the digest that fits it."""
+    """Write a fabricated result with equal episodes and a matching digest."""
     rows = [results.row_of(episode, outcome) for episode in suite.episodes()]
     facts = PlayerFacts("SuperNet", kind, "ab" * 32 if kind == "policy" else "")
     results.write_result(path, results.head_of(suite, facts, versions(PACKAGES)), rows)
@@ -41,7 +41,7 @@ def forged(suite: Suite, path: Path, outcome: SuiteOutcome, kind: str = "policy"
 
 
 def edited(path: Path, **change: object) -> None:
-    """Change the first episode of a result, and its sums and digest with it."""
+    """Change the first episode of a result, and update its sums and digest."""
     payload = json.loads(path.read_text())
     payload.pop("digest")
     payload["episodes"][0].update(change)

@@ -1,4 +1,4 @@
-"""Results: read only as they were written, compared in pairs, and put on one page."""
+"""Results: strict reading, paired comparison, and the leaderboard."""
 
 import dataclasses
 import html
@@ -22,7 +22,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def result_of(suite: Suite, path: Path, name: str, solved: set[int]) -> results.BenchResult:
-    """Write and read the result of a player that solved the episodes of these numbers."""
+    """Write and read the result of a player that solved the episodes with these numbers."""
     done, failed = SuiteOutcome(True, 20, 0.6), SuiteOutcome(False, suite.of.time_limit, 0.25)
     rows = [
         results.row_of(episode, done if k in solved else failed)

@@ -1,4 +1,4 @@
-"""Runs: the same bytes however they were interrupted and whoever played; who may play."""
+"""Benchmark runs: identical results after interruptions and with any workers; valid policies."""
 
 import hashlib
 import json

@@ -1,4 +1,4 @@
-"""Tables are found by name and digest, made again bit for bit, and certified."""
+"""Tables are found by name and digest, regenerated bit for bit, and certified."""
 
 import dataclasses
 import os

@@ -1,4 +1,4 @@
-"""Suites: their names, their episodes, and their files, which are not trusted."""
+"""Suites: their names, their episodes, and validation of their untrusted files."""
 
 import dataclasses
 import json

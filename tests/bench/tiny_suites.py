@@ -1,4 +1,4 @@
-"""Suites of a task with tables of a test's own."""
+"""Suites of a task with tables of a test."""
 
 from generator.language.distribution import SceneDistribution
 from generator.scene.provenance import versions
@@ -11,7 +11,7 @@ ANYWHERE = (TaskInstance("Reach", None, None, 30, 30), TaskInstance("Reach", "x"
 
 
 def suites_of(task: str, *tables: SuiteTable, limit: int = 12) -> TaskSuites:
-    """Return suites of a task with tables, and episodes that are short."""
+    """Return suites of a task with the given tables and short episodes."""
     return TaskSuites(
         version="tiny", task=task, control_hz=20, time_limit=limit, hold=2,
         randomization=Randomization(start_joints=0.06, mass=(0.8, 1.2)),

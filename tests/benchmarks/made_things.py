@@ -1,4 +1,4 @@
-"""Things made by hand for the judges of the benchmark of understanding."""
+"""Hand-made objects for the judges of the understanding benchmark."""
 
 from collections.abc import Mapping
 
@@ -20,14 +20,14 @@ def thing(
     label: str = "",
     stand_in: bool = False,
 ) -> Thing:
-    """Return a box that begins ``up`` metres above the table's top, its middle at (x, y)."""
+    """Return a box whose bottom is ``up`` metres above the table's top, centred at (x, y)."""
     signs = np.array([[i, j, k] for i in (-0.5, 0.5) for j in (-0.5, 0.5) for k in (0, 1)])
     points = signs * np.array(size) + np.array([x, y, FLOOR + up])
     return Thing(name, label or name.rsplit("_", 1)[0].replace("_", " "), points, stand_in)
 
 
 def seen(*things: Thing, on: Mapping[str, str] | None = None) -> Seen:
-    """Return a table of things; ``on`` says what carries each that is not on the table."""
+    """Return a table of objects; ``on`` names the supports other than the table."""
     over = on or {}
     carriers = {t.name: frozenset({over.get(t.name, "table")}) for t in things}
     return Seen(things, TOP, carriers)

@@ -1,4 +1,4 @@
-"""The benchmark of understanding: what MuJoCo shows of a bundle, its rows, its summaries."""
+"""The understanding benchmark: MuJoCo measurements of a bundle, rows, and summaries."""
 
 import dataclasses
 import json

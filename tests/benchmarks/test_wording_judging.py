@@ -1,4 +1,4 @@
-"""Cases of the benchmark of understanding held against tables made by hand."""
+"""Cases of the understanding benchmark, tested with hand-made tables."""
 
 from typing import Any
 

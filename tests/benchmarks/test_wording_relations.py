@@ -1,4 +1,4 @@
-"""Each relation of the benchmark of understanding, where it is true and where it is not."""
+"""Each relation of the understanding benchmark: true and false cases."""
 
 from collections.abc import Sequence
 

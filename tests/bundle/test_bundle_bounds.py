@@ -1,4 +1,4 @@
-"""Bundles that are too large, or damaged in a mesh or picture: one error, before any decoding."""
+"""Oversized bundles, or ones with damaged meshes or pictures: one error before decoding."""
 
 import zlib
 from collections.abc import Callable
@@ -94,7 +94,7 @@ def test_a_picture_without_pixels_or_with_two_headers_is_none() -> None:
 
 @pytest.mark.slow
 def test_textures_count_together_and_are_decoded_once(path: Path, monkeypatch) -> None:
-    """Many models on one picture: it is read once, and what they keep of it is bounded."""
+    """Many models share one picture: it is read once, and their total memory is bounded."""
     decoded = []
     real = decode_png
     monkeypatch.setattr(
@@ -104,7 +104,7 @@ def test_textures_count_together_and_are_decoded_once(path: Path, monkeypatch) -
     forged = put_texture(path, png(2048, 2048, large))
 
     def models(payload: dict[str, Any]) -> None:
-        """Every object is a model of its own, as glassy as no other."""
+        """Every object has a distinct model, each more transparent than the others."""
         repeat(payload, 40)
         model = payload["models"][payload["objects"][0]["model"]]
         payload["models"] = {payload["table"]["model"]: model}
@@ -118,7 +118,7 @@ def test_textures_count_together_and_are_decoded_once(path: Path, monkeypatch) -
 
 @pytest.mark.slow
 def test_textures_are_built_one_by_one(path: Path, monkeypatch) -> None:
-    """MuJoCo keeps several copies of each: together they would take more than all else."""
+    """MuJoCo keeps several copies of each: built together, they would dominate the memory."""
     seen = []
     real = derived.spec_of
     monkeypatch.setattr(

@@ -1,4 +1,4 @@
-"""Self-consistent bundles whose values are hostile: what loads, shows, compiles and runs."""
+"""Consistent bundles with hostile values: loading, display, compilation and simulation."""
 
 import copy
 import json
@@ -97,7 +97,7 @@ def test_values_out_of_bounds_or_of_another_type_are_refused(
 
 
 def test_a_long_text_among_many_numbers_takes_no_memory() -> None:
-    """An array of texts would have room for a million characters at each of 100,000 places."""
+    """An array of strings would allocate a million characters for each of 100,000 entries."""
     with pytest.raises(BundleError, match="lists of numbers"):
         numbers(["x" * 10**6, *[""] * 10**5], "outline")
     with pytest.raises(BundleError, match="lists of numbers"):
@@ -128,7 +128,7 @@ def test_a_hull_that_mujoco_cannot_build_does_not_load(path: Path) -> None:
 def test_bodies_that_overlap_all_over_do_not_load(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    """MuJoCo has no memory for so many contacts; it ends in an error of its own, and logs it."""
+    """MuJoCo lacks memory for so many contacts, and logs and raises its own error."""
     monkeypatch.chdir(tmp_path)
     cups = [
         toy_object(f"cup_{k}", (0.09, 0.09, 0.09), (0, 0), wall=0.006, mass=0.3) for k in range(20)
@@ -285,6 +285,6 @@ def test_the_viewer_opens_what_was_checked(path: Path, monkeypatch) -> None:
 
 
 def test_a_shipped_document_is_what_is_written_today() -> None:
-    """To the byte, so that the same scene makes the same bundle."""
+    """Byte-identical, so that equal scenes give equal bundles."""
     place = assets_cache.find("lab")[0]
     assert document(bundle.load_verified(place)).xml.encode() == (place / "scene.xml").read_bytes()

@@ -1,4 +1,4 @@
-"""A bundle of an earlier version loads: backends were recorded by their modules then."""
+"""Loading of a bundle from an earlier version, which recorded backends by module."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""A local server that answers as a test says, and counts what it was asked."""
+"""A local server with responses defined by a test, which counts requests."""
 
 import json
 import signal
@@ -35,7 +35,7 @@ CHAT = {
 
 @dataclass(frozen=True)
 class Says:
-    """One answer: status, body (JSON unless bytes), headers; told wrong or late on purpose."""
+    """One response: status, body (JSON unless bytes), headers; optionally wrong or late."""
 
     body: Any = field(default_factory=lambda: CHAT)
     status: int = 200
@@ -59,7 +59,7 @@ class Asked:
 
 @dataclass
 class Served:
-    """A running server: its address, and all it was asked."""
+    """A running server: its address, and all requests."""
 
     url: str
     asked: list[Asked] = field(default_factory=list)
@@ -71,7 +71,7 @@ Script = Callable[[Asked, int], Says]
 
 @contextmanager
 def serving(script: Script | list[Says]) -> Iterator[Served]:
-    """Serve answers by a rule, or one after another, the last for ever."""
+    """Serve responses by a rule, or in sequence, repeating the last."""
     if isinstance(script, list):
         answers = script
         script = lambda asked, k: answers[min(k, len(answers) - 1)]  # noqa: E731
@@ -89,7 +89,7 @@ def serving(script: Script | list[Says]) -> Iterator[Served]:
                 served.asked.append(asked)
             try:
                 self.say(script(asked, number))
-            except OSError:  # the other end went away
+            except OSError:  # the client has left
                 self.close_connection = True
 
         def say(self, says: Says) -> None:
@@ -124,7 +124,7 @@ def serving(script: Script | list[Says]) -> Iterator[Served]:
 
 
 def interrupt(server: Served, calls: int, times: int = 1, pause: float = 0.3) -> None:
-    """Interrupt the main thread once so many calls are under way."""
+    """Interrupt the main thread when the given number of calls are active."""
 
     def send() -> None:
         until(lambda: len(server.asked) >= calls)
@@ -137,7 +137,7 @@ def interrupt(server: Served, calls: int, times: int = 1, pause: float = 0.3) ->
 
 @dataclass(frozen=True)
 class Remote:
-    """Answers no question; its session is what a command opened, or a process of a batch."""
+    """Backend without answers; its session comes from a command or a process of a batch."""
 
     session: Session = field(default_factory=Session, repr=False, compare=False)
 
@@ -149,7 +149,7 @@ class Remote:
 
 
 def remote_backend(patch: pytest.MonkeyPatch, folder: Path) -> Path:
-    """Make ``Remote`` the backend "remote"; return a table of prices for what it asks."""
+    """Register ``Remote`` as the backend "remote"; return a price table for its requests."""
     roles = dict.fromkeys(select.PROTOCOLS, f"{__name__}:Remote")
     patch.setattr(select, "TABLE", {**select.TABLE, "remote": roles})
     table = folder / "prices.toml"
@@ -158,7 +158,7 @@ def remote_backend(patch: pytest.MonkeyPatch, folder: Path) -> Path:
 
 
 def session(**settings: Any) -> Session:
-    """A session that waits little, with the prices of the tests."""
+    """Return a session with short timeouts and the prices of the tests."""
     return Session(**{"prices": PRICES, "retry_policy": HASTY, **settings})
 
 
@@ -173,7 +173,7 @@ def ask(
     path: str = "/v1/chat",
     **client: Any,
 ) -> Any:
-    """Ask one question of a server; return the response."""
+    """Send one question to a server; return the response."""
     headers = {"x-tabletopgen-question": question, "authorization": f"Bearer {KEY}"}
     if memo is not None:
         headers["x-tabletopgen-memo"] = memo

@@ -1,4 +1,4 @@
-"""The ledger: sums, unknown prices, a budget that many threads cannot overdraw."""
+"""The ledger: sums, unknown prices, and a thread-safe budget."""
 
 import contextlib
 import json

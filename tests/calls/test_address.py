@@ -1,4 +1,4 @@
-"""One notion of this machine, for proxies, prices, keys and downloads."""
+"""Recognition of local addresses, for proxies, prices, keys and downloads."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The store of answers: whole or absent, bounded, shared, and never in the way."""
+"""The response cache: atomic, bounded, shared, and never blocking."""
 
 import hashlib
 import os
@@ -138,7 +138,7 @@ def test_an_answer_larger_than_the_store_is_refused(tmp_path: Path) -> None:
 def test_one_answer_is_bounded_in_a_store_of_any_size(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A forged file is not read into memory because the store may hold as much."""
+    """A forged file must not be read into memory, even if the store may be that large."""
     store = CallStore(tmp_path)
     store.put(key("q"), ANSWER)
     (file,) = (tmp_path / "answers").glob("*/*")

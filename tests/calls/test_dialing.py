@@ -1,4 +1,4 @@
-"""Servers that never come to an end: each is left when the time of the call is over."""
+"""Endless server responses: each call ends at its timeout."""
 
 import gzip
 import shutil
@@ -30,7 +30,7 @@ Talk = Callable[[socket.socket], None]
 
 
 def drips(start: bytes, pieces: Callable[[], Iterator[bytes]], seconds: float = 0.05) -> Talk:
-    """A server that says ``start``, and then a piece after the other."""
+    """Serve ``start``, followed by endless pieces."""
 
     def talk(line: socket.socket) -> None:
         line.recv(65536)
@@ -128,7 +128,7 @@ def test_a_name_that_is_looked_up_for_ever_is_left_in_time(monkeypatch: pytest.M
 def test_an_address_that_takes_no_call_leaves_time_to_the_next(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """As where a network has no IPv6, and the host is listed with such an address first."""
+    """As in a network without IPv6, for a host that lists an IPv6 address first."""
     waited = []
 
     class Deaf(socket.socket):

@@ -1,4 +1,4 @@
-"""What was spent, answers and prices as somebody else may have written them."""
+"""Spending records, cached responses and prices written by others."""
 
 import contextlib
 import hashlib
@@ -28,14 +28,14 @@ HUGE = "1" + "0" * 400
 
 @pytest.fixture
 def kept(tmp_path: Path) -> Path:
-    """Somebody's own file."""
+    """A file of another user."""
     (tmp_path / "precious.lock").write_text("precious")
     return tmp_path / "precious.lock"
 
 
 # ------------------------------------------------------------------------------------ the sum spent
 def database(folder: Path, *statements: str, values: Iterable[tuple[object, ...]] = ()) -> Path:
-    """Make a folder's database with a budget, and let somebody change it."""
+    """Create a folder's database with a budget, and apply changes by another user."""
     folder.mkdir(exist_ok=True)
     SharedBudget.open(folder, "USD")
     with contextlib.closing(sqlite3.connect(folder / FILE)) as changed, changed:
@@ -166,7 +166,7 @@ def test_a_sum_is_bounded(tmp_path: Path) -> None:
 
 
 def test_a_journal_deletes_no_file(tmp_path: Path, kept: Path) -> None:
-    """SQLite removes the file that the end of a journal names, once that is rolled back."""
+    """SQLite deletes the file named at the end of a journal after a rollback."""
     folder = database(tmp_path / "place")
     name = str(kept).encode()
     end = struct.pack(">II", len(name), sum(name)) + b"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7"
@@ -185,7 +185,7 @@ CALL = {"key": KEY, "currency": "USD", "server": "s", "question": "q", "money": 
 
 
 def spending(folder: Path, facts: object) -> Spending:
-    """Return the calls of a scene: one as somebody wrote it, and one of 0.25."""
+    """Return the calls of a scene: one modified by another user, and one of 0.25."""
     written = Spending(folder, "a")
     written.write(KEY, Entry("s", "q", money=0.25))
     with contextlib.closing(sqlite3.connect(written.path)) as changed, changed:
@@ -245,7 +245,7 @@ def test_what_calls_cost_is_kept_in_a_regular_file(tmp_path: Path, kept: Path, k
 
 # ------------------------------------------------------------------------------------- the answers
 def forged(folder: Path, head: bytes) -> CallStore:
-    """A store with an answer of right checksum."""
+    """A store with a response with a correct checksum."""
     content = head + b"\nbody"
     told = hashlib.sha256(KEY.encode() + b"\n" + content).hexdigest().encode()
     path = folder / "answers" / KEY[:2] / KEY

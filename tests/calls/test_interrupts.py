@@ -1,4 +1,4 @@
-"""Ctrl-C while calls are under way: no new ones, what is answered soon is kept, twice ends all."""
+"""Ctrl-C during calls: no new calls, pending ones may finish; a second Ctrl-C ends all."""
 
 import os
 import signal
@@ -24,7 +24,7 @@ HUNG = 30.0
 
 @contextmanager
 def hanging(first: float = HUNG) -> Iterator[tuple[Served, threading.Event]]:
-    """Serve answers that come after ``first`` seconds, or when the event is set."""
+    """Serve responses after ``first`` seconds, or when the event is set."""
     over = threading.Event()
 
     def script(asked: Asked, k: int) -> Says:
@@ -63,7 +63,7 @@ def test_an_answer_that_comes_soon_is_kept(work: Callable, calls: int, tmp_path:
 def test_an_answer_that_does_not_come_is_given_up_and_counts(
     work: Callable, calls: int, grace: float, times: int
 ) -> None:
-    """With the first interrupt once the grace is over, with a second one at once."""
+    """After the grace period for the first interrupt, at once for a second one."""
     shared = session(workers=2, grace=grace)
     with hanging() as (server, _):
         interrupt(server, calls, times)

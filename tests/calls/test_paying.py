@@ -1,4 +1,4 @@
-"""Commands that ask servers: the ledger, the budget, the dry run, the folder of answers."""
+"""Commands with paid calls: the ledger, the budget, the dry run, the response cache."""
 
 import errno
 import json
@@ -30,7 +30,7 @@ def scene() -> Scene:
 
 @pytest.fixture
 def server(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Served]:
-    """A server, a backend "remote" that asks it once a scene, and a price table."""
+    """A server, a backend "remote" with one request per scene, and a price table."""
     remote_backend(monkeypatch, tmp_path)
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "scenes"))
     monkeypatch.setenv("TABLETOPGEN_CALLS", str(tmp_path / "usual"))
@@ -52,7 +52,7 @@ def server(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Ite
 
 @pytest.fixture
 def generate(tmp_path: Path, shell: Shell) -> Shell:
-    """The command, asking the backend "remote" at the prices of the tests."""
+    """The command with the backend "remote" at the test prices."""
     return shell.of(
         "generate", TEXT, "--backend", "remote", "--prices", str(tmp_path / "prices.toml")
     )
@@ -120,7 +120,7 @@ def test_a_dry_run_says_what_each_role_is(server: Served, generate: Shell) -> No
 
 @pytest.fixture
 def failed(server: Served, generate: Shell, monkeypatch: pytest.MonkeyPatch) -> Shown:
-    """A run whose bundle cannot be written: what it asked was paid for by then."""
+    """A run whose bundle cannot be written, after its calls were paid for."""
 
     def full(*given: object, **more: object) -> Path:
         raise OSError(errno.ENOSPC, "No space left on device")

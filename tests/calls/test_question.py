@@ -1,4 +1,4 @@
-"""What a request asks and may cost, read off the request alone."""
+"""The subject and the maximum cost of a request, derived from the request alone."""
 
 from typing import Any
 

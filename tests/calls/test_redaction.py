@@ -1,4 +1,4 @@
-"""No key in any text, however a server wrote it back."""
+"""Keys never appear in texts, in whatever form a server returns them."""
 
 import base64
 import json

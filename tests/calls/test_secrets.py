@@ -1,4 +1,4 @@
-"""One key, sent to a server that repeats it wherever it can: found nowhere afterwards."""
+"""A key sent to a server that repeats it everywhere does not leak."""
 
 import logging
 import traceback
@@ -18,7 +18,8 @@ ECHO = {"error": {"message": f"Incorrect API key provided: {KEY}", "code": "inva
 
 
 def held(error: BaseException) -> str:
-    """What a log of the SDK's error may show, and all that the project's own error leads to."""
+    """Return the content of an SDK error's log, and everything reachable from the package's
+    error."""
     texts = ["".join(traceback.format_exception(error))]
     for link in chain(error):
         if isinstance(link, BackendError):

@@ -1,4 +1,4 @@
-"""Work for many things at once, and how it ends."""
+"""Parallel work in a session, and its end."""
 
 import sys
 import threading

@@ -1,4 +1,4 @@
-"""A sum of money that processes spend together: never overdrawn, whoever dies."""
+"""A budget shared by processes: never overdrawn, even if processes die."""
 
 import os
 import pickle
@@ -175,7 +175,7 @@ def test_calls_of_sessions_are_paid_from_it(tmp_path: Path) -> None:
 
 
 def test_another_folder_of_that_name_is_refused(tmp_path: Path) -> None:
-    """As on a machine of a Ray cluster that does not share it."""
+    """As on a machine of a Ray cluster that does not share the folder."""
     elsewhere = "is here not the folder that the batch was started with"
     shared = SharedBudget.open(tmp_path, "USD")
     (tmp_path / FILE).unlink()

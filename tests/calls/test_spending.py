@@ -1,4 +1,4 @@
-"""What a scene's calls cost outlives the runs that paid for them."""
+"""The cost of a scene's calls persists across runs."""
 
 import os
 import sqlite3
@@ -27,7 +27,7 @@ MOST = 0.04004
 
 
 def run(folder: Path, **settings: Any) -> Session:
-    """A run of the scene whose answers and spending are in ``folder``."""
+    """A run of the scene with responses and spending in ``folder``."""
     made = session(store=CallStore(folder), **settings)
     made.resume("scene")
     return made
@@ -113,7 +113,7 @@ def test_what_nobody_knows_the_price_of_stays_so(tmp_path: Path) -> None:
 
 
 def unpriced(folder: Path, *entries: Entry) -> None:
-    """Leave calls that a run without a budget made at an unknown price."""
+    """Record calls of a run without a budget at an unknown price."""
     for entry in entries:
         Spending(folder, "scene").write("k", entry)
 
@@ -137,7 +137,7 @@ def test_calls_of_a_server_of_ones_own_are_priced_by_its_host(tmp_path: Path) ->
 
 
 def test_a_shared_budget_is_of_its_own_calls_alone(tmp_path: Path) -> None:
-    """Earlier calls of the scene were made into another folder."""
+    """Earlier calls of the scene belong to another folder."""
     unpriced(tmp_path, Entry("s", "q", "m", "failed", money=None))
     with serving([Says()]) as server, SharedBudget.open(tmp_path, "USD").spending() as spender:
         shared = run(tmp_path, budget=5.0, account=Account(spender))
@@ -184,7 +184,7 @@ def test_a_write_that_was_killed_spoils_no_other(tmp_path: Path) -> None:
 
 
 def die(folder: str) -> None:
-    """Die within a transaction, half of it on the disk."""
+    """Exit within a transaction that is partly on the disk."""
 
     def half(database: sqlite3.Connection) -> None:
         database.execute("PRAGMA cache_size = 0")

@@ -1,4 +1,4 @@
-"""Paid calls over real HTTP: kept, tried again, bounded, and refused with a reason."""
+"""Paid calls over real HTTP: cached, retried, bounded, and refused with a reason."""
 
 import email.utils
 import gzip

@@ -1,4 +1,4 @@
-"""Waits grow and stay bounded; a server that fails is left alone, then tried once."""
+"""Retry delays grow with a bound; a circuit breaker stops calls to failing servers."""
 
 from datetime import UTC, datetime
 

@@ -1,4 +1,4 @@
-"""Records which categories pass: ``TABLETOPGEN_RECORD_PROOFS=1`` rewrites ``proven.json``."""
+"""Records the categories that pass: ``TABLETOPGEN_RECORD_PROOFS=1`` rewrites ``proven.json``."""
 
 import os
 
@@ -6,7 +6,7 @@ import pytest
 
 
 class Recorder:
-    """Collects reports of categories in the process that sees all of them."""
+    """Collects reports of categories in the process that receives all of them."""
 
     def __init__(self) -> None:
         self.passed: dict[str, str] = {}

@@ -1,4 +1,4 @@
-"""Which categories are known to pass their checks: ``proven.json``.
+"""Categories that passed their checks: ``proven.json``.
 
 A category is proven by a digest of its key and of the code that draws it: its module, and all
 modules of ``tabletop_objects`` which that imports, the styles included. Comments, docstrings and
@@ -153,12 +153,12 @@ def _now() -> tuple[dict[str, str], Mapping[str, Source]]:
 
 
 def unproven(proofs: Proofs, now: Mapping[str, str]) -> list[str]:
-    """Return the categories whose code is not what passed last."""
+    """Return the categories whose code differs from the last proof."""
     return [key for key in now if proofs.categories.get(key) != now[key]]
 
 
 def categories_to_check() -> list[str]:
-    """Return the unproven categories and a fixed sample of the others; all of them if wanted."""
+    """Return the unproven categories and a fixed sample of the others, or all if ``wanted``."""
     if os.environ.get("TABLETOPGEN_EVERY_CATEGORY"):
         return sorted(CATEGORIES)
     sample = {key for key in CATEGORIES if zlib.crc32(key.encode()) % SAMPLE == 0}
@@ -166,7 +166,7 @@ def categories_to_check() -> list[str]:
 
 
 def record(passed: Mapping[str, str], failed: Collection[str], path: Path = PROOFS) -> None:
-    """Rewrite the proofs: add the digests of what passed, drop what failed or does not exist."""
+    """Rewrite the proofs: add the digests of passed categories, drop failed or missing ones."""
     now, modules = _now()
     kept = {k: v for k, v in load(path).categories.items() if k in now and k not in failed}
     save(Proofs(modules, kept | {k: v for k, v in passed.items() if k not in failed}), path)

@@ -1,4 +1,4 @@
-"""Vessels show what they are said to hold."""
+"""Vessels show their stated contents."""
 
 from __future__ import annotations
 

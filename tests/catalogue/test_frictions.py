@@ -1,4 +1,4 @@
-"""How things slide, against published pairs of materials."""
+"""Friction of objects compared with published pairs of materials."""
 
 import json
 from pathlib import Path
@@ -17,7 +17,7 @@ FACTOR = 1.5
 
 
 def slide(what: str) -> float:
-    """Return the friction of a category's thing, or of a table of this material."""
+    """Return the friction of a category's object, or of a table of this material."""
     if what in CATEGORIES:
         return build(what, 0).physics.friction
     return build_table(PlannedTable(material=what), 0).physics.friction

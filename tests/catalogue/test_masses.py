@@ -1,4 +1,4 @@
-"""What likenesses weigh, against real things, and how that grows with size."""
+"""Masses of models compared with real objects, and their growth with size."""
 
 import json
 from pathlib import Path

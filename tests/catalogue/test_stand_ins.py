@@ -1,4 +1,4 @@
-"""Stand-ins: each family has a shape of its own size, marked as one."""
+"""Stand-ins: each family has a distinct shape and size, marked as a stand-in."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A scene held against its picture: known camera, known silhouettes, figures and sheet."""
+"""Comparison of a scene with its picture: known camera and silhouettes, figures and sheet."""
 
 import dataclasses
 
@@ -24,7 +24,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def camera() -> Camera:
-    """Off the middle, and near enough that the frame cuts the table."""
+    """Off-centre, and close enough that the frame cuts the table."""
     return Camera.looking_at(np.array([0.15, -0.05, 0.7]), VIEW, 1.7, 320, 240)
 
 

@@ -1,4 +1,4 @@
-"""What speaks against a scene made of a picture, and the exit code that says so."""
+"""Doubts about a scene generated from a picture, and their exit code."""
 
 import dataclasses
 from pathlib import Path

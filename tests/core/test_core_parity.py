@@ -1,4 +1,4 @@
-"""The batched core gives the numbers of the single environment, term by term."""
+"""The batched core gives the values of the single environment, term by term."""
 
 from dataclasses import dataclass, fields, replace
 from typing import Any
@@ -27,7 +27,7 @@ SEEDS, STEPS = 2, 200
 
 @dataclass
 class Frames:
-    """Steps of one environment, a row each, and what it gave there."""
+    """Steps of one environment, a row each, and its results."""
 
     seen: Readings
     rows: GoalRows
@@ -42,7 +42,7 @@ class Frames:
 
 
 def play(env: TabletopEnv) -> Frames:
-    """Let the expert, now and then shaken, play some episodes."""
+    """Play some episodes with the expert, sometimes perturbed."""
     count, most = SEEDS * STEPS, env.task.most
     gathered, rows = WorldRows(count, OBJECTS, most), GoalRows.blank(count, most)
     present, half = np.zeros((count, OBJECTS), bool), np.zeros((count, OBJECTS, 3))
@@ -101,7 +101,7 @@ def test_the_other_tasks_have_the_same_numbers(name: str) -> None:
 
 
 def check_parity(env: TabletopEnv) -> Frames:
-    """Hold what the core gives on NumPy and on torch against what the environment gave."""
+    """Compare the core's results on NumPy and on torch with those of the environment."""
     frames = play(env)
     assert np.ptp(frames.rewards) > 0.05, "nothing happened"
     for seen, rows, array in (

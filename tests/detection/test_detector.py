@@ -1,4 +1,4 @@
-"""The grasp detector: what it answers, what it is given, and what of it is kept."""
+"""The grasp detector: its detections, its inputs, and its file."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -25,7 +25,7 @@ def best_of(*objects) -> Grasp:
 
 
 def apart(angle: float, other: float) -> float:
-    """How far two directions of opening are apart, radians."""
+    """Return the angle between two opening directions, radians."""
     return abs((angle - other + np.pi / 2) % np.pi - np.pi / 2)
 
 
@@ -52,7 +52,7 @@ def test_neighbours_forbid_the_sides_they_stand_at() -> None:
 
 
 def test_it_sees_height_maps_alone() -> None:
-    """What the maps do not show changes nothing: the mass, the name, the friction."""
+    """Properties outside the maps have no effect: the mass, the name, the friction."""
     cube = toy_object("cube", (0.04, 0.05, 0.04), (0.0, 0.0))
     other = toy_object("thing", (0.04, 0.05, 0.04), (0.0, 0.0), mass=2.0, friction=0.1)
     one, two = best_of(cube), best_of(other)
@@ -76,7 +76,7 @@ def test_it_turns_with_what_it_sees() -> None:
 
 
 def test_maps_are_seen_where_they_are() -> None:
-    """A cell's height is seen at the cell's place, and only there."""
+    """A cell's height appears only at the cell's position."""
     heights = np.zeros((2, 64, 64), np.uint8)
     heights[1, 40, 20] = 100  # 3.4 cm along, -4.6 cm across
     seen = turn_views(heights, 0.0)[0, 1]
@@ -101,7 +101,7 @@ def test_the_network_is_the_one_that_is_trained() -> None:
 
 
 def test_a_place_is_rated_about_its_middle() -> None:
-    """Half a turn of what is seen is half a turn of what a symmetric network says of it."""
+    """For a symmetric network, half a turn of the input is half a turn of the output."""
     torch.manual_seed(0)
     weights = {key: value.float().numpy() for key, value in GraspNetwork().weights().items()}
     both = {key: (v + v[..., ::-1, ::-1]) if v.ndim == 4 else v for key, v in weights.items()}
@@ -179,7 +179,7 @@ def test_weights_that_cannot_be_used_say_what_to_do(tmp_path: Path) -> None:
     refused(PATH.read_bytes()[:1000], "cannot be used")
     refused(b"x" * 2**23, "more than 4194304 bytes")
     save_weights({**sound, "0.bias": np.zeros(3)}, path, {})
-    refused(None, "of another network")
+    refused(None, "belongs to another network")
     save_weights({**sound, "0.bias": np.full(16, np.nan, np.float32)}, path, {})
     refused(None, "not finite")
     read_detector.cache_clear()

@@ -1,4 +1,4 @@
-"""The height maps that the detector sees."""
+"""The height maps for the detector."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""What the detector is taught, and that it learns it."""
+"""The training data of the detector, and its training."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,8 @@
-"""The fenced blocks of README.md and of the pages below ``docs/``, and what checks and runs them.
+"""The fenced blocks of README.md and of the pages below ``docs/``, their checks and execution.
 
 A Python or shell block is run by a test unless the line above its fence is a comment of the form
-``<!-- not-run: needs a key -->``. Blocks of a page share one folder, those in Python their names.
+``<!-- not-run: needs a key -->``. Blocks of a page share one folder; Python blocks also share
+variables.
 """
 
 import ast
@@ -35,7 +36,7 @@ _ALIAS = ["python", "-m", "tabletopgen_env"]
 
 @dataclass(frozen=True)
 class Block:
-    """One fenced block; ``reason`` says why it is not run, None where it is."""
+    """One fenced block; ``reason`` is the reason not to run it, else None."""
 
     page: str
     line: int
@@ -53,7 +54,7 @@ def pages() -> list[Path]:
 
 
 def read(page: Path) -> Iterator[Block]:
-    """Yield the blocks of a page, in their order; directives of the site are none."""
+    """Yield the blocks of a page in order, without directives of the site."""
     text = page.read_text(encoding="utf-8")
     for found in _FENCE.finditer(text):
         if not found["language"].startswith("{"):
@@ -68,7 +69,7 @@ def blocks() -> list[Block]:
 
 # ------------------------------------------------------------------------------------- shell
 def faults(block: Block) -> list[str]:
-    """Return what is wrong with a block, without running it."""
+    """Return the faults of a block without running it."""
     if block.language == "python":
         ast.parse(block.code, str(block))
         return []
@@ -80,7 +81,7 @@ def faults(block: Block) -> list[str]:
 
 
 def simple_commands(code: str) -> Iterator[list[str]]:
-    """Yield the words of each simple command of a shell script, without variables set for it."""
+    """Yield the words of each simple command of a shell script, without its variables."""
     for line in code.replace("\\\n", " ").splitlines():
         words: list[str] = []
         for word in [*_words(line), ";"]:
@@ -99,7 +100,7 @@ def _words(line: str) -> list[str]:
 
 
 def _faults(words: list[str]) -> list[str]:
-    """Return what is wrong with a simple command: no such command, option, target or extra."""
+    """Return the faults of a simple command: unknown command, option, target or extra."""
     if words[:3] == _ALIAS:
         words = ["tabletopgen", *words[3:]]
     program, *rest = words
@@ -132,7 +133,7 @@ def _cli_faults(rest: list[str]) -> list[str]:
 
 @cache
 def cli_flags() -> Mapping[str, frozenset[str]]:
-    """Return the options of each command of ``tabletopgen``, as its help shows them."""
+    """Return the options of each ``tabletopgen`` command from its help."""
     return {c.name.partition(" ")[2]: c.flags for c in help_text.commands()}
 
 

@@ -1,4 +1,4 @@
-"""Every block of code of README.md and of the docs runs, or says why it does not and is checked."""
+"""Every code block of README.md and of the docs runs, or is checked and gives a reason."""
 
 import os
 import shutil

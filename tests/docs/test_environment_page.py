@@ -1,4 +1,4 @@
-"""The page of the environment: its table of ``info`` is what there is."""
+"""The environment page: its table of ``info`` matches the code."""
 
 import re
 from collections.abc import Mapping
@@ -19,7 +19,7 @@ MODES = (
 
 
 def fits(value: Any, kind: str) -> bool:
-    """Tell whether a value is of a type as the page calls it."""
+    """Return whether a value has a type as named on the page."""
     known = {
         "bool": lambda: isinstance(value, bool),
         "str": lambda: isinstance(value, str),

@@ -1,4 +1,4 @@
-"""Links within README.md, CONTRIBUTING.md and the docs lead somewhere."""
+"""Internal links of README.md, CONTRIBUTING.md and the docs are valid."""
 
 import re
 import tomllib
@@ -19,7 +19,7 @@ _LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 
 @cache
 def text_of(page: Path) -> str:
-    """Return a page without its fenced blocks; of a generated one what the site shows."""
+    """Return a page without its fenced blocks; for a generated page, the site's text."""
     name = page.relative_to(ROOT).as_posix()
     made = GENERATED.get(name)
     return _FENCED.sub("", made() if made else page.read_text(encoding="utf-8"))

@@ -1,4 +1,4 @@
-"""The page of the objects is the one that its script writes, and its sheets are there."""
+"""The objects page matches the output of its script, and its sheets exist."""
 
 import importlib.util
 import sys

@@ -1,4 +1,4 @@
-"""The site builds without a warning, offline, and its generated pages say what the code says."""
+"""The site builds offline without warnings, and its generated pages match the code."""
 
 import json
 import os
@@ -23,7 +23,7 @@ socket.socket.connect = socket.create_connection = socket.getaddrinfo = refuse
 
 
 def build(out: Path) -> Path:
-    """Build the site where nothing can reach the network; return its folder."""
+    """Build the site without network access; return its folder."""
     (out / "offline").mkdir()
     (out / "offline" / "sitecustomize.py").write_text(OFFLINE, encoding="utf-8")
     done = subprocess.run(

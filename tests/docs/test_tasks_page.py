@@ -1,4 +1,4 @@
-"""The page of tasks says what the code says."""
+"""The tasks page matches the code."""
 
 import importlib.util
 import re

@@ -1,4 +1,4 @@
-"""What an edit left as it was: entries and files of two bundles compared."""
+"""Comparison of entries and files of two bundles before and after an edit."""
 
 from pathlib import Path
 from typing import Any
@@ -7,13 +7,13 @@ from generator.bundle.folder import read_truth
 
 
 def kept(before: Path, after: Path, *, poses: bool = True) -> set[str]:
-    """Return the names of the things whose entries and files are the same to the byte."""
+    """Return the names of the objects whose entries and files are identical."""
     old, new = entries(before, poses), entries(after, poses)
     return {name for name, entry in old.items() if new.get(name) == entry}
 
 
 def entries(bundle: Path, poses: bool = True) -> dict[str, Any]:
-    """Return by name what a bundle says of each thing, its files' bytes among it."""
+    """Return the entry of each object in a bundle by name, including the bytes of its files."""
     truth = read_truth(bundle)
     found = {}
     for listed in truth["objects"]:

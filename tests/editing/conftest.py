@@ -1,4 +1,4 @@
-"""What all tests of edits share."""
+"""Shared fixtures of the editing tests."""
 
 import numpy as np
 import pytest
@@ -8,5 +8,5 @@ from generator.editing import edited
 
 @pytest.fixture
 def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Previews of a few pixels."""
+    """Reduce previews to a few pixels."""
     monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))

@@ -1,4 +1,4 @@
-"""Edits of composed scenes: their rows, and which of the text's relations hold afterwards."""
+"""Edits of composed scenes: their rows, and the text's relations afterwards."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""An edit by backends: the thing is drawn, cut out, modelled and turned, by the protocols alone."""
+"""Edits by backends: the object is drawn, cut out, modelled and rotated through the protocols."""
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -39,7 +39,7 @@ def seen(label: str, rows: slice, columns: slice) -> Detection:
 
 @dataclass(frozen=True)
 class Painter:
-    """Answers all there is to ask about a banjo, and notes what was asked."""
+    """Answers all requests about a banjo, and records them."""
 
     name: str = "painter"
     asked: list[str] = field(default_factory=list, repr=False)
@@ -90,7 +90,7 @@ class Painter:
 
 @pytest.fixture
 def pictured(tmp_path: Path) -> Path:
-    """A bundle that keeps the picture it was made from, and what was found in it."""
+    """A bundle with its input picture and detections."""
     scene = toy_scene(
         (
             toy_object("ukulele_1", (0.18, 0.07, 0.05), (-0.2, 0.0), yaw=0.3),

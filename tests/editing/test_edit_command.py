@@ -1,4 +1,4 @@
-"""``tabletopgen edit`` as a user types it."""
+"""The ``tabletopgen edit`` command."""
 
 import shutil
 from pathlib import Path
@@ -59,7 +59,7 @@ def test_a_dry_run_makes_and_removes_nothing(
         (("vanity", "add", "a mug", "--to", "0", "0"), 2, "--to and --turn go with move"),
         (("vanity", "move", "lipstick_1"), 2, "--to X Y"),
         (("vanity", "move", "lipstick_1", "on the mirror", "--to", "0", "0"), 2, "--to X Y"),
-        (("vanity", "remove", "lipstick_1", "--replace"), 5, "only what is there is removed"),
+        (("vanity", "remove", "lipstick_1", "--replace"), 5, "only bundles in the store"),
         (("vanity", "swap", "lipstick_1", "a mug", "--backend", "clod"), 3, "cloud"),
         (("vanity", "swap", "lipstick_1", "a mug", "--imager", "hunyuan3d"), 3, "answers draw"),
         (("no-such", "remove", "mug_1"), 4, "no-such"),

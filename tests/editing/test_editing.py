@@ -1,4 +1,4 @@
-"""Edits of finished scenes: what is touched, what stays, what is refused."""
+"""Edits of finished scenes: changed parts, unchanged parts, and rejections."""
 
 import hashlib
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""What stands on or in a thing that an edit touches."""
+"""Objects that stand on or in an edited object."""
 
 from dataclasses import replace
 from pathlib import Path

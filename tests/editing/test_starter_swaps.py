@@ -1,4 +1,4 @@
-"""A swap at each of five starter tables: one thing is another, all else is the same to the byte."""
+"""A swap at each of five starter tables: one object changes, everything else is identical."""
 
 from pathlib import Path
 

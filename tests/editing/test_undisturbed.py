@@ -1,4 +1,4 @@
-"""What an edit does not disturb stays to the byte: pose, model, parts and mass."""
+"""Objects not affected by an edit remain identical: pose, model, parts and mass."""
 
 import zlib
 from collections.abc import Callable
@@ -32,7 +32,7 @@ EDITS: dict[str, Callable[[Path, str], editing.Edited]] = {
 
 
 def linked(scene: Scene, names: set[str]) -> set[str]:
-    """Return what is connected with some things by touching within 1 mm, or by standing on."""
+    """Return the objects connected with some others by contact within 1 mm, or by support."""
     called = dict(enumerate(o.name for o in scene.objects))
     near = Simulation(scene).contacts(margin=1e-3).pairs.tolist()
     pairs = [{called[a], called[b]} for a, b in near if min(a, b) >= 0]
@@ -44,7 +44,7 @@ def linked(scene: Scene, names: set[str]) -> set[str]:
 
 
 def check_undisturbed(before: Path, done: editing.Edited, folder: Path) -> None:
-    """Check an edit: what is connected with nothing that it names is the same to the byte."""
+    """Check an edit: objects not connected with its targets are identical."""
     assert done.scene.report is not None and done.scene.report.passed
     assert judge(done.scene).failures == ()
     changed = {*done.scene.provenance.edits[-1].names}
@@ -96,7 +96,7 @@ def test_a_taken_apple_disturbs_only_what_it_touched(fruit: Path) -> None:
 
 
 def boxes(*places: tuple[float, float]) -> Scene:
-    """Boxes of 10 cm, each at x on the table, by how far above it, metres."""
+    """Boxes of 10 cm at x on the table, by their height above it, metres."""
     return toy_scene(tuple(
         toy_object(f"box_{k}", (0.1, 0.1, 0.1), (x, 0.0), top=0.74 + z)
         for k, (x, z) in enumerate(places)
@@ -117,7 +117,7 @@ def test_what_touches_a_changed_thing_is_disturbed_and_what_touches_that_is_conn
 
 
 def test_what_may_not_move_carries_what_falls_on_it() -> None:
-    """Of two boxes in the air, one is fixed: the one above it lands on it."""
+    """Of two floating boxes one is fixed: the one above lands on it."""
     scene = boxes((0.0, 0.05), (0.0, 0.17))
     low = scene.objects[0]
     rested, unstable = rest(scene, AssemblyConfig(), None, {"box_1"})

@@ -1,4 +1,4 @@
-"""Action modes: documented amounts, limits, and bad input."""
+"""Action modes: documented step sizes, limits, and bad input."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ from tabletopgen_env.world.composition import TIMESTEP
 
 
 def over_the_table(action: str = "ee_delta", **settings) -> TabletopEnv:
-    """A mode at a table with one cube out of the way, the robot at home."""
+    """An action mode at a table with one distant cube, the robot at home."""
     scene = toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.45, -0.2)),))
     env = make_env(scene, action=action, **settings)
     env.reset(seed=0, options={"goal": (0.2, 0.0)})
@@ -32,7 +32,7 @@ def over_the_table(action: str = "ee_delta", **settings) -> TabletopEnv:
 
 @pytest.fixture
 def ee() -> TabletopEnv:
-    """End-effector mode, the hand 0.3 m over the table."""
+    """An end-effector mode, the hand 0.3 m above the table."""
     env = over_the_table()
     act(env, [0, 0, -1, 0, 1], 9)
     act(env, [0, 0, 0, 0, 1], 8)
@@ -57,7 +57,7 @@ def yaw(env: TabletopEnv) -> float:
 
 
 def opening(env: TabletopEnv) -> float:
-    """Metres between the fingers."""
+    """Return the distance between the fingers, metres."""
     return env.world.data.qpos[env.world.finger_qpos].sum()
 
 
@@ -66,7 +66,7 @@ def joints(env: TabletopEnv) -> np.ndarray:
 
 
 def arm_ranges(env: TabletopEnv) -> np.ndarray:
-    """Lowest and highest commands of the arm's joints."""
+    """Return the lower and upper bounds of the arm's joint commands."""
     return env.world.model.actuator_ctrlrange[env.world.actuators[:7]].T
 
 
@@ -118,7 +118,7 @@ def test_pressing_on_the_table_does_not_wind_up(ee) -> None:
 
 
 def test_pulling_beyond_reach_stands_still(ee) -> None:
-    """Straight as it is, a joint that is asked to stretch further must not go to and fro."""
+    """A straight arm that is commanded to stretch further must not oscillate."""
     act(ee, [1, 0, 0.4, 0, 1], 40)
     turned, tools = [], []
     for _ in range(20):
@@ -182,7 +182,7 @@ def test_every_mode_is_listed_with_its_size() -> None:
 
 @pytest.fixture(scope="module", params=SIZES)
 def ready(request) -> TabletopEnv:
-    """An environment in each mode, for actions that must not go through."""
+    """An environment in each mode, for invalid actions."""
     return over_the_table(request.param)
 
 

@@ -1,4 +1,4 @@
-"""What a gripper can do with a shape: widths, hollows, surfaces, free spots."""
+"""Affordances of shapes for a gripper: widths, hollows, surfaces, free spots."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Objects that stand elsewhere, and objects that are taken away."""
+"""Displaced objects, and removed objects."""
 
 from dataclasses import replace
 
@@ -119,7 +119,7 @@ def test_what_leans_goes_with_what_it_leans_on() -> None:
 
 
 def test_what_would_fall_stays() -> None:
-    """Half of this table top is missing, though its outline says otherwise."""
+    """Half of this table top is missing, contrary to its outline."""
     table = toy_table()
     corners = [[x, y, z] for x in (-0.6, 0.6) for y in (-0.35, 0.0) for z in (0.34, 0.37)]
     half = replace(table, parts=(ConvexPart(np.array(corners)),))

@@ -1,4 +1,4 @@
-"""Certificates are checked by their figures and by playing some of their episodes again."""
+"""Checks of certificates: consistency of the figures, and replays of some episodes."""
 
 import json
 import shutil

@@ -1,4 +1,4 @@
-"""Environments draw what a bundle's certificate says can be done, unless told otherwise."""
+"""By default, environments draw certified instances."""
 
 import pickle
 import shutil
@@ -50,7 +50,7 @@ def kitchen(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def certify(bundle: Path) -> Certify:
-    """Writes instances into the bundle's certificate, made for ``tasks`` or for theirs."""
+    """Return a function that writes instances into the bundle's certificate."""
 
     def write(
         *instances: TaskInstance, tasks: Iterable[str] = (), into: Path = bundle, **terms: int
@@ -62,12 +62,12 @@ def certify(bundle: Path) -> Certify:
 
 
 def solved(task: str, target: str | None, goal: str | None = None, *rest: Any) -> TaskInstance:
-    """An instance that was solved from all of enough starts."""
+    """Return an instance that was solved from all of enough starts."""
     return TaskInstance(task, target, goal, 30, 30, *rest)
 
 
 def seen(env: Any, key: str, count: int = 8) -> set[Any]:
-    """What an info says over several resets."""
+    """Return the values of an info entry over several resets."""
     return {env.reset(seed=k)[1][key] for k in range(count)}
 
 
@@ -79,7 +79,7 @@ def world_of(bundle: Path) -> World:
 
 @pytest.fixture(scope="module")
 def names() -> list[str]:
-    """What can be lifted there."""
+    """Return the liftable objects."""
     return sorted(seen(make_env("office-desk-*", task="Lift", certified=False), "target", 20))
 
 
@@ -199,7 +199,7 @@ def test_where_there_is_nothing_to_certify_the_reasons_are_told(
 def test_the_reasons_of_a_scene_passed_over_take_nothing_from_the_seed(
     bundle: Path, certify: Certify
 ) -> None:
-    """The episode that follows does not depend on how much was drawn for a message."""
+    """The next episode must not depend on draws for an error message."""
 
     class Thorough(Lift):
         @property
@@ -261,7 +261,7 @@ def _begun(env: Any) -> tuple[Any, Any]:
 
 def test_certificates_tell_presets_apart_and_say_nothing_of_tasks_of_ones_own() -> None:
     class Mine(Lift):
-        """A task of one's own."""
+        """A custom task."""
 
     assert Sequence().listed_as == ("Sequence", None)
     assert Sequence("kitchen").listed_as == ("Sequence", "kitchen")
@@ -329,7 +329,7 @@ def test_certifying_again_looks_at_everything(
 
 
 class Counted(Lift):
-    """Lift that counts how often it is sampled, at first with nothing to do."""
+    """Lift that counts its samples, at first without a valid target."""
 
     def __init__(self, idle: int) -> None:
         self.idle, self.asked = idle, 0

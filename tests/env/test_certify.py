@@ -1,4 +1,4 @@
-"""Certificates: made by the expert, kept beside a bundle, refused where they are not its own."""
+"""Certificates: created by the expert, stored beside a bundle, rejected for other scenes."""
 
 import itertools
 import json
@@ -55,7 +55,7 @@ def certified(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def bundle(certified: Path, tmp_path: Path) -> Path:
-    """A copy whose certificate may be spoilt."""
+    """A copy of a bundle whose certificate may be damaged."""
     path = save(scene(), tmp_path)
     (path / FILE).write_bytes((certified / FILE).read_bytes())
     return path

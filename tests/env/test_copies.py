@@ -33,13 +33,13 @@ def pickled(env: Any) -> Any:
 
 
 def flat(seen: Any) -> np.ndarray:
-    """An observation's numbers in a row."""
+    """Return an observation's numbers as a flat array."""
     parts = [seen[key] for key in sorted(seen)] if isinstance(seen, dict) else [seen]
     return np.concatenate([np.ravel(part).astype(np.float64) for part in parts])
 
 
 def played(env: gym.Env, steps: int = 3) -> np.ndarray:
-    """What a reset and some steps give; no seed, so it shows the random state."""
+    """Return the results of a reset without seed and some steps, which show the random state."""
     numbers = [flat(env.reset()[0])]
     for _ in range(steps):
         seen, reward, *_ = env.step(np.full(5, 0.3))

@@ -1,4 +1,4 @@
-"""The environment as Gymnasium and SB3 use it: determinism, options, vectors, training, errors."""
+"""The environment with Gymnasium and SB3: determinism, options, vectors, training, errors."""
 
 import pickle
 
@@ -92,7 +92,7 @@ def test_where_there_is_nothing_to_do_the_scenes_are_counted_once(count: int) ->
     box = (toy_object("box_1", (0.3, 0.3, 0.3), (0.0, 0.0)),)
     env = make_env([toy_scene(box, name=f"bare_{k}") for k in range(count)], task="Lift")
     said = "the one scene drawn" if count == 1 else "2 drawn scenes"
-    with pytest.raises(SceneError, match=f"^Nothing to do in {said}. Scene 'bare_0'"):
+    with pytest.raises(SceneError, match=f"^No valid task in {said}. Scene 'bare_0'"):
         env.reset(seed=0)
 
 
@@ -141,7 +141,7 @@ def test_a_given_container_draws_a_target_that_fits_it() -> None:
         ({"colour": "red"}, "Unknown reset option 'colour'"),
         ({"target": "cann_1"}, "No object 'cann_1'.*Did you mean 'can_1'"),
         ({"goal": "bole_1"}, "No object 'bole_1'.*bottle_1, bowl_1"),
-        ({"target": "can_1", "goal": "cube_1"}, "no container"),
+        ({"target": "can_1", "goal": "cube_1"}, "not a container"),
         ({"goal": (3.0, 0.0)}, "not on the table"),
         ({"goal": (np.nan, 0.0)}, "two finite numbers"),
         *((kind, r"options must be a dict.*Available: goal, scene, target")

@@ -1,4 +1,4 @@
-"""What counts as a success."""
+"""The success criterion of an episode."""
 
 from tabletopgen_env.episodes import HOLD, Held
 

@@ -1,4 +1,4 @@
-"""Pictures are exposed and framed well: nothing blown out, the robot whole, tables on their floor.
+"""Exposure and framing of pictures: no overexposure, the whole robot, tables on their floor.
 
 With MUJOCO_GL=osmesa (or egl) in the environment these tests look at that kind of OpenGL.
 """

@@ -1,4 +1,4 @@
-"""Starts that an episode can be played from: what is to be taken still has a grasp."""
+"""Feasible starts: targets keep a reachable grasp."""
 
 from dataclasses import replace
 
@@ -24,7 +24,7 @@ def shown(*walls: tuple[float, float], cube: tuple[float, float] = (0.0, 0.0)) -
 
 
 def moved(scene: Scene, name: str, xy: tuple[float, float]) -> Scene:
-    """The scene with a thing elsewhere."""
+    """Return the scene with a displaced object."""
 
     def put(thing: Object) -> Object:
         at = np.array([*xy, thing.pose.position[2]])
@@ -34,7 +34,7 @@ def moved(scene: Scene, name: str, xy: tuple[float, float]) -> Scene:
 
 
 def after(env: TabletopEnv, name: str, xy: tuple[float, float]) -> bool:
-    """Whether the episode can be played once a thing is elsewhere."""
+    """Return whether the episode is feasible after an object is displaced."""
     world, feasible = env.world, Feasible(env.world, env.episode.goals)
     assert feasible.now()
     world.rearrange(moved(world.scene, name, xy))

@@ -1,4 +1,4 @@
-"""Files are written whole or not at all, and JSON is read value by value."""
+"""Files are written atomically, and JSON is validated value by value."""
 
 from pathlib import Path
 

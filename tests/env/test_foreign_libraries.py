@@ -1,4 +1,4 @@
-"""The environments under the real Gymnasium wrappers, Stable-Baselines3, its contrib and TorchRL.
+"""The environments with Gymnasium wrappers, Stable-Baselines3, its contrib and TorchRL.
 
 What is not installed is skipped, with the command that installs it.
 """

@@ -1,4 +1,4 @@
-"""Forked processes draw, although OpenGL does not survive a fork: in software, or with an error."""
+"""Rendering in forked processes, which cannot use OpenGL: in software, or with an error."""
 
 import multiprocessing
 import os
@@ -27,7 +27,7 @@ pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork here")
 
 @pytest.fixture(scope="module")
 def drawn() -> Iterator[gym.Env]:
-    """An environment that has drawn in this process, with OpenGL where there is any."""
+    """An environment that has drawn in this process, with OpenGL if available."""
     env = make_env(toy_scene(), **PIXELS)
     env.reset(seed=0)
     yield env
@@ -36,7 +36,7 @@ def drawn() -> Iterator[gym.Env]:
 
 @pytest.fixture(scope="module")
 def gl(drawn: gym.Env) -> bool:
-    """Whether it has drawn with OpenGL."""
+    """Return whether it has drawn with OpenGL."""
     return not isinstance(drawn.unwrapped._drawer((16, 16)), SoftwareDrawer)  # type: ignore
 
 
@@ -55,7 +55,7 @@ def in_fork(work: Callable[[], Any]) -> Any:
 
 
 def told(work: Callable[[], Any]) -> tuple[list[str], list[str]]:
-    """Return what ``work`` returns, and the warnings that it gives under Python's usual rules."""
+    """Return the result of ``work``, and its warnings under Python's default filters."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("default")
         done = work()
@@ -133,7 +133,7 @@ def test_a_drawer_made_before_the_fork_is_refused_in_it(drawn, gl) -> None:
 
 @pytest.mark.slow
 def test_a_forked_copy_detects_grasps(monkeypatch) -> None:
-    """The network wakes no threads of a library, of which a fork has none."""
+    """The network wakes no library threads, which do not exist in a fork."""
     env = make_env(toy_scene(), task="Lift", grasp_hint="detected")
     monkeypatch.setattr(env.unwrapped._worlds, "get", anew(env.unwrapped._worlds.get))
     seen = env.reset(seed=0)[0]
@@ -142,7 +142,7 @@ def test_a_forked_copy_detects_grasps(monkeypatch) -> None:
 
 
 def anew(get: Callable[..., Any]) -> Callable[..., Any]:
-    """``get``, but its worlds remember no grasps."""
+    """``get``, with worlds without cached grasps."""
 
     def got(*args: Any) -> Any:
         world = get(*args)

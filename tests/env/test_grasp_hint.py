@@ -27,7 +27,7 @@ def lift(**settings) -> TabletopEnv:
 
 
 def started(options: dict = CUBE, **settings) -> tuple[TabletopEnv, np.ndarray, TaskExpert]:
-    """Return an environment, what it shows first, and the expert that begins there."""
+    """Return an environment, its first observation, and the expert that starts there."""
     env = lift(**settings)
     seen = env.reset(seed=0, options=options)[0]
     expert = TaskExpert(env)
@@ -167,7 +167,7 @@ def test_every_mode_has_room_for_it(mode) -> None:
 
 
 def placing(**settings) -> tuple[TabletopEnv, TaskExpert]:
-    """Return an environment of PickPlace, and its expert, that is about to carry."""
+    """Return a PickPlace environment and its expert, just before carrying."""
     env, _, expert = started({**CUBE, "goal": (0.2, -0.15)}, task="PickPlace", **settings)
     for _ in range(100):
         env.step(expert.act())
@@ -265,7 +265,7 @@ def test_a_detected_hint_is_the_detectors_grasp(randomization) -> None:
 
 
 def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
-    """Neither the grasps nor the places of the expert's planners are behind it."""
+    """It uses neither the grasps nor the places of the expert's planners."""
     spot = {**CUBE, "goal": "spot"}
     env, _, expert = started(spot, task="PickPlace", grasp_hint="detected")  # plans for the spot
     for planner in ("choice.plan_grasps", "placement._held_underside"):
@@ -294,7 +294,7 @@ def test_planned_is_what_true_means() -> None:
 
 
 def test_a_copy_carries_no_weights() -> None:
-    """It asks for those that are shipped where it is unpacked."""
+    """It loads the shipped weights where it is unpickled."""
     planned, detected = (len(pickle.dumps(lift(grasp_hint=k))) for k in ("planned", "detected"))
     assert detected < planned + 200
     env = lift(grasp_hint="detected")
@@ -333,7 +333,7 @@ def test_a_detected_hint_needs_no_torch() -> None:
 
 
 def test_the_experts_advice_follows_the_hint_at_once() -> None:
-    """No standing still where the hint already shows the way up, or to the place."""
+    """The expert does not pause while the hint already shows the way up, or to the place."""
     env, seen, expert = started({**CUBE, "goal": "spot"}, task="PickPlace")
     moved = {}
     while expert.phase != "release":

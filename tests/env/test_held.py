@@ -1,4 +1,4 @@
-"""What tasks ask for is true of the settled scene, whatever its plan asked for."""
+"""Tasks use the settled scene, not the plan."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ IN_BOWL = RelationOutcome("cube_1", "in", "bowl_1", False, -0.1)
 
 
 def scene_of(*outcomes: RelationOutcome) -> Scene:
-    """A cube that was to lie in a bowl, and stands beside it."""
+    """Return a cube that was planned inside a bowl, but stands beside it."""
     cube = toy_object("cube_1", (0.045, 0.045, 0.045), (-0.15, -0.1))
     bowl = toy_object("bowl_1", (0.17, 0.17, 0.06), (0.1, -0.1), wall=0.008, mass=0.35)
     cube = replace(cube, placement=replace(cube.placement, on="bowl_1", inside=True))

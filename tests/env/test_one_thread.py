@@ -1,4 +1,4 @@
-"""An environment works on the thread that calls it: BLAS's threads, which spin, stay asleep."""
+"""An environment uses only the calling thread and never wakes BLAS threads."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""What is fast gives what the plain formulas give, to the bit or to rounding."""
+"""Fast implementations agree with the plain formulas, exactly or up to rounding."""
 
 import mujoco
 import numpy as np
@@ -27,7 +27,7 @@ from tabletopgen_env.world.world import World
 
 
 def plain_step(world: World, substeps: int, before: np.ndarray) -> np.ndarray:
-    """Interpolate and step as the docstring of ``World.step`` says; return the commands reached."""
+    """Interpolate and step as documented in ``World.step``; return the reached commands."""
     wanted = world.data.ctrl[world.actuators[:7]].copy()
     for k in range(1, substeps + 1):
         commands = before + (wanted - before) / substeps * k
@@ -38,7 +38,7 @@ def plain_step(world: World, substeps: int, before: np.ndarray) -> np.ndarray:
 
 
 def plain_touch(world: World, name: str) -> tuple[bool, bool, bool]:
-    """Look through every contact for the robot's parts."""
+    """Search all contacts for the robot's parts."""
     found = [False, False, False]
     for contact in world.data.contact:
         bodies = [world.model.body(int(world.model.geom_bodyid[g])).name for g in contact.geom]
@@ -169,7 +169,7 @@ def test_goals_agree_as_their_definition_says(name) -> None:
 
 
 def plain_met(achieved: np.ndarray, desired: np.ndarray) -> bool:
-    """Whether a point is in the upright elliptic cylinder, in the state asked for."""
+    """Return whether a point is in the upright elliptic cylinder, in the required state."""
     if desired[3] <= 0:
         return True
     x, y, z = achieved[:3].astype(float) - desired[:3].astype(float)

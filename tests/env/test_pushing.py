@@ -1,4 +1,4 @@
-"""What Push asks for: things that slide rather than roll, along ways that they keep to."""
+"""Push targets: objects that slide rather than roll, along stable paths."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Domain randomisation: settings, independent draws, exact undoing, the environment with it."""
+"""Domain randomisation: settings, independent draws, exact restoration, the environment."""
 
 import json
 from dataclasses import fields, replace
@@ -54,10 +54,13 @@ def test_every_setting_belongs_to_one_switch_and_is_off() -> None:
         ({"ambient": (1.0, float("inf"))}, "0 < low <= high"),
         ({"delay": -1}, "delay to be a whole number >= 0 and <= 100"),
         ({"delay": 1.5}, "delay to be a whole number"),
-        ({"distractors": (4, 2)}, "0 <= fewest <= most, got \\(4, 2\\)"),
-        ({"distractors": (-1, 2)}, "0 <= fewest <= most"),
+        ({"distractors": (4, 2)}, "0 <= min <= max, got \\(4, 2\\)"),
+        ({"distractors": (-1, 2)}, "0 <= min <= max"),
         ({"distractors": 3}, "two whole numbers"),
-        ({"lights": True}, "'lights' is turned on by light_turn and light_color and ambient"),
+        (
+            {"lights": True},
+            "set light_turn and light_color and ambient to turn on the switch 'lights'",
+        ),
         ({"masss": (0.5, 2.0)}, "no setting 'masss'.*Did you mean 'mass'"),
     ],
 )

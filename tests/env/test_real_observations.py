@@ -1,4 +1,4 @@
-"""What a real robot has: pictures with calibrations, proprioception, instructions, marks."""
+"""Inputs of a real robot: pictures with calibration, proprioception, instructions, marks."""
 
 import gymnasium as gym
 import numpy as np
@@ -179,17 +179,17 @@ def test_presets_name_cameras_and_sizes(preset) -> None:
     ("settings", "message"),
     [
         ({"cameras": "droit"}, "Unknown camera 'droit'"),
-        ({"image_size": {"front": 32}}, "each of the cameras, which are front, wrist; got front"),
+        ({"image_size": {"front": 32}}, "each of the cameras front, wrist, got front"),
         ({"image_size": {"front": 32, "wirst": 32}}, "Unknown camera 'wirst'.*wrist"),
         ({"image_size": {"front": 32, "wrist": 4}}, "between 8 and 2048"),
-        ({"mode": "state", "instruction": "text"}, "made of numbers alone"),
+        ({"mode": "state", "instruction": "text"}, "requires a mode with pictures or points"),
         ({"mode": "pixels", "instruction": "speech"}, "Unknown instruction 'speech'.*tokens"),
-        ({"mode": "point_cloud", "target_mark": "mask"}, "drawn into pictures"),
+        ({"mode": "point_cloud", "target_mark": "mask"}, "requires pictures"),
         ({"target_mark": "arrow"}, "Unknown target_mark 'arrow'.*overlay"),
         ({"target_mark": "overlay", "kinds": ("depth",)}, "add 'rgb' to kinds"),
-        ({"mode": "point_cloud", "calibration": True}, "of cameras"),
+        ({"mode": "point_cloud", "calibration": True}, "requires pictures"),
         ({"calibration": 1}, "must be True or False"),
-        ({"geometry": "height_map"}, "what no camera sees"),
+        ({"geometry": "height_map"}, "only inputs of a real robot"),
         ({"grasp_hint": "planned"}, r"use 'pixels\+state'"),
     ],
 )

@@ -1,4 +1,4 @@
-"""Pictures: with GL where there is any, in software everywhere, and the two agree."""
+"""Pictures with GL if available, and in software; both agree."""
 
 import sys
 

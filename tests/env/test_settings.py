@@ -1,4 +1,4 @@
-"""Settings in groups and as keywords of their own: the same environments, one default each."""
+"""Settings as groups and as keywords give the same environments, with one default each."""
 
 import json
 import pickle

@@ -1,4 +1,4 @@
-"""Sleeping and grasping: what the hand touches wakes, what it holds stays awake, touch is told."""
+"""Sleep and grasps: touched objects wake, held ones stay awake, contacts are reported."""
 
 import mujoco
 import numpy as np
@@ -30,14 +30,14 @@ def asleep(world: World, name: str) -> bool:
 
 
 def joints(world: World, point: np.ndarray) -> np.ndarray:
-    """Joints that bring the tool to a world point, the fingers opening along the base's y."""
+    """Return joints that move the tool to a world point, fingers opening along the base's y."""
     found = solve_ik(world.to_base(point), DOWN)
     assert found.solved
     return found.joints
 
 
 def stand(world: World, point: np.ndarray, gripper: float = OPEN) -> None:
-    """Put the arm, at rest, where its tool is at a world point."""
+    """Place the arm at rest with its tool at a world point."""
     found = joints(world, point)
     world.data.qpos[world.arm_qpos] = found
     world.data.ctrl[world.actuators] = [*found, gripper]
@@ -46,7 +46,7 @@ def stand(world: World, point: np.ndarray, gripper: float = OPEN) -> None:
 
 
 def send(world: World, point: np.ndarray, steps: int) -> None:
-    """Send the tool to a world point evenly in ``steps`` simulation steps."""
+    """Move the tool to a world point linearly in ``steps`` simulation steps."""
     world.data.ctrl[world.actuators[:7]] = joints(world, point)
     world.step(steps)
 

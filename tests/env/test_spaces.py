@@ -84,7 +84,7 @@ def test_both_checkers_pass(name, observation, action, shared) -> None:
 
 
 def few_steps(env: gym.Env) -> list[bytes]:
-    """What a seeded reset and some random actions give, to the bit; all as the spaces say."""
+    """Return the results of a seeded reset and some random actions, all within their spaces."""
     rng, shape = np.random.default_rng(4), env.action_space.shape
     seen, info = env.reset(seed=11)
     given = [*values(seen), *values(info["reward_terms"])]
@@ -97,7 +97,7 @@ def few_steps(env: gym.Env) -> list[bytes]:
 
 
 def values(seen: Any) -> list[Any]:
-    """The values of a dict, or what is none."""
+    """Return the values of a dict, or a value that is not a dict."""
     return list(seen.values()) if isinstance(seen, dict) else [seen]
 
 
@@ -216,7 +216,7 @@ def test_the_flat_state_holds_what_its_table_says() -> None:
 
 
 def test_the_state_is_seen_from_the_robots_own_seat() -> None:
-    """A scene turned half round about the table's centre gives the same state."""
+    """A scene rotated by half a turn about the table's centre gives the same state."""
     here = toy_object("cube_1", (0.04, 0.04, 0.04), (0.05, -0.1))
     env = make_env(toy_scene((here,)))
     state, _ = env.reset(seed=0, options={"goal": (0.2, 0.0)})

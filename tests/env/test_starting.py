@@ -1,4 +1,4 @@
-"""Starts that are a little off: how far, what stays as it must, and that they repeat themselves."""
+"""Perturbed starts: magnitude, constraints, and reproducibility."""
 
 import hashlib
 import os
@@ -31,7 +31,7 @@ CUBE = (0.045, 0.045, 0.045)
 
 
 def moved(info: dict[str, Any]) -> dict[str, list[float]]:
-    """How the bundles were displaced, by their first thing."""
+    """Return the displacement of each bundle, by its first object."""
     return info["randomization"]["start"]["moved"]
 
 
@@ -46,13 +46,13 @@ def crowd(count: int = 16, gap: float = 0.012) -> Scene:
 
 
 def deepest(env: TabletopEnv) -> float:
-    """The deepest overlap there is, metres."""
+    """Return the deepest overlap, metres."""
     data = env.world.data
     return -float(data.contact.dist.min(initial=0.0))
 
 
 def drift(env: TabletopEnv, steps: int = 250) -> float:
-    """How far anything moves by itself, metres."""
+    """Return the largest motion of an object without actions, metres."""
     world, before = env.world, env.world.data.xpos[env.world.bodies].copy()
     for _ in range(steps):
         mujoco.mj_step(world.model, world.data)

@@ -1,4 +1,4 @@
-"""What each switch of the randomisation does: lights to table height, delay and noise."""
+"""Effects of each randomisation switch: lights to table height, delay and noise."""
 
 from typing import Any
 
@@ -251,7 +251,7 @@ def test_the_servos_keep_the_arm_where_it_starts() -> None:
 
 @pytest.mark.slow
 def test_a_hint_at_a_start_that_is_off_is_that_starts_own() -> None:
-    """Whatever was planned there before: neither episode may use the other's grasp."""
+    """Neither episode may use the other's grasp."""
 
     def seen(env: TabletopEnv, seed: int) -> np.ndarray:
         return env.reset(seed=seed, options={"target": "cube_1"})[0]

@@ -1,4 +1,4 @@
-"""The tables shipped for single tasks: what is made without ``scenes`` has something to do."""
+"""The tables shipped for specific tasks: the default scenes have a valid task."""
 
 from typing import Any
 

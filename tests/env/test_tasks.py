@@ -1,4 +1,4 @@
-"""PickPlace: what is drawn, when it is a success, and where the reward peaks."""
+"""PickPlace: draws, success, and maximum of the reward."""
 
 from dataclasses import replace
 
@@ -28,7 +28,7 @@ AHEAD = np.pi / 2
 
 
 def start(target: str, goal, scene=None, at=None) -> TabletopEnv:
-    """An environment asked to put a target at a goal, the target put ``at`` a place."""
+    """Return an environment with a target and a goal, the target placed ``at`` a position."""
     env = make_env(scene or toy_scene())
     env.reset(seed=0, options={"target": target, "goal": goal})
     if at is not None:
@@ -191,7 +191,7 @@ def test_left_and_right_are_the_robots(degrees: float) -> None:
     assert [the(world, name) for name in ("mug_0", "mug_1")] == ["the left mug", "the right mug"]
 
     def across(camera: str) -> bool:
-        """Whether the camera shows the robot's left on the right."""
+        """Return whether the camera shows the robot's left on the right."""
         shown = world.model.cam_mat0[world.model.camera(camera).id].reshape(3, 3)[:, 0]
         return bool(shown[:2] @ left > 0.99)
 
@@ -253,5 +253,5 @@ def test_stack_asks_for_no_top_that_the_arm_cannot_hold_a_thing_over() -> None:
     text = "A dining table with a cutting board at the front and two wine glasses at the back."
     near, far = (make_env(compose(text, seed), task="Stack") for seed in (1, 0))
     assert near.reset(seed=0)[1]["goal"] == "cutting_board_1"
-    with pytest.raises(SceneError, match="wine_glass_1: no flat top in reach that carries it"):
+    with pytest.raises(SceneError, match="wine_glass_1: no flat top in reach that can carry it"):
         far.reset(seed=0)

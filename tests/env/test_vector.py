@@ -1,4 +1,4 @@
-"""The vector environment: bit for bit the single ones, Gymnasium's contract, clear errors."""
+"""The vector environment: identical to single ones, Gymnasium's contract, clear errors."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""What cameras give: keys, sizes, depth, segmentation by slots, and point clouds."""
+"""Camera images: keys, sizes, depth, segmentation by slots, and point clouds."""
 
 import numpy as np
 import pytest

@@ -18,7 +18,7 @@ def world() -> World:
 
 
 def asleep(world: World) -> set[str]:
-    """The objects whose tree sleeps."""
+    """Return the objects whose tree sleeps."""
     trees = world.model.body_treeid[world.bodies]
     return {n for n, t in zip(world.names, trees, strict=True) if world.data.tree_asleep[t] >= 0}
 

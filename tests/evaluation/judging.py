@@ -1,4 +1,4 @@
-"""A reasoner that judges, too: the embedded one's answers, and marks that are always the same."""
+"""A reasoner that also judges: the embedded one's answers with constant scores."""
 
 import os
 from collections.abc import Mapping
@@ -15,7 +15,7 @@ SERVER = "JUDGE_OF_THE_TESTS"
 
 
 class Judging:
-    """Gives 3, 4 and 5, and ranks by name, the last first."""
+    """Gives the scores 3, 4 and 5, and ranks by name, the last first."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(EmbeddedReasoner(), name)
@@ -29,7 +29,7 @@ class Judging:
 
 @dataclass(frozen=True)
 class PaidJudging:
-    """Asks a server for each scene, and for the ranking, and gives the same all the same."""
+    """Sends a request per scene and per ranking, and gives constant scores."""
 
     session: Session = field(default_factory=Session, repr=False, compare=False)
     model: str = field(default_factory=lambda: os.environ.get("JUDGE_MODEL", "m"))

@@ -1,4 +1,4 @@
-"""A scene with its picture, and the same scene spoiled on purpose."""
+"""A scene with its picture, and the same scene with deliberate faults."""
 
 import dataclasses
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ VIEW = View(azimuth=0.2, elevation=0.8, fov=0.6)
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """A sound scene, what its camera saw, and the masks of it."""
+    """A valid scene, its camera's picture, and the masks of its objects."""
 
     scene: Scene
     picture: UInt8[np.ndarray, "h w 3"]
@@ -28,7 +28,7 @@ class Shot:
 
 
 def sound() -> Scene:
-    """A mug, a can, a bottle, a long bar and a wide box, well apart."""
+    """Return a scene with a mug, a can, a bottle, a long bar and a wide box, well apart."""
     things = (
         toy_object("mug_1", (0.09, 0.09, 0.095), (-0.3, 0.05), wall=0.006, mass=0.3),
         toy_object("can_1", (0.066, 0.066, 0.12), (0.1, 0.12), mass=0.3, kind="cylinder"),
@@ -40,7 +40,7 @@ def sound() -> Scene:
 
 
 def shot(scene: Scene) -> Shot:
-    """Take the scene's picture, with the masks of what it shows."""
+    """Return the scene's picture, with the masks of its objects."""
     camera = Camera.looking_at(np.array([0.05, -0.02, 0.72]), VIEW, 1.9, 480, 360)
     drawn = render_scene(scene, camera=camera, supersample=1)
     names = (TABLE, *(thing.name for thing in scene.objects))
@@ -50,7 +50,7 @@ def shot(scene: Scene) -> Shot:
 
 
 def spoiled(scene: Scene, name: str, change: str) -> Scene:
-    """Spoil one object: overlap, float, hang, sink, shrink, turn, lift or lose it."""
+    """Damage one object: overlap, float, hang, sink, shrink, turn, lift or remove it."""
     thing = scene.object(name)
     if change == "lose":
         return scene.replace(objects=tuple(o for o in scene.objects if o.name != name))
@@ -59,7 +59,7 @@ def spoiled(scene: Scene, name: str, change: str) -> Scene:
 
 
 def spoiled_four_ways() -> Scene:
-    """The sound scene with one thing that overlaps, one afloat, one shrunk and one turned."""
+    """Return the valid scene with an overlapping, a floating, a shrunken and a turned object."""
     scene = sound()
     for name, change in FOUR.items():
         scene = spoiled(scene, name, change)

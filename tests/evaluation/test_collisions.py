@@ -1,4 +1,4 @@
-"""Overlaps of drawn meshes: known depths, hollow things, and what is no collision."""
+"""Overlaps of visual meshes: known depths, hollow objects, and contacts."""
 
 import dataclasses
 
@@ -139,7 +139,7 @@ def placed(thing: Object, extent) -> Placement:
 
 
 def test_pieces_of_one_thing_count_as_one_solid() -> None:
-    """Two blocks that run into each other: a point deep in both is in the thing once."""
+    """Two overlapping blocks: a point deep in both is inside the object once."""
     bar = moved(cube_mesh(), [1, 0.2, 1], [0, 0, 0])
     post = moved(cube_mesh(), [0.2, 1, 1], [0, 0, 0])
     cross = body(joined(bar, post), [0.1, 0.1, 0.1])
@@ -166,7 +166,7 @@ def test_a_sealed_hollow_counts_as_filled() -> None:
 
 
 def test_faces_back_to_back_bound_nothing() -> None:
-    """Two cubes welded at a side they share: the side is no surface of the whole."""
+    """Two cubes with a common side, which is not a surface of the whole."""
     left, right = (moved(cube_mesh(), [0.5, 1, 1], [x, 0, 0]) for x in (-0.25, 0.25))
     pair = joined(left, right)
     (whole,) = body(pair, [0.1] * 3)
@@ -176,7 +176,7 @@ def test_faces_back_to_back_bound_nothing() -> None:
 
 @pytest.mark.parametrize("turned", [False, True])
 def test_nothing_lies_inside_a_sheet(turned: bool) -> None:
-    """A post that carries a sheet without thickness, its two sides cut along other diagonals."""
+    """A post under a sheet without thickness, whose two sides have different diagonals."""
     post = moved(cube_mesh(), [0.1, 0.1, 1.0], [-0.45, -0.45, 0.0])
     corners = np.array([[-0.4, -0.4, 0.5], [0.5, -0.4, 0.5], [0.5, 0.5, 0.5], [-0.4, 0.5, 0.5]])
     faces = np.array([[0, 1, 2], [0, 2, 3], [1, 0, 3], [1, 3, 2]])
@@ -230,7 +230,7 @@ def test_what_sinks_into_the_table_is_told_apart_from_pairs() -> None:
 
 
 def test_turned_poses_are_heeded() -> None:
-    """Two long bars side by side that only overlap once one is turned."""
+    """Two parallel long bars that only overlap when one is rotated."""
     a = toy_object("bar_1", (0.2, 0.02, 0.02), (0, 0))
     b = toy_object("bar_2", (0.2, 0.02, 0.02), (0, 0.05))
     assert not collisions(toy_scene((a, b))).col_s

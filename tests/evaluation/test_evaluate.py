@@ -1,4 +1,4 @@
-"""Every defect put into a scene on purpose is reported, and a sound scene has none."""
+"""Every deliberate defect of a scene is reported, and a valid scene has none."""
 
 import dataclasses
 import functools
@@ -122,7 +122,7 @@ def test_what_the_truth_does_not_hold_or_holds_elsewhere_is_told() -> None:
 
 @pytest.mark.slow
 def test_a_turn_that_changes_nothing_is_no_defect(taken: Shot) -> None:
-    """A can may stand as it likes; so says the truth, and so says the picture."""
+    """A can may have any yaw, according to the truth and to the picture."""
     scene = spoiled(taken.scene, "can_1", "turn")
     found = evaluate(
         scene, picture=taken.picture, segments=taken.segments, truth=taken.scene, simulate=False
@@ -283,7 +283,8 @@ def test_the_command_asks_a_judge_for_marks_and_a_ranking(
 def paid(
     store: Path, taken: Shot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> Iterator[tuple[Served, Shell]]:
-    """A server, and the command for two scenes, whose judge asks it once for each and to rank."""
+    """A server, and the command for two scenes, whose judge sends a request per scene and
+    ranking."""
     monkeypatch.setitem(TABLE, "paid", {"reasoner": "judging:PaidJudging"})  # type: ignore[arg-type]
     small = functools.partial(render_scene, width=96, height=72)  # what it is shown, drawn quickly
     monkeypatch.setattr("generator.render.sheet.render_scene", small)

@@ -1,4 +1,4 @@
-"""Another method's result: read as it states, scored as ours are, refused where it is no good."""
+"""Results of other methods: read as specified, scored like ours, rejected if invalid."""
 
 import json
 import re
@@ -95,7 +95,7 @@ def test_the_world_is_shifted_so_that_the_table_stands_under_the_origin(folder: 
 
 
 def join(path: Path, *solids: trimesh.Trimesh) -> None:
-    """Write solids, z up, as one mesh."""
+    """Write solids as one mesh, z up."""
     whole = trimesh.util.concatenate(list(solids))
     whole.visual = trimesh.visual.ColorVisuals(whole, face_colors=(180, 150, 120, 255))
     path.write_bytes(trimesh.Scene([whole]).export(file_type="glb"))
@@ -114,7 +114,7 @@ SHELF = block((1.1, 0.6, 0.02), (0, 0, 0.2))
 
 @pytest.mark.parametrize("turned", [False, True])
 def test_things_rest_on_a_tables_top_and_not_on_its_rim(folder: Path, turned: bool) -> None:
-    """A rim 8 mm high, a shelf below; a file may turn its surfaces inwards."""
+    """A rim 8 mm high with a shelf below; surfaces of a file may face inwards."""
     rim = [block((1.2, 0.02, 0.038), (0, y, 0.729)) for y in (-0.34, 0.34)]
     rim += [block((0.02, 0.7, 0.038), (x, 0, 0.729)) for x in (-0.59, 0.59)]
     parts = [p.copy() for p in (TOP, *LEGS, SHELF, *rim)]

@@ -1,4 +1,4 @@
-"""Marks from 1 to 7: a judge is asked once for all criteria, and its answer is checked."""
+"""Scores from 1 to 7: one request for all criteria, with validation of the answer."""
 
 from collections.abc import Mapping
 from typing import Any
@@ -23,7 +23,7 @@ WHITE = np.full((8, 8, 3), 255, np.uint8)
 
 
 class Friendly:
-    """A judge that gives what it was made with."""
+    """A judge with the given answers."""
 
     def __init__(self, marks: Mapping[str, Any], order: tuple[str, ...] = ()) -> None:
         self.marks, self.order, self.seen = marks, order, []

@@ -1,4 +1,4 @@
-"""Scores of likeness: the embedded ones work, the published ones are there or told missing."""
+"""Similarity scores: embedded ones work; published ones work or are reported missing."""
 
 import dataclasses
 import sys
@@ -89,7 +89,7 @@ def test_published_models_are_the_pinned_ones_on_this_machine(
 
 @pytest.mark.slow
 def test_published_models_see_what_the_reference_implementation_sees(tiny_models: Path) -> None:
-    """A black picture: only mean and deviation are in the model's input."""
+    """A black picture: the model's input has only mean and deviation."""
     transformers = pytest.importorskip("transformers")
     black = np.zeros((9, 9, 3), np.uint8)
     for metric, norm in ((DINOV2, transformers.image_utils.IMAGENET_DEFAULT_MEAN),

@@ -1,4 +1,4 @@
-"""What floats, drifts, hangs over the edge: each found, object by object, under several rules."""
+"""Floating, drifting and overhanging objects, found individually under several rules."""
 
 import dataclasses
 

@@ -1,4 +1,4 @@
-"""The camera sweep: which views it takes, what they show, and which is picked."""
+"""The camera sweep: its views, their content, and the choice among them."""
 
 from collections.abc import Sequence
 
@@ -75,7 +75,7 @@ def test_the_view_a_picture_was_taken_from_is_picked(scene: Scene, name: str) ->
 
 
 class Darkness:
-    """A metric of no use but for which way it counts."""
+    """A dummy metric with a given direction."""
 
     def __init__(self, higher: bool) -> None:
         self.name, self.higher_is_better = "darkness", higher

@@ -1,4 +1,4 @@
-"""Which turns leave an object as it is, and yaw errors that respect them."""
+"""Rotational symmetries of objects, and yaw errors modulo symmetry."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Errors against a true scene: yaw modulo symmetry, place, size, support."""
+"""Errors relative to a ground-truth scene: yaw modulo symmetry, position, size, support."""
 
 import dataclasses
 import json
@@ -15,7 +15,7 @@ from generator.scene import Object, Pose
 
 
 def turned(thing: Object, degrees: float, shift=(0.0, 0.0, 0.0)) -> Object:
-    """The object turned further and moved, metres."""
+    """Return the object with an additional rotation and displacement, metres."""
     yaw = thing.placement.yaw + np.deg2rad(degrees)
     pose = Pose(thing.pose.position + np.array(shift), yaw_quaternion(yaw))
     return dataclasses.replace(thing, pose=pose)
@@ -33,7 +33,7 @@ def test_a_cubes_yaw_counts_modulo_a_quarter_turn(degrees: float, wrong: float) 
 
 @pytest.mark.parametrize("printed", [False, True])
 def test_a_flip_of_a_printed_thing_is_an_error(printed: bool) -> None:
-    """A box that is the same from behind but for its print."""
+    """A box that is symmetric except for its print."""
     plain = toy_object("box_1", (0.2, 0.1, 0.08), (0, 0))
     thing = dataclasses.replace(
         plain, model=dataclasses.replace(plain.model, mesh=box(printed=printed))

@@ -1,4 +1,4 @@
-"""What the arm reaches, which way the hand turns, and the way around the base."""
+"""Reach of the arm, rotation of the hand, and paths around the base."""
 
 from typing import Any
 
@@ -43,7 +43,7 @@ def world(table: World) -> World:
 
 
 def over(world: World, radius: float, bearing: float, height: float = 0.1) -> np.ndarray:
-    """A world point by its distance and bearing from the base."""
+    """Return a world point at a distance and bearing from the base."""
     return world.to_world(np.array([radius * np.cos(bearing), radius * np.sin(bearing), height]))
 
 

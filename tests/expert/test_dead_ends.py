@@ -1,4 +1,4 @@
-"""Marked spots can be reached, and the expert gets out of dead ends of the arm's joints."""
+"""Marked spots are reachable, and the expert escapes dead ends of the joints."""
 
 from typing import Any
 
@@ -22,7 +22,7 @@ from tabletopgen_env.world.world import World
 
 
 def played(env: TabletopEnv, limit: int = 200) -> tuple[bool, set[str]]:
-    """Whether the expert solves the episode that has begun, and the phases it went through."""
+    """Return whether the expert solves the current episode, and its phases."""
     expert, held, phases = TaskExpert(env), Held(), set[str]()
     expert.reset()
     for _ in range(limit):
@@ -141,7 +141,8 @@ REFUSABLE = toy_object("post_1", (0.05, 0.05, 0.4), (0.05, -0.1))
 
 
 def asked(seed: int) -> tuple[list[tuple[bytes, bool]], int]:
-    """Spots that are offered for the post and whether each is taken; and steps of kinematics."""
+    """Return the candidate spots for the post, whether each is accepted, and the kinematics
+    steps."""
     world, steps = World(toy_scene((REFUSABLE,)), Panda()), list[int]()
     plan = first_plan(world, "post_1")
     assert plan is not None

@@ -18,7 +18,7 @@ def episode(
     disturb: Callable[[int, TaskExpert], None] = lambda step, expert: None,
     **options: Any,
 ) -> tuple[bool, list[np.ndarray], TaskExpert]:
-    """Whether the expert solves it, by which actions; ``disturb`` comes before each is taken."""
+    """Return whether the expert solves it, and its actions; ``disturb`` precedes each."""
     expert = begun(env, seed, **options)
     actions: list[np.ndarray] = []
     for step in range(200):

@@ -1,4 +1,4 @@
-"""Cross-sections cut into runs: where they begin and end, and what the fingers would slide off."""
+"""Cross-sections cut into runs: their ends, and surfaces from which fingers would slip."""
 
 import numpy as np
 import pytest
@@ -11,14 +11,14 @@ LEVELS = FLOOR + RISE * (np.arange(12) + 0.5)
 
 
 def runs_of(filled: np.ndarray, floor: float = FLOOR) -> Runs:
-    """The runs of voxels [line, cell, level], seen as they are stored."""
+    """Return the runs of voxels [line, cell, level] in storage order."""
     shape = VoxelSolid(np.zeros(2), STEP_U, LEVELS[: filled.shape[2]], filled)
     columns = np.arange(filled[..., 0].size).reshape(filled.shape[:2])
     return find_runs(slabs(shape, floor), columns)
 
 
 def block(first: int = 40, end: int = 60) -> np.ndarray:
-    """A block from one cell to another, on the lines 8 to 31 of 40."""
+    """Return a block from one cell to another, on lines 8 to 31 of 40."""
     filled = np.zeros((40, 100, 12), bool)
     filled[8:32, first:end] = True
     return filled

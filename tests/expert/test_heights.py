@@ -1,4 +1,4 @@
-"""Height maps: each part is scanned where it is, with the heights of a scan of everything."""
+"""Height maps: scans of each part equal scans of everything."""
 
 import numpy as np
 from toy import corners

@@ -1,4 +1,4 @@
-"""Places: beside what is there already, turned to fit, over the rim where fingers do not go."""
+"""Placement: beside the contents, rotated to fit, over the rim out of the fingers' reach."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What tests of imports share."""
+"""Shared fixtures of the import tests."""
 
 from collections.abc import Callable
 
@@ -10,5 +10,5 @@ from generator.imports.mjcf import read_mjcf
 
 @pytest.fixture
 def read() -> Callable[..., ForeignScene]:
-    """Read MJCF without the child process, which takes most of the time."""
+    """Read MJCF without the child process, which would take most of the time."""
     return read_mjcf

@@ -1,4 +1,4 @@
-"""A folder of foreign meshes, each with a fault of its own or none, made by hand."""
+"""A folder of hand-made foreign meshes, with a distinct fault each or none."""
 
 import json
 from collections.abc import Callable, Mapping
@@ -17,7 +17,7 @@ def box(x: float = 0.06, y: float = 0.05, z: float = 0.04) -> trimesh.Trimesh:
 
 
 def torn() -> trimesh.Trimesh:
-    """A ball of which every seventh triangle is missing."""
+    """Return a ball without every seventh triangle."""
     mesh = trimesh.creation.icosphere(3, 0.04)
     mesh.update_faces(np.arange(len(mesh.faces)) % 7 != 0)
     return mesh
@@ -30,7 +30,7 @@ def inside_out() -> trimesh.Trimesh:
 
 
 def pinched() -> trimesh.Trimesh:
-    """Two boxes that share an edge: four faces meet there."""
+    """Return two boxes that share an edge, at which four faces meet."""
     one, other = box(), box()
     other.apply_translation((0.06, 0.0, 0.04))
     mesh = trimesh.util.concatenate([one, other])
@@ -64,7 +64,7 @@ def sheet(thickness: float = 2e-4) -> trimesh.Trimesh:
 
 
 def layer() -> trimesh.Trimesh:
-    """A rectangle of two triangles, without any thickness."""
+    """Return a rectangle of two triangles without thickness."""
     corners = np.array([[0, 0, 0], [0.2, 0, 0], [0.2, 0, 0.15], [0, 0, 0.15]])
     return trimesh.Trimesh(corners, [[0, 2, 1], [0, 3, 2]], process=False)
 
@@ -74,7 +74,7 @@ def ball() -> trimesh.Trimesh:
 
 
 def heavy() -> trimesh.Trimesh:
-    """A bumpy ball of 1.3 million triangles."""
+    """Return a bumpy ball of 1.3 million triangles."""
     mesh = trimesh.creation.icosphere(8, 0.04)
     mesh.vertices *= 1 + 0.05 * np.sin(60 * mesh.vertices[:, :1])
     return mesh
@@ -92,7 +92,7 @@ MAKERS: Mapping[str, Maker] = {
 def write_meshes(
     folder: Path, makers: Mapping[str, Maker] = MAKERS, files: Mapping[str, bytes] | None = None
 ) -> Path:
-    """Write a GLB file for each mesh, and files as they are, and where each stands on a table."""
+    """Write meshes as GLB, other files unchanged, and the position of each on a table."""
     folder.mkdir(parents=True, exist_ok=True)
     heights: dict[str, float] = {}
     for name, make in makers.items():

@@ -1,4 +1,4 @@
-"""MJCF files of other programs, made by hand."""
+"""Hand-made MJCF files like those of other programs."""
 
 from pathlib import Path
 

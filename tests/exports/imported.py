@@ -1,4 +1,4 @@
-"""What others read in an export: bodies with mass, pose, extent and collision parts.
+"""The content of an export as other readers see it: mass, pose, extent and collision parts.
 
 None of the exports' own code is used: MuJoCo reads MJCF and URDF, pxr USD, trimesh GLB, and SDF,
 which no package reads, is read from its XML.
@@ -25,7 +25,7 @@ EXTENT = tuple[tuple[float, ...], tuple[float, ...]]
 
 @dataclass
 class Found:
-    """One body as read: numbers in its own frame, its pose in the world (z up, wxyz).
+    """A body as read: numbers in its own frame, its pose in the world (z up, wxyz).
 
     The mass of what is fixed is 0.
     """
@@ -36,7 +36,7 @@ class Found:
     com: np.ndarray = field(default_factory=lambda: np.zeros(3))
     inertia: np.ndarray = field(default_factory=lambda: np.zeros((3, 3)))
     friction: float | None = None
-    drawn: np.ndarray | None = None  # lowest and highest corner of what is drawn
+    drawn: np.ndarray | None = None  # lowest and highest corner of the visual geometry
     parts: list[np.ndarray] = field(default_factory=list)  # corners of each piece's surface
 
 
@@ -45,7 +45,7 @@ def bounds(points: np.ndarray) -> np.ndarray:
 
 
 def from_model(path: Path) -> dict[str, Found]:
-    """Read what MuJoCo compiles of MJCF or URDF."""
+    """Read the model that MuJoCo compiles from MJCF or URDF."""
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -69,7 +69,7 @@ def from_model(path: Path) -> dict[str, Found]:
 
 
 def geom_points(model: Any, g: int) -> np.ndarray:
-    """Return corners of a geom in its body's frame; of primitives those of their box."""
+    """Return corners of a geom in its body's frame; for primitives those of their box."""
     frame = Rotation.from_quat(model.geom_quat[g], scalar_first=True)
     kind, size = model.geom_type[g], model.geom_size[g]
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
@@ -245,7 +245,7 @@ READERS: dict[str, Callable[[Path], dict[str, Found]]] = {
 
 
 def settle_drift(found: dict[str, Found], seconds: float = 2.0) -> float:
-    """Return how far a body moves at most, metres, in MuJoCo with its usual settings.
+    """Return the maximum motion of a body in MuJoCo with default settings, metres.
 
     Bodies without a mass do not move; collision parts are hulls of the corners that were read.
     """

@@ -1,4 +1,4 @@
-"""Programs of an environment of their own that read or write exports, and what they find.
+"""Programs in a separate environment that read or write exports, and their results.
 
 They need other versions than this package (mujoco-usd-converter 0.8.0: MuJoCo < 3.17) or much that
 it does not (yourdfpy). To have them:
@@ -64,7 +64,7 @@ print(json.dumps(found))
 
 
 def ask(script: str, *arguments: object, needs: str) -> Any:
-    """Return the JSON that a script prints in the other environment; skip where it is not there."""
+    """Return the JSON printed by a script in the other environment; skip without one."""
     python = os.environ.get(VARIABLE, "")
     if not Path(python).is_file():
         pytest.skip(
@@ -83,7 +83,7 @@ def ask(script: str, *arguments: object, needs: str) -> Any:
 
 
 def check_sdf(path: Path) -> str:
-    """Return what Debian's or Gazebo's checker says of an SDF file; skip where there is none."""
+    """Return the output of Debian's or Gazebo's checker for an SDF file; skip without one."""
     program = next((p for p in ("gz", "ign") if shutil.which(p)), None)
     if program is None:
         pytest.skip(

@@ -1,4 +1,4 @@
-"""What others read in an export, drawn: the triangles and colours that they have, not ours."""
+"""Renders of exports from the triangles and colours that other readers see."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,7 +16,7 @@ UP = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])  # of y up to z up
 
 
 def from_urdf(path: Path) -> Iterator[Item]:
-    """Yield what MuJoCo draws of a URDF; it reads no textures, so that all is in plain colours."""
+    """Yield MuJoCo's geoms of a URDF in plain colours, since it reads no textures."""
     model = mujoco.MjModel.from_xml_path(str(path / "scene.urdf"))
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
@@ -31,7 +31,7 @@ def from_urdf(path: Path) -> Iterator[Item]:
 
 
 def from_glb(path: Path) -> Iterator[Item]:
-    """Yield what trimesh reads in the first scene of a GLB."""
+    """Yield trimesh's geometry of the first scene of a GLB."""
     tree, rest = glb_tree(path.read_bytes())
     drawn = glb_scene(dict(tree, scene=0), rest)
     for k, name in enumerate(sorted(drawn.graph.nodes_geometry)):
@@ -43,7 +43,7 @@ def from_glb(path: Path) -> Iterator[Item]:
 
 
 def from_usd(path: Path) -> Iterator[Item]:
-    """Yield what pxr reads of a USD stage."""
+    """Yield pxr's geometry of a USD stage."""
     from pxr import Usd, UsdGeom, UsdShade
 
     stage = Usd.Stage.Open(str(path / "scene.usdc"))

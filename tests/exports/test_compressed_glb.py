@@ -70,7 +70,7 @@ def quantized() -> tuple[dict[str, Any], list[bytes]]:
 
 
 def meshopt() -> bytes:
-    """The same tetrahedron, its columns compressed as gltfpack does."""
+    """Return the same tetrahedron with columns compressed as by gltfpack."""
     import meshoptimizer
 
     header, columns = quantized()

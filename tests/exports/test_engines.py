@@ -1,4 +1,4 @@
-"""Exports in other physics engines: what each needs is written, and scenes stay and slide there."""
+"""Exports in other physics engines: required elements, and stable and sliding scenes."""
 
 import csv
 import json
@@ -42,7 +42,7 @@ def need(name: str) -> None:
 
 @pytest.fixture(scope="module")
 def scene() -> Scene:
-    """A few things, rougher and smoother than the table."""
+    """Return a few objects, rougher and smoother than the table."""
     scene = load(BUNDLES["vanity"])
     things = [
         replace(thing, friction=mu)
@@ -190,7 +190,7 @@ def test_drake_has_every_object_free_at_its_pose(name: str, scene: Scene, tmp_pa
 
 
 def check_places(found: object, scene: Scene) -> None:
-    """Check that centres of mass are where the scene has them, and nothing else is free."""
+    """Check that centres of mass match the scene, and that nothing else is free."""
     assert isinstance(found, dict)
     bodies = [body for body in bodies_of(scene) if not body.fixed]
     assert {*found} == {body.name for body in bodies}
@@ -208,7 +208,7 @@ def check_places(found: object, scene: Scene) -> None:
     ],
 )  # fmt: skip
 def test_loaders_run_by_themselves(to: str, script: str, needs: str, tmp_path: Path) -> None:
-    """They need nothing of this package, and are started from any folder."""
+    """They need nothing of this package, and can be started from any folder."""
     need(needs)
     scene = load(BUNDLES["vanity"])
     path = export(scene, to, tmp_path / "there") / script

@@ -1,4 +1,4 @@
-"""Exports, read back by others: the same bodies, masses, poses, extents and collision parts."""
+"""Exports read by other programs: equal bodies, masses, poses, extents and collision parts."""
 
 import dataclasses
 import importlib.util
@@ -31,7 +31,7 @@ def scene() -> Scene:
 
 
 def check(found: dict[str, Found], bodies: tuple[ExportBody, ...]) -> None:
-    """Check that what was read is what the scene holds, to 1e-4."""
+    """Check that the read content matches the scene, to 1e-4."""
     assert set(found) == {body.name for body in bodies}
     for body in bodies:
         read = found[body.name]

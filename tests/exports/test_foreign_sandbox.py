@@ -1,4 +1,4 @@
-"""Foreign scenes are read in a child process with limits; this process parses nothing."""
+"""Foreign scenes are parsed only in a child process with limits."""
 
 import json
 import os
@@ -66,7 +66,7 @@ print(len(read_scene("mjcf", Path(sys.argv[1])).objects))
 
 
 def started(path: Path, folder: Path, before: str = "") -> subprocess.Popen[str]:
-    """Return a process that reads a scene, its working and temporary folder being ``folder``."""
+    """Return a process that reads a scene, with ``folder`` as working and temporary folder."""
     folder.mkdir()
     command = f'{before} exec "$0" "$@"'
     return subprocess.Popen(
@@ -128,7 +128,7 @@ for path in sys.argv[1:]:
 
 
 def hostile_scenes(folder: Path) -> list[Path]:
-    """Foreign scenes of few bytes that ask for much work or memory."""
+    """Small foreign scenes that require much work or memory."""
     ball = trimesh.creation.icosphere(6, 0.03)  # 81,920 triangles
     flat = '<texture name="t" type="2d" builtin="flat" width="26000" height="26000"/>'
     heads = {

@@ -1,4 +1,4 @@
-"""GLB files of other programs, and of this one, read as bodies."""
+"""GLB files of other programs and of this package, read as bodies."""
 
 import json
 import struct

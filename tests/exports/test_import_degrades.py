@@ -1,4 +1,4 @@
-"""An object that cannot be used costs itself alone; an outcome says what was done with each."""
+"""A faulty object does not affect the others; the outcome reports each object."""
 
 import json
 from dataclasses import replace
@@ -136,7 +136,7 @@ def test_a_scene_that_was_not_imported_has_no_outcomes() -> None:
 def test_a_file_that_breaks_its_reader_is_refused_alone(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Files are read together in one child process, and apart if that one dies."""
+    """Files are read together in one child process, and separately if that one dies."""
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     monkeypatch.syspath_prepend(tmp_path)
     (tmp_path / "sitecustomize.py").write_text(
@@ -357,7 +357,7 @@ def test_objects_beyond_the_budget_of_cuts_collide_as_their_hulls(
 def test_objects_beyond_the_shapes_of_a_bundle_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What a bundle counts is refused before it is built, settled and judged."""
+    """Limits of a bundle are checked before objects are built, settled and checked."""
     build, built = scenes.build_object, list[str]()
     monkeypatch.setattr(
         scenes,
@@ -449,7 +449,7 @@ def test_a_file_that_reaches_a_limit_is_read_once_and_others_go_on(
 
 @pytest.fixture
 def apart(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """The files that are read apart, each in this process."""
+    """The files that are read separately, here in this process."""
     asked: list[str] = []
 
     def call(function: object, raw: bytes, what: str, *args: object, **given: Any) -> object:

@@ -1,4 +1,4 @@
-"""An import ends the same way, whatever its objects are called."""
+"""Imports do not depend on the names of objects."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ NAMES = [
 def test_what_fails_is_left_out_whatever_it_is_called(
     sound: str, sunk: str, tmp_path: Path
 ) -> None:
-    """The second thing is a pin that tips as gravity leans."""
+    """The second object is a pin that tips when gravity leans."""
     path = write(
         tmp_path,
         TABLE + f'<body name="{sound}" pos="1 2 .77"><freejoint/>'

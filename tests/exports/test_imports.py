@@ -1,4 +1,4 @@
-"""Foreign scenes as bundles: MJCF, GLB and folders, what is refused, and exports read again."""
+"""Foreign scenes as bundles: MJCF, GLB and folders, rejections, and imports of exports."""
 
 import dataclasses
 import json
@@ -117,7 +117,7 @@ def test_primitives_stay_primitives_where_they_lie_along_the_axes() -> None:
 
 
 def write_folder(folder: Path, **changes: object) -> Path:
-    """A folder with one box, 10 x 6 x 4 cm, y up as GLB is, and where it stands."""
+    """Write a folder with one box, 10 x 6 x 4 cm, y up as in GLB, and its position."""
     trimesh.creation.box((0.1, 0.04, 0.06)).export(folder / "box.glb")
     thing = {"name": "box_1", "file": "box.glb", "position": [0.1, 0.0, 0.76], "mass": 0.5}
     poses = {"table": {"size": [1.0, 0.6, 0.74]}, "objects": [thing | changes]}
@@ -179,7 +179,7 @@ def test_a_folder_of_files_becomes_a_scene(tmp_path: Path) -> None:
 
 
 def extent(thing: Object) -> np.ndarray:
-    """Corners of what collides and of what is drawn, and the centre of mass, in the world."""
+    """Return corners of collision and visual geometry, and the centre of mass, in the world."""
     turn = quaternion_matrix(thing.pose.quaternion)
     solid = np.concatenate([part.vertices for part in thing.parts])
     drawn = thing.model.mesh.vertices * thing.scale
@@ -191,7 +191,7 @@ def extent(thing: Object) -> np.ndarray:
 
 
 def check_same(again: Scene, scene: Scene) -> None:
-    """Check that an export read again holds the same objects, and nothing has moved by 1 mm."""
+    """Check that a reimported export has the same objects, moved by less than 1 mm."""
     assert again.report is not None and again.report.passed
     assert again.report.settling < 1e-3
     assert [o.name for o in again.objects] == [o.name for o in scene.objects]

@@ -1,4 +1,4 @@
-"""The files of a foreign MJCF: gathered inside of a folder, bounded, and compiled."""
+"""The files of a foreign MJCF: collected within a folder, bounded, and compiled."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""One budget for all scenes, nodes and copies of a foreign model, held before it is parsed."""
+"""One budget for all scenes, nodes and copies of a foreign model, checked before parsing."""
 
 import json
 import struct

@@ -1,4 +1,4 @@
-"""One object alone, in each format, read back by others."""
+"""A single object in each format, read by other programs."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Exports held against other programs, and pictures of what is read again."""
+"""Exports checked by other programs, and pictures of their results."""
 
 import dataclasses
 from pathlib import Path
@@ -34,7 +34,7 @@ def scene() -> Scene:
 
 @pytest.fixture(scope="module")
 def crowd() -> Scene:
-    """Sixty cubes, the first of them with names that no format allows."""
+    """Sixty cubes, the first ones with names that no format allows."""
     things = []
     for k in range(60):
         at = (0.1 * (k % 10 - 5), 0.1 * (k // 10) - 0.25)
@@ -87,7 +87,7 @@ def test_libsdformat_says_valid(which: str, tmp_path: Path, request) -> None:
 
 
 def off(one: np.ndarray, other: np.ndarray) -> float:
-    """Mean difference of two pictures, grey levels."""
+    """Return the mean difference of two pictures, grey levels."""
     return float(np.abs(one.astype(int) - other.astype(int)).mean())
 
 

@@ -1,4 +1,4 @@
-"""Every shipped bundle as GLB: valid, readable, the same when imported again; its meshes too."""
+"""Every shipped bundle as GLB: valid, readable, and identical after reimport."""
 
 import json
 import shutil
@@ -27,7 +27,7 @@ VALIDATE = Path(__file__).with_name("validate_gltf.cjs")
 
 
 def validate(*files: Path) -> dict[str, Any]:
-    """Return what the Khronos validator says of files, by name; skip where it is not there."""
+    """Return the output of the Khronos validator for files, by name; skip without it."""
     node = shutil.which("node")
     if node is None or not (MODULES / "gltf-validator").is_dir():
         what = "Node.js is missing" if node is None else f"{MODULES} lacks gltf-validator"
@@ -69,7 +69,7 @@ def test_every_shipped_bundle_is_imported_from_glb_as_it_was(name: str, tmp_path
 @pytest.mark.slow
 @pytest.mark.parametrize("name", BUNDLES)
 def test_exported_meshes_serve_the_folder_modeler(name: str, tmp_path: Path) -> None:
-    """The OBJ files of an export as they lie there, and the meshes of a GLB, one file each."""
+    """The OBJ files of an export as they are, and the meshes of a GLB, one file each."""
     scene = load(BUNDLES[name])
     cut_glb(export(scene, "glb", tmp_path, name), scene, tmp_path / "cut")
     meshes = export(scene, "sdf", tmp_path, name) / "meshes"
@@ -80,7 +80,7 @@ def test_exported_meshes_serve_the_folder_modeler(name: str, tmp_path: Path) -> 
 
 
 def cut_glb(path: Path, scene: Scene, folder: Path) -> None:
-    """Write what draws each object of a GLB as a file of its name."""
+    """Write the visual geometry of each object in a GLB to a file of its name."""
     folder.mkdir()
     drawn = trimesh.load_scene(path, process=False)
     names = [body.name for body in bodies_of(scene) if not body.fixed]
@@ -91,7 +91,7 @@ def cut_glb(path: Path, scene: Scene, folder: Path) -> None:
 
 
 def check_model(modeler: Folder, thing: Object) -> None:
-    """Check that the modeler answers with an object's own mesh, size and texture."""
+    """Check that the modeler returns an object's own mesh, size and texture."""
     asked = replace(instance(thing.label), name=thing.name)
     model = modeler.model(asked, SizePrior(thing.label, thing.scale), USUAL_VIEW)
     np.testing.assert_allclose(model.size, thing.scale, atol=1e-5, err_msg=thing.name)

@@ -1,4 +1,4 @@
-"""Faults planted for the harness's own tests: each must be found."""
+"""Planted faults for the harness's tests: each must be detected."""
 
 import os
 import random
@@ -12,7 +12,7 @@ from generator.errors import InputError
 
 
 def sound(rng: random.Random, folder: Path) -> Run:
-    """Refuse every other input by an error of ours."""
+    """Refuse every other input with an error of the package."""
     odd = rng.random() < 0.5
 
     def run() -> bool:
@@ -24,7 +24,7 @@ def sound(rng: random.Random, folder: Path) -> Run:
 
 
 def raises(rng: random.Random, folder: Path) -> Run:
-    """Raise an exception that is none of ours."""
+    """Raise a foreign exception."""
     return lambda: bool({}["missing"])
 
 
@@ -34,7 +34,7 @@ def sleeps(rng: random.Random, folder: Path) -> Run:
 
 
 def eats(rng: random.Random, folder: Path) -> Run:
-    """Take more memory than may be, and hold it."""
+    """Exceed the memory limit, and hold the memory."""
 
     def run() -> bool:
         held = bytearray(600 * 2**20)
@@ -45,7 +45,7 @@ def eats(rng: random.Random, folder: Path) -> Run:
 
 
 def gulps(rng: random.Random, folder: Path) -> Run:
-    """Take more memory than may be for a moment only."""
+    """Exceed the memory limit for a moment only."""
 
     def run() -> bool:
         return len(b"x" * (600 * 2**20)) > 1
@@ -54,18 +54,18 @@ def gulps(rng: random.Random, folder: Path) -> Run:
 
 
 def feeds(rng: random.Random, folder: Path) -> Run:
-    """Have a child process take more memory than may be."""
+    """Make a child process exceed the memory limit."""
     code = "import time; held = bytearray(600 * 2**20); held[::4096] = b'x' * len(held[::4096])"
     return lambda: os.system(f'{sys.executable} -c "{code}; time.sleep(30)"') == 0
 
 
 def delegates(rng: random.Random, folder: Path) -> Run:
-    """Have a child process take more time than may be."""
+    """Make a child process exceed the time limit."""
     return lambda: os.system(f"{sys.executable} -c 'while True: pass'") == 0
 
 
 def idles(rng: random.Random, folder: Path) -> Run:
-    """Wait, without need of the processor, for longer than a case may work."""
+    """Wait, without using the processor, for longer than a case may work."""
     return lambda: time.sleep(3) is None
 
 
@@ -79,12 +79,12 @@ def removes(rng: random.Random, folder: Path) -> Run:
 
 
 def appends(rng: random.Random, folder: Path) -> Run:
-    """Change a file above the folder by another program, which no hook in Python sees."""
+    """Change a file above the folder with another program, invisible to Python's hooks."""
     return lambda: os.system(f"echo x >> {folder.parents[1]}/precious/file.txt") == 0
 
 
 def escapes(rng: random.Random, folder: Path) -> Run:
-    """Write far outside; the guard keeps it from happening."""
+    """Write far outside the folder; the guard prevents it."""
     place = folder.parents[2] / "far.txt"
     return lambda: bool(place.write_text("x"))
 
@@ -95,5 +95,5 @@ def leaves(rng: random.Random, folder: Path) -> Run:
 
 
 def broken(rng: random.Random, folder: Path) -> Run:
-    """Cannot craft anything."""
+    """Fail to craft any input."""
     raise ValueError("a fault of the target")

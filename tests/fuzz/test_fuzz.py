@@ -1,4 +1,4 @@
-"""Hostile input of every kind ends in a result or in an error of ours, in time and in bounds.
+"""Hostile input of every kind gives a result or an error of the package, within limits.
 
 A failure names the case; ``benchmarks/fuzz.py --kind K --case N --seed S`` runs it again.
 """

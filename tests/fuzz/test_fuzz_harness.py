@@ -1,4 +1,4 @@
-"""The harness of hostile input finds what is planted, and tells how to see it again."""
+"""The fuzzing harness detects planted faults, and reports how to reproduce them."""
 
 import importlib.util
 import json

@@ -1,4 +1,4 @@
-"""Grasp labels: where they are, what the trials say, and the file in the bundle."""
+"""Grasp labels: positions, trial results, and the file in the bundle."""
 
 import json
 import shutil
@@ -53,7 +53,7 @@ def labels() -> GraspLabels:
 
 @pytest.fixture
 def made(box: Object, tmp_path: Path) -> Path:
-    """A bundle with a box that fingers hold and a cube that is too wide for them."""
+    """A bundle with a box that the fingers can hold and a cube that is too wide."""
     wide = toy_object("cube_1", (0.085, 0.085, 0.085), (0.3, 0.0))
     return save(toy_scene((box, wide)), tmp_path / "bundles", allow_failed=True)
 
@@ -147,8 +147,8 @@ def test_an_interrupted_run_resumes(
         (lambda d: d["objects"]["box_1"]["quality"].__setitem__(0, 1.5), "must be in"),
         (lambda d: d["objects"]["box_1"].update(extra=[]), "columns"),
         (lambda d: d["objects"]["box_1"]["quaternion"].__setitem__(0, [1, 1, 0, 0]), "length 1"),
-        (lambda d: d["objects"]["box_1"]["position"].__setitem__(0, [0, "x", 0]), "no number"),
-        (lambda d: d["objects"]["box_1"]["width"].__setitem__(0, 10**400), "no number"),
+        (lambda d: d["objects"]["box_1"]["position"].__setitem__(0, [0, "x", 0]), "a valid number"),
+        (lambda d: d["objects"]["box_1"]["width"].__setitem__(0, 10**400), "a valid number"),
         (lambda d: d["terms"].update(count=0), "count"),
     ],
 )
@@ -173,7 +173,7 @@ def test_labels_that_are_a_link_or_no_json_are_refused(made: Path, tmp_path: Pat
         read_grasps(made)
     file.unlink()
     file.write_text("[NaN]")
-    with pytest.raises(BundleError, match="no sound labels"):
+    with pytest.raises(BundleError, match="no valid labels"):
         read_grasps(made)
     file.unlink()
 
@@ -211,7 +211,7 @@ def test_workers_and_the_command(made: Path, tmp_path: Path, shell: Shell) -> No
     assert "box_1: 4 grasps" in said and "cube_1: 0 grasps" in said
     assert picture.read_bytes().startswith(b"\x89PNG")
     two = (made / FILE).read_bytes()
-    assert "1 of 1 bundles are labelled" in shell(*words).out
+    assert "1 of 1 bundles are already labelled" in shell(*words).out
     shell(*words, "--again")
     assert (made / FILE).read_bytes() == two
     shell("grasps", "no-such-bundle", code=4)

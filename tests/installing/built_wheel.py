@@ -1,8 +1,8 @@
-"""The wheel, built of a copy of the checkout, installed apart from it and tried there.
+"""The wheel, built from a copy of the checkout, installed separately and tested.
 
     python tests/installing/built_wheel.py dist
 
-Needs no network: setuptools is there, and what the package depends on is installed already.
+Needs no network: setuptools and the dependencies of the package are already installed.
 """
 
 import os
@@ -65,8 +65,8 @@ print("tried", sys.argv[1])
 
 
 def build(out: Path) -> Path:
-    """Build the wheel into a folder, of a copy, so that no earlier build's files get into it."""
-    static_folder()  # of a checkout it is built here, with npm
+    """Build the wheel into a folder from a copy, without files of earlier builds."""
+    static_folder()  # a checkout builds it here with npm
     source = out / "source"
     unused = shutil.ignore_patterns("__pycache__")
     for name in PACKAGES:
@@ -80,7 +80,7 @@ def build(out: Path) -> Path:
 
 
 def left_out(wheel: Path) -> set[str]:
-    """Return the packages' files that the wheel does not hold."""
+    """Return the packages' files that are missing from the wheel."""
     files = (path for name in PACKAGES for path in (ROOT / name).rglob("*") if path.is_file())
     wanted = {p.relative_to(ROOT).as_posix() for p in files if "__pycache__" not in p.parts}
     with zipfile.ZipFile(wheel) as held:
@@ -92,7 +92,7 @@ def install(wheel: Path, folder: Path) -> None:
 
 
 def attempt(folder: Path) -> None:
-    """Try what is installed in a folder: the packages, the command, the module."""
+    """Test an installation in a folder: the packages, the command, the module."""
     _run("-P", "-c", TRIAL, folder, cwd=folder, path=folder)
     for words in ([folder / "bin" / "tabletopgen"], ["-m", "tabletopgen_env"]):
         shown = _run("-P", *words, "--help", cwd=folder, path=folder)
@@ -100,7 +100,7 @@ def attempt(folder: Path) -> None:
 
 
 def _run(*words: object, cwd: Path | None = None, path: Path | None = None) -> str:
-    """Run Python; return what it prints.
+    """Run Python; return its output.
 
     Raises:
         AssertionError: it fails.
@@ -117,7 +117,7 @@ def _run(*words: object, cwd: Path | None = None, path: Path | None = None) -> s
 
 
 def main(out: Path) -> None:
-    """Leave the wheel in a folder, newly made, once it has been tried."""
+    """Build the wheel, test it, and leave it in a folder."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     wheel = build(out)

@@ -1,4 +1,4 @@
-"""The wheel works where nothing but the wheel is, without the checkout and its extras."""
+"""The wheel works alone, without the checkout and its extras."""
 
 import shutil
 import zipfile

@@ -1,4 +1,4 @@
-"""TabletopGen in LeRobot and in vla-eval: as far as it needs neither, and with both."""
+"""TabletopGen in LeRobot and in vla-eval, with and without these packages."""
 
 import importlib
 import os
@@ -97,7 +97,7 @@ def test_an_episode_ends_once_success_has_held() -> None:
 
 @pytest.fixture
 def view(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """LeRobot's view of an environment, without the package, which needs LeRobot."""
+    """LeRobot's view of an environment, from a module that does not need LeRobot."""
     monkeypatch.syspath_prepend(
         str(ROOT / "integrations/lerobot_env_tabletopgen/lerobot_env_tabletopgen")
     )

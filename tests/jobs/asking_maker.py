@@ -1,4 +1,4 @@
-"""A maker of scenes that asks a server for each, for processes to import."""
+"""An importable scene maker that sends a request to a server for each scene."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +15,7 @@ from generator.scene import Report
 
 @dataclass(frozen=True)
 class AskingMaker:
-    """Asks the server at ``url`` for a text, keeps the answer in ``calls``, and makes a cube."""
+    """Requests a text from the server at ``url``, caches it in ``calls``, and makes a cube."""
 
     url: str
     calls: str

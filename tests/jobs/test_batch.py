@@ -1,4 +1,4 @@
-"""Many scenes: all that can be made are made, once, whatever happens in between."""
+"""Batches: every valid scene is generated exactly once, despite interruptions."""
 
 import json
 import os
@@ -92,7 +92,7 @@ def test_a_process_that_dies_takes_its_own_scene_alone(tmp_path: Path, log: Path
 def test_a_process_that_dies_between_two_scenes_ends_no_batch(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch, busy: bool
 ) -> None:
-    """Killed while the next scene is handed out, others at work or not."""
+    """Killed while the next scene is handed out, with or without other workers."""
     given, killed = [], []
 
     class Killed(WorkerPool):
@@ -239,7 +239,7 @@ def test_bad_numbers_and_folders_are_refused(tmp_path: Path, log: Path) -> None:
 def test_a_worker_computes_on_one_thread(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Others work beside it; who wants it otherwise says so as for NumPy's BLAS and torch."""
+    """Other workers run in parallel; users can override this as for BLAS and torch."""
     threads = log.with_name(f"{log.name}.threads")
     monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
     batch.run(["wide cube"], tmp_path / "one", ToyMaker(str(log)), workers=2)

@@ -1,4 +1,4 @@
-"""``tabletopgen batch``: scenes composed in processes are those composed here."""
+"""``tabletopgen batch``: scenes composed in processes equal those composed here."""
 
 import pickle
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Records and prompts that somebody else wrote: nothing outside is touched, nothing hangs."""
+"""Records and prompts written by others: no changes outside the folder, no hangs."""
 
 import json
 import os
@@ -25,7 +25,7 @@ def make(tmp_path: Path) -> ToyMaker:
 
 @pytest.fixture
 def out(tmp_path: Path, make: ToyMaker) -> Path:
-    """A batch's folder, with somebody's own files in it and beside it."""
+    """A batch's folder, with files of another user in and beside it."""
     for place in (tmp_path / "kept", tmp_path / "out" / "kept", tmp_path / "out" / PLACE):
         place.mkdir(parents=True)
         (place / "file").write_text("precious")
@@ -33,7 +33,7 @@ def out(tmp_path: Path, make: ToyMaker) -> Path:
 
 
 def record(out: Path, make: ToyMaker, raw: str | bytes | None = None, **told: object) -> Path:
-    """Write the record of ``JOB`` as somebody else might; return where its scene is made."""
+    """Write the record of ``JOB`` as another user might; return the folder of its scene."""
     name = key_of(JOB, make)
     content = json.dumps({"text": JOB.text, "seed": 0, **told}) if raw is None else raw
     path = out / PLACE / f"{name}.json"
@@ -42,7 +42,7 @@ def record(out: Path, make: ToyMaker, raw: str | bytes | None = None, **told: ob
 
 
 def other_bundle(folder: Path) -> Path:
-    """A sound bundle that no batch made."""
+    """A valid bundle that no batch created."""
     thing = toy_object("cube_1", (0.07,) * 3, (0.0, 0.0))
     scene = toy_scene((thing,), name="other")
     return bundle.save(

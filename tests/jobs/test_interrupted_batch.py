@@ -1,4 +1,4 @@
-"""Ctrl-C in a batch: calls under way may be answered, no new ones are made, twice ends all."""
+"""Ctrl-C in a batch: pending calls may finish, no new ones start; a second one ends all."""
 
 import threading
 import time

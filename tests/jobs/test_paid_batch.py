@@ -1,4 +1,4 @@
-"""Batches that cost money: one sum for all scenes, workers and runs."""
+"""Batches with paid calls: one budget for all scenes, workers and runs."""
 
 import json
 import pickle
@@ -49,7 +49,7 @@ def test_processes_spend_one_sum_and_go_on_with_a_larger_one(tmp_path: Path) -> 
 
 @pytest.mark.slow
 def test_a_folder_that_the_workers_do_not_share_ends_the_batch(tmp_path: Path) -> None:
-    """They would each spend the whole sum."""
+    """Each of them would spend the whole sum."""
     budget = batch.shared_budget(tmp_path / "theirs")
     shutil.rmtree(tmp_path / "theirs")
     make = ToyMaker(str(tmp_path / "log"), "http://127.0.0.1:9", budget, 1.0)
@@ -71,7 +71,7 @@ def test_a_budget_needs_a_sum_on_disk(tmp_path: Path) -> None:
 def test_who_answers_is_decided_where_the_batch_is_made(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Processes elsewhere have other environments; a scene has one record all the same."""
+    """Processes elsewhere have other environments; the record of a scene is the same."""
 
     def made(model: str) -> batch.Generating:
         monkeypatch.setenv("TABLETOPGEN_CLOUD_CHAT_MODEL", model)
@@ -91,7 +91,7 @@ def test_who_answers_is_decided_where_the_batch_is_made(
 
 # ------------------------------------------------------------------------------------- the command
 class Here:
-    """A pool that works in this process, one task after another."""
+    """A pool that runs tasks in this process, in order."""
 
     def __init__(self, width: int) -> None:
         self.width = width
@@ -108,7 +108,7 @@ class Here:
 def run(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, shell: Shell
 ) -> Iterator[tuple[Served, Shell]]:
-    """A server, and the command whose scenes each ask it twice: 0.02 each time, at most 0.04."""
+    """A server, and the command with two requests per scene: 0.02 each, at most 0.04."""
     table = remote_backend(monkeypatch, tmp_path)
     monkeypatch.setattr("generator.jobs.pools.WorkerPool", Here)
     prompts = tmp_path / "prompts.txt"

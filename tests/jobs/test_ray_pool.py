@@ -1,4 +1,4 @@
-"""The pool over a Ray cluster of two nodes: the same as processes, whatever happens to a worker."""
+"""The pool on a Ray cluster of two nodes: equal to processes, even if workers fail."""
 
 import logging
 import os
@@ -75,7 +75,7 @@ def test_an_error_is_the_same_as_here(pool: TaskPool) -> None:
 
 
 class Local:
-    """Can be pickled, and not unpickled."""
+    """Can be pickled but not unpickled."""
 
     def __reduce__(self) -> Any:
         return end_of_pickle, ()
@@ -92,7 +92,7 @@ def test_what_cannot_be_unpickled_is_an_error(pool: TaskPool) -> None:
 
 
 def test_arrays_come_as_own_copies(pool: TaskPool) -> None:
-    """Those of Ray's object store could not be written to."""
+    """Arrays in Ray's object store would be read-only."""
     made = result(pool.submit(arrays))["zeros"]
     made += 1
     assert made.sum() == 300_000

@@ -1,4 +1,4 @@
-"""What all pools have: results in order, few tasks ahead, and things made once a process."""
+"""Properties of all pools: ordered results, limited lookahead, one-time setup per process."""
 
 import itertools
 import sys
@@ -15,7 +15,7 @@ from generator.jobs.workers import WorkerPool
 
 
 class Here(TaskPool):
-    """Runs tasks at once, and counts them."""
+    """Runs tasks immediately, and counts them."""
 
     width = 2
 

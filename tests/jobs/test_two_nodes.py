@@ -44,7 +44,7 @@ def cluster() -> Iterator[str]:
 
 @pytest.fixture(params=["processes", "Ray"])
 def others(request: pytest.FixtureRequest) -> PoolOptions:
-    """Two workers that are not this process."""
+    """Two workers outside this process."""
     return PoolOptions(2, request.getfixturevalue("cluster") if request.param == "Ray" else None)
 
 
@@ -58,7 +58,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
 
 
 def arrays(folder: Path) -> dict[str, Any]:
-    """Every array and fact of a recording, by file and name."""
+    """Return every array and fact of a recording, by file and name."""
     found: dict[str, Any] = {"facts": json.loads((folder / "dataset.json").read_text())["episodes"]}
     for path in folder.glob("*.npz"):
         episode = np.load(path)
@@ -119,7 +119,7 @@ def test_a_scene_bank_is_the_same(others: PoolOptions, drawn: Deck) -> None:
 
 
 def facts(episodes: list[Any]) -> list[Any]:
-    """What tells drawn episodes from others, to the bit."""
+    """Return the facts that identify drawn episodes, bit for bit."""
     return [
         (e.seed, e.instruction, e.names, e.arm.tobytes(), e.ctrl.tobytes(), e.poses.tobytes(),
          e.spot.tobytes(), *(getattr(e.goals, f.name).tobytes() for f in fields(GoalRows)))
@@ -129,7 +129,7 @@ def facts(episodes: list[Any]) -> list[Any]:
 
 @dataclass(frozen=True)
 class DeadlyElsewhere(RecordConfig):
-    """Ends any other process than the one it was made for."""
+    """Kills any process except the one for which it was created."""
 
     owner: int = 0
 

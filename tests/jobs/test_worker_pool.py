@@ -1,4 +1,4 @@
-"""A task that takes too long fails alone, whatever the timer's thread is at."""
+"""A task that exceeds its timeout fails alone, whatever the timer thread does."""
 
 import threading
 import time

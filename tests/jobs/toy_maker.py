@@ -1,4 +1,4 @@
-"""A maker of tiny scenes that notes what it makes, and fails as its texts say."""
+"""A maker of tiny scenes that logs its work, and fails as its texts demand."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class ToyMaker:
 
 
 def made(log: Path) -> list[str]:
-    """Return what was begun, in order of the alphabet."""
+    """Return the logged scenes in alphabetical order."""
     return sorted(log.read_text().splitlines()) if log.exists() else []
 
 

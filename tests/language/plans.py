@@ -1,4 +1,4 @@
-"""What the planner makes of a text, as the tests here ask for it."""
+"""Queries of the planner's result for a text."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def plan(text: str) -> ScenePlan:
 
 
 def counts(text: str) -> dict[str, int]:
-    """Return how many things of each category there are; a stand-in counts by its noun."""
+    """Return the number of objects per category; a stand-in counts by its noun."""
     things = plan(text).objects
     return dict(Counter(o.category if o.category != "generic" else o.noun for o in things))
 
@@ -23,7 +23,7 @@ def found(planned: ScenePlan, name: str) -> PlannedObject:
 
 
 def related(planned: ScenePlan, name: str) -> set[tuple[str, str]]:
-    """Return the relations of one thing: (kind, target)."""
+    """Return the relations of one object: (kind, target)."""
     return {(r.kind, r.target) for r in found(planned, name).relations}
 
 

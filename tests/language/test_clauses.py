@@ -1,4 +1,4 @@
-"""Clauses without a subject of their own, pronouns as subjects, and places that are denied."""
+"""Clauses without a subject, pronouns as subjects, and negated places."""
 
 from __future__ import annotations
 

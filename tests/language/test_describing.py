@@ -1,4 +1,4 @@
-"""Describing words after a noun, and vessels with what fills them."""
+"""Descriptions after a noun, and vessels with their contents."""
 
 from __future__ import annotations
 

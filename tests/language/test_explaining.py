@@ -1,4 +1,4 @@
-"""How a text is read is told phrase by phrase."""
+"""Explanation of a text, phrase by phrase."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Texts in other languages are refused in one clear line; English with foreign words is not."""
+"""Texts in other languages are rejected in one line; English with foreign words is not."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def benchmark_texts() -> list[str]:
 
 
 def sentences_of_tests() -> list[str]:
-    """Return every string of the tests of sentences that holds words."""
+    """Return every string with words in the sentence tests."""
     found = []
     for name in ("test_sentences", "test_settled", "test_explaining"):
         tree = ast.parse((ROOT / f"tests/language/{name}.py").read_text())

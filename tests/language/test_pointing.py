@@ -1,4 +1,4 @@
-"""What a text points at: the others, the leftmost, another, each front corner, the one before."""
+"""References in a text: the others, the leftmost, another, each front corner, the previous one."""
 
 from __future__ import annotations
 

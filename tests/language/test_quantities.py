@@ -1,4 +1,4 @@
-"""Everything, all, half, the rest, at least: how many of them are meant."""
+"""Quantifiers: everything, all, half, the rest, at least."""
 
 from __future__ import annotations
 

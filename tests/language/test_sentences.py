@@ -1,4 +1,4 @@
-"""What a sentence asks for stands in its plan, and nothing else."""
+"""The plan of a sentence contains what it requests, and nothing else."""
 
 from __future__ import annotations
 

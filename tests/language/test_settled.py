@@ -1,4 +1,4 @@
-"""What a text asks for holds in the settled scene, or is warned of."""
+"""The requests of a text hold in the settled scene, or give a warning."""
 
 from __future__ import annotations
 

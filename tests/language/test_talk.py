@@ -1,4 +1,4 @@
-"""How people speak: corrections, asides, answers, tasks for robots, what is told one by one."""
+"""Colloquial texts: corrections, asides, answers, tasks for robots, step-by-step descriptions."""
 
 from __future__ import annotations
 

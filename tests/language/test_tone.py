@@ -1,4 +1,4 @@
-"""What a text says of its table as a whole: theme, style, density and people."""
+"""Statements about the whole table: theme, style, density and people."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers of a text that the plan does not use end as warnings; those that it uses do not."""
+"""Numbers that the plan does not use give warnings; the others do not."""
 
 import contextlib
 

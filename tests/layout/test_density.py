@@ -1,4 +1,4 @@
-"""How full a table is: by words of the text, or as asked for."""
+"""Density of a table, from words of the text or from the settings."""
 
 import pytest
 

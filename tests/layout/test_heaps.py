@@ -1,4 +1,4 @@
-"""Heaps and pyramids: who lies on whom, and whether they stay so."""
+"""Heaps and pyramids: supports, and stability."""
 
 import numpy as np
 import pytest

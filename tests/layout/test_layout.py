@@ -1,4 +1,4 @@
-"""Layouts: inside the table, apart from each other, relations honoured, the same by seed."""
+"""Layouts: inside the table, without overlap, with relations, reproducible by seed."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Things that lie, stand on an edge or are turned over."""
+"""Objects that lie, stand on an edge or are turned over."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Things in vessels, racks and boxes: each has its place, and none is inside of another."""
+"""Objects in vessels, racks and boxes: separate places without overlap."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Toy bundles on disk, one to train at and one held out, and recipes small enough for a test."""
+"""Toy bundles on disk, one for training and one held out, and small recipes."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -23,7 +23,7 @@ SMALL: dict[str, dict[str, Any]] = {
 
 @pytest.fixture(scope="module", autouse=True)
 def one_thread() -> Iterator[None]:
-    """Small networks are faster on one thread, above all where tests run side by side."""
+    """Use one thread, which is faster for small networks, especially in parallel tests."""
     before = torch.get_num_threads()
     torch.set_num_threads(1)
     yield
@@ -32,7 +32,7 @@ def one_thread() -> Iterator[None]:
 
 @pytest.fixture(scope="session")
 def table(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The path of a bundle of one cube, to train at."""
+    """The path of a bundle of one cube for training."""
     return _saved("table", 0.04, tmp_path_factory.mktemp("store"))
 
 
@@ -64,5 +64,5 @@ def small(table: str, other: str):
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Where a run can be."""
+    """A folder for a run."""
     return tmp_path / "run"

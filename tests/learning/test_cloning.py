@@ -1,4 +1,4 @@
-"""What the baselines look with, and cloning the expert."""
+"""Perception of the baselines, and cloning of the expert."""
 
 import gymnasium as gym
 import numpy as np

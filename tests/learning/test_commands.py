@@ -1,4 +1,4 @@
-"""The commands: what they print, what they write, and their exit codes."""
+"""The learning commands: output, files, and exit codes."""
 
 import ast
 import dataclasses
@@ -156,7 +156,7 @@ def test_success_has_to_be_held(table: str) -> None:
             return np.zeros(5, np.float32), None
 
     class Held:
-        """Stands in for an environment that has succeeded for some steps."""
+        """Fake of an environment that has succeeded for some steps."""
 
         digest = "a table"
 

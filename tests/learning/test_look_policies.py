@@ -1,4 +1,4 @@
-"""A policy that looks: where its head sees what, the ways it makes of it, and how it is taught."""
+"""The policy with height maps: its attention, its paths, and its training."""
 
 import math
 import os
@@ -56,7 +56,7 @@ QUICK = TrainingPlan(episodes=1)
 
 
 def blob(x: float, y: float, height: float = 0.06) -> torch.Tensor:
-    """Maps with a small block at a place of the heading frame, metres."""
+    """Return maps with a small block at a position in the heading frame, metres."""
     maps = torch.zeros(1, 3, CELLS, CELLS)
     i, j = (round(at / CELL + (CELLS - 1) / 2) for at in (x, y))
     maps[0, 0, i - 1 : i + 2, j - 1 : j + 2] = height / STEP
@@ -96,7 +96,7 @@ def test_heights_are_above_the_targets_lowest_point() -> None:
 
 
 def taught(task: str, options: dict, steps: int):
-    """Yield state, way of the hint's grasp and the hint's own entries, as the expert works."""
+    """Yield state, path of the hint's grasp and the hint's entries, while the expert works."""
     env = make_env(toy_scene(), task=task, grasp_hint="planned")
     env.hint = GraspHint("planned", unturned_place)
     seen, _ = env.reset(seed=0, options=options)
@@ -135,7 +135,7 @@ def test_the_way_of_a_grasp_is_what_a_hint_of_it_says(task: str, options: dict) 
 
 
 def test_however_a_learner_turns_the_hand_the_teacher_has_it_let_go() -> None:
-    """What the teacher asks for follows from what is seen: it knows of no yaw to come back to."""
+    """The teacher's action follows from the observation: it has no yaw to return to."""
     env = make_env(toy_scene(), task="PickPlace", geometry="height_map")
     seen, _ = env.reset(seed=0, options={"target": "cube_1", "goal": "bowl_1"})
     teacher = Teacher(env)
@@ -161,7 +161,8 @@ def test_however_a_learner_turns_the_hand_the_teacher_has_it_let_go() -> None:
 def test_the_hand_turns_with_what_it_holds_only_for_the_last_joint(
     bearing: float, turn: float
 ) -> None:
-    """The last joint, at 2.7 of 2.8973 rad, may go 0.0973 on: a tenth is kept from its limit."""
+    """The last joint, at 2.7 of 2.8973 rad, may move by 0.0973: a tenth of the range is
+    reserved."""
     env = make_env(toy_scene(), task="Lift")
     env.reset(seed=0, options={"target": "cube_1"})
     world = env.world

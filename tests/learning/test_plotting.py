@@ -1,4 +1,4 @@
-"""Bands over seeds: the numbers, and that they are drawn."""
+"""Bands over seeds: the numbers, and the plots."""
 
 import sys
 from pathlib import Path
@@ -14,7 +14,7 @@ from tabletopgen_env.learning.runs import Run, begin, open_run
 
 
 def made(path: Path, recipe, seed: int, shares: dict[int, int]) -> Run:
-    """A run that was evaluated: episodes solved of 10, by steps."""
+    """Return an evaluated run: solved episodes of 10, by steps."""
     run = begin(path, recipe, seed)
     for steps, solved in shares.items():
         run.add(steps, steps * 3.6, PolicyEvaluation(10, solved, 0.5, 40.0, 3))

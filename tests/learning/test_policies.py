@@ -1,4 +1,4 @@
-"""Policy files: what they hold comes back to the bit, and what is not one is refused."""
+"""Policy files: exact round trips, and rejection of invalid files."""
 
 import dataclasses
 import json
@@ -110,7 +110,7 @@ def test_wrong_observations_are_refused(policy: TrainedPolicy) -> None:
 
 
 def respelt(path: Path, **changes) -> Path:
-    """Write a policy file anew with another card."""
+    """Write a policy file again with another card."""
     with policies.safe_open(path, framework="pt") as file:
         notes = file.metadata()
     card = json.loads(notes[KEY]) | changes

@@ -1,4 +1,4 @@
-"""Recipes: the shipped ones can be made, wrong ones are refused with what exists."""
+"""Recipes: shipped ones are valid, invalid ones are rejected with the valid values."""
 
 import dataclasses
 import shutil

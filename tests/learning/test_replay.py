@@ -18,7 +18,7 @@ LIMIT = 60  # of Reach
 
 
 def filled(recipe, episodes: int = 2, seed: int = 0):
-    """A model's replay buffer with demonstrations in it."""
+    """A model's replay buffer filled with demonstrations."""
     source = source_of(recipe.scenes, "train")
     envs = many_envs(recipe, source, 0)
     model = new_model(recipe, envs, 0)
@@ -44,7 +44,7 @@ def test_demonstrations_end_by_the_time_limit_alone(small) -> None:
 
 
 class Slipping(gym.Wrapper):
-    """Success of the first episode holds for a while, and is lost again before its end."""
+    """The first episode succeeds for a while, but not at its end."""
 
     def reset(self, **given):
         self.episodes = getattr(self, "episodes", 0) + 1

@@ -1,4 +1,4 @@
-"""A run's folder that others have written in: refused in words, and never waited for."""
+"""Run folders modified by others: rejected with a message, without waiting."""
 
 import json
 import os

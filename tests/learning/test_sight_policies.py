@@ -1,4 +1,4 @@
-"""A policy that sees: what it makes of pictures, how it is taught, and its file."""
+"""The policy with pictures: its features, its training, and its file."""
 
 from dataclasses import replace
 

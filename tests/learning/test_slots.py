@@ -1,4 +1,4 @@
-"""The vector environment as SB3 sees it: what ``DummyVecEnv`` of the same environments gives."""
+"""The vector environment for SB3 equals ``DummyVecEnv`` of the same environments."""
 
 import gymnasium as gym
 import numpy as np

@@ -1,4 +1,4 @@
-"""The policies that are shipped: each is read safely, is small, and does its task."""
+"""The shipped policies: safe to read, small, and successful at their task."""
 
 import pytest
 

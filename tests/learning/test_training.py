@@ -1,4 +1,4 @@
-"""Training: every family runs, repeats itself, goes on where it was, and leaves what it says."""
+"""Training: every algorithm runs, is reproducible, resumes, and writes its files."""
 
 import json
 import os
@@ -252,7 +252,7 @@ def test_a_wrong_recipe_leaves_nothing_behind(small, folder: Path) -> None:
         ({"options": {"nothing": 1}}, "nothing"),
         ({"cloning": {"nothing": 1}}, "nothing"),
         ({"network": {"layers": [1200, 1200]}}, "exceeds the maximum of"),
-        ({"task": "Stack"}, "Nothing to do"),
+        ({"task": "Stack"}, "No valid task"),
     ):
         with pytest.raises(TabletopError, match=why):
             train(small(**wrong), folder, QUICK, say=quiet)

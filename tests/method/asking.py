@@ -1,4 +1,4 @@
-"""Backends that ask a slow local server, for stages that ask about many things at once."""
+"""Backends that send requests to a slow local server, for stages with parallel requests."""
 
 import json
 import threading
@@ -17,7 +17,7 @@ from generator.scene import Detection, Instance, Mesh, Model, Reference, SizePri
 
 
 class SlowServer:
-    """A server's address, and how many it answers at once."""
+    """A server's address, and its number of concurrent requests."""
 
     def __init__(self) -> None:
         self.url = ""
@@ -39,7 +39,7 @@ class SlowServer:
 
 @contextmanager
 def slow_server(delay: float) -> Iterator[SlowServer]:
-    """Serve every POST with what it was sent, after ``delay`` seconds."""
+    """Echo every POST after ``delay`` seconds."""
     server = SlowServer()
 
     class Handler(BaseHTTPRequestHandler):
@@ -63,7 +63,7 @@ def slow_server(delay: float) -> Iterator[SlowServer]:
 
 @dataclass(frozen=True)
 class Asking:
-    """An imager and a modeler that ask a server before they answer."""
+    """An imager and a modeler that send a request before they respond."""
 
     url: str
     session: Session = field(default_factory=Session, repr=False, compare=False)

@@ -1,4 +1,4 @@
-"""Objects drawn at known yaws, and cut out of their pictures, for the rotation stage."""
+"""Objects drawn at known yaws and cut out of their pictures, for the rotation stage."""
 
 import dataclasses
 
@@ -21,7 +21,7 @@ FAST = dataclasses.replace(
 def picture_of(
     model: Model, yaw: float, pixel: tuple[float, float], view: View = VIEW
 ) -> tuple[Instance, Reference]:
-    """Cut ``model`` out of a picture where it stands under ``pixel``, turned by ``yaw``."""
+    """Cut ``model`` out of a picture in which it stands under ``pixel``, rotated by ``yaw``."""
     camera = Camera.looking_at(np.zeros(3), view, 0.9, *SIZE)
     position = camera.on_plane(np.array([pixel]), 0.0)[0] + [0, 0, model.size[2] / 2]
     item = place(model.mesh, model.size, position, yaw_quaternion(yaw))
@@ -34,7 +34,7 @@ def picture_of(
 
 
 def box(size: tuple[float, float, float], front: tuple[int, int, int] | None = None) -> Model:
-    """A grey box; ``front`` is the colour of one of its ends."""
+    """Return a grey box; ``front`` is the colour of one of its ends."""
     corners, faces, uv = [], [], []
     for axis in range(3):
         for side in (-0.5, 0.5):

@@ -1,4 +1,4 @@
-"""TSA: Eqs. 5 and 6 on numbers worked by hand, scales, and contact of real meshes."""
+"""TSA: Eqs. 5 and 6 on hand-computed numbers, scales, and contact of real meshes."""
 
 from dataclasses import replace
 from typing import Any
@@ -79,7 +79,7 @@ def test_near_45_degrees_the_proportions_are_kept():
 
 
 def test_a_turned_disc_keeps_its_size():
-    """A disc's outline does not grow at 45 degrees as its bounding square does."""
+    """The outline of a disc does not grow at 45 degrees, unlike its bounding square."""
     mesh, size = sphere_mesh(), np.array([0.1, 0.1, 0.1])
     box = np.array([100, 200, 150, 250.0])
     for yaw in (0.0, np.pi / 5, np.pi / 4):
@@ -91,7 +91,7 @@ def test_a_turned_disc_keeps_its_size():
 
 
 def test_an_outline_off_its_rectangles_centre_is_put_back():
-    """A triangle fills its box at yaw 0, and lies off the middle of it when turned by 45."""
+    """A triangle fills its box at yaw 0, and is off its centre at yaw 45 degrees."""
     corners = np.array([[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5]])
     vertices = np.array([[x, y, z] for x, y in corners for z in (-0.5, 0.5)])
     mesh = Mesh(vertices, np.array([[0, 2, 4], [1, 3, 5]]), np.zeros((6, 2)),

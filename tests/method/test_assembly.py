@@ -15,7 +15,7 @@ from generator.scene import ConvexPart, Model, Placement, PlannedTable, Scene, S
 
 
 def boxed(name: str, *where, model: Model | None = None, **more) -> tuple[Model, Placement]:
-    """A box, or another model, and where it is put."""
+    """Return a box, or another model, and its position."""
     return model or box(), put(name, *where, **more)
 
 
@@ -85,7 +85,7 @@ def test_a_ball_put_into_a_cup_lies_on_its_floor() -> None:
 
 
 def test_a_thing_beside_the_opening_is_brought_over_it() -> None:
-    """Let down at its own place it would stay on the rim."""
+    """Lowered at its own position, it would stay on the rim."""
     scene = passing(
         boxed("cup_1", (0, 0), (0.1, 0.1, 0.09), model=cup((0.1, 0.1, 0.09))),
         boxed("pen_1", (0.04, 0), (0.01, 0.01, 0.12), on="cup_1", inside=True),
@@ -113,7 +113,7 @@ def test_what_overhangs_is_pulled_onto_the_table() -> None:
 
 @pytest.fixture
 def club() -> Model:
-    """Collision as of a club on its thin end: it would lie down."""
+    """Collision parts of a club on its thin end, which would fall over."""
     top = [[x, y, 0.5] for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
     parts = (ConvexPart(np.array([[0.3, 0, -0.5], [0.4, 0.1, -0.5], [0.4, -0.1, -0.5], *top])),)
     return dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
@@ -141,7 +141,7 @@ def test_a_scene_settled_again_changes_only_what_is_new(club: Model) -> None:
 
 
 def test_a_foot_has_its_share_of_weight_and_inertia() -> None:
-    """A pole of 1 kg, 0.3 m high, whose foot draws its centre from the half down to a third."""
+    """A pole of 1 kg, 0.3 m high, whose foot lowers its centre of mass from a half to a third."""
     pole = toy_object("pole_1", (0.03, 0.04, 0.3), (0, 0), mass=1.0)
     footed = on_foot(dataclasses.replace(pole, com=np.array([0.004, 0.0, 0.0])))
     assert footed.mass == 1.0
@@ -168,7 +168,7 @@ def test_a_foot_under_what_is_low_already_makes_it_lower_and_centres_it() -> Non
 
 
 def test_what_stands_but_topples_on_a_leaning_table_gets_one_too() -> None:
-    """A goblet: its foot is a sixteenth as wide as it is high."""
+    """A goblet: its foot is a sixteenth as wide as its height."""
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     stem = [[0.08 * x, 0.08 * y, z] for x, y in corners for z in (-0.5, 0.2)]
     stout = [[2 * x, 2 * y, z] for x, y, z in stem]
@@ -255,7 +255,7 @@ def test_a_model_without_parts_is_decomposed(tmp_path, monkeypatch) -> None:
 
 @pytest.mark.slow
 def test_what_stands_free_in_a_cup_is_shaken_against_its_rim() -> None:
-    """Let down upright it would stand on its end, and fall over on a leaning table."""
+    """Lowered upright, it would stand on its end, and fall over on a leaning table."""
     scene = passing(
         boxed("cup_1", (0, 0), (0.09, 0.09, 0.09), model=cup((0.09, 0.09, 0.09))),
         boxed("rod_1", (0, 0), (0.005, 0.005, 0.18), on="cup_1", inside=True),

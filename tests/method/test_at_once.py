@@ -1,4 +1,4 @@
-"""Questions about many things go to a server at once, and to what computes here in turn."""
+"""Requests about many objects: parallel to a server, sequential for local computation."""
 
 import dataclasses
 import threading
@@ -28,7 +28,7 @@ def detection(label: str, x: int) -> Detection:
 
 @dataclasses.dataclass(frozen=True)
 class Here:
-    """A reasoner and segmenter that sees a table and six things, and notes who asks it."""
+    """A reasoner and segmenter with a table and six objects, which records its callers."""
 
     asked_by: list[threading.Thread] = dataclasses.field(default_factory=list)
 
@@ -72,7 +72,7 @@ def modelled(b: Backends) -> Any:
 
 
 class Still(Asking):
-    """Answers without asking."""
+    """Returns answers without requests."""
 
     def _ask(self, question: str, about: list[int]) -> None:
         pass

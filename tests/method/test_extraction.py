@@ -1,4 +1,4 @@
-"""Extraction: names, cleaning, and what happens when something is missing."""
+"""Extraction: names, cleaning, and missing objects."""
 
 from typing import Any
 
@@ -21,7 +21,7 @@ def detection(label: str, x0: int, y0: int, x1: int, y1: int) -> Detection:
 
 
 class Answers:
-    """A reasoner, segmenter and imager whose answers are given."""
+    """A reasoner, segmenter and imager with given answers."""
 
     def __init__(self, *found: Detection) -> None:
         self.found = found
@@ -95,7 +95,7 @@ def test_names_of_odd_labels():
 
 
 class Painter(Answers):
-    """An imager that shows as many mugs as ``shown`` says, drawing after drawing."""
+    """An imager that draws the numbers of mugs in ``shown``, one drawing after another."""
 
     def __init__(self, *shown: int) -> None:
         super().__init__()
@@ -117,7 +117,7 @@ class Painter(Answers):
 
 
 def drawn(config: ExtractionConfig, *shown: int) -> tuple[Reference, int, list[int]]:
-    """Return the reference chosen for a plan of two mugs, the things found, the seeds drawn."""
+    """Return the chosen reference for a plan of two mugs, the detections, and the drawn seeds."""
     painter: Any = Painter(*shown)
     mugs = tuple(PlannedObject(f"mug_{k}", "mug", "mug") for k in (1, 2))
     plan = ScenePlan("two mugs", PlannedTable(), mugs)

@@ -18,7 +18,7 @@ VIEW = View(0.1, 0.9, 0.6)
 
 
 def test_the_orientation_a_modeler_saw_goes_along_with_the_turns():
-    """What the model's corners do in the world is the same before and after."""
+    """The world positions of the model's corners are the same before and after."""
     seen = quaternion_matrix(np.array([0.8, 0.1, -0.5, 0.3]))
     model = dataclasses.replace(wedge(), orientation=seen)
     for steps in ([("x", 90)], [("z", 90), ("y", 180)], [("y", -90), ("x", 90), ("z", 90)]):
@@ -31,7 +31,7 @@ def test_the_orientation_a_modeler_saw_goes_along_with_the_turns():
 
 
 def wedge() -> Model:
-    """Return a model no turn maps onto itself, 0.3 x 0.2 x 0.1 m, with a lying cylinder part."""
+    """Return an asymmetric model, 0.3 x 0.2 x 0.1 m, with a lying cylinder part."""
     vertices = np.array(
         [[-0.5, -0.5, -0.5], [0.5, -0.5, -0.5], [-0.5, 0.5, -0.3], [-0.1, -0.2, 0.5]]
     )
@@ -42,7 +42,7 @@ def wedge() -> Model:
 
 
 class Recorder:
-    """A modeler that notes what it was asked, and a reasoner with one fixed answer."""
+    """A modeler that records its requests, and a reasoner with a fixed answer."""
 
     def __init__(self, steps: tuple[tuple[str, int], ...] = ()) -> None:
         self.steps = steps
@@ -171,7 +171,7 @@ def test_measured_sizes_are_kept_unless_implausible(have, measured, want):
 
 
 def test_a_handle_may_point_away():
-    """A mug that is measured square hides its handle; it is not squeezed."""
+    """A mug with a square measurement hides its handle; it is not squeezed."""
     made = dataclasses.replace(wedge(), size=np.array([0.12, 0.08, 0.1]), category="mug")
     found = measured_size(made, np.array([0.09, 0.09, 0.11]))
     np.testing.assert_allclose(found, [0.135, 0.09, 0.11])

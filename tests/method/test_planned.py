@@ -1,4 +1,4 @@
-"""A text's plan puts right what a reconstruction lacks, doubles, or has otherwise."""
+"""A text's plan corrects missing, duplicate and deviating objects of a reconstruction."""
 
 from dataclasses import replace
 
@@ -26,7 +26,7 @@ def instance(name: str, label: str, color: tuple[int, int, int] = (255, 255, 255
 
 
 class Found:
-    """A planned table of which some things were found, under the names of instances."""
+    """A planned table with some detected objects, under the names of instances."""
 
     def __init__(self, text: str, *hidden: str) -> None:
         self.plan: ScenePlan = plan_scene(text, 0)
@@ -48,14 +48,14 @@ class Found:
         self.table_scale = np.array(table.size)
 
     def change(self, name: str, **changes: object) -> None:
-        """Let one thing have been found otherwise."""
+        """Change the detection of one object."""
         self.placements = tuple(
             replace(p, **changes) if p.name == name else p
             for p in self.placements  # type: ignore[arg-type]
         )
 
     def add(self, name: str, like: str, offset: tuple[float, float]) -> None:
-        """Let another instance have been found, next to what it looks like."""
+        """Add another detected instance, next to a similar one."""
         there = by_name(self.placements)[like]
         label = next(i.label for i in self.instances if i.name == like)
         self.instances = (*self.instances, instance(name, label))

@@ -1,4 +1,4 @@
-"""Yaws found in the drawing are used for shapes that are the plan's."""
+"""Yaws from the drawing are applied to shapes from the plan."""
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ UNTOLD = "The drawing does not determine its yaw"
 
 
 def drafted(turn: Turn | None = None, margin: float = 1.0) -> SceneDraft:
-    """A laptop found turned by ``YAW``, in a shape that is four times as high as it should be."""
+    """Return a laptop with yaw ``YAW`` and a shape four times too high."""
     found = Found(TEXT)
     tall = by_name(found.placements)[NAME].scale * [1, 1, 4]
     found.change(NAME, scale=tall, yaw=YAW)

@@ -1,4 +1,4 @@
-"""What is published: a scene that fails its gate gives up what spoils it, and says so.
+"""Publication: a scene that fails its gate loses the offending objects, with a report.
 
 A joint refinement that assembly undoes does not stay; the report says what is published.
 """
@@ -78,7 +78,7 @@ SIZES = FACTS["sizes"]
 
 @dataclass(frozen=True, eq=False)
 class Judged(Reconstruction):
-    """Scenes that fail in these ways while any of the troublemakers is there."""
+    """Scenes that fail in these ways while any of the troublemakers is present."""
 
     failures: Mapping[str, Failure] = field(default_factory=dict)
     misfits: Mapping[str, float] = field(default_factory=dict)
@@ -98,7 +98,7 @@ class Judged(Reconstruction):
         return self.misfits[scene.name]
 
     def names(self) -> list[tuple[str, ...]]:
-        """What stood in each scene that was assembled."""
+        """Return the objects of each assembled scene."""
         return [tuple(p.name for p in attempt.placements) for attempt in self.assembled]
 
 
@@ -159,7 +159,7 @@ NAMES = ("moved", "turned", "the", "floats", "overlaps by", "mug 1", "mug", "on 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_what_a_thing_is_called_changes_nothing(name: str) -> None:
-    """A failure names a thing by its field, whatever words its sentence has."""
+    """Failures identify objects by a field, whatever the words of the message."""
     others = (placement("berry_1"), placement("melon_1"))
     unstable = Failure("turned", (name,), 0.08, 0.03, 5.0, leaning=True)
     found = judged({name: unstable})
@@ -212,7 +212,7 @@ def test_never_all_and_none_if_so_told(share, count, most):
 
 
 def desk() -> tuple[ScenePlan, Reconstruction]:
-    """A mug to the left of a book, found just like that."""
+    """A mug to the left of a book, detected exactly there."""
     things = (
         PlannedObject("book_1", "book", "book"),
         PlannedObject("mug_1", "mug", "mug", relations=(Relation("left_of", "book_1"),)),
@@ -236,7 +236,7 @@ def shown(name: str, label: str) -> Instance:
 
 @dataclass(frozen=True, eq=False)
 class Rested(Reconstruction):
-    """Scenes at rest as they were laid, which fail in these ways, one after the other."""
+    """Scenes at rest in their layout, which fail in these ways, in order."""
 
     layout: tuple[Placement, ...] = ()
     verdicts: tuple[Failure, ...] = ()
@@ -331,7 +331,7 @@ class Outlined(Judged):
 def run(
     misfits: dict[str, float], failing: tuple[str, ...] = (), refined: Refinement = REFINED
 ) -> tuple[Scene, list[str]]:
-    """Publish a scene whose outlines then differ so; return it and what was assembled."""
+    """Publish a scene whose outlines differ in this way; return it and the assembled scenes."""
     found = Outlined(**FACTS, misfits=misfits, failing=failing)
     scene = publish(found, refined, FIRST)
     for attempt in found.assembled:

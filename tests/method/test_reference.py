@@ -11,7 +11,7 @@ from generator.scene import PlannedTable, ScenePlan
 
 
 class Artist:
-    """Plans and draws without looking; the stage is what is tested."""
+    """Plans and draws without input; only the stage is tested."""
 
     def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
         return ScenePlan(prompt, PlannedTable(), ())

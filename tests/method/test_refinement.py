@@ -1,4 +1,4 @@
-"""Joint refinement: yaw, place and size of all objects come nearer to the truth, never farther."""
+"""Joint refinement: errors of yaw, position and size of objects decrease, and never increase."""
 
 import dataclasses
 
@@ -28,7 +28,7 @@ MODELS = {name: build(name, 3) for name in TRUTH}
 
 
 def placements(models: dict[str, Model] = MODELS) -> tuple[Placement, ...]:
-    """Return where things truly stand."""
+    """Return the true positions of the objects."""
     return tuple(
         Placement(n, yaw, np.array([x, y, 0.74 + models[n].size[2] / 2]), models[n].size)
         for n, (x, y, yaw) in TRUTH.items()
@@ -79,7 +79,7 @@ def disturbed(seed: int) -> tuple[Placement, ...]:
 
 
 def errors(found: tuple[Placement, ...]) -> np.ndarray:
-    """Return mean errors of yaw (degrees), of places against one another (mm), and of sizes (%).
+    """Return mean errors of yaw (degrees), of relative positions (mm), and of sizes (%).
 
     Where the camera stands is not known: the scene as a whole may be shifted, and scaled.
     """
@@ -110,7 +110,7 @@ def test_disturbed_scenes_come_nearer_to_the_truth(instances, seed):
 
 
 def as_objects(placed: tuple[Placement, ...]) -> list[Object]:
-    """Return placements as bodies at rest; of what they are made does not matter."""
+    """Return placements as bodies at rest, whatever their models."""
     part = ConvexPart(np.eye(4, 3))
     return [
         Object(p.name, MODELS[p.name], p, (part,), 1.0, np.zeros(3), np.eye(3), 0.5,
@@ -126,7 +126,7 @@ def measured(instances, placed: tuple[Placement, ...]) -> float:
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", [None, 0, 3])
 def test_what_it_says_is_so_and_never_worse(instances, seed):
-    """Measured again, from the placements that came out: not what the descent thought."""
+    """Measured again from the resulting placements, not from the optimiser's values."""
     start = placements() if seed is None else disturbed(seed)
     found = refined(instances, start)
     before, after = measured(instances, start), measured(instances, found.placements)
@@ -161,7 +161,7 @@ def test_the_measure_is_a_number_wherever_things_stand(instances, factor):
 
 
 def boxes(*places: tuple[float, float, float], on: tuple[str, ...] = ()) -> tuple[Placement, ...]:
-    """Return equal boxes, 10 by 4 by 6 cm; the last place's number is a yaw."""
+    """Return equal boxes, 10 by 4 by 6 cm; the last entry of a placement is a yaw."""
     size = np.array([0.1, 0.04, 0.06])
     below = on or ("table",) * len(places)
     level = [0 if b == "table" else 1 + int(b) for b in below]
@@ -178,7 +178,7 @@ def crowd_of(placed: tuple[Placement, ...], table: Model | None = None, chains=N
 
 
 def cost_of(crowd: Crowd, placed: tuple[Placement, ...]) -> tuple[float, float]:
-    """Return what being so crowded costs, and how much that pushes."""
+    """Return the cost of this crowding, and its gradient's magnitude."""
     place = torch.tensor(np.array([p.translation[:2] for p in placed]), dtype=torch.float32)
     place.requires_grad_()
     yaw = torch.tensor([p.yaw for p in placed], dtype=torch.float32)
@@ -193,7 +193,7 @@ def cost_of(crowd: Crowd, placed: tuple[Placement, ...]) -> tuple[float, float]:
      ((0.071, 0.05, np.pi / 2), True), ((0.06, 0.0, np.pi / 2), False), ((0.0, 0.0, 0.0), False)],
 )  # fmt: skip
 def test_footprints_not_circles_tell_what_overlaps(place, free):
-    """Two books may lie side by side; two that coincide are not free of one another."""
+    """Two books may be adjacent; two that coincide overlap."""
     there = boxes((0.0, 0.0, 0.0), place)
     apart = boxes((0.0, 0.0, 0.0), (0.3, 0.0, 0.0))
     assert (cost_of(crowd_of(apart), there)[0] < 1e-6) == free
@@ -214,7 +214,7 @@ def test_things_at_other_heights_do_not_crowd():
 
 @pytest.mark.parametrize(("outline", "off"), [("round", True), ("rectangle", False)])
 def test_the_tables_own_outline_holds_things(outline, off):
-    """A corner of its box is no place on a round table."""
+    """A corner of its bounding box is not on a round table."""
     table = build_table(PlannedTable(outline=outline, size=(1.0, 0.7, 0.74)), 0)
     corner = boxes((0.45, 0.3, 0.0), (0.0, 0.0, 0.0))
     assert (cost_of(crowd_of(corner, table), corner)[0] > 0.05) == off
@@ -222,7 +222,7 @@ def test_the_tables_own_outline_holds_things(outline, off):
 
 
 def test_a_whole_chain_of_supports_moves_and_grows():
-    """A cup on a book on a tray: what moves the tray moves all three."""
+    """A cup on a book on a tray: forces on the tray move all three."""
     placed = boxes((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), on=("table", "0", "1"))
     links = make_links(placed, placed)
     np.testing.assert_array_equal(links.carries, [[1, 0, 0], [1, 1, 0], [1, 1, 1]])

@@ -1,4 +1,4 @@
-"""A picture with a depth map: what is accepted, how it is scaled, and what is refused."""
+"""A picture with a depth map: validation and scaling."""
 
 import io
 

@@ -16,7 +16,7 @@ from tabletop_objects import build
 
 
 def shown(key: str, yaw: float, pixel: tuple[int, int] = (320, 240), seed: int = 5):
-    """A thing of the catalogue, and what a picture shows of it."""
+    """An object of the catalogue, and its visible part in a picture."""
     model = build(key, seed)
     return model, picture_of(model, yaw, pixel)[0]
 
@@ -62,7 +62,7 @@ def test_eq3_by_hand():
 
 
 def test_eq3_ranks_the_candidates_of_one_batch():
-    """Averaged over the batch, it would be the same for all and rank nothing."""
+    """Averaged over the batch, it would be equal for all candidates."""
     mask = np.zeros((32, 32), bool)
     mask[8:24, 8:24] = True
     distance = torch.as_tensor(dro.contour_distance(mask))
@@ -188,7 +188,7 @@ def test_refining_descends_from_the_coarse_angle():
 @pytest.mark.parametrize("weights", [(1, 0, 0), (0, 1, 0), (0, 0, 1)], ids=["s", "e", "a"])
 @pytest.mark.parametrize("settings", [RotationConfig(), RotationConfig.paper()], ids=["", "paper"])
 def test_gradients_of_the_objective_agree_with_finite_differences(settings, weights):
-    """Of yaw and tilt, of an object off the axis, whose centre moves as its crop stays tight.
+    """For yaw and tilt of an off-axis object, whose centre moves while its crop stays tight.
 
     Without the picture's light on the render: what that is does not follow the normals' gradient.
     """
@@ -284,7 +284,7 @@ def test_an_object_of_revolution_keeps_yaw_zero():
 
 
 def painted(quarter: tuple[int, int, int], half: tuple[int, int, int]) -> Model:
-    """A round tin whose side is white but for a half and, in it, a quarter of other colours."""
+    """A round tin with a white side, except for one half with a quarter in other colours."""
     n, corners, faces, u = 48, [], [], []
     at = np.arange(n + 1) * 2 * np.pi / n
     ring = np.column_stack([np.cos(at), np.sin(at)]) / 2
@@ -330,7 +330,7 @@ def test_a_round_thing_with_a_print_is_turned_and_the_surer_the_stronger_it_is()
      ((0.16, 0.09, 0.06), (200, 30, 30), 1)],
 )  # fmt: skip
 def test_a_side_that_looks_the_same_is_no_rival(size, front, order):
-    """Of a plain box, half a turn is no other answer; of one with a red end, it is."""
+    """For a plain box, half a turn is not a distinct answer; for one with a red end, it is."""
     model = box(size, front)
     found = optimised(model, picture_of(model, 0.6, (320, 240))[0])
     assert found.order == order and not found.symmetric
@@ -367,7 +367,7 @@ def test_margin_is_modulo_the_looks():
 
 @pytest.mark.slow
 def test_width_follows_the_curvature():
-    """Where the loss rises by a fiftieth; a thing that is sharper to turn is narrower."""
+    """Defined by a loss increase of a fiftieth; sharper minima are narrower."""
     wide = {}
     for key in ("hairbrush", "mug"):
         objective = objectives(*shown(key, 0.5)).fine
@@ -406,7 +406,7 @@ def test_which_sides_may_be_cut_off():
 
 @pytest.mark.parametrize("side", ["left", "right", "top", "bottom"])
 def test_an_object_reaches_past_the_side_that_is_hidden(side):
-    """Drawn so, it agrees better with what is left of it than drawn into the box of that."""
+    """Drawn in full, it fits its visible part better than drawn into that part's box."""
     model, instance = shown("toy_train", 0.53)
     height, width = instance.crop.shape[:2]
     cut = instance.crop.copy()

@@ -1,4 +1,4 @@
-"""A modeler's own pose as a hint: it decides where renders cannot, and nowhere else."""
+"""A modeler's pose as a prior: it decides only where renders cannot."""
 
 import dataclasses
 
@@ -25,7 +25,7 @@ ALL = dataclasses.replace(FAST, rival=99.0, doubt=99.0, tie=99.0, finalists=8, f
 
 
 def leaning(angle: float, towards: float = 0.7) -> np.ndarray:
-    """A rotation that tips what stands upright by ``angle``, about a level axis."""
+    """Return a rotation that tilts an upright object by ``angle`` about a horizontal axis."""
     x, y = np.cos(towards), np.sin(towards)
     cross = np.array([[0, 0, y], [0, 0, -x], [-y, x, 0]])
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
@@ -82,7 +82,7 @@ def test_an_orientation_is_a_rotation(wrong):
 def test_of_two_sides_that_look_the_same_it_tells_which(
     monkeypatch, config, share, off, order, turned
 ):
-    """A plain box: half a turn changes no pixel, so both hints cannot be right by chance."""
+    """A plain box: half a turn changes no pixel, so at most one of the hints can be right."""
     monkeypatch.setattr(prior, "SHARE", share)
     true = YAW + np.pi * turned
     found = found_of(hinted(box(PLAIN), true + np.deg2rad(off)), config)
@@ -99,7 +99,7 @@ def test_of_two_sides_that_look_the_same_it_tells_which(
 )
 @pytest.mark.parametrize("off", [180.0, 90.0])
 def test_against_a_picture_that_tells_it_is_nothing(model, config, off):
-    """A train, and a box with a red end whose every side is looked at to the end."""
+    """A train, and a box with a red end, all of whose sides are refined."""
     plain = found_of(model, config)
     assert abs(np.rad2deg(wrap(plain.yaw - YAW))) < 4
     misled = found_of(hinted(model, YAW + np.deg2rad(off)), config)
@@ -114,7 +114,7 @@ def test_what_looks_the_same_from_all_sides_keeps_yaw_zero():
 
 @pytest.mark.slow
 def test_it_is_one_more_start():
-    """A search of one coarse yaw, which would end in the wrong valley, also begins there."""
+    """A search from one coarse yaw, which would end in the wrong minimum, also starts there."""
     config = dataclasses.replace(FAST, candidates=1, coarse_step=np.pi)
     train = build("toy_train", 5)
     assert abs(wrap(found_of(train, config, 1.6).yaw - 1.6)) > 0.5

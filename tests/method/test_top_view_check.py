@@ -1,4 +1,4 @@
-"""A top view that moved, dropped or missized things is repaired from the reference picture."""
+"""Repair of top views with moved, missing or wrongly sized objects, from the reference picture."""
 
 from dataclasses import replace
 
@@ -31,7 +31,7 @@ def box_of(place: tuple[float, ...]) -> np.ndarray:
 
 
 def seen(places: dict[str, tuple[float, float, float]]) -> tuple[Instance, ...]:
-    """Draw each thing alone and cut it out."""
+    """Draw each object alone and cut it out."""
     camera = Camera.looking_at(np.zeros(3), VIEW, 1.6, *SIZE)
     heights = {TABLE: -0.37, **{name: z + EXTENT[2] / 2 for name, (_, _, z) in places.items()}}
     instances = []
@@ -75,7 +75,7 @@ def true_boxes() -> dict[str, np.ndarray]:
 
 
 def off(found: np.ndarray, name: str) -> float:
-    """Return how far a box's middle is from its true one, in table widths."""
+    """Return the distance of a box's centre from its true one, in table widths."""
     apart = (found - box_of(PLACES[name])).reshape(2, 2).mean(0)
     return float(np.linalg.norm(apart)) / (TABLE_SIDE * PIXELS)
 

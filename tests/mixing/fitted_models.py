@@ -1,4 +1,4 @@
-"""Tiny models of transformers' own classes that find what a few pictures show.
+"""Tiny models of transformers' classes that detect the objects of a few pictures.
 
 All of their weights are random but for the last layers, which are solved for (least squares) so
 that the right boxes, words and masks of these pictures come out; they know nothing else. What is
@@ -36,7 +36,7 @@ _DAMPED = 1e-6  # of the largest feature: keeps what was solved for from hanging
 
 @dataclass(frozen=True, eq=False)
 class Example:
-    """A picture, the words it is asked about, in their order, and the mask of each."""
+    """A picture, its words in request order, and the mask of each."""
 
     image: np.ndarray
     words: Sequence[str]
@@ -51,7 +51,7 @@ class Example:
 
 
 def save(folder: Path, examples: Sequence[Example]) -> Path:
-    """Save a detector and a masker that know the examples, and an encoder, where their pins are."""
+    """Save a detector, a masker and an encoder fitted to the examples at their pins' paths."""
     torch.manual_seed(0)
     made = {
         "grounding-dino-tiny": detector(examples),
@@ -67,7 +67,7 @@ def save(folder: Path, examples: Sequence[Example]) -> Path:
 
 
 def detector(examples: Sequence[Example]) -> Any:
-    """Return Grounding DINO whose first queries have the words and boxes of the examples."""
+    """Return a Grounding DINO whose first queries have the words and boxes of the examples."""
     network = tiny_models.grounding_dino(
         d_model=64, decoder_layers=1, decoder_ffn_dim=64, decoder_bbox_embed_share=False
     ).eval()
@@ -116,7 +116,7 @@ def _teach_boxes(network: Any, examples: Sequence[Example]) -> None:
 
 
 def masker(examples: Sequence[Example]) -> Any:
-    """Return SAM 2 that masks what is in the boxes of the examples.
+    """Return a SAM 2 that masks the content of the examples' boxes.
 
     Its finest maps, made of local colours alone, and what each mask adds up of them are fitted;
     then the layer that makes the latter of the box is solved for.
@@ -129,7 +129,7 @@ def masker(examples: Sequence[Example]) -> Any:
     head = decoder.output_hypernetworks_mlps[0].proj_out
     for weight in network.vision_encoder.backbone.parameters():
         if weight.ndim > 1:
-            weight.mul_(_LARGE)  # so that what it makes of colours is not linear
+            weight.mul_(_LARGE)  # makes its output nonlinear in the colours
     decoder.upscale_conv2.weight.zero_()
     boxes, maps, right = [], [], []
     for example in examples:
@@ -155,7 +155,7 @@ def _fitted_sums(
     maps: Sequence[Tensor],
     right: Sequence[Tensor],
 ) -> Tensor:
-    """Fit a layer to make maps whose weighted sums are the right masks; return the weights."""
+    """Fit a layer so that weighted sums of its maps are the true masks; return the weights."""
     spread = 1 / (layer.in_channels**0.5 * float(torch.cat([m.flatten() for m in maps]).std()))
     layer.weight.data.normal_(0, spread)
     layer.bias.data.normal_(0, 1)
@@ -176,7 +176,7 @@ def _fitted_sums(
 
 
 def _asked(network: Any, example: Example) -> tuple[Any, dict[str, Tensor]]:
-    """Return the words as a question, and what Grounding DINO is given."""
+    """Return the words as a prompt, and the inputs of Grounding DINO."""
     tokenizer = transformers.PreTrainedTokenizerFast(
         tokenizer_object=tiny_models.letters_tokenizer()
     )
@@ -194,7 +194,7 @@ def _asked(network: Any, example: Example) -> tuple[Any, dict[str, Tensor]]:
 
 @torch.no_grad()
 def _inputs(network: Any, layer: torch.nn.Module, given: Mapping[str, Any]) -> list[Tensor]:
-    """Return what a layer is given while the network answers."""
+    """Return the inputs of a layer while the network runs."""
     caught: list[Tensor] = []
     hook = layer.register_forward_pre_hook(lambda module, args: caught.append(args[0]))
     network(**given)
@@ -204,7 +204,7 @@ def _inputs(network: Any, layer: torch.nn.Module, given: Mapping[str, Any]) -> l
 
 @torch.no_grad()
 def _solve(layer: torch.nn.Linear, before: Tensor, wanted: Tensor) -> None:
-    """Give a layer the weights that make ``wanted`` of ``before``, row by row."""
+    """Set a layer's weights to map ``before`` to ``wanted``, row by row."""
     ones = torch.ones(len(before), 1)
     made = _solved(torch.cat([before, ones], 1), wanted).T.to(layer.weight)
     layer.weight.copy_(made[:, :-1])
@@ -212,5 +212,5 @@ def _solve(layer: torch.nn.Linear, before: Tensor, wanted: Tensor) -> None:
 
 
 def _solved(rows: Tensor, wanted: Tensor) -> Tensor:
-    """Return the smallest x with rows @ x = wanted, as nearly as it gets."""
+    """Return the minimum-norm least-squares solution x of rows @ x = wanted."""
     return torch.linalg.pinv(rows.double(), rtol=_DAMPED) @ wanted.double()

@@ -1,4 +1,4 @@
-"""A table laid with six things, each of one shape and one colour: pictures, masks and GLBs of it.
+"""A table with six objects of distinct shape and colour: pictures, masks and GLB files.
 
 Things are told apart by their colour, also in a cut-out, so that a server of the tests can look at
 what it is sent instead of being told.
@@ -24,12 +24,12 @@ VIEW = View(0.0, float(np.deg2rad(55)), float(np.deg2rad(30)))
 
 _TOP = (0.9, 0.6, 0.72)  # length, width, height of the table, metres
 _WIDE = (384, 256)  # pixels of the reference picture
-_PIXELS = 400.0  # a metre, of the top view
+_PIXELS = 400.0  # pixels per metre of the top view
 
 
 @dataclass(frozen=True)
 class Thing:
-    """One thing: its size (metres), colour, and place from the middle of the table (metres)."""
+    """One object: its size (m), colour, and position relative to the table's centre (m)."""
 
     noun: str
     round: bool
@@ -40,7 +40,7 @@ class Thing:
 
     @property
     def shape(self) -> trimesh.Trimesh:
-        """It, in metres, z up, about its middle."""
+        """The object's mesh in metres, z up, about its centre."""
         if self.noun == TABLE:
             return _table(self.size)
         if self.round:
@@ -49,7 +49,7 @@ class Thing:
 
     @property
     def glb(self) -> bytes:
-        """It as a file, y up, painted in its colour."""
+        """The object as a GLB file, y up, in its colour."""
         shape = self.shape
         x, y, z = shape.vertices.T
         shape = trimesh.Trimesh(np.column_stack([x, z, -y]), shape.faces, process=False)
@@ -75,7 +75,7 @@ BARE = Thing(TABLE, False, _TOP, (150, 105, 65))
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture of the table, and the mask of each thing in it, the table's first."""
+    """A picture of the table, and the mask of each object in it, the table first."""
 
     image: UInt8[np.ndarray, "h w 3"]
     masks: dict[str, Bool[np.ndarray, "h w"]]
@@ -89,7 +89,7 @@ def drawn() -> Picture:
 
 @cache
 def from_above() -> Picture:
-    """Return the top view, filled by the tabletop."""
+    """Return the top view, which the table top fills."""
     wide, high = (round(_PIXELS * side) for side in _TOP[:2])
     fov = TOP_DOWN.fov
     height = _TOP[2] + _TOP[1] / 2 / float(np.tan(fov / 2))
@@ -98,7 +98,7 @@ def from_above() -> Picture:
 
 
 def boxes_from_above() -> dict[str, list[float]]:
-    """Return the things' boxes in the top view, on a grid of 1000."""
+    """Return the objects' boxes in the top view, on a grid of 1000."""
     picture = from_above()
     high, wide = picture.image.shape[:2]
     boxes = {noun: mask_box(picture.masks[noun]) for noun in THINGS}
@@ -106,7 +106,7 @@ def boxes_from_above() -> dict[str, list[float]]:
 
 
 def shown_in(picture: UInt8[np.ndarray, "h w c"]) -> Thing:
-    """Return the thing whose colour a cut-out shows."""
+    """Return the object whose colour a cut-out shows."""
     colors = picture[..., :3][picture[..., 3] > 127] if picture.shape[2] == 4 else picture
     seen = _chroma(np.median(colors.reshape(-1, 3), axis=0))
     return min((BARE, *THINGS.values()), key=lambda t: np.linalg.norm(_chroma(t.color) - seen))
@@ -146,7 +146,7 @@ def _table(size: tuple[float, float, float]) -> trimesh.Trimesh:
 
 
 def examples() -> list[Example]:
-    """Return what the tests' segmenter has to know: the drawing and the top view.
+    """Return the pictures that the test segmenter must know: the drawing and the top view.
 
     The words come in the order in which they are asked for: that of the answers to list_objects,
     then that of the instances, which begins with what is farthest away.

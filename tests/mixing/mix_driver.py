@@ -1,4 +1,4 @@
-"""One scene by ``cloud``, ``huggingface`` and ``hunyuan3d``, as a process of its own.
+"""Generates one scene with ``cloud``, ``huggingface`` and ``hunyuan3d`` in its own process.
 
     python mix_driver.py OUT CALLS WORKERS
 
@@ -39,7 +39,7 @@ PRICES = Prices(
 
 
 def mix(session: Session) -> Backends:
-    """Return the mix, its models on the CPU, and small."""
+    """Return the mix, with small models on the CPU."""
     return Backends.select(
         "cloud",
         session=session,
@@ -54,7 +54,7 @@ def scene(session: Session) -> Generation:
 
 
 def main(out: str, calls: str, workers: str) -> None:
-    """Make the scene, keep answers in ``calls``, publish it in ``out`` with its ledger."""
+    """Generate the scene, cache answers in ``calls``, publish it in ``out`` with its ledger."""
     logging.basicConfig(level=logging.DEBUG)
     session = Session(
         store=CallStore(calls), prices=PRICES, workers=int(workers), attempts=2,

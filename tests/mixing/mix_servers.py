@@ -1,4 +1,4 @@
-"""The servers of the mix, who look at what they are asked and note each request.
+"""The servers of the mix, which inspect and record each request.
 
 One plays the chat model and the image model of ``cloud``, one Hunyuan3D. Their answers are those of
 the laid table. ``Watch`` knows what was asked and answered when, and may kill who asks.
@@ -31,7 +31,7 @@ KEY = "marker-key-71c0ffee5d"
 
 @dataclass
 class Asked:
-    """One request: of what kind, about what, when it came (seconds), and how it was answered."""
+    """One request: its kind, its subject, its arrival (seconds), and the response."""
 
     question: str
     key: str
@@ -42,7 +42,7 @@ class Asked:
 
 @dataclass
 class Watch:
-    """All requests, in the order they came.
+    """All requests in order of arrival.
 
     ``came`` is called with each new request before it is answered, ``gone`` when its answer has
     been sent; ``delay`` is how long an answer takes, from when its request came (seconds).
@@ -56,7 +56,7 @@ class Watch:
     _open: dict[int, Asked] = field(default_factory=dict)
 
     def note(self, question: str, content: bytes, began: float | None = None) -> None:
-        """Enter a request of the calling thread, which answers it; it came now, or at ``began``."""
+        """Record a request of the calling thread, which responds; it came now or at ``began``."""
         came = time.monotonic() if began is None else began
         made = Asked(question, hashlib.sha256(content).hexdigest(), came)
         with self._lock:
@@ -66,7 +66,7 @@ class Watch:
         time.sleep(max(0.0, made.began + self.delay - time.monotonic()))
 
     def peak(self, question: str) -> int:
-        """Return how many requests of a kind were under way at once, at most."""
+        """Return the maximum number of concurrent requests of a kind."""
         edges = [(e, step) for a in self.asked if a.question == question
                  for e, step in ((a.began, 1), (a.ended or time.monotonic(), -1))]  # fmt: skip
         return int(np.cumsum([step for _, step in sorted(edges)]).max(initial=0))
@@ -79,14 +79,14 @@ class Watch:
 
 @dataclass(frozen=True)
 class Servers:
-    """The addresses of both servers, and the watch over them."""
+    """The addresses of both servers, and their request record."""
 
     cloud: str
     hunyuan3d: str
     watch: Watch
 
     def environment(self, models: Path, key: str = KEY) -> dict[str, str]:
-        """Return the variables by which the mix finds servers and models."""
+        """Return the environment variables with which the mix finds servers and models."""
         return {
             "TABLETOPGEN_CLOUD_BASE_URL": self.cloud,
             "TABLETOPGEN_CLOUD_KEY": key,
@@ -131,11 +131,11 @@ def running(watch: Watch) -> Iterator[Servers]:
 
 
 def drain(before: Collection[threading.Thread]) -> None:
-    """Wait until the servers have seen all that clients sent who are gone.
+    """Wait until the servers have handled everything from disconnected clients.
 
     Not for threads of ``before``: connections of this process may be open for long.
     """
-    time.sleep(0.1)  # what was not accepted yet
+    time.sleep(0.1)  # not yet accepted
     while any(
         "process_request_thread" in thread.name and thread not in before
         for thread in threading.enumerate()
@@ -144,7 +144,7 @@ def drain(before: Collection[threading.Thread]) -> None:
 
 
 def _said(question: str, request: Request) -> dict[str, Any]:
-    """Return the right answer to a question of the reasoner."""
+    """Return the correct answer to a question for the reasoner."""
     labels = listed(request.body["messages"][0]["content"][0]["text"])
     known = {number: {TABLE: BARE, **THINGS}[label] for number, label in labels.items()}
     elevation, fov = np.rad2deg([VIEW.elevation, VIEW.fov])

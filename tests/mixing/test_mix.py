@@ -58,7 +58,7 @@ Process = subprocess.Popen[bytes]
 
 @dataclass(frozen=True)
 class Run:
-    """One process: how it ended, what it said, and what it asked of the servers."""
+    """One process: its exit, its output, and its requests to the servers."""
 
     code: int
     told: str
@@ -67,7 +67,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Point:
-    """When to kill: as the ``number``-th call comes in, or ``after`` seconds from its answer."""
+    """A time to kill: at the ``number``-th call, or ``after`` seconds from its response."""
 
     number: int
     after: float | None
@@ -75,7 +75,7 @@ class Point:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a run writes: the bundles, and the answers."""
+    """Output folders of a run: the bundles, and the response cache."""
 
     folder: Path
     servers: Servers
@@ -90,7 +90,7 @@ class Place:
         return self.folder / "calls"
 
     def run(self, key: str = KEY, started: Callable[[Process], None] = lambda process: None) -> Run:
-        """Run the driver to its end; ``started`` gets its process."""
+        """Run the driver to its end; ``started`` receives its process."""
         self.folder.mkdir(parents=True, exist_ok=True)
         before = threading.enumerate()
         log = self.folder / f"told_{len(list(self.folder.glob('told_*')))}.txt"
@@ -112,7 +112,7 @@ class Place:
         return Run(code, log.read_text(), tuple(self.servers.watch.asked[first:]))
 
     def killed(self, point: Point, before: int) -> Run:
-        """Run until a point of the calls that were made since the ``before``-th; kill it there."""
+        """Run until a point among the calls after the ``before``-th, and kill the process there."""
         watch, processes = self.servers.watch, queue.Queue[Process]()
 
         def kill() -> None:
@@ -139,7 +139,7 @@ class Place:
             watch.came = watch.gone = lambda asked: None
 
     def kept(self) -> set[bytes]:
-        """Return the answers that are kept, all of them whole."""
+        """Return the cached responses, all of them complete."""
         store = CallStore(self.calls)
         answers = [store.get(p.name) for p in self.answers() if not p.name.startswith(".")]
         assert all(answers)
@@ -161,7 +161,7 @@ def models(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def points(seed: int) -> list[Point]:
-    """Draw where to kill: out of all calls, at least one of each kind."""
+    """Draw the points of kills: from all calls, at least one of each kind."""
     rng = random.Random(seed)
     numbers = sorted(rng.sample(range(1, sum(TIMES.values()) + 1), KILLS))
     kinds = [None, rng.uniform(0, 0.3), *(rng.choice([None, 0.2]) for _ in range(KILLS - 2))]
@@ -170,7 +170,7 @@ def points(seed: int) -> list[Point]:
 
 
 def together() -> Callable[[Asked], None]:
-    """Return what lets nobody's answer go before all of one kind are asked for."""
+    """Return a callback that holds all responses until all requests of one kind have arrived."""
     gates = {question: threading.Barrier(TIMES[question]) for question in EACH}
 
     def wait(asked: Asked) -> None:
@@ -181,7 +181,7 @@ def together() -> Callable[[Asked], None]:
 
 
 def files(bundle_path: Path) -> dict[str, bytes]:
-    """Return what a bundle holds; its ledger tells of one run."""
+    """Return the content of a bundle; its ledger covers one run."""
     return {
         str(p.relative_to(bundle_path)): p.read_bytes()
         for p in bundle_path.rglob("*")
@@ -190,7 +190,7 @@ def files(bundle_path: Path) -> dict[str, bytes]:
 
 
 def holding(key: str, folder: Path) -> list[Path]:
-    """Return the files under a folder that hold a key, as it is or in a usual disguise."""
+    """Return the files in a folder that contain a key, plain or in a common encoding."""
     forms = {key, quote(key, safe=""), base64.b64encode(key.encode()).decode()}
     found = [p for p in folder.rglob("*") if p.is_file()]
     return [p for p in found if any(f.encode() in p.read_bytes() for f in forms)]
@@ -230,7 +230,7 @@ def test_a_scene_killed_five_times_is_the_scene_never_killed(
 
 
 def check_whole(place: Place, run: Run, watch: Watch) -> Path:
-    """Hold a run that was never killed against what a whole scene is; return its bundle."""
+    """Check the result of an uninterrupted run; return its bundle."""
     assert run.code == 0, run.told[-4000:]
     assert Counter(a.question for a in run.asked) == TIMES
     assert {question: watch.peak(question) for question in EACH} == dict.fromkeys(EACH, 7)
@@ -244,7 +244,7 @@ def check_whole(place: Place, run: Run, watch: Watch) -> Path:
 
 
 def check_killed(place: Place, settled: set[str], run: Run, everything: list[Asked]) -> set[str]:
-    """Hold a killed run against the promise; return the questions whose answers are kept.
+    """Check the guarantees for a killed run; return the questions with cached answers.
 
     ``settled`` are those that were kept before it, ``everything`` is what was asked until now.
     """
@@ -261,7 +261,7 @@ def check_killed(place: Place, settled: set[str], run: Run, everything: list[Ask
 
 
 def check_ledgers(calm: Path, shaken: Path, cached: int, last: Run) -> None:
-    """Hold the ledger of the last run against that of the run that was never killed."""
+    """Compare the ledger of the last run with that of an uninterrupted run."""
     usual, resumed = (json.loads((p / LEDGER).read_text()) for p in (calm, shaken))
 
     def asked(ledger: dict[str, Any], *outcomes: str) -> Counter[tuple[str, str]]:

@@ -153,7 +153,7 @@ def test_whistle(look: Look) -> Shape:
 
 @pytest.mark.slow
 def test_an_object_that_is_not_in_the_index_is_checked(folder: Path) -> None:
-    """In a copy of the package, which comes first on the path."""
+    """In a copy of the package, which is first on the path."""
     copy = folder / "tabletop_objects"
     shutil.copytree(Path(catalogue.__file__).parent, copy)
     (copy / "objects/sports/whistles_of_test.py").write_text(NEW.replace("MASS", "0.01"))

@@ -1,4 +1,4 @@
-"""What is compiled in memory, or once for many poses, is what the document compiles to."""
+"""Models compiled in memory, or once for many poses, equal the compiled document."""
 
 import dataclasses
 
@@ -15,7 +15,7 @@ NAMED = ("names", "paths", "pathadr", "names_map")
 
 
 def numbers(model: mujoco.MjModel) -> dict[str, np.ndarray]:
-    """Every array of a model but names and where they are."""
+    """Return all arrays of a model except names and their addresses."""
     found = {name: getattr(model, name) for name in dir(model) if not name.startswith("_")}
     return {
         name: value
@@ -30,7 +30,7 @@ def differing(one: mujoco.MjModel, other: mujoco.MjModel) -> list[str]:
 
 
 def tossed(scene: Scene, seed: int) -> Scene:
-    """The scene with everything at other poses, askew."""
+    """Return the scene with everything at other, rotated poses."""
     rng = np.random.default_rng(seed)
     turns = [q / np.linalg.norm(q) for q in rng.normal(size=(len(scene.objects), 4))]
     return scene.replace(

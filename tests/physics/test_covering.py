@@ -1,4 +1,4 @@
-"""Collision parts hold what is drawn, leave hollows open, and stand on one foot."""
+"""Collision parts cover the visual mesh, keep hollows open, and stand on one foot."""
 
 import numpy as np
 import pytest

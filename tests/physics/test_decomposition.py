@@ -134,7 +134,7 @@ def test_limits_hold_and_leave_nothing(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_a_rough_mesh_is_cut_coarsely_not_given_up(tmp_path: Path) -> None:
-    """Loose triangles fall into more pieces than can be merged in reasonable time."""
+    """Loose triangles give more pieces than can be merged in reasonable time."""
     corners = np.random.default_rng(0).standard_normal((3 * 2000, 3))
     soup = trimesh.Trimesh(corners, np.arange(len(corners)).reshape(-1, 3), process=False)
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -145,7 +145,7 @@ def test_a_rough_mesh_is_cut_coarsely_not_given_up(tmp_path: Path) -> None:
 
 
 def of_pieces(monkeypatch: pytest.MonkeyPatch, pieces: int) -> list[int]:
-    """Have each mesh fall into so many pieces; return what is cut, by number of faces."""
+    """Make each mesh give this number of pieces; return the meshes that are cut, by faces."""
     cut: list[int] = []
 
     def coacd(vertices, faces, limits, cpu):

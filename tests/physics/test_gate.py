@@ -1,4 +1,4 @@
-"""The gate must catch every kind of unsound scene: one that cannot fail is a defect."""
+"""The gate detects every kind of invalid scene."""
 
 import dataclasses
 
@@ -89,7 +89,7 @@ def test_off_a_round_table_counts_its_own_outline() -> None:
 
 
 def marble(flat: float) -> Object:
-    """A ball that stands on a flat spot of this radius."""
+    """Return a ball that stands on a flat spot of this radius."""
     radius, around = 0.02, np.linspace(0, 2 * np.pi, 24, endpoint=False)
     low = -np.sqrt(radius**2 - flat**2)
     rings = [(flat, low), *((radius * np.cos(a), radius * np.sin(a)) for a in (-0.6, -0.2, 0.2, 1))]
@@ -108,7 +108,7 @@ def test_what_rolls_off_a_leaning_table_fails_and_passes_on_a_level_one() -> Non
 
 
 def test_a_thing_that_slides_evenly_is_seen_though_not_watched_to_the_end() -> None:
-    """The forecast of an even creep is what the limits are held against."""
+    """The limits apply to the extrapolation of a steady creep."""
     slope = np.deg2rad(0.5)
     scene = toy_scene((dataclasses.replace(cube("a_1", 0), friction=1e-4),))
     scene = scene.replace(table=dataclasses.replace(scene.table, friction=1e-4))
@@ -120,7 +120,7 @@ def test_a_thing_that_slides_evenly_is_seen_though_not_watched_to_the_end() -> N
 
 
 def breaking(monkeypatch: pytest.MonkeyPatch, dof: int, leaning: bool) -> None:
-    """Make a velocity of every simulation, or of those that lean, infinite."""
+    """Make a velocity of every simulation, or of the tilted ones, infinite."""
     import mujoco
 
     step = mujoco.mj_step
@@ -137,7 +137,7 @@ def breaking(monkeypatch: pytest.MonkeyPatch, dof: int, leaning: bool) -> None:
 def test_a_simulation_that_breaks_down_fails_and_says_at_what(
     leaning: bool, where: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """MuJoCo starts anew from the scene's poses, so that nothing seems to have moved."""
+    """MuJoCo restarts from the scene's poses, so that nothing seems to have moved."""
     breaking(monkeypatch, 8, leaning)
     report = judge(toy_scene((cube("a_1", 0), cube("b_1", 0.2))))
     said = f"b_1 moved beyond all bounds{where}: the simulation broke down"
@@ -175,7 +175,7 @@ def test_what_trembles_in_place_is_not_watched_to_the_end(monkeypatch: pytest.Mo
 
 
 def pushing(monkeypatch: pytest.MonkeyPatch, offset) -> None:
-    """Put a thing ``offset(t)`` metres to the side of where a look at time t finds it."""
+    """Displace an object by ``offset(t)`` metres when it is checked at time t."""
     step = Simulation.run
 
     def run(self: Simulation, seconds: float, damping: float = 0.0) -> None:

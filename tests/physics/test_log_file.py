@@ -1,4 +1,4 @@
-"""MuJoCo's log file: no simulation of the product writes one into the working directory."""
+"""MuJoCo's log file: simulations never write one into the working directory."""
 
 import contextlib
 import re
@@ -26,7 +26,7 @@ SCENE = toy_scene((toy_object("cube", (0.03, 0.03, 0.03), (0.0, 0.0)),))
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """An empty working directory, with MuJoCo's log as it is in a new process."""
+    """An empty working directory, with MuJoCo's log in its initial state."""
     monkeypatch.chdir(tmp_path)
     before = mujoco.MjLogConfig.get()
     log(True, "MUJOCO_LOG.TXT")

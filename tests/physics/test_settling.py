@@ -1,4 +1,4 @@
-"""What counts as toppled."""
+"""The criterion for toppled objects."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""Pictures are decoded in a child with limits; whatever goes wrong is one error."""
+"""Pictures are decoded in a child process with limits; every failure is one error."""
 
 import contextlib
 import io
@@ -114,7 +114,7 @@ def test_a_cancelled_decode_is_an_error() -> None:
 
 @pytest.mark.slow
 def test_tags_of_other_types_and_counts_are_one_error() -> None:
-    """In a child each, as users read them: Pillow raises TypeError and OverflowError for these."""
+    """In a child each, as for users: Pillow raises TypeError and OverflowError for these."""
     rng, sound = random.Random(11), tagged_tiff()
     for _ in range(8):
         try:

@@ -76,7 +76,8 @@ def test_the_part_of_the_picture_that_is_drawn_is_the_whole_pictures() -> None:
 
 
 def difference_of_mug(yaw: float, hidden: bool = False) -> float:
-    """How far off the most alike side is of a mug seen from the front, 25 degrees up."""
+    """Return the difference to the most similar side of a mug seen from the front, 25 degrees
+    up."""
     model = build("mug", 5)
     low = dataclasses.replace(VIEW, elevation=np.deg2rad(25.0))
     camera = looking_camera(low)

@@ -49,7 +49,7 @@ def truth() -> Truth:
 
 
 def made_of(true: Truth, change: Any = None, drop: int = 0) -> Any:
-    """What a generation of the truth's picture would hold: the same scene, ``change``d."""
+    """Return a generation from the truth's picture: the same scene after ``change``."""
     things = tuple(change(o) if change else o for o in true.scene.objects[drop:])
     instances = []
     for k, thing in enumerate(true.scene.objects[drop:], start=drop + 1):
@@ -159,7 +159,7 @@ def test_things_are_turned_where_they_have_room() -> None:
 
 @pytest.mark.slow
 def test_a_yaw_that_the_picture_does_not_tell_is_not_judged() -> None:
-    """A mug's handle behind its body: what is found may face anywhere away."""
+    """A mug's handle is hidden by its body: its yaw may be anything that points away."""
     mug = build("mug", 5)
     plain = dataclasses.replace(
         mug, mesh=Mesh(mug.mesh.vertices, mug.mesh.faces, 0 * mug.mesh.uv, mug.mesh.texture)

@@ -12,7 +12,7 @@ from tabletop_objects import build
 
 
 def resampled(model: Model) -> Cloud:
-    """The object's surface at other points: its faces in another order."""
+    """Return the object with other surface samples: its faces in another order."""
     mesh = model.mesh
     faces = mesh.faces[np.random.default_rng(0).permutation(len(mesh.faces))]
     return cloud(Mesh(mesh.vertices, faces, mesh.uv, mesh.texture), model.size)
@@ -35,7 +35,7 @@ def test_models_of_another_make_are_held_together_by_their_surfaces(turn: float)
 @pytest.mark.parametrize("word", ["marker", "pencil", "fork", "smartphone"])
 @pytest.mark.parametrize("turn", [0.0, 180.0])
 def test_ends_that_are_nearly_alike_are_told_apart(word: str, turn: float) -> None:
-    """Turned end to end, a pencil covers itself but for its tip: the tip tells."""
+    """A pencil turned end to end covers itself except for its tip, which decides."""
     model = build(word, 0)
     got = best_turn(
         turn_cloud(resampled(model), 0.7 + np.deg2rad(turn)),

@@ -1,4 +1,4 @@
-"""Episodes of random numbers, which cost nothing, in place of the expert's."""
+"""Random episodes, cheap replacements of the expert's."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -14,7 +14,7 @@ CAMERAS = ("front", "wrist")
 
 
 def made_episode(number: int, steps: int = 0, kinds: tuple[str, ...] = ("rgb",)) -> RecordedEpisode:
-    """An episode with pictures, the same for the same number; longer ones come later."""
+    """Return an episode with pictures, equal for equal numbers; later ones are longer."""
     rng = np.random.default_rng(number)
     steps = steps or 3 + number
     rows = steps + 1
@@ -54,7 +54,7 @@ def made_episode(number: int, steps: int = 0, kinds: tuple[str, ...] = ("rgb",))
 def play_made(
     config: Any, env: Any, workers: int, ray: Any = None, first: int = 0
 ) -> Iterator[RecordedEpisode | SceneError]:
-    """Take the place of ``play_episodes``: every third episode gives nothing."""
+    """Replace ``play_episodes``: every third episode is missing."""
     number = first
     while True:
         lost = number % 3 == 1

@@ -27,7 +27,7 @@ def made(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def read(format: Any, path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """What is said of the dataset, and the second episode's arrays by their joined names."""
+    """Return the metadata of the dataset, and the second episode's arrays by joined names."""
     arrays: dict[str, Any] = {}
     if format == "npz":
         with np.load(path / "episode_1.npz", allow_pickle=False) as file:

@@ -51,7 +51,7 @@ def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def differing(one: Path, other: Path) -> dict[str, int]:
-    """The files of two folders that differ, and the first byte at which each does."""
+    """Return the files that differ in two folders, and the first differing byte of each."""
     mine, theirs = contents(one), contents(other)
     found: dict[str, int] = {}
     for name in sorted({*mine, *theirs}):
@@ -72,7 +72,7 @@ def told(folder: Path, name: str) -> Any:
 
 
 def table(folder: Path, below: str) -> Any:
-    """Rows of all files of tables, by column."""
+    """Return the rows of all table files, by column."""
     return pq.read_table(folder / below).to_pydict()
 
 
@@ -200,7 +200,7 @@ def test_any_frame_of_joined_videos_is_found_by_seeking(
 
 
 def sought(path: Path, time: float, pixels: str) -> np.ndarray:
-    """The frame of a time, decoded from the whole picture before it alone, as LeRobot does."""
+    """Return the frame at a time, decoded from its keyframe as LeRobot does."""
     with av.open(str(path)) as file:
         stream = file.streams.video[0]
         base = stream.time_base

@@ -34,7 +34,7 @@ def lift(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def first() -> Any:
-    """The first episode of ``SEEN``, as it was played."""
+    """Return the first episode of ``SEEN``."""
     env = SEEN.environment()
     episodes = play_episodes(SEEN, env, 1)
     episode = next(episodes)
@@ -108,7 +108,7 @@ def test_starts_differ_unless_asked_not_to() -> None:
 
 @dataclass(frozen=True)
 class Counted(RecordConfig):
-    """Notes in a folder, by process, each environment that is made, and that is closed."""
+    """Records in a folder, by process, each created and closed environment."""
 
     folder: str = ""
 
@@ -130,7 +130,7 @@ class Counted(RecordConfig):
 
 
 class Fatal(Counted):
-    """Ends any other process than the one it was made for."""
+    """Kills any process except the one for which it was created."""
 
     def environment(self) -> Any:
         if str(os.getpid()) != Path(self.folder).name:
@@ -160,7 +160,7 @@ def test_a_process_that_dies_is_an_error_of_the_project(tmp_path: Path) -> None:
 
 
 def contents(path: Path) -> dict[str, Any]:
-    """Every array and attribute of an HDF5 file, by name."""
+    """Return every array and attribute of an HDF5 file, by name."""
     found: dict[str, Any] = {}
 
     def visit(name: str, item: h5py.Group | h5py.Dataset) -> None:

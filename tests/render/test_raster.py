@@ -145,7 +145,7 @@ def test_what_lies_in_too_many_layers_is_not_drawn(corner: tuple[float, float]) 
 
 
 def test_a_fan_of_very_many_faces_is_shaded_flat() -> None:
-    """Its corners would be compared with each other: 4e8 pairs."""
+    """A comparison of all of its corners would need 4e8 pairs."""
     angles = np.linspace(0, 2 * np.pi, 20_000)
     rim = np.column_stack([np.cos(angles), np.sin(angles), 0.1 * np.sin(9 * angles)])
     k = np.arange(len(rim) - 1)

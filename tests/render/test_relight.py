@@ -8,7 +8,7 @@ from generator.render.relight import relit
 
 
 def ball(side: int = 48) -> tuple[torch.Tensor, torch.Tensor]:
-    """Normals of a ball that faces the camera, and where it is."""
+    """Return the normals of a ball that faces the camera, and its mask."""
     y, x = torch.meshgrid(*[torch.linspace(-1.2, 1.2, side)] * 2, indexing="ij")
     flat = x**2 + y**2
     cover = (flat < 1).float()
@@ -19,7 +19,7 @@ def ball(side: int = 48) -> tuple[torch.Tensor, torch.Tensor]:
 def lit(
     light: tuple[float, ...], tint: tuple[float, float, float], albedo: torch.Tensor
 ) -> tuple[soft.SoftImages, torch.Tensor, torch.Tensor]:
-    """A ball's render in an even light, its picture in another, over grey, and where it is."""
+    """Return a ball's render in uniform light, its picture in another light, and its mask."""
     normal, cover = ball(albedo.shape[-1])
     shade = light[0] + (normal * torch.tensor(light[1:])[None, :, None, None]).sum(1)
     picture = albedo * shade[:, None] * torch.tensor(tint)[None, :, None, None]
@@ -44,7 +44,7 @@ def test_the_light_of_a_picture_is_found():
 
 
 def test_the_light_draws_no_pattern():
-    """A ball without stripes stays without them, whatever it is compared with."""
+    """A ball without stripes stays without them, whatever its reference."""
     _, picture, cover = lit((0.7, 0.2, -0.15, -0.1), (1.0, 1.0, 1.0), stripes())
     plain, _, _ = lit((1.0, 0, 0, 0), (1.0, 1.0, 1.0), torch.full((1, 3, 48, 48), 0.6))
     found = relit(plain, picture, cover)[0, 0, 24, 16:32]

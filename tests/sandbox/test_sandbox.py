@@ -374,7 +374,7 @@ def test_a_child_ends_with_its_parent() -> None:
 
 
 def _is_limited(pid: int) -> bool:
-    """Whether the child has set its limits, which it does after it ties itself to its parent."""
+    """Return whether the child has set its limits, which follows its tie to the parent."""
     limits = Path(f"/proc/{pid}/limits").read_text()
     return any(line.startswith("Max file size") and " 0 " in line for line in limits.splitlines())
 

@@ -1,4 +1,4 @@
-"""A shard of one picture for the eye's benchmark, drawn without OpenGL."""
+"""A shard with one picture for the eye's benchmark, drawn without OpenGL."""
 
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from tabletop_objects import CATEGORIES
 
 
 def write_shard(path: Path) -> None:
-    """Write a shard that holds a composed table's picture and what is to be seen in it."""
+    """Write a shard with a composed table's picture and its annotations."""
     keys = tuple(sorted(CATEGORIES))
     truth = photograph("", compose("a mug and an apple on a desk", 0), np.random.default_rng(0))
     things = truth.scene.objects

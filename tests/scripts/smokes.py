@@ -1,4 +1,4 @@
-"""How each script of ``benchmarks/``, ``docs/`` and ``examples/`` is tried: one entry a script.
+"""The test run of each script in ``benchmarks/``, ``docs/`` and ``examples/``.
 
 A new script needs an entry in ``SMOKES``: the least work that its own options allow, and what it
 leaves. It runs in an empty folder, its ``{out}``; nothing else may change.

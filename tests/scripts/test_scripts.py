@@ -17,7 +17,7 @@ LONG = 540.0
 
 
 def scripts() -> list[str]:
-    """Return the files that are run, not imported, by their paths from the root."""
+    """Return the executable files by their paths from the root."""
     files = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
     guarded = [p for p in files if "__main__" in p.read_text(encoding="utf-8")]
     return [path.relative_to(ROOT).as_posix() for path in guarded]
@@ -32,7 +32,7 @@ def state() -> dict[str, tuple[int, int]]:
 
 
 def errors_in(table: Path) -> list[str]:
-    """Return what the rows of a table say of cases that failed, which end no benchmark."""
+    """Return the errors in a table's rows, which do not end a benchmark."""
     with table.open(newline="", encoding="utf-8") as file:
         return [row["error"] for row in csv.DictReader(file) if row.get("error")]
 

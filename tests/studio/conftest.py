@@ -1,4 +1,4 @@
-"""A page of two files, and applications that answer in this process."""
+"""A page of two files, and applications that respond in this process."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,7 +12,7 @@ from tabletopgen_web.studio.queue import process
 
 @pytest.fixture
 def static(tmp_path: Path) -> Path:
-    """A built page, as small as can be."""
+    """A minimal built page."""
     folder = tmp_path / "static"
     (folder / "assets").mkdir(parents=True)
     (folder / "studio.html").write_text("<!doctype html><title>Studio</title>")
@@ -24,7 +24,7 @@ def static(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def client(tmp_path: Path, static: Path, store: Path) -> Iterator[TestClient]:
-    """A client with the token, of a studio whose jobs are real."""
+    """A client with the token for a studio with real jobs."""
     with open_client(tmp_path / "studio", static) as client:
         yield client
 
@@ -33,7 +33,7 @@ def client(tmp_path: Path, static: Path, store: Path) -> Iterator[TestClient]:
 def fake(
     tmp_path: Path, static: Path, store: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[TestClient]:
-    """A client with the token, of a studio whose jobs are those of ``fake_job``."""
+    """A client with the token for a studio with the jobs of ``fake_job``."""
     monkeypatch.setattr(process, "MODULE", "fake_job")
     monkeypatch.setattr(process, "GRACE", 0.3)
     with open_client(tmp_path / "studio", static) as client:

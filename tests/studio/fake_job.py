@@ -1,4 +1,4 @@
-"""Stands in for the process of a job: it does what the text of the job says."""
+"""Replaces the process of a job and acts as the job's text demands."""
 
 import json
 import os

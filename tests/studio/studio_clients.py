@@ -1,4 +1,4 @@
-"""Clients of a studio: of an application in this process, and of a server in one of its own."""
+"""Clients of a studio: of an application in this process, and of a server in another."""
 
 import contextlib
 import json
@@ -36,7 +36,7 @@ def rater_token(study: str) -> str:
 def open_client(
     folder: Path, static: Path, workers: int = 1, *, studies: Sequence[StudyPage] = ()
 ) -> Iterator[TestClient]:
-    """A client with the token, of an application that runs meanwhile."""
+    """Open a client with the token for an application that runs in the context."""
     place = StudioFolder(folder)
     access = replace(ACCESS, studies={page.study: rater_token(page.study) for page in studies})
     with place.locking():
@@ -50,7 +50,7 @@ def open_client(
 
 
 def wait_for(client: Any, job: str, *states: str) -> dict[str, Any]:
-    """Wait until a job is in one of the states, over unless said otherwise; return it."""
+    """Wait until a job is in one of the states, by default finished; return it."""
     end = time.monotonic() + LONG
     while True:
         row = client.get(f"/api/jobs/{job}").json()
@@ -77,7 +77,7 @@ def queue(client: Any, text: str = "quick", **more: Any) -> str:
 
 @dataclass
 class Studio:
-    """A studio in a process of its own."""
+    """A studio in its own process."""
 
     process: subprocess.Popen[str]
     port: int
@@ -110,7 +110,7 @@ main()
 
 
 def studio_command(page: Path, *options: str) -> list[str]:
-    """The command line of a studio whose page lies in a folder, made if it is missing."""
+    """Return the command line of a studio whose page is in a folder, created if missing."""
     page.mkdir(parents=True, exist_ok=True)
     (page / "studio.html").write_text("<!doctype html><html><title>Studio</title></html>")
     return [sys.executable, "-c", LAUNCH, str(page), "studio", "--no-browser", *options]
@@ -118,7 +118,7 @@ def studio_command(page: Path, *options: str) -> list[str]:
 
 @contextlib.contextmanager
 def run_studio(folder: Path, *options: str) -> Iterator[Studio]:
-    """Run ``tabletopgen studio`` meanwhile; it is killed afterwards if it is still there."""
+    """Run ``tabletopgen studio`` in the context; kill it afterwards if it still runs."""
     command = studio_command(folder.parent / "page", "--folder", str(folder), *options)
     with running(*command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         line = line_of(process)
@@ -131,7 +131,7 @@ def run_studio(folder: Path, *options: str) -> Iterator[Studio]:
 
 
 class Listener:
-    """Listens to the events of a studio in a thread of its own."""
+    """Listens to the events of a studio in its own thread."""
 
     def __init__(self, studio: Studio, since: int = 0) -> None:
         self.events: list[dict[str, Any]] = []
@@ -154,7 +154,7 @@ class Listener:
 
 
 def ask_raw(port: int, request: bytes, seconds: float = 20.0) -> bytes:
-    """Send bytes as they are; return what comes until the connection is closed."""
+    """Send raw bytes; return the response until the connection is closed."""
     with socket.create_connection(("127.0.0.1", port), timeout=seconds) as line:
         line.sendall(request)
         said = b""

@@ -12,7 +12,7 @@ from tabletopgen_web.studio.server import listener
 
 @pytest.fixture
 def serving(monkeypatch: pytest.MonkeyPatch, static: Path) -> list[tuple]:
-    """What the command would serve; it serves nothing."""
+    """Return the application of the command without serving it."""
     served: list[tuple] = []
     monkeypatch.setattr(frontend, "static_folder", lambda: static)
     monkeypatch.setattr(listener, "serve", lambda *told: served.append(told))
@@ -31,7 +31,7 @@ def test_it_listens_on_this_machine_alone(serving: list, tmp_path: Path, shell: 
 
 def test_another_host_is_warned_of(serving: list, tmp_path: Path, shell: Shell) -> None:
     shown = shell("studio", "--folder", str(tmp_path / "own"), "--host", "0.0.0.0")
-    assert "warning: 0.0.0.0 lets other machines in" in shown.err
+    assert "warning: 0.0.0.0 accepts unencrypted connections" in shown.err
     assert serving[0][3], "a browser is opened"
 
 

@@ -29,7 +29,7 @@ def test_scans_by_the_thousand_are_refused_before_decoding(client: TestClient) -
 
 
 def decoders(studio: Studio) -> list[int]:
-    """The children of a studio that decode."""
+    """Return the decoder processes of a studio."""
     listed = Path(f"/proc/{studio.process.pid}/task").glob("*/children")
     found: list[int] = []
     for task in listed:
@@ -46,7 +46,7 @@ def _command(pid: int) -> bytes:
 
 @contextlib.contextmanager
 def stuck_uploads(studio: Studio, count: int) -> Iterator[list[socket.socket]]:
-    """Clients whose uploads are decoded by children that are stopped."""
+    """Clients whose uploads are decoded by stopped children."""
     with contextlib.ExitStack() as stack:
         lines, stopped = [], set[int]()
         for k in range(count):
@@ -99,7 +99,7 @@ def test_a_studio_ends_soon_while_it_decodes_and_works(tmp_path: Path, store: Pa
 
 
 def _view(studio: Studio) -> None:
-    """Ask for a scene's viewer, which is prepared by a thread of the studio."""
+    """Request a scene's view, which a thread of the studio prepares."""
     with contextlib.suppress(Exception), studio.connect() as client:
         scene = client.get("/api/scenes").json()["scenes"][0]["id"]
         client.get(f"/api/scenes/{scene}/view.json")

@@ -30,7 +30,7 @@ def check(answer: Any) -> None:
 
 
 def paths() -> list[str]:
-    """Every endpoint's path with every strange id in every place."""
+    """Return every endpoint's path with every invalid id in every position."""
     found = set()
     for route in ROUTES:
         if route.path != "/api/events":
@@ -54,7 +54,7 @@ def test_strange_ids_and_methods(fake: TestClient, method: str, tmp_path: Path) 
 
 
 def list_made(folder: Path) -> list[Path]:
-    """Everything but the database and scenes that were prepared to be shown."""
+    """Return all files except the database and prepared scenes."""
     found = folder.rglob("*")
     return sorted(p for p in found if "sqlite" not in p.name and "views" not in p.parts)
 

@@ -238,7 +238,7 @@ def test_a_job_that_cannot_be_taken_does_not_stop_the_queue(
 def test_jobs_that_make_way_take_their_files_along(
     fake: TestClient, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(jobs, "_MOST_JOBS", 2)
+    monkeypatch.setattr(jobs, "_MAX_JOBS", 2)
     made = [wait_for(fake, queue(fake))["id"] for _ in range(4)]
     (figures,) = tmp_path.rglob("figures")
     assert {path.name for path in figures.iterdir()} == {*made[2:]}

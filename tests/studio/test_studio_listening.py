@@ -42,7 +42,7 @@ def port(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
 
 
 def ask(line: socket.socket, path: bytes = b"") -> None:
-    """Ask for a path and read the answer to its end."""
+    """Request a path and read the complete response."""
     line.sendall(REQUEST % path)
     said = b""
     while not said.endswith(b"done"):

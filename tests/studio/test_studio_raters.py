@@ -36,7 +36,7 @@ def key(made: tuple) -> StudyKey:
 
 @pytest.fixture
 def rater(made: tuple, tmp_path: Path, static: Path, store: Path) -> Iterator[TestClient]:
-    """A client without a token, of a studio that serves two studies."""
+    """A client without a token for a studio with two served studies."""
     with open_client(tmp_path / "studio", static, studies=made[1:]) as client:
         del client.headers["authorization"]
         yield client
@@ -135,7 +135,7 @@ def test_a_rater_cannot_fill_the_disk(
     assert send(0, 1.0) == 201, "what is there already is no more"
     folder = tmp_path / "studio" / "answers" / key.study
     size = sum(path.stat().st_size for path in folder.iterdir())
-    monkeypatch.setattr(books, "_MOST_SHARED_BYTES", int(size * 1.5))
+    monkeypatch.setattr(books, "_MAX_SHARED_BYTES", int(size * 1.5))
     found = [send(k, 1.0) for k in range(1, 9)]
     assert {201, 507} == {*found} and found == sorted(found)
     assert sum(path.stat().st_size for path in folder.iterdir()) <= size * 1.5
@@ -193,7 +193,7 @@ def test_a_secret_is_written_whole_or_not_at_all(
 # --------------------------------------------------------------------------------------- command
 @pytest.fixture
 def serving(monkeypatch: pytest.MonkeyPatch, static: Path) -> list[tuple]:
-    """What the command would serve; it serves nothing."""
+    """Return the application of the command without serving it."""
     served: list[tuple] = []
     (static / "study.html").write_text(tiny.TEMPLATE)
     monkeypatch.setattr(frontend, "static_folder", lambda: static)

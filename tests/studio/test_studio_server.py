@@ -29,7 +29,7 @@ DESK = "a desk with a mug"
 
 @pytest.fixture(scope="module")
 def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
-    """A studio for tests that leave nothing behind."""
+    """A studio for tests without side effects."""
     folder = tmp_path_factory.mktemp("studio")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("TABLETOPGEN_CACHE", str(folder / "store"))
@@ -209,7 +209,7 @@ def test_a_generation_is_cancelled_in_its_middle(tmp_path: Path, store: Path) ->
 
 
 def test_a_killed_studio_loses_nothing(tmp_path: Path, store: Path) -> None:
-    """The next one begins the job again, and ends in the same bundle as the pipeline's own."""
+    """The next studio restarts the job, and produces the same bundle as the pipeline."""
     folder = tmp_path / "studio"
     with run_studio(folder) as studio:
         asked = {"kind": "generate", "text": DESK, "seed": 4}

@@ -72,8 +72,8 @@ def test_a_link_is_not_followed(path: Path, tmp_path: Path) -> None:
 
 
 def test_old_jobs_and_removals_make_way(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(jobs, "_MOST_JOBS", 5)
-    monkeypatch.setattr(jobs, "_MOST_DELETED", 3)
+    monkeypatch.setattr(jobs, "_MAX_JOBS", 5)
+    monkeypatch.setattr(jobs, "_MAX_DELETED", 3)
     store = JobStore(path)
     for _ in range(20):
         job = store.add(JOB).id

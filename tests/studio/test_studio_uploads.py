@@ -24,7 +24,7 @@ def picture(kind: str = "PNG", size: tuple[int, int] = (320, 200), **more: objec
 
 
 def bomb(width: int, height: int) -> bytes:
-    """A PNG whose header claims more pixels than anybody wants."""
+    """Return a PNG whose header claims too many pixels."""
 
     def chunk(kind: bytes, data: bytes) -> bytes:
         return (

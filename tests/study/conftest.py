@@ -1,4 +1,4 @@
-"""The study's page and axe-core; what needs them is skipped, loudly, where they are not."""
+"""The study's page and axe-core; tests are skipped with a visible message without them."""
 
 import shutil
 import warnings
@@ -25,7 +25,7 @@ def template() -> str:
 
 @pytest.fixture(scope="session")
 def axe() -> str:
-    """The source of axe-core, which finds faults of accessibility."""
+    """The source of axe-core, which finds accessibility violations."""
     if not AXE.is_file():
         _skip(f"{AXE} is missing; `make web` installs it")
     return AXE.read_text(encoding="utf-8")

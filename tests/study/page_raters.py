@@ -1,4 +1,4 @@
-"""A rater who drives the page in Chromium, and a server that takes answers."""
+"""A rater who controls the page in Chromium, and a server that accepts answers."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ LONG = 60_000
 
 @contextmanager
 def opened(browser: Browser, url: str, **settings: Any) -> Iterator[tuple[BrowserContext, Page]]:
-    """A rater's own browser, without what others left; it may say nothing on the console."""
+    """Open a rater's browser without stored state; its console must stay empty."""
     context = browser.new_context(locale="en-US", **settings)
     context.set_default_timeout(LONG)
     page, said = context.new_page(), []
@@ -41,7 +41,7 @@ def opened(browser: Browser, url: str, **settings: Any) -> Iterator[tuple[Browse
 
 
 def focus_is_on(page: Page) -> str:
-    """The question in focus, or the text of the button; empty if neither has the focus."""
+    """Return the focused question, or the text of the focused button; empty otherwise."""
     return page.evaluate(
         "() => { const here = document.activeElement;"
         "const step = here.closest('[data-question]');"
@@ -50,7 +50,7 @@ def focus_is_on(page: Page) -> str:
 
 
 def answer_by_keyboard(page: Page, key: StudyKey, rater: int) -> str:
-    """Answer the scene shown with digits alone; return its code. The last button has the focus."""
+    """Answer the current scene with digit keys only; return its code."""
     for _ in range(12):
         page.keyboard.press("Tab")
         if "-" in focus_is_on(page):
@@ -78,7 +78,7 @@ def answer_by_keyboard(page: Page, key: StudyKey, rater: int) -> str:
 
 
 def answer_all(page: Page, key: StudyKey, rater: int) -> list[str]:
-    """Answer from the introduction on, to where Enter hands the answers in; return the scenes."""
+    """Answer all scenes from the introduction to the final button; return the scenes."""
     page.keyboard.press("Tab")
     while focus_is_on(page) != "Begin":
         page.keyboard.press("Tab")
@@ -108,7 +108,7 @@ def answer_by_mouse(page: Page) -> None:
 
 
 class _Taker(http.server.SimpleHTTPRequestHandler):
-    """A server of a folder that takes answers, unless its folder holds a file ``broken``."""
+    """Serves a folder and accepts answers, unless the folder contains a file ``broken``."""
 
     def do_POST(self) -> None:
         folder = Path(self.directory)

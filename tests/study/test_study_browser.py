@@ -61,7 +61,7 @@ def test_the_command_makes_a_page_that_names_no_method(
 def test_three_raters_give_the_table_worked_out_by_hand(
     browser: Browser, study: Path, files: StudyFiles, tmp_path: Path, shell: Shell
 ) -> None:
-    """By keyboard alone, from the page to the report; orders differ and are balanced."""
+    """By keyboard only, from the page to the report; orders differ and are balanced."""
     answers, orders = [], []
     for rater in range(3):
         with opened(browser, study.as_uri()) as (_, page):

@@ -16,7 +16,7 @@ from tabletopgen_web.study.page_data import read_page
 
 
 def refill(page: str, change: Callable[[dict[str, Any]], object]) -> str:
-    """Fill the built page with a study that was changed, as an attacker can."""
+    """Fill the built page with a modified study, as an attacker could."""
     found = re.search(r'<script id="study" type="application/json">(.*?)</script>', page)
     assert found
     facts = json.loads(found[1])
@@ -60,7 +60,7 @@ def test_what_is_not_the_built_page_is_refused(name: str, tmp_path: Path) -> Non
     path = tmp_path / "changed.html"
     path.write_bytes(changed if isinstance(changed, bytes) else changed.encode())
     assert path.read_bytes() != files.page.encode()
-    with pytest.raises(InputError, match=r"changed\.html.*(again|wrote)"):
+    with pytest.raises(InputError, match=r"changed\.html.*(again|written)"):
         read_page(path, tiny.TEMPLATE, tiny.POST)
 
 
@@ -105,7 +105,7 @@ def test_a_study_that_does_not_fit_is_refused(name: str, tmp_path: Path) -> None
 def test_the_messages_say_what_to_do(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     tiny.served_study(tmp_path)
     path = tmp_path / "study.html"
-    with pytest.raises(InputError, match=r"another version.*Make it again with the same options"):
+    with pytest.raises(InputError, match=r"another version.*Create it again with the same options"):
         read_page(path, tiny.TEMPLATE.replace("a = 1", "a = 2"), tiny.POST)
     path.write_text(tiny.small_study(tmp_path / "other").page)
     with pytest.raises(InputError, match=r"--post '/api/studies/\{study\}/answers'"):

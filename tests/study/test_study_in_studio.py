@@ -45,7 +45,9 @@ def running_studio(folder: Path, *studies: Path, port: int = 0) -> Iterator[tupl
     pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "bufsize": 0}
     with running(*command, **pipes) as process:
         own = re.fullmatch(r"Open (http://\S+)\n", line_of(process).decode())
-        raters = re.fullmatch(r"Raters of study \w+ open (http://\S+)\n", line_of(process).decode())
+        raters = re.fullmatch(
+            r"Address for raters of study \w+: (http://\S+)\n", line_of(process).decode()
+        )
         assert own and raters
         yield own[1], raters[1]
 
@@ -81,7 +83,7 @@ def test_a_link_is_answered_and_the_report_counts_it(
 
 
 def send_again(page: Page) -> None:
-    """Have a page send once more what it sent, as after an answer that was lost on its way."""
+    """Make a page repeat its last submission, as after a lost response."""
     page.evaluate(
         "() => { const [key] = Object.keys(localStorage).filter(k => /^study-\\w+$/.test(k));"
         "localStorage[key] = localStorage[key].replace('\"sent\":true', '\"sent\":false'); }"
@@ -93,7 +95,7 @@ def send_again(page: Page) -> None:
 
 
 def free_port() -> int:
-    """A port below those that systems give to connections, so that none takes it meanwhile."""
+    """Return a port below the ephemeral range, so that no connection takes it meanwhile."""
     for port in random.SystemRandom().sample(range(20_000, 32_000), 100):
         with suppress(OSError), socket.create_server(("127.0.0.1", port)):
             return port
@@ -123,7 +125,7 @@ def test_a_link_in_a_mailbox_opens_and_outlives_the_studio(
 def test_a_script_that_came_in_would_not_run(
     browser: Browser, study: Path, files: StudyFiles, tmp_path: Path
 ) -> None:
-    """The policy in the header holds, whatever a page says of itself."""
+    """The header's policy applies, whatever the page's own policy."""
     evil = "document.documentElement.dataset.evil = 1"
     markup = f'<script>{evil}</script><img src="x" onerror="{evil}"><iframe srcdoc="a"></iframe>'
     with running_studio(tmp_path / "studio", study) as (_, link):
@@ -191,7 +193,7 @@ def test_two_tabs_count_time_once(
 def test_a_tab_that_was_frozen_does_not_undo_what_another_kept(
     browser: Browser, study: Path, files: StudyFiles, tmp_path: Path
 ) -> None:
-    """Played in one tab: what it keeps itself it is not told of, as if it had been frozen."""
+    """In a single tab: it receives no notice of its own updates, as if it had been suspended."""
     (tmp_path / "study.html").write_bytes(study.read_bytes())
     with serving(tmp_path) as address, opened(browser, f"{address}/study.html") as (_, page):
         page.get_by_role("button", name="Begin").click()

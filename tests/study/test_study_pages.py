@@ -106,10 +106,10 @@ def test_nothing_in_the_title_is_markup(tmp_path: Path) -> None:
     ("options", "said"),
     [
         ({"title": "Is Other better?"}, "names the method 'other'"),
-        ({"scenes": 7}, "there are 6"),
+        ({"scenes": 7}, "only 6 are available"),
         ({"scenes": 2, "attention": 3}, "at most one"),
         ({"seed": -1}, "seed"),
-        ({"post": "//evil.example/x"}, "no path"),
+        ({"post": "//evil.example/x"}, "not a path"),
         ({"min_seconds": float("nan")}, "min-seconds"),
         ({"title": "a\nb"}, "title"),
     ],
@@ -200,10 +200,10 @@ def test_results_that_do_not_fit_are_refused(tmp_path: Path) -> None:
         with pytest.raises((InputError, BundleError), match=said):
             collect(folders, where, Drawing(**drawing))
 
-    refused("None of the results keeps its input picture", None)
+    refused("None of the results includes its input picture", None)
     refused("no picture from above.*scene-0.above.png", above=True)
     (folders["other"] / "scene-3.png").rename(tmp_path / "kept.png")
-    refused("other has none of scene-3")
+    refused("other has none for scene-3")
     write_picture(tiny.picture(9), folders["other"] / "scene-33.png")
     refused(r"scene-33.png.*no input picture fits. Did you mean 'scene-3'\?")
     (folders["other"] / "scene-33.png").unlink()
@@ -211,7 +211,7 @@ def test_results_that_do_not_fit_are_refused(tmp_path: Path) -> None:
     refused("scene-3.png: The picture cannot be read: its format is not supported")
     (tmp_path / "kept.png").rename(folders["other"] / "scene-3.png")
     (folders["other"] / "scene-3.jpg").write_bytes((folders["ours"] / "scene-3.png").read_bytes())
-    refused("other has two results of one input picture")
+    refused("other has two results for one input picture")
     (folders["other"] / "scene-3.jpg").unlink()
     write_picture(tiny.picture(0), inputs / "scene-9.png")
     refused("same picture as 'scene-0'")
@@ -220,7 +220,7 @@ def test_results_that_do_not_fit_are_refused(tmp_path: Path) -> None:
     folders["empty"] = tmp_path / "empty"
     refused("cannot be read: No such file")
     folders["empty"].mkdir()
-    refused("holds no results")
+    refused("contains no results")
 
 
 @pytest.mark.parametrize("names", [("one",), ("a", "A"), ("a", "b|c"), ("a", "=b"), ("a", "")])

@@ -98,7 +98,7 @@ def test_the_fast_and_the_inattentive_do_not_count(key: StudyKey) -> None:
     assert report.excluded.too_fast == ("b" * 16, "c" * 16)
     tiny.check_table(json.loads(json.dumps(report.facts())))
     assert measure(found, [], key, min_seconds=0, allowed_failures=1).raters == 6
-    with pytest.raises(InputError, match="No rater is left: of 3 read, 2 failed"):
+    with pytest.raises(InputError, match="No rater remains: of 3 read, 2 failed"):
         measure(found[3:], [], key)
 
 
@@ -158,27 +158,27 @@ def _marks(facts: dict[str, Any]) -> dict[str, Any]:
 
 HOSTILE: dict[str, tuple[Change, str]] = {
     "schema": (lambda f: f.update(schema=2), "schema 2"),
-    "study": (lambda f: f.update(study="0" * 12), "of study"),
+    "study": (lambda f: f.update(study="0" * 12), "belongs to study"),
     "name": (lambda f: f.update(name="Ann"), "entries"),
     "no rater": (lambda f: f.pop("rater"), "entries"),
     "rater's path": (lambda f: f.update(rater="../../etc"), "16 hexadecimal"),
     "language": (lambda f: f.update(language="<script>"), "language"),
     "negative time": (lambda f: f.update(seconds=-1), "seconds"),
     "no time": (lambda f: f.update(seconds=True), "seconds"),
-    "scenes": (lambda f: f.update(scenes={}), "no list"),
+    "scenes": (lambda f: f.update(scenes={}), "must be a list"),
     "too few": (lambda f: f["scenes"].pop(), "5 of 6 scenes"),
     "twice": (lambda f: f["scenes"].__setitem__(1, _first(f)), "twice"),
-    "no object": (lambda f: f["scenes"].__setitem__(0, 3), "no object"),
+    "no object": (lambda f: f["scenes"].__setitem__(0, 3), "not an object"),
     "unknown scene": (lambda f: _first(f).update(scene="s0000000000"), "unknown scene"),
     "no code": (lambda f: _first(f).update(scene=["x"]), "unknown scene"),
     "too high": (lambda f: _marks(f).update(overall=8), "not 1 to 7"),
     "half a mark": (lambda f: _marks(f).update(overall=4.5), "not 1 to 7"),
     "true": (lambda f: _marks(f).update(overall=True), "not 1 to 7"),
     "no mark": (lambda f: _marks(f).pop("overall"), "questions"),
-    "another result": (lambda f: _first(f)["ratings"].update(r0={}), "results rated"),
+    "another result": (lambda f: _first(f)["ratings"].update(r0={}), "rated results"),
     "another choice": (lambda f: _first(f).update(choice="r0000000000"), "preferred"),
     "no choice": (lambda f: _first(f).update(choice=None), "preferred"),
-    "order": (lambda f: _first(f).update(order=["x", "y"]), "results shown"),
+    "order": (lambda f: _first(f).update(order=["x", "y"]), "displayed results"),
     "order of numbers": (lambda f: _first(f).update(order=[1, "y"]), "order"),
     "no check": (lambda f: f.update(checks=[]), "0 of 1 checks"),
     "check": (lambda f: f["checks"][0].update(given=0), "check"),
@@ -227,7 +227,7 @@ def test_answers_that_a_studio_kept_are_read(key: StudyKey, tmp_path: Path) -> N
     assert book.add(key.study, chinese["rater"], chinese) == 2
     found, left = read_all([tmp_path / key.study], key)
     assert [answers.rater for answers in found] == ["0" * 16, "0" * 15 + "1"]
-    assert ["the same in" in one.reason for one in left] == [True]
+    assert ["the same answers in" in one.reason for one in left] == [True]
 
 
 def test_a_rater_counts_once(key: StudyKey, tmp_path: Path) -> None:
@@ -240,7 +240,7 @@ def test_a_rater_counts_once(key: StudyKey, tmp_path: Path) -> None:
     found, left = read_all([tmp_path, tmp_path], key)
     assert [answers.rater for answers in found] == ["0" * 16]
     reasons = {Path(one.file).name: one.reason for one in left}
-    assert "the same in" in reasons.pop("two.json")
+    assert "the same answers in" in reasons.pop("two.json")
     assert {*reasons} == {"three.json", "four.json"}
 
 

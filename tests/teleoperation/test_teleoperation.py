@@ -78,7 +78,7 @@ def test_events_count_when_keys_go_down() -> None:
 
 # -------------------------------------------------------------------------------------- session
 class Still:
-    """A policy that lowers the hand, gripper closed."""
+    """A policy that lowers the hand with a closed gripper."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[np.ndarray, None]:
         return np.array([0, 0, -0.2, 0, -1], np.float32), None
@@ -140,7 +140,7 @@ def test_only_ee_delta_is_driven() -> None:
 
 # -------------------------------------------------------------------------------------- dataset
 class Scripted:
-    """A person who does what a script says, then closes the window."""
+    """A person who follows a script, then closes the window."""
 
     def __init__(self, script: list[HumanInput]) -> None:
         self._script = iter(script)
@@ -184,7 +184,7 @@ def test_what_is_kept_becomes_a_dataset_that_replays(format, tmp_path) -> None:
 
 
 class Leaving(Scripted):
-    """A scripted person's device, for the command."""
+    """A scripted operator's display, for the command."""
 
     def close(self) -> None:
         pass
@@ -243,7 +243,7 @@ def test_policies_of_what_no_dataset_holds_are_refused(env, tmp_path, monkeypatc
     acting = command._load("reach-clone")
     other = replace(acting, card=replace(acting.card, env=env))
     monkeypatch.setattr(command, "_load", lambda _: other)
-    with pytest.raises(InputError, match="which datasets do not hold"):
+    with pytest.raises(InputError, match="which datasets do not support"):
         command.teleop("mine", config=RecordConfig(), out=tmp_path / "set")
 
 
@@ -260,7 +260,7 @@ def test_seeds_with_nothing_to_do_are_passed_over(env, monkeypatch) -> None:
     person = Scripted([keys("a"), keys("enter"), keys("a"), keys("enter")])
     made = play(session, person, env, "front", enumerate([0, 2, 1, *[3] * 50]))
     assert [next(made).number, next(made).number] == [0, 2]
-    with pytest.raises(SceneError, match=r"50 seeds in a row .* nothing to do with 3"):
+    with pytest.raises(SceneError, match=r"50 consecutive seeds .* nothing to do with 3"):
         next(made)
 
 

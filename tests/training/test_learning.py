@@ -138,7 +138,7 @@ def test_new_categories_start_as_unknown_does():
 
 
 def test_rough_masks_are_none_of_nothing():
-    """What the outliner is asked with shows some of the thing, at the features' size."""
+    """The outliner's prompt shows part of the object, at the resolution of the features."""
     torch.manual_seed(0)
     wished = torch.zeros(40, 64, 64)
     wished[:, 20:44, 12:50] = 1

@@ -68,7 +68,7 @@ def test_whole_masks_lie_where_the_camera_sees_the_boxes(samples: list[Sample]) 
 
 
 def test_the_top_lies_on_its_plane(kept: Supply, painter: GlPainter) -> None:
-    """Depth of visible tabletop pixels is that of the plane through the top's outline."""
+    """The depth of visible pixels of the table top is that of the plane of its outline."""
     staging = stage(np.random.default_rng(4), kept, SIDE)
     s = draw(np.random.default_rng(0), staging, kept, painter)
     sure = binary_erosion(s.region == TOP, iterations=3)
@@ -81,7 +81,7 @@ def test_the_top_lies_on_its_plane(kept: Supply, painter: GlPainter) -> None:
 
 
 def test_an_object_alone_covers_what_it_shows(kept: Supply, painter: GlPainter) -> None:
-    """With nothing in front of it, a thing's whole mask is its visible one."""
+    """Without occlusion, an object's complete mask equals its visible one."""
     staging = stage(np.random.default_rng(8), kept, SIDE)
     assert staging.objects
     alone = dataclasses.replace(

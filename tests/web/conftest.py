@@ -1,4 +1,4 @@
-"""A site of all shipped bundles, one for a process."""
+"""A site of all shipped bundles, built once per process."""
 
 from collections.abc import Iterator
 from pathlib import Path

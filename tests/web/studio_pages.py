@@ -1,4 +1,4 @@
-"""A running studio, and what a person does on its page."""
+"""A running studio, and user actions on its page."""
 
 import os
 import re
@@ -63,7 +63,7 @@ def enter(browser: Browser, studio: Studio, **options: Any) -> Watched:
 
 
 def make(page: Page, text: str = TEXT) -> None:
-    """Make a table of a text and open it."""
+    """Create a table from a text and open it."""
     page.get_by_label("Describe the table").fill(text)
     page.get_by_role("button", name="Make the table").click()
     page.get_by_role("link", name="Open the table").click(timeout=120_000)
@@ -72,7 +72,7 @@ def make(page: Page, text: str = TEXT) -> None:
 
 
 def drag(page: Page, name: str, right: float, down: float, *, shift: bool = False) -> None:
-    """Drag a thing by its middle, pixels, and wait for the scene after it."""
+    """Drag an object by its centre, pixels, and wait for the resulting scene."""
     (x, y), before = place_on_page(page, name), page.url
     page.mouse.move(x, y)
     if shift:
@@ -82,7 +82,7 @@ def drag(page: Page, name: str, right: float, down: float, *, shift: bool = Fals
     page.mouse.up()
     if shift:
         page.keyboard.up("Shift")
-    remedy = page.get_by_role("button", name="Put it there")  # where the place is taken
+    remedy = page.get_by_role("button", name="Place it there")  # the place is occupied
     for _ in range(600):
         if page.url != before:
             break

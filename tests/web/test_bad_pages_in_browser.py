@@ -26,7 +26,7 @@ QUICK = FolderOptions(formats=(), episodes=0, robot=False)
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A site of one scene, to be spoilt."""
+    """A site of one scene, for tests that damage it."""
     return write_site(find(SCENE), tmp_path / "site", options=QUICK).path
 
 
@@ -37,7 +37,7 @@ def address(folder: Path) -> Iterator[str]:
 
 
 def said(browser: Browser, address: str, scene: str = SCENE, script: str = "") -> str:
-    """Return what the page says is wrong."""
+    """Return the page's error message."""
     page = opened(browser).page
     if script:
         page.add_init_script(script)
@@ -114,7 +114,7 @@ def test_two_hundred_scenes_stay_fluid(browser: Browser, folder: Path, address: 
 
 
 def search(browser: Browser, folder: Path, address: str, count: int) -> list[float]:
-    """Return how long searches in a gallery of so many entries take, drawn."""
+    """Return the durations of searches in a gallery with so many entries, including drawing."""
     gallery = json.loads((folder / GALLERY).read_text())
     row = gallery["scenes"][0]
     rows = [{**row, "id": f"{row['id']}-{k}", "name": f"table {k}"} for k in range(count)]
@@ -130,7 +130,7 @@ def search(browser: Browser, folder: Path, address: str, count: int) -> list[flo
 
 
 def test_a_moved_page_still_opens(browser: Browser, folder: Path, tmp_path: Path) -> None:
-    """All its addresses are relative: it may lie anywhere."""
+    """All of its addresses are relative, so it can be at any URL."""
     deeper = tmp_path / "root" / "some" / "place"
     deeper.parent.mkdir(parents=True)
     shutil.move(folder, deeper)

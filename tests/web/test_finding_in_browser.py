@@ -39,7 +39,7 @@ def enter(browser: Browser, address: str) -> Page:
 
 
 def wait_for_focus(page: Page, on: str) -> None:
-    """Wait until what has an id, or a text, has the focus."""
+    """Wait until the element with an id or a text has the focus."""
     script = (
         "on => document.activeElement.id === on || document.activeElement.innerText.includes(on)"
     )
@@ -78,7 +78,7 @@ def test_the_way_back_leads_to_what_was_found(browser: Browser, address: str) ->
 
 
 def test_tables_are_put_beside_each_other_by_a_button(browser: Browser, address: str) -> None:
-    """A choice alone goes nowhere: by keyboard one passes others on the way to it."""
+    """Selection alone does not navigate: keyboard users pass other options on the way."""
     page = enter(browser, address)
     page.locator("a.card", has_text=NAMES[0]).click()
     chooser = page.get_by_label("Beside")

@@ -34,7 +34,7 @@ def bundle() -> Path:
 
 @pytest.fixture
 def static(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A front end that is not the real one, so that nothing is built."""
+    """A fake front end, so that nothing is built."""
     folder = tmp_path / "static"
     (folder / "assets").mkdir(parents=True)
     for name in frontend.PAGES:
@@ -158,7 +158,7 @@ def test_a_site_is_written_whole_and_replaces_only_a_site(
     foreign = tmp_path / "foreign"
     foreign.mkdir()
     (foreign / "thesis.tex").touch()
-    with pytest.raises(InputError, match="holds something else"):
+    with pytest.raises(InputError, match="contains something other"):
         write_site([bundle], foreign, options=QUICK)
     assert (foreign / "thesis.tex").exists()
     with pytest.raises(InputError, match="Two bundles"):
@@ -197,5 +197,5 @@ def test_a_missing_front_end_says_what_is_missing(
     monkeypatch.setattr(frontend, "STATIC", tmp_path / "static")
     monkeypatch.setattr(frontend, "SOURCE", source)
     monkeypatch.setenv("PATH", str(tmp_path))
-    with pytest.raises(BackendError, match=r"Node\.js" if checkout else "Install tabletopgen"):
+    with pytest.raises(BackendError, match=r"Node\.js" if checkout else "Reinstall tabletopgen"):
         frontend.static_folder()

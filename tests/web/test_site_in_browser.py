@@ -28,7 +28,7 @@ def state(page: Page) -> dict[str, Any]:
 
 
 def rows_of(page: Page) -> dict[str, int]:
-    """Where each free body begins in qpos."""
+    """Return the first qpos index of each free body."""
     return {b["name"]: b["qpos"] for b in page.evaluate(f"{ENGINE}.bodies()") if b["qpos"] >= 0}
 
 

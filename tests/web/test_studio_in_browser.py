@@ -81,7 +81,7 @@ def test_a_drag_is_the_command_and_undo_goes_back(
     page.get_by_role("link", name="Make", exact=True).click()
     page.get_by_text("1 edit: move mug_1").wait_for()
     assert page.locator("article.card").count() == 1, "what was edited further is not shown"
-    page.get_by_label("Also what was edited further").check()
+    page.get_by_label("Show earlier versions").check()
     assert page.locator("article.card").count() == 2
 
 
@@ -161,9 +161,9 @@ def test_a_generation_shows_its_stages_is_cancelled_and_resumed(
     watched = enter(browser, studio)
     page = watched.page
     page.get_by_label("Describe the table").fill(TEXT)
-    page.get_by_label("Generate: the whole method").check()
-    page.get_by_role("button", name="What would it cost?").click()
-    page.get_by_text("No server would be asked").wait_for(timeout=60_000)
+    page.get_by_label("Generate: the full method").check()
+    page.get_by_role("button", name="Estimate the cost").click()
+    page.get_by_text("No requests to servers").wait_for(timeout=60_000)
     page.get_by_role("button", name="Make the table").click()
     page.locator("figure").first.wait_for(timeout=120_000)
     page.get_by_role("button", name="Cancel").click()
@@ -182,11 +182,11 @@ def test_a_studio_that_is_killed_goes_on_where_it_was(browser: Browser, tmp_path
     with running(folder, store) as first:
         page = enter(browser, first).page
         page.get_by_label("Describe the table").fill(TEXT)
-        page.get_by_label("Generate: the whole method").check()
+        page.get_by_label("Generate: the full method").check()
         page.get_by_role("button", name="Make the table").click()
         page.locator("figure").first.wait_for(timeout=120_000)
         first.process.kill()
-        page.get_by_text("The studio does not answer").wait_for(timeout=60_000)
+        page.get_by_text("The studio is not responding").wait_for(timeout=60_000)
     with running(folder, store) as second:
         page = enter(browser, second).page
         begun = "const job = (await (await fetch('/api/jobs')).json()).jobs[0];"
@@ -215,7 +215,7 @@ def test_what_is_no_picture_is_said(
 def test_studio_accessibility(browser: Browser, studio: Studio, scheme: Any) -> None:
     page = enter(browser, studio, color_scheme=scheme, bypass_csp=True).page
     page.get_by_label("Describe the table").fill(TEXT + " and a zorble")
-    page.get_by_text("How each phrase was read").wait_for()
+    page.get_by_text("Interpretation of each phrase").wait_for()
     for name in ("first", "job", "scene", "scenes"):
         if name == "job":
             page.get_by_role("button", name="Make the table").click()

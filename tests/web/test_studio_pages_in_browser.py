@@ -32,14 +32,14 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
 
 @pytest.fixture
 def own(tmp_path: Path) -> Iterator[Studio]:
-    """A studio of one test's own."""
+    """A separate studio for one test."""
     (tmp_path / "store").mkdir()
     with running(tmp_path / "studio", tmp_path / "store") as found:
         yield found
 
 
 def play(page: Page, path: str, value: Any, status: int = 200) -> None:
-    """Answer a request in place of the server."""
+    """Answer a request instead of the server."""
     page.context.route(path, lambda route: route.fulfill(status=status, json=value))
 
 
@@ -101,11 +101,11 @@ def test_a_scene_that_cannot_be_removed_is_not_said_to_be(browser: Browser, stud
         "in": "workspace", "digest": "0", "editable": True, "parent": None,
     }  # fmt: skip
     play(page, "**/api/scenes", {"scenes": [row]})
-    play(page, f"**/api/scenes/{bundle.name}", {"error": "The disk refuses."}, 507)
+    play(page, f"**/api/scenes/{bundle.name}", {"error": "Disk error."}, 507)
     page.on("dialog", lambda dialog: dialog.accept())
     page.goto(studio.address)
     page.get_by_role("button", name="Remove coffee-oval").click()
-    assert "The disk refuses." in page.get_by_role("alert").inner_text()
+    assert "Disk error." in page.get_by_role("alert").inner_text()
 
 
 def test_redo_goes_to_the_newest_and_keeps_the_focus(browser: Browser, studio: Studio) -> None:
@@ -175,14 +175,14 @@ def test_a_studio_with_a_new_token_is_found_again(browser: Browser, studio: Stud
     def refuse(route: Route) -> None:
         refused.append(route)
         if len(refused) < 3:
-            route.fulfill(status=403, json={"error": "Open the address that the studio printed."})
+            route.fulfill(status=403, json={"error": "Open the address printed by the studio."})
         else:
             route.continue_()
 
     page.context.route("**/api/events?*", refuse)
     page.goto(studio.address)
-    page.get_by_text("The studio does not answer").wait_for()
-    page.get_by_text("The studio does not answer").wait_for(state="hidden", timeout=20_000)
+    page.get_by_text("The studio is not responding").wait_for()
+    page.get_by_text("The studio is not responding").wait_for(state="hidden", timeout=20_000)
 
 
 def test_a_page_that_nobody_sees_holds_no_connection(browser: Browser, studio: Studio) -> None:
@@ -267,16 +267,16 @@ def test_costs_come_before_spending_and_go_when_they_no_longer_hold(
     play(page, "**/api/estimate", estimate)
     page.goto(studio.address)
     page.get_by_label("Describe the table").fill(TEXT)
-    page.get_by_label("Generate: the whole method").check()
-    page.get_by_text("Who answers").click()
-    page.get_by_text("How each phrase was read").wait_for()
+    page.get_by_label("Generate: the full method").check()
+    page.locator("summary", has_text="Backends").click()
+    page.get_by_text("Interpretation of each phrase").wait_for()
     chooser = page.get_by_label("reasoner")
     paid = page.evaluate(
         "async () => (await (await fetch('/api/state')).json()).backends"
         ".find((b) => b.charges && b.available && b.roles.includes('reasoner')).name"
     )
     chooser.select_option(paid)
-    page.get_by_text("How each phrase was read").wait_for(state="detached")
+    page.get_by_text("Interpretation of each phrase").wait_for(state="detached")
     make_it = page.get_by_role("button", name="Make the table")
     make_it.click()
     page.get_by_text("plan: at most 0.02").wait_for()

@@ -51,7 +51,7 @@ def joints(page: Page) -> np.ndarray:
 
 
 def wait_for_rest(page: Page) -> None:
-    """Wait until the arm no longer moves; what drives on never lets it rest."""
+    """Wait until the arm stops moving, without held keys."""
     for _ in range(60):
         before = joints(page)
         page.wait_for_timeout(500)
@@ -61,7 +61,7 @@ def wait_for_rest(page: Page) -> None:
 
 
 def place_of(page: Page, name: str) -> np.ndarray:
-    """Where a free thing is, metres."""
+    """Return the position of a free object, metres."""
     bodies = {b["name"]: b["qpos"] for b in page.evaluate(f"{ENGINE}.bodies()")}
     at = bodies[name]
     return np.array(page.evaluate(f"{ENGINE}.state()")["qpos"][at : at + 3])
@@ -79,7 +79,7 @@ def swipe(session: CDPSession, start: tuple[float, float], right: float, down: f
 
 
 def test_an_arm_that_is_held_where_it_is_stays_there(browser: Browser, address: str) -> None:
-    """Its servos carry it: the pull adds no second pair of hands."""
+    """Its servos hold it: the pull is not doubled."""
     page = opened(browser).page
     show(page, address)
     drive(page)
@@ -222,7 +222,7 @@ def test_a_damaged_episode_leaves_the_scene(browser: Browser, place: Path, tmp_p
 
 
 def test_no_memory_for_the_physics_is_said(browser: Browser, address: str) -> None:
-    """The worker's WebAssembly cannot begin: this is told, not waited for."""
+    """The worker's WebAssembly cannot start: an error appears instead of endless waiting."""
     page = opened(browser).page
     script = "WebAssembly.instantiate = () => Promise.reject(new RangeError('Out of memory'));\n"
 

@@ -1,22 +1,22 @@
-/** What a page's files hold (written by `tabletopgen_web.page`), and how they are read. */
+/** The content of a page's files (written by `tabletopgen_web.page`), and how to read them. */
 
-/** The version of these files that this page reads. */
+/** The supported version of these files. */
 export const SCHEMA = 1;
 
-/** No file of a page is larger; a scene's are far smaller. */
+/** Maximum size of a file of a page; those of a scene are far smaller. */
 const MOST_BYTES = 128 * 1024 * 1024;
 
 export interface ThingRow {
   name: string;
   label: string;
   category: string;
-  /** Extent along the thing's own axes, metres. */
+  /** Extents along the object's own axes, metres. */
   size: [number, number, number];
   mass: number;
   on: string;
 }
 
-/** The figures of the physical gate, metres, radians and seconds; see docs/concepts/gate.md. */
+/** Results of the physical gate, in metres, radians and seconds; see docs/concepts/gate.md. */
 export interface GateRow {
   passed: boolean;
   failures: string[];
@@ -31,26 +31,26 @@ export interface CertificateRow {
   tasks: { task: string; instances: number; certified: number; rate: number }[];
 }
 
-/** What the gallery shows of a scene. */
+/** Gallery entry of a scene. */
 export interface SceneRow {
   id: string;
   name: string;
   kind: string;
   prompt: string;
-  /** What edits asked for. */
+  /** Requests of the edits. */
   asked: string[];
   theme: string;
-  /** What it was drawn with; null where that is not recorded. */
+  /** Seed of the scene; null if it is not recorded. */
   seed: number | null;
   table: { label: string; size: [number, number, number] };
   things: ThingRow[];
-  /** How hard it is to work at, in [0, 1]; null where that is not known. */
+  /** Difficulty for manipulation, in [0, 1]; null if unknown. */
   difficulty: number | null;
   gate: GateRow | null;
   certificate: CertificateRow | null;
   warnings: string[];
   thumbnail: string | null;
-  /** Why the scene cannot be shown; null if it can. */
+  /** Reason why the scene cannot be shown; null if it can. */
   error: string | null;
 }
 
@@ -63,9 +63,9 @@ export interface Gallery {
 
 export interface ModelFiles {
   xml: string;
-  /** Paths of the files that the XML names, by that name. */
+  /** Paths of the files in the XML, by the name there. */
   files: Record<string, string>;
-  /** The keyframe that it starts from. */
+  /** The keyframe at which it starts. */
   start: string;
 }
 
@@ -83,7 +83,7 @@ export interface Download {
   bytes: number;
 }
 
-/** All that a scene's folder holds, with paths relative to it. */
+/** All files in a scene's folder, with paths relative to it. */
 export interface SceneFiles {
   schema: number;
   row: SceneRow;
@@ -94,7 +94,7 @@ export interface SceneFiles {
   downloads: Download[];
 }
 
-/** A recorded episode: a row of qpos, and of the marker's place, for every control step. */
+/** A recorded episode: a row with qpos and the marker's position per control step. */
 export interface Episode {
   hz: number;
   nq: number;
@@ -104,7 +104,7 @@ export interface Episode {
   rows: Float32Array;
 }
 
-/** What went wrong, in words for who looks at the page. */
+/** An error with a message for the viewer of the page. */
 export class PageError extends Error {}
 
 async function fetchAny(url: string): Promise<Response> {
@@ -115,10 +115,10 @@ async function fetchAny(url: string): Promise<Response> {
     throw new PageError(`${nameOf(url)} could not be loaded. Is the server still running?`);
   }
   if (!response.ok) {
-    throw new PageError(`${nameOf(url)} is missing (${response.status}). Make the page again.`);
+    throw new PageError(`${nameOf(url)} is missing (${response.status}). Create the page again.`);
   }
   const length = Number(response.headers.get("Content-Length") ?? 0);
-  if (length > MOST_BYTES) throw new PageError(`${nameOf(url)} is too large to be shown here.`);
+  if (length > MOST_BYTES) throw new PageError(`${nameOf(url)} is too large to show.`);
   return response;
 }
 
@@ -132,24 +132,24 @@ export async function fetchText(url: string): Promise<string> {
   return (await fetchAny(url)).text();
 }
 
-/** Reads a JSON file that says its schema. */
+/** Reads a JSON file with a schema number. */
 export async function fetchData<T extends { schema: number }>(url: string): Promise<T> {
   let value: unknown;
   try {
     value = JSON.parse(await fetchText(url));
   } catch (error) {
     if (error instanceof PageError) throw error;
-    throw new PageError(`${nameOf(url)} is damaged. Make the page again.`);
+    throw new PageError(`${nameOf(url)} is damaged. Create the page again.`);
   }
   const schema = (value as { schema?: unknown } | null)?.schema;
-  if (typeof schema !== "number") throw new PageError(`${nameOf(url)} is damaged. Make the page again.`);
+  if (typeof schema !== "number") throw new PageError(`${nameOf(url)} is damaged. Create the page again.`);
   if (schema > SCHEMA) {
     throw new PageError(`${nameOf(url)} was made by a newer version of tabletopgen. Update this page.`);
   }
   return value as T;
 }
 
-/** Reads a recorded episode: the length of a JSON header, the header, rows of 32-bit floats. */
+/** Reads a recorded episode: the length of a JSON header, the header, and rows of 32-bit floats. */
 export async function fetchEpisode(url: string): Promise<Episode> {
   const bytes = await fetchBytes(url);
   try {
@@ -160,7 +160,7 @@ export async function fetchEpisode(url: string): Promise<Episode> {
     if (rows.length !== header.frames * (header.nq + 3) || !(header.frames > 1)) throw new Error("rows");
     return { ...header, rows };
   } catch {
-    throw new PageError(`${nameOf(url)} is damaged. Make the page again.`);
+    throw new PageError(`${nameOf(url)} is damaged. Create the page again.`);
   }
 }
 

@@ -1,1 +1,1 @@
-"""What the studio keeps besides jobs: scenes, uploaded pictures, answers of studies."""
+"""The studio's data other than jobs: scenes, uploaded pictures, answers of studies."""

@@ -1,4 +1,4 @@
-"""Answers of studies, as raters send them: JSON objects, a file a rater."""
+"""Answers of studies from raters: JSON objects, one file per rater."""
 
 from __future__ import annotations
 
@@ -17,43 +17,43 @@ from ...study.answers import MAX_FILE_BYTES
 from ..refusals import RefusedError
 
 _NAME = re.compile(r"[a-z0-9-]{1,64}")
-_MOST_RATERS, _MOST_STUDIES = 1000, 1000
-_MOST_SHARED, _MOST_SHARED_BYTES = 8, 64 * 2**20  # answers of a rater; bytes of a study
+_MAX_RATERS, _MAX_STUDIES = 1000, 1000
+_MAX_SHARED, _MAX_SHARED_BYTES = 8, 64 * 2**20  # answers per rater; bytes per study
 
 
 @dataclass(frozen=True)
 class AnswerBook:
-    """The answers below a folder: ``<study>/<rater>.json``, a list of objects each."""
+    """The answers below a folder: ``<study>/<rater>.json``, each a list of objects."""
 
     folder: Path
 
     def add(
         self, study: str, rater: str, answer: Mapping[str, Any], *, shared: bool = False
     ) -> int:
-        """Add an answer to a rater's, unless it is there; return how many there are now.
+        """Add an answer of a rater unless it exists; return the number of the rater's answers.
 
-        ``shared`` says that whoever has the study's address may have sent it: of those less is
-        kept.
+        ``shared`` marks answers that anyone with the study's address may have sent; their limit is
+        lower.
 
         Raises:
-            RefusedError: an id is none, or there are too many answers.
-            StorageError: the disk refuses, or what is there is damaged.
+            RefusedError: an id is invalid, or there are too many answers.
+            StorageError: the file is not writable or damaged.
         """
         folder, path = self._find(study), self._path(study, rater)
         if not path.exists() and (
-            (not folder.exists() and _count(self.folder) >= _MOST_STUDIES)
-            or (folder.exists() and _count(folder) >= _MOST_RATERS)
+            (not folder.exists() and _count(self.folder) >= _MAX_STUDIES)
+            or (folder.exists() and _count(folder) >= _MAX_RATERS)
         ):
-            raise RefusedError(507, "There are too many raters or studies; no more are kept.")
+            raise RefusedError(507, "There are too many raters or studies; no more are accepted.")
         kept = self._read(path)
         if _text(answer) in map(_text, kept):
             return len(kept)
         kept.append(dict(answer))
         content = json.dumps(kept, ensure_ascii=False, indent=1).encode()
-        if len(content) > MAX_FILE_BYTES or (shared and len(kept) > _MOST_SHARED):
-            raise RefusedError(507, f"{rater} has sent too many answers; no more are kept.")
-        if shared and _size(folder, path) + len(content) > _MOST_SHARED_BYTES:
-            raise RefusedError(507, "The study has too many answers; no more are kept.")
+        if len(content) > MAX_FILE_BYTES or (shared and len(kept) > _MAX_SHARED):
+            raise RefusedError(507, f"{rater} has sent too many answers; no more are accepted.")
+        if shared and _size(folder, path) + len(content) > _MAX_SHARED_BYTES:
+            raise RefusedError(507, "The study has too many answers; no more are accepted.")
         make_private(folder)
         write_whole(path, content, "The answer", "Free space there.")
         return len(kept)
@@ -62,8 +62,8 @@ class AnswerBook:
         """Return the answers of a study by rater.
 
         Raises:
-            RefusedError: the id is none.
-            StorageError: what is there is damaged.
+            RefusedError: the id is invalid.
+            StorageError: a file is damaged.
         """
         folder = self._find(study)
         if not folder.is_dir():
@@ -83,13 +83,13 @@ class AnswerBook:
         raw = read_regular(path, "The answers", StorageError, max_bytes=MAX_FILE_BYTES)
         found = parse_json(raw, f"{path}", StorageError)
         if not isinstance(found, list):
-            raise StorageError(f"{path} is no list of answers. It is left as it is.")
+            raise StorageError(f"{path} is not a list of answers. The file is unchanged.")
         return found
 
 
 def _check(name: object, what: str) -> str:
     if not isinstance(name, str) or not _NAME.fullmatch(name):
-        raise RefusedError(422, f"{what} is 1 to 64 of the characters a-z, 0-9 and -.")
+        raise RefusedError(422, f"{what} must be 1 to 64 of the characters a-z, 0-9 and -.")
     return name
 
 
@@ -98,7 +98,7 @@ def _count(folder: Path) -> int:
 
 
 def _size(folder: Path, but: Path) -> int:
-    """Return the bytes of the files of a folder, if it is there, but of one."""
+    """Return the total size of a folder's files in bytes, except one; 0 if it does not exist."""
     paths = [path for path in folder.iterdir() if path != but] if folder.is_dir() else []
     return sum(path.stat().st_size for path in paths)
 

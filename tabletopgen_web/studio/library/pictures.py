@@ -1,4 +1,4 @@
-"""Uploaded pictures: looked at by their content, whatever they are called."""
+"""Uploaded pictures, identified by their content rather than their name."""
 
 from __future__ import annotations
 
@@ -21,35 +21,33 @@ from ..refusals import RefusedError
 from ..specs import PICTURE_ID
 
 MAX_BYTES = 20 * 2**20
-"""Of an uploaded picture."""
+"""Maximum size of an uploaded picture."""
 
-_KEPT_SECONDS = 24 * 3600.0  # somebody may still be about to ask for a table of it
+_KEPT_SECONDS = 24 * 3600.0  # minimum age for removal: a job may still be about to use the picture
 _ADVICE = "Free space there."
 
 
 @dataclass(frozen=True)
 class PictureShelf:
-    """The uploaded pictures of a folder, by ids that are made of their content."""
+    """The uploaded pictures in a folder, with ids derived from their content."""
 
     folder: Path
 
     def add(self, data: bytes, cancelled: threading.Event | None = None) -> PictureRow:
-        """Keep a picture; the same one again is kept once.
+        """Store a picture; duplicates are stored once.
 
-        It is decoded in a child process; setting ``cancelled`` from another thread kills that.
+        A child process decodes it; setting ``cancelled`` from another thread kills that process.
 
         Raises:
-            RefusedError: it is no picture by its content.
-            InputError: it is damaged, over a limit, or ``cancelled`` is set.
-            StorageError: the disk refuses.
+            RefusedError: the content is not a picture.
+            InputError: the picture is damaged, over a limit, or ``cancelled`` is set.
+            StorageError: the folder is not writable.
         """
         from generator.method.reference import ReferenceConfig, read_image
 
         limits = ReferenceConfig(max_bytes=MAX_BYTES)
         if format_of(data, limits.picture_limits.formats) is None:
-            raise RefusedError(
-                415, "This is no PNG, JPEG, WebP, BMP, TIFF or GIF picture, whatever it is called."
-            )
+            raise RefusedError(415, "This file is not a PNG, JPEG, WebP, BMP, TIFF or GIF picture.")
         image = read_image(data, limits, cancelled)
         name = hashlib.sha256(data).hexdigest()[:32]
         write_whole(self.folder / f"{name}.png", encode_png(image), "The picture", _ADVICE)
@@ -57,17 +55,17 @@ class PictureShelf:
         return PictureRow(name, image.shape[1], image.shape[0])
 
     def path(self, name: str) -> Path:
-        """Return where a picture lies, as it was uploaded.
+        """Return the path of a picture in its original form.
 
         Raises:
-            RefusedError: there is none of that id.
+            RefusedError: the picture does not exist.
         """
         if not PICTURE_ID.fullmatch(name) or not (self.folder / name).is_file():
             raise RefusedError(404, f"There is no picture {name[:80]!r}.")
         return self.folder / name
 
     def sweep(self, wanted: Collection[str]) -> None:
-        """Remove pictures that lie here for longer than a day and are not wanted, if possible."""
+        """Remove unused pictures older than a day; errors are ignored."""
         oldest = time.time() - _KEPT_SECONDS
         for path in self.folder.iterdir():
             name = path.name.removesuffix(".png")
@@ -77,7 +75,7 @@ class PictureShelf:
                         remove_file(self.folder, path.name)
 
     def read_shown(self, name: str) -> bytes:
-        """Return a picture as a PNG, upright and at the size that it is worked at.
+        """Return a picture as PNG, upright and at its working size.
 
         Raises:
             RefusedError: there is none of that id.

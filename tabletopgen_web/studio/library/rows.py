@@ -1,4 +1,4 @@
-"""What a list of scenes says of a bundle, by its ``scene.json`` alone."""
+"""Scene list entries of bundles, from their ``scene.json`` alone."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..contracts import ScenePlace, StudioScene
 
 
 def read_scene(path: Path, place: ScenePlace) -> StudioScene:
-    """Return the row of a bundle; ``error`` says why, where it cannot be read."""
+    """Return the row of a bundle; ``error`` gives the reason if it cannot be read."""
     digest = path.name[-12:]
     try:
         facts = read_facts(path)
@@ -22,15 +22,15 @@ def read_scene(path: Path, place: ScenePlace) -> StudioScene:
     except (BundleError, OSError) as error:
         return StudioScene(path.name, path.name[:-13], error=str(error), place=place, digest=digest)
     except (TypeError, LookupError, AttributeError):
-        said = "Its history is damaged. Make it again."
-        return StudioScene(path.name, path.name[:-13], error=said, place=place, digest=digest)
+        message = "Its history is damaged. Create the scene again."
+        return StudioScene(path.name, path.name[:-13], error=message, place=place, digest=digest)
     row = replace(row, thumbnail=f"/api/scenes/{path.name}/thumbnail.png")
     values = {field.name: getattr(row, field.name) for field in fields(SceneRow)}
     return StudioScene(**values, place=place, digest=digest, editable=True, **edits)
 
 
 def list_edits(facts: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    """Return the edits of a scene, the first one first."""
+    """Return the edits of a scene in order."""
     return list((facts.get("provenance") or {}).get("edits") or ())
 
 

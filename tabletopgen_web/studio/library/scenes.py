@@ -1,4 +1,4 @@
-"""The scenes of a studio: its workspace, the shipped bundles, the user's store."""
+"""The scenes of a studio: its workspace, the shipped bundles, and the user's store."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from .rows import list_edits, read_scene
 
 _Stamp = tuple[int, int, int]
 
-_MAKER = "made-by"  # the file among the prepared scenes that says which version prepared them
+_MAKER = "made-by"  # the file that records which version prepared the scenes
 
 
 class SceneLibrary:
-    """Finds scenes by their ids, and changes those of the workspace; safe for threads."""
+    """Finds scenes by id, and changes those of the workspace; thread-safe."""
 
     def __init__(self, folder: StudioFolder) -> None:
         self._folder = folder
@@ -39,10 +39,10 @@ class SceneLibrary:
         self._rows: dict[Path, tuple[_Stamp, StudioScene]] = {}
 
     def find(self, scene: str) -> tuple[Path, ScenePlace]:
-        """Return a scene's bundle, and where it lies.
+        """Return a scene's bundle and its location.
 
         Raises:
-            RefusedError: there is none.
+            RefusedError: the scene does not exist.
         """
         found = self._places().get(scene) if SCENE_ID.fullmatch(scene) else None
         if found is None:
@@ -50,7 +50,7 @@ class SceneLibrary:
         return found
 
     def list_rows(self) -> list[StudioScene]:
-        """Return a row for every scene: the workspace's first, of those the newest."""
+        """Return a row for every scene: the workspace first, newest first."""
         stored = _stored_names()
         rows = [(path, replace(self._read_row(path, place), saved=path.name in stored))
                 for path, place in self._places().values()]  # fmt: skip
@@ -59,28 +59,28 @@ class SceneLibrary:
         return [row for _, row in rows]
 
     def row(self, scene: str) -> StudioScene:
-        """Return a scene's row (RefusedError: there is none)."""
+        """Return a scene's row (RefusedError: the scene does not exist)."""
         return replace(self._read_row(*self.find(scene)), saved=scene in _stored_names())
 
     def read_thumbnail(self, scene: str) -> bytes:
-        """Return a scene's picture as PNG.
+        """Return a scene's thumbnail as PNG.
 
         Raises:
-            RefusedError: there is no such scene, or it has no picture.
-            BundleError: it is damaged.
+            RefusedError: the scene does not exist, or has no picture.
+            BundleError: the scene is damaged.
         """
         picture = load_pictures(self.find(scene)[0]).get("preview")
         if picture is None:
-            raise RefusedError(404, f"{scene} keeps no picture.")
+            raise RefusedError(404, f"{scene} has no picture.")
         return picture
 
     def view_file(self, scene: str, name: str) -> Path:
-        """Return a file of a scene as the viewer loads it, which is prepared once.
+        """Return a file of a scene prepared for the viewer, preparing the scene on first use.
 
         Raises:
-            RefusedError: there is no such scene or file.
+            RefusedError: the scene or file does not exist.
             BundleError: the scene is damaged.
-            StorageError: the disk refuses.
+            StorageError: the folder is not writable.
         """
         folder = self._prepare(scene)
         files = {p.relative_to(folder).as_posix(): p for p in folder.rglob("*") if p.is_file()}
@@ -89,16 +89,16 @@ class SceneLibrary:
         return files[name]
 
     def save(self, scene: str) -> StudioScene:
-        """Copy a scene of the workspace into the user's store, checked and whole.
+        """Copy a scene of the workspace into the user's store, validated and atomically.
 
         Raises:
-            RefusedError: there is none, or it is not in the workspace.
-            BundleError: it is damaged.
-            StorageError: the disk refuses.
+            RefusedError: the scene does not exist, or is not in the workspace.
+            BundleError: the scene is damaged.
+            StorageError: the store is not writable.
         """
         path, place = self.find(scene)
         if place != "workspace":
-            raise RefusedError(409, f"{scene} is not in the workspace; it is kept already.")
+            raise RefusedError(409, f"{scene} is not in the workspace; it is already saved.")
         load_verified(path)
         return replace(self._read_row(copy(path, assets_cache.user_root()), "store"), saved=True)
 
@@ -106,29 +106,29 @@ class SceneLibrary:
         """Remove a scene from the workspace.
 
         Raises:
-            RefusedError: there is none, or it is not in the workspace.
-            StorageError: it cannot be removed.
+            RefusedError: the scene does not exist, or is not in the workspace.
+            StorageError: the scene cannot be removed.
         """
         path, place = self.find(scene)
         if place != "workspace":
-            raise RefusedError(409, f"{scene} is not in the workspace; only what is there is "
-                                    "removed.")  # fmt: skip
+            raise RefusedError(409, f"{scene} is not in the workspace; only scenes in the "
+            f"workspace can be removed.")  # fmt: skip
         try:
             discard(path)
         except OSError as error:
             raise StorageError(
-                f"{scene} cannot be removed: {error.strerror or error}. Remove it by hand."
+                f"{scene} cannot be removed: {error.strerror or error}. Remove it manually."
             ) from error
         remove_tree(self._folder.views, scene)
 
     def history(self, scene: str) -> tuple[list[EditRow], list[str]]:
-        """Return the steps that led to a scene, it being the last, and the scenes edited from it.
+        """Return the steps that led to a scene, including it, and the scenes edited from it.
 
-        Of these, those of the workspace come first, the newest before all.
+        Of the latter, those of the workspace come first, newest first.
 
         Raises:
-            RefusedError: there is none.
-            BundleError: it is damaged.
+            RefusedError: the scene does not exist.
+            BundleError: the scene is damaged.
         """
         path, _ = self.find(scene)
         facts = read_facts(path)
@@ -136,13 +136,15 @@ class SceneLibrary:
         try:
             steps = _list_steps(facts, scene, {name[-12:]: name for name in known})
         except (TypeError, LookupError, AttributeError) as error:
-            raise BundleError(f"{scene}: its history is damaged. Make it again.") from error
+            raise BundleError(
+                f"{scene}: its history is damaged. Create the scene again."
+            ) from error
         children = [row.id for row in self.list_rows() if row.parent and row.parent[-12:]
                     == scene[-12:]]  # fmt: skip
         return steps, children
 
     def sweep(self) -> None:
-        """Remove what another version prepared for its viewer, as far as that works."""
+        """Remove scenes that another version prepared for the viewer; errors are ignored."""
         views = self._folder.views
         maker = f"{versions(('tabletopgen',))['tabletopgen']}, schema {SCHEMA}".encode()
         with contextlib.suppress(StorageError):
@@ -158,7 +160,7 @@ class SceneLibrary:
     # ------------------------------------------------------------------------------------ helpers
 
     def _places(self) -> dict[str, tuple[Path, ScenePlace]]:
-        """Return all bundles by their ids; the workspace's come before the others."""
+        """Return all bundles by id, those of the workspace first."""
         found: dict[str, tuple[Path, ScenePlace]] = {}
         own = assets_cache.user_root().resolve()
         for path in assets_cache.entries():
@@ -228,8 +230,8 @@ def _stored_names() -> frozenset[str]:
 
 
 def _rank(path: Path, row: StudioScene) -> float:
-    """Return what sorts newer bundles of the workspace before older ones."""
+    """Return a sort key that puts newer bundles of the workspace first."""
     try:
         return -path.stat().st_mtime if row.place == "workspace" else 0.0
-    except OSError:  # it is being removed
+    except OSError:  # removed concurrently
         return 0.0

@@ -1,1 +1,1 @@
-"""Jobs and events in a database, and the processes that do the jobs."""
+"""Jobs and events in a database, and the processes that run the jobs."""

@@ -1,6 +1,6 @@
-"""The database of a studio: jobs and what happened to them, in one SQLite file.
+"""The database of a studio: jobs and their events in one SQLite file.
 
-Each change is one transaction. The file is opened by one process, which holds the folder's lock.
+Each change is one transaction. Only one process opens the file, the holder of the folder's lock.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from pathlib import Path
 from generator.errors import StorageError
 
 SCHEMA = 1
-"""Version of the tables; others are refused."""
+"""Version of the tables; other versions are rejected."""
 
 REMOVAL = """type = 'state' AND data = '{"state": "deleted"}'"""
-"""What tells the event that a job was removed."""
+"""Condition for events that record the removal of a job."""
 
 _TABLES = (
     """CREATE TABLE jobs (
@@ -32,23 +32,24 @@ _TABLES = (
     "CREATE INDEX events_of_jobs ON events (job, seq)",
     f"CREATE INDEX removals ON events (seq) WHERE {REMOVAL}",
 )
-_MOST_VALUE_BYTES = 4 * 2**20
+_MAX_VALUE_BYTES = 4 * 2**20
 
 
 def open_database(path: Path) -> sqlite3.Connection:
-    """Open the database, making it if there is none; the caller's transactions are explicit.
+    """Open or create the database; callers start transactions explicitly.
 
     Raises:
-        StorageError: it is of another schema, damaged, no regular file, or cannot be written.
+        StorageError: the database has another schema, is damaged, not a regular file, or not
+            writable.
     """
     with storing(path):
         if path.is_symlink() or (path.exists() and not stat.S_ISREG(path.stat().st_mode)):
             raise StorageError(f"{path} is not a regular file. Choose another --folder.")
-        path.touch(0o600)  # SQLite's other files are as private as this one
+        path.touch(0o600)  # SQLite's auxiliary files must be private, too
         path.chmod(0o600)
         database = sqlite3.connect(path, timeout=10, isolation_level=None, check_same_thread=False)
         try:
-            database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _MOST_VALUE_BYTES)
+            database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _MAX_VALUE_BYTES)
             database.execute("PRAGMA trusted_schema = OFF")
             database.execute("PRAGMA journal_mode = WAL")
             database.execute("PRAGMA synchronous = NORMAL")
@@ -69,14 +70,14 @@ def _check_schema(database: sqlite3.Connection, path: Path) -> None:
             database.execute(f"PRAGMA user_version = {SCHEMA}")
     elif version != SCHEMA:
         raise StorageError(
-            f"{path} is of schema {version}; this version reads schema {SCHEMA}. Install a "
+            f"{path} has schema {version}; this version requires schema {SCHEMA}. Install a "
             "matching tabletopgen, or choose another --folder."
         )
 
 
 @contextlib.contextmanager
 def transaction(database: sqlite3.Connection) -> Iterator[None]:
-    """Make the changes of a block one: all of them, or none."""
+    """Execute the block as one transaction: all of its changes, or none."""
     database.execute("BEGIN IMMEDIATE")
     try:
         yield
@@ -89,7 +90,7 @@ def transaction(database: sqlite3.Connection) -> Iterator[None]:
 
 @contextlib.contextmanager
 def storing(path: Path) -> Iterator[None]:
-    """Raise what SQLite and the disk refuse as a StorageError that names the file."""
+    """Convert errors of SQLite and the disk to a StorageError that names the file."""
     try:
         yield
     except sqlite3.OperationalError as error:
@@ -99,7 +100,7 @@ def storing(path: Path) -> Iterator[None]:
         ) from error
     except sqlite3.DatabaseError as error:
         raise StorageError(
-            f"{path} is damaged: {error}. It is left as it is; choose another --folder."
+            f"{path} is damaged: {error}. The file is unchanged; choose another --folder."
         ) from error
     except StorageError:
         raise

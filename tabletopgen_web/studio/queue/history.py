@@ -1,4 +1,4 @@
-"""What the database says of jobs and events."""
+"""Queries of jobs and events in the database."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .database import open_database, storing
 
 
 class JobHistory:
-    """Reads jobs and their events; what the disk refuses is a StorageError.
+    """Reads jobs and their events.
 
     Raises:
         StorageError: the database cannot be used.
@@ -29,14 +29,14 @@ class JobHistory:
         self._database.close()
 
     def get(self, job: str) -> JobRow:
-        """Return a job with its log (RefusedError: there is none)."""
+        """Return a job with its log (RefusedError: the job does not exist)."""
         rows = self._select("SELECT * FROM jobs WHERE id = ?", job)
         if not rows:
             raise RefusedError(404, f"There is no job {job[:80]!r}.")
         return self._row(rows[0], whole=True)
 
     def list_jobs(self) -> list[JobRow]:
-        """Return all jobs without their logs, the newest first."""
+        """Return all jobs without their logs, newest first."""
         rows = self._select("SELECT * FROM jobs ORDER BY number DESC")
         figures: dict[str, dict[str, FigureRow]] = {}
         for job, data in self._select("SELECT job, data FROM events WHERE type = 'figure'"):
@@ -45,7 +45,7 @@ class JobHistory:
         return [self._row(row, figures=figures.get(row["id"], {})) for row in rows]
 
     def events(self, since: int, limit: int = 200) -> list[JobEvent]:
-        """Return the events after the one numbered ``since``, in order."""
+        """Return the events after number ``since``, in order."""
         rows = self._select("SELECT * FROM events WHERE seq > ? ORDER BY seq LIMIT ?", since, limit)
         return [
             JobEvent(r["seq"], r["job"], r["type"], r["time"], json.loads(r["data"])) for r in rows
@@ -53,7 +53,7 @@ class JobHistory:
 
     @property
     def last_event(self) -> int:
-        """The number of the newest event there has been; 0 before the first."""
+        """The number of the newest event so far; 0 before the first."""
         rows = self._select("SELECT seq FROM sqlite_sequence WHERE name = 'events'")
         return rows[0][0] if rows else 0
 
@@ -67,10 +67,10 @@ class JobHistory:
         self, row: sqlite3.Row, figures: Mapping[str, FigureRow] | None = None, whole: bool = False
     ) -> JobRow:
         if figures is None:
-            told = self._select(
+            events_of_job = self._select(
                 "SELECT data FROM events WHERE job = ? AND type = 'figure' ORDER BY seq", row["id"]
             )
-            shown = [FigureRow(**json.loads(data)) for (data,) in told]
+            shown = [FigureRow(**json.loads(data)) for (data,) in events_of_job]
             figures = {each.name: each for each in shown}
         stage, result = row["stage"], row["result"]
         return JobRow(

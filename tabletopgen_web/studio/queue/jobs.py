@@ -1,4 +1,4 @@
-"""Jobs and their events, kept through whatever ends the server."""
+"""Jobs and their events, stored persistently."""
 
 from __future__ import annotations
 
@@ -27,29 +27,29 @@ from .database import REMOVAL, storing, transaction
 from .history import JobHistory
 
 QUEUE_LIMIT = 200
-"""Jobs that wait or run at most."""
+"""Maximum number of waiting and running jobs."""
 
 MOST_LOG = 64 * 2**10
-"""Characters of a job's log that are kept, its end."""
+"""Number of characters at the end of a job's log that are stored."""
 
 MOST_INTERRUPTED = 3
-"""After so many runs that ended with the server, a job is not begun again by itself."""
+"""Maximum number of interrupted runs before a job is not restarted automatically."""
 
-_MOST_JOBS = 5000  # kept; the oldest that are over make way
-_MOST_DELETED = 1000  # removals that clients can still hear of
+_MAX_JOBS = 5000  # stored jobs; the oldest finished ones are dropped
+_MAX_DELETED = 1000  # stored removal events, for clients that reconnect
 _RESERVED = 256 * 2**10  # bytes
 _OVER = ("done", "failed", "cancelled", "interrupted")
 _RESUMABLE = ("failed", "cancelled", "interrupted")
 
 
 class JobStore(JobHistory):
-    """The queue, and the history of what happened; for one thread.
+    """The queue and the event history; for use by one thread.
 
-    What the disk refuses is a StorageError.
+    Errors of the disk raise a StorageError.
 
     Attributes:
         changed: called after each change.
-        dropped: called with the jobs that made way for a new one.
+        dropped: called with the old jobs removed in favour of a new one.
 
     Raises:
         StorageError: the database cannot be used.
@@ -62,10 +62,10 @@ class JobStore(JobHistory):
         self._reserve = path.with_name("reserve")
 
     def add(self, request: Mapping[str, Any]) -> JobRow:
-        """Queue a job, as ``specs.read_spec`` reads it.
+        """Add a job to the queue; see ``specs.read_spec`` for its fields.
 
         Raises:
-            InputError: it is no such job.
+            InputError: the job is invalid.
             RefusedError: the queue is full.
         """
         spec = read_spec(request)
@@ -83,7 +83,7 @@ class JobStore(JobHistory):
         return self.get(job)
 
     def take(self) -> JobRow | None:
-        """Begin the job that has waited longest; None if none waits."""
+        """Start the job that has waited longest; None if none waits."""
         self._keep_reserve()
         if not (rows := self._select(
             "SELECT id FROM jobs WHERE state = 'queued' ORDER BY queued, number LIMIT 1"
@@ -100,7 +100,7 @@ class JobStore(JobHistory):
         return self.get(job)
 
     def note_stage(self, job: str, stage: StageRow) -> None:
-        """Write down that a stage has begun."""
+        """Record the start of a stage."""
         with self._changing():
             self._database.execute(
                 "UPDATE jobs SET stage = ? WHERE id = ?", (json.dumps(encode(stage)), job)
@@ -108,12 +108,12 @@ class JobStore(JobHistory):
             self._tell(job, "stage", encode(stage))
 
     def note_figure(self, job: str, figure: FigureRow) -> None:
-        """Write down that a picture can be fetched."""
+        """Record that a picture is available."""
         with self._changing():
             self._tell(job, "figure", encode(figure))
 
     def note_log(self, job: str, text: str) -> None:
-        """Add to what the job's process wrote."""
+        """Append to the log of the job."""
         with self._changing():
             self._database.execute(
                 "UPDATE jobs SET log = substr(log || ?, -?) WHERE id = ?", (text, MOST_LOG, job)
@@ -123,7 +123,7 @@ class JobStore(JobHistory):
     def finish(
         self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None
     ) -> None:
-        """Write down how a job ended; on a full disk in the place that is reserved for that."""
+        """Record the result of a job, in the reserved space if the disk is full."""
         try:
             self._finish(job, state, error, result)
         except StorageError:
@@ -132,24 +132,24 @@ class JobStore(JobHistory):
             self._finish(job, state, error, result)
 
     def resume(self, job: str) -> JobRow:
-        """Queue a job again that failed, was cancelled or interrupted, just as it was asked for.
+        """Queue a failed, cancelled or interrupted job again, with the same request.
 
         Raises:
-            RefusedError: there is none, it is in another state, or the queue is full.
+            RefusedError: the job does not exist, is in another state, or the queue is full.
         """
         state = self.get(job).state
         if state not in _RESUMABLE:
             raise RefusedError(409, f"The job is {state}; only jobs that ended without a result "
-                                    "are resumed.")  # fmt: skip
+            f"can be resumed.")  # fmt: skip
         self._check_room()
         self._requeue(job, runs=0)
         return self.get(job)
 
     def delete(self, job: str) -> None:
-        """Remove a job that is over, and its events.
+        """Remove a finished job and its events.
 
         Raises:
-            RefusedError: there is none, or it is not over.
+            RefusedError: the job does not exist, or is not finished.
         """
         state = self.get(job).state
         if state not in _OVER:
@@ -160,7 +160,7 @@ class JobStore(JobHistory):
     def recover(self) -> list[str]:
         """Queue the jobs again that were running when the server ended; return their ids.
 
-        A job with which the server ended again and again stays interrupted.
+        A job during which the server ended repeatedly stays interrupted.
         """
         rows = self._select("SELECT id, runs FROM jobs WHERE state IN ('running', 'interrupted') "
                             "AND (state = 'running' OR error IS NULL)")  # fmt: skip
@@ -170,8 +170,8 @@ class JobStore(JobHistory):
             error = None
             if often:
                 error = (
-                    f"The studio ended {row['runs']} times while this job ran; it is not begun "
-                    "again by itself."
+                    f"The studio ended {row['runs']} times while this job ran; it is not "
+                    f"restarted automatically."
                 )
             self.finish(job, "interrupted", error)
             if not often:
@@ -184,18 +184,18 @@ class JobStore(JobHistory):
     def _finish(
         self, job: str, state: JobState, error: str | None, result: JobResult | None
     ) -> None:
-        told = None if result is None else encode(result)
+        encoded = None if result is None else encode(result)
         with self._changing():
             self._database.execute(
                 "UPDATE jobs SET state = ?, finished = ?, error = ?, result = ? WHERE id = ?",
-                (state, time.time(), error, None if told is None else json.dumps(told), job),
+                (state, time.time(), error, None if encoded is None else json.dumps(encoded), job),
             )
-            if told is not None:
-                self._tell(job, "result", told)
+            if encoded is not None:
+                self._tell(job, "result", encoded)
             self._tell(job, "state", {"state": state, **({"error": error} if error else {})})
 
     def _check_room(self) -> None:
-        """Refuse a job more than the queue takes."""
+        """Reject a job if the queue is full."""
         ((busy,),) = self._select("SELECT count(*) FROM jobs WHERE state IN ('queued', 'running')")
         if busy >= QUEUE_LIMIT:
             raise RefusedError(
@@ -203,7 +203,7 @@ class JobStore(JobHistory):
             )
 
     def _keep_reserve(self) -> None:
-        """Take up the place in which endings can be written on a full disk."""
+        """Reserve space on the disk to record results when it is full."""
         with contextlib.suppress(OSError):
             if not self._reserve.exists():
                 try:
@@ -225,14 +225,14 @@ class JobStore(JobHistory):
         self._tell(job, "state", {"state": "deleted"})
         self._database.execute(
             f"DELETE FROM events WHERE {REMOVAL} AND seq NOT IN (SELECT seq FROM events "
-            f"WHERE {REMOVAL} ORDER BY seq DESC LIMIT ?)", (_MOST_DELETED,),
+            f"WHERE {REMOVAL} ORDER BY seq DESC LIMIT ?)", (_MAX_DELETED,),
         )  # fmt: skip
 
     def _drop_old(self) -> list[str]:
         (count,) = self._database.execute("SELECT count(*) FROM jobs").fetchone()
         rows = self._select(
             f"SELECT id FROM jobs WHERE state IN {_OVER} ORDER BY number LIMIT ?",
-            max(count - _MOST_JOBS, 0),
+            max(count - _MAX_JOBS, 0),
         )
         old = [row["id"] for row in rows]
         for job in old:
@@ -247,7 +247,7 @@ class JobStore(JobHistory):
 
     @contextlib.contextmanager
     def _changing(self) -> Iterator[None]:
-        """Make the changes of a block one transaction, and say so afterwards."""
+        """Execute the block as one transaction, then notify listeners."""
         with storing(self._path), transaction(self._database):
             yield
         self.changed()

@@ -1,7 +1,7 @@
-"""The process of one job: what it is told, what it says, and how it ends.
+"""The process of one job: its order, its messages, and its end.
 
-It is told one line of JSON and says lines of JSON; it ends when its standard input is closed, which
-also happens where this process is killed. It has a session of its own, so that its own children end
+The process receives one line of JSON and sends lines of JSON. It ends when its standard input is
+closed, which also happens if the server is killed. It runs in a new session, so its children end
 with it.
 """
 
@@ -23,43 +23,43 @@ from generator.errors import BackendError, TabletopError, escape
 from generator.io.bounded import parse_object
 
 MODULE = "tabletopgen_web.studio.worker"
-"""What the process runs."""
+"""Module that the process runs."""
 
 GRACE = 10.0
-"""Seconds that a job has, once it is cancelled, until its process is killed."""
+"""Seconds between the cancellation of a job and the kill of its process."""
 
-_MOST_LINE = 2**20  # bytes of a message
-_MOST_TOLD = 500  # characters of a line of the log
-_MOST_LINES = 400  # of the log of one run
+_MAX_LINE = 2**20  # maximum size of a message, bytes
+_MAX_TOLD = 500  # maximum length of a log line, characters
+_MAX_LINES = 400  # maximum log of one run
 _PIECE = 8192
 _AFTER = 5.0  # seconds that pipes may stay open after the process has ended
 
 
 @dataclass(frozen=True)
 class JobEnding:
-    """How a process ended: ``code`` as ``subprocess`` says it; ``late``: it took too long."""
+    """Exit of a process: ``code`` as in ``subprocess``; ``late`` after a timeout."""
 
     code: int
     late: bool = False
 
     def describe(self) -> str:
-        """Return a sentence about a process that ended without saying why."""
+        """Return a description of a process that ended without a result."""
         if self.late:
-            return "The job took too long and was ended."
+            return "The job took too long and was stopped."
         if self.code == -signal.SIGKILL:
             return "The job's process was killed; the machine may be short of memory."
         if self.code < 0:
             return f"The job's process crashed with signal {-self.code}."
-        return f"The job's process ended with code {self.code} and said nothing; see its log."
+        return f"The job's process ended with code {self.code} and without a result; see its log."
 
 
 class JobProcess:
-    """Runs one job, and passes on what it says.
+    """Runs one job and forwards its messages.
 
     Args:
-        order: what the process is told.
+        order: the order for the process.
         heard: called with each message of the process.
-        logged: called with each line that the process writes besides, without secrets.
+        logged: called with each other line of output, with secrets removed.
     """
 
     def __init__(
@@ -75,11 +75,11 @@ class JobProcess:
         self.cancelled = False
 
     async def run(self, seconds: float | None = None) -> JobEnding:
-        """Run the job to its end, which comes after ``seconds`` at the latest.
+        """Run the job until it ends, or until ``seconds`` have passed.
 
         Raises:
-            BackendError: no process can be started, or it says what cannot be understood.
-            TabletopError: what ``heard`` or ``logged`` raised; the process was ended.
+            BackendError: the process cannot be started, or sends an invalid message.
+            TabletopError: raised by ``heard`` or ``logged``; the process was stopped.
         """
         process = await self._start()
         late = False
@@ -90,7 +90,7 @@ class JobProcess:
         except TimeoutError:
             late = True
         finally:
-            _kill(process)  # what is left of its session, if anything
+            _kill(process)  # remaining processes of its session, if any
             await process.wait()
             with contextlib.suppress(TimeoutError):
                 await asyncio.wait_for(reading, _AFTER)
@@ -104,7 +104,7 @@ class JobProcess:
         return JobEnding(process.returncode, late)
 
     def cancel(self) -> None:
-        """Ask the process to end; it is killed where it does not within the grace."""
+        """Request the end of the process, and kill it after the grace period."""
         self.cancelled = True
         if self._process is not None and self._ending is None:
             self._ending = asyncio.create_task(self._end(self._process))
@@ -115,16 +115,16 @@ class JobProcess:
             self._process = await asyncio.create_subprocess_exec(
                 sys.executable, "-P", "-m", MODULE,
                 stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE,
-                stderr=asyncio.subprocess.PIPE, start_new_session=True, limit=_MOST_LINE,
+                stderr=asyncio.subprocess.PIPE, start_new_session=True, limit=_MAX_LINE,
                 env={**os.environ, "PYTHONPATH": path},
             )  # fmt: skip
         except OSError as error:
             raise BackendError(
                 f"No process can be started for the job: {error.strerror or error}. Try again "
-                "when the machine has less to do."
+                f"when the machine is less busy."
             ) from error
         assert self._process.stdin is not None
-        with contextlib.suppress(ConnectionError):  # it has ended already
+        with contextlib.suppress(ConnectionError):  # it has already ended
             self._process.stdin.write(json.dumps(self._order).encode() + b"\n")
             await self._process.stdin.drain()
         if self.cancelled:
@@ -141,11 +141,11 @@ class JobProcess:
         assert process.stdout is not None
         try:
             while line := await process.stdout.readline():
-                self._heard(parse_object(line, "What a job's process said", BackendError))
+                self._heard(parse_object(line, "The message of the job's process", BackendError))
         except TabletopError as error:
             self._give_up(process, error)
-        except (ValueError, TypeError, KeyError):  # longer than a message, or none that is known
-            self._give_up(process, BackendError("The job's process said what nobody understands."))
+        except (ValueError, TypeError, KeyError):  # too long, or not a known message
+            self._give_up(process, BackendError("The job's process sent an invalid message."))
 
     async def _read_log(self, process: asyncio.subprocess.Process) -> None:
         assert process.stderr is not None
@@ -158,11 +158,11 @@ class JobProcess:
         self._log(process, rest, count)
 
     def _log(self, process: asyncio.subprocess.Process, line: bytes, count: int) -> bool:
-        text = escape(redact(line.decode("utf-8", "replace"), _secrets())).strip()[:_MOST_TOLD]
-        if not text or count > _MOST_LINES:
+        text = escape(redact(line.decode("utf-8", "replace"), _secrets())).strip()[:_MAX_TOLD]
+        if not text or count > _MAX_LINES:
             return False
-        if count == _MOST_LINES:
-            text = "(more lines are not kept)"
+        if count == _MAX_LINES:
+            text = "(further lines are omitted)"
         try:
             self._logged(text + "\n")
         except TabletopError as error:
@@ -176,7 +176,7 @@ class JobProcess:
 
 
 def _secrets() -> list[str]:
-    """Return what the environment holds under names of keys."""
+    """Return the values of environment variables whose names suggest keys."""
     marks = ("KEY", "SECRET", "TOKEN", "PASSWORD")
     return [v for k, v in os.environ.items() if any(m in k.upper() for m in marks) and len(v) > 7]
 

@@ -1,4 +1,4 @@
-"""Takes jobs from the queue, some at a time, and writes down what comes of them."""
+"""Runs queued jobs in parallel and records their results."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from .jobs import JobStore
 from .process import JobProcess
 
 Order = Callable[[JobRow], Mapping[str, Any]]
-"""Makes of a job what its process is told; a TabletopError says why it cannot be begun."""
+"""Creates the order of a job; raises a TabletopError if it cannot start."""
 
 _LOG = logging.getLogger(__name__)
-_AGAIN = 2.0  # seconds between two tries to take a job, or to write how one ended
-_MOST_ERROR = 2000  # characters of a message
+_AGAIN = 2.0  # seconds between attempts to take a job, or to record a result
+_MAX_ERROR = 2000  # maximum length of a message, characters
 
 
 class Runner:
-    """Has the jobs of a store done by processes, ``workers`` at a time."""
+    """Runs the jobs of a store in processes, ``workers`` at a time."""
 
     def __init__(self, store: JobStore, order: Order, workers: int) -> None:
         self._store, self._order, self._workers = store, order, workers
@@ -33,20 +33,20 @@ class Runner:
         self._work = asyncio.Event()
 
     def wake(self) -> None:
-        """Look whether jobs wait."""
+        """Check for waiting jobs."""
         self._work.set()
 
     async def run(self) -> None:
-        """Do jobs until this is cancelled; those that run then are interrupted."""
+        """Run jobs until cancelled; running jobs are then interrupted."""
         async with asyncio.TaskGroup() as group:
             for _ in range(self._workers):
                 group.create_task(self._serve())
 
     def cancel(self, job: str) -> JobRow:
-        """Cancel a job that waits or runs.
+        """Cancel a waiting or running job.
 
         Raises:
-            RefusedError: there is none, or it is over.
+            RefusedError: the job does not exist, or is finished.
         """
         row = self._store.get(job)
         if row.state == "queued":
@@ -66,8 +66,8 @@ class Runner:
             except StorageError:  # the disk is full: try again later
                 await asyncio.sleep(_AGAIN)
                 continue
-            except Exception:  # a defect of ours stops no other job
-                _LOG.exception("No job could be taken.")
+            except Exception:  # an internal error must not stop other jobs
+                _LOG.exception("Taking a job failed.")
                 await asyncio.sleep(_AGAIN)
                 continue
             if job is not None:
@@ -78,11 +78,11 @@ class Runner:
                 await asyncio.wait_for(self._work.wait(), _AGAIN)
 
     async def _do(self, job: JobRow) -> None:
-        """Do one job; whatever becomes of it is written down."""
-        said: dict[str, Any] = {}
+        """Run one job and record its result, whatever happens."""
+        latest: dict[str, Any] = {}
         try:
             work = JobProcess(
-                self._order(job), lambda message: self._hear(job.id, message, said),
+                self._order(job), lambda message: self._hear(job.id, message, latest),
                 lambda text: self._store.note_log(job.id, text),
             )  # fmt: skip
             self._running[job.id] = work
@@ -96,19 +96,19 @@ class Runner:
         except TabletopError as error:
             self._finish(job.id, "failed", str(error))
             return
-        except Exception:  # a defect of ours fails the job, not the server
-            _LOG.exception("The job %s could not be done.", job.id)
-            self._finish(job.id, "failed", "The studio itself failed; its terminal says how.")
+        except Exception:  # an internal error fails the job, not the server
+            _LOG.exception("The job %s failed internally.", job.id)
+            self._finish(job.id, "failed", "Internal error of the studio; see its terminal.")
             return
-        if "result" in said and ending.code == 0:
-            self._finish(job.id, "done", result=said["result"])
+        if "result" in latest and ending.code == 0:
+            self._finish(job.id, "done", result=latest["result"])
         elif work.cancelled:
             self._finish(job.id, "cancelled")
         else:
-            self._finish(job.id, "failed", said.get("error") or ending.describe())
+            self._finish(job.id, "failed", latest.get("error") or ending.describe())
 
-    def _hear(self, job: str, message: Mapping[str, Any], said: dict[str, Any]) -> None:
-        """Write down what a process says; ``said`` keeps its last words."""
+    def _hear(self, job: str, message: Mapping[str, Any], latest: dict[str, Any]) -> None:
+        """Record a message of the process; ``latest`` keeps the last one."""
         kind = message.get("type")
         if kind == "stage":
             stage = StageRow(message["name"], message["number"], message["total"])
@@ -117,9 +117,9 @@ class Runner:
             url = f"/api/jobs/{job}/figures/{message['name']}"
             self._store.note_figure(job, FigureRow(message["name"], message["stage"], url))
         elif kind == "result":
-            said["result"] = _as_result(job, message)
+            latest["result"] = _as_result(job, message)
         elif kind == "error":
-            said["error"] = str(message["message"])[:_MOST_ERROR]
+            latest["error"] = str(message["message"])[:_MAX_ERROR]
 
     def _finish(
         self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None
@@ -128,7 +128,7 @@ class Runner:
         self._save_endings()
 
     def _save_endings(self) -> None:
-        """Write down how jobs ended; what the disk refuses is tried again before the next job."""
+        """Record the results of jobs; after disk errors, try again before the next job."""
         for job, (state, error, result) in list(self._unsaved.items()):
             with contextlib.suppress(StorageError):
                 self._store.finish(job, state, error, result)

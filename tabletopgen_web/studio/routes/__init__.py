@@ -1,1 +1,1 @@
-"""The endpoints, a module a subject."""
+"""The endpoints, one module per subject."""

@@ -1,4 +1,4 @@
-"""What happens to jobs, as server-sent events; who cannot keep up is dropped, not waited for."""
+"""Job events as server-sent events; clients that read too slowly are disconnected."""
 
 from __future__ import annotations
 
@@ -20,32 +20,32 @@ HEARTBEAT = 15.0
 """Seconds without an event after which a comment is sent."""
 
 SLOW = 10.0
-"""Seconds that a client may leave what it was sent unread."""
+"""Maximum seconds for a client to read a message."""
 
 
 async def listen(request: Request) -> Response:
-    """The events after ``since``, or after the one that the client had last; then new ones."""
+    """Stream the events after ``since``, or after the client's last event, then new ones."""
     services = services_of(request)
     if services.listeners.locked():
         raise RefusedError(503, "Too many pages listen to this studio. Close some.")
-    said = request.headers.get("last-event-id") or request.query_params.get("since") or "0"
-    if not said.isascii() or not said.isdecimal() or len(said) > 15:
-        raise InputError(f"since is the number of an event, not {said[:40]!r}.")
-    since = int(said)
+    position = request.headers.get("last-event-id") or request.query_params.get("since") or "0"
+    if not position.isascii() or not position.isdecimal() or len(position) > 15:
+        raise InputError(f"since must be the number of an event, not {position[:40]!r}.")
+    since = int(position)
     if since > services.store.last_event:  # of another studio's folder
         since = 0
     return EventStream(services, since)
 
 
 class EventStream(Response):
-    """Sends events until the client goes, or does not read on."""
+    """Sends events until the client disconnects or reads too slowly."""
 
     def __init__(self, services: StudioServices, since: int) -> None:
         super().__init__(media_type="text/event-stream; charset=utf-8")
         self._services, self._since = services, since
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer the request."""
+        """Handle the request."""
         headers = [(k, v) for k, v in self.raw_headers if k != b"content-length"]
         await send({"type": "http.response.start", "status": 200, "headers": headers})
         async with self._services.listeners:

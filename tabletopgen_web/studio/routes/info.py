@@ -1,4 +1,4 @@
-"""What this studio is, how a text is read, and what a job would cost."""
+"""Properties of the studio, interpretation of a text, and cost of a job."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from .responses import answer
 
 
 async def get_state(request: Request) -> Response:
-    """What this studio is and can do."""
+    """Return the properties and capabilities of this studio."""
     services = services_of(request)
     last = services.store.last_event
     return answer(await asyncio.to_thread(_describe, services, last))
 
 
 async def explain_text(request: Request) -> Response:
-    """How a text is read, phrase by phrase."""
+    """Return the interpretation of a text, phrase by phrase."""
     fields = Fields(await read_json(request), "The body")
     text, seed = fields.text("text", MOST_TEXT, multiline=True), fields.seed()
     fields.end()
@@ -35,7 +35,7 @@ async def explain_text(request: Request) -> Response:
 
 
 async def estimate_job(request: Request) -> Response:
-    """What a job would ask servers first, and for how much. Nothing is sent."""
+    """Return the first requests of a job to servers, and their cost. Nothing is sent."""
     services, asked = services_of(request), await read_json(request)
     spec = await asyncio.to_thread(read_spec, asked)
     await asyncio.to_thread(services.check_begins, spec)

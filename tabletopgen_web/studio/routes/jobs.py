@@ -1,4 +1,4 @@
-"""Jobs: queued, followed, cancelled, resumed, removed."""
+"""Jobs: add, list, cancel, resume, and remove."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,199}")
 
 
 async def list_jobs(request: Request) -> Response:
-    """All jobs, the newest first."""
+    """Return all jobs, newest first."""
     return answer({"jobs": services_of(request).store.list_jobs()})
 
 
@@ -34,12 +34,12 @@ async def add_job(request: Request) -> Response:
 
 
 async def get_job(request: Request) -> Response:
-    """One job, with its log."""
+    """Return one job with its log."""
     return answer(services_of(request).store.get(request.path_params["job"]))
 
 
 async def cancel_job(request: Request) -> Response:
-    """Cancel a job; one that runs ends soon after."""
+    """Cancel a job; a running job ends soon after."""
     return answer(services_of(request).runner.cancel(request.path_params["job"]), 202)
 
 
@@ -49,7 +49,7 @@ async def resume_job(request: Request) -> Response:
 
 
 async def delete_job(request: Request) -> Response:
-    """Remove a job that is over, its events, figures and files; its scene stays."""
+    """Remove a finished job, its events, figures and files; its scene stays."""
     services, job = services_of(request), request.path_params["job"]
     services.store.delete(job)
     for folder in (services.folder.figures, services.folder.files):
@@ -58,12 +58,12 @@ async def delete_job(request: Request) -> Response:
 
 
 async def get_figure(request: Request) -> Response:
-    """A picture of what a stage found."""
+    """Return a picture of a stage's result."""
     return _file(request, "figures", attach=False)
 
 
 async def get_file(request: Request) -> Response:
-    """An export, or an episode."""
+    """Return an export or an episode."""
     return _file(request, "files", attach=True)
 
 

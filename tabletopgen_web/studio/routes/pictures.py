@@ -16,7 +16,7 @@ from .responses import answer, answer_picture
 
 
 async def add_picture(request: Request) -> Response:
-    """Keep the picture that is the body."""
+    """Store the picture in the body."""
     services = services_of(request)
     async with services.uploads:
         data = await read_body(request, MAX_BYTES)
@@ -27,7 +27,7 @@ async def add_picture(request: Request) -> Response:
 
 
 async def get_picture(request: Request) -> Response:
-    """A picture as it is worked at, as PNG."""
+    """Return a picture at its working size, as PNG."""
     shelf = services_of(request).pictures
     return answer_picture(await asyncio.to_thread(shelf.read_shown, request.path_params["picture"]))
 

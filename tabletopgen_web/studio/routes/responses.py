@@ -1,4 +1,4 @@
-"""Responses of the endpoints, and the front end's files."""
+"""Responses of the endpoints, and the files of the front end."""
 
 from __future__ import annotations
 
@@ -31,22 +31,22 @@ _TYPES: Mapping[str, str] = MappingProxyType(
         ".xml": "text/plain; charset=utf-8",
     }
 )
-"""Types of files by the end of their names; of others the browser is told nothing."""
+"""Content types by file suffix; other files have none."""
 
 
 def answer(value: Any, status: int = 200, headers: Mapping[str, str] | None = None) -> Response:
-    """Return a value as JSON."""
+    """Return a value as a JSON response."""
     return JSONResponse(encode(value), status_code=status, headers=headers)
 
 
 def answer_file(path: Path, *, attach: bool = False) -> Response:
-    """Return a file, as an attachment that is saved if ``attach``."""
+    """Return a file response, with ``attach`` as a download."""
     kind = _TYPES.get(path.suffix.lower(), "application/octet-stream")
     return FileResponse(path, media_type=kind, filename=path.name if attach else None)
 
 
 def answer_picture(png: bytes) -> Response:
-    """Return a picture."""
+    """Return a picture response."""
     return Response(png, media_type="image/png")
 
 
@@ -54,9 +54,9 @@ _PAGE = "studio.html"
 
 
 def list_files(static: Path) -> Mapping[str, Path]:
-    """Return the built files by the paths of their URLs: "/" is the page.
+    """Return the built files by URL path: "/" is the page.
 
-    The page names its scripts relative to itself, others may name them below "/static/".
+    The page uses paths relative to itself; other clients may use paths below "/static/".
     """
     found = {"/": static / _PAGE}
     for path in sorted(static.rglob("*")):
@@ -69,9 +69,9 @@ def list_files(static: Path) -> Mapping[str, Path]:
 
 
 async def show(scope: Scope, receive: Receive, send: Send) -> None:
-    """Answer with a file of the page; what is asked for besides, and is no endpoint, is nowhere."""
+    """Return a file of the page; other paths that are not endpoints do not exist."""
     request = Request(scope, receive)
     path = services_of(request).files.get(scope["path"])
     if path is None or request.method not in ("GET", "HEAD"):
-        raise RefusedError(404, "There is nothing at this path.")
+        raise RefusedError(404, "This path does not exist.")
     await answer_file(path)(scope, receive, send)

@@ -1,4 +1,4 @@
-"""Scenes: listed, looked at, kept, removed."""
+"""Scenes: list, view, save, and remove."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .responses import answer, answer_file, answer_picture
 
 
 async def list_scenes(request: Request) -> Response:
-    """All scenes."""
+    """Return all scenes."""
     return answer({"scenes": await asyncio.to_thread(services_of(request).scenes.list_rows)})
 
 
 async def get_scene(request: Request) -> Response:
-    """One scene's row."""
+    """Return one scene's row."""
     row = services_of(request).scenes.row
     return answer(await asyncio.to_thread(row, request.path_params["scene"]))
 
@@ -41,20 +41,20 @@ async def save_scene(request: Request) -> Response:
 
 
 async def get_history(request: Request) -> Response:
-    """The steps that led to a scene, and the scenes edited from it."""
+    """Return the steps that led to a scene, and the scenes edited from it."""
     scene = request.path_params["scene"]
     steps, later = await asyncio.to_thread(services_of(request).scenes.history, scene)
     return answer({"scene": scene, "steps": steps, "later": later})
 
 
 async def get_thumbnail(request: Request) -> Response:
-    """A scene's picture."""
+    """Return a scene's thumbnail."""
     read = services_of(request).scenes.read_thumbnail
     return answer_picture(await asyncio.to_thread(read, request.path_params["scene"]))
 
 
 async def get_view(request: Request) -> Response:
-    """A file of a scene as the viewer loads it: ``view.json`` names the others."""
+    """Return a file of a scene prepared for the viewer: ``view.json`` lists the others."""
     find = services_of(request).scenes.view_file
     scene, path = request.path_params["scene"], request.path_params["path"]
     return answer_file(await asyncio.to_thread(find, scene, path))

@@ -16,10 +16,10 @@ from .responses import answer
 
 
 async def show_study(request: Request) -> Response:
-    """The page of a study, with the policy that allows its own code alone."""
+    """Return the page of a study, with a policy that allows only its own code."""
     page = services_of(request).studies.get(request.path_params["study"])
     if page is None:
-        raise RefusedError(404, "This study is not served; --study names the files of studies.")
+        raise RefusedError(404, "This study is not served; pass its file with --study.")
     return Response(
         page.content,
         media_type="text/html; charset=utf-8",
@@ -28,24 +28,24 @@ async def show_study(request: Request) -> Response:
 
 
 async def add_answer(request: Request) -> Response:
-    """Keep a rater's answer: an object with the id of who gave it in ``rater``.
+    """Store a rater's answer: an object with the rater's id in ``rater``.
 
-    Of a study that is served, answers have to be complete, and less is kept.
+    Answers of a served study must be complete, and have lower limits.
     """
-    services, said = services_of(request), await read_json(request, MAX_ANSWER_BYTES)
+    services, payload = services_of(request), await read_json(request, MAX_ANSWER_BYTES)
     study = request.path_params["study"]
     page = services.studies.get(study)
     if page is not None:
-        await asyncio.to_thread(page.check, said)
+        await asyncio.to_thread(page.check, payload)
     async with services.writing:
         count = await asyncio.to_thread(
-            services.answers.add, study, said.get("rater", ""), said, shared=page is not None
+            services.answers.add, study, payload.get("rater", ""), payload, shared=page is not None
         )
     return answer({"answers": count}, 201)
 
 
 async def list_answers(request: Request) -> Response:
-    """The answers of a study, by rater."""
+    """Return the answers of a study by rater."""
     study = request.path_params["study"]
     return answer({"study": study, "answers": await asyncio.to_thread(
         services_of(request).answers.read, study)})  # fmt: skip

@@ -1,1 +1,1 @@
-"""The HTTP side: who may ask, how much they may send, and which errors they get."""
+"""The HTTP server: access control, request limits, and error responses."""

@@ -1,4 +1,4 @@
-"""The application: endpoints, their errors, and what runs beside them."""
+"""The application: endpoints, error responses, and background tasks."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ ROUTES: tuple[Route, ...] = (
     *info.ROUTES, *jobs.ROUTES, *events.ROUTES, *pictures.ROUTES, *scenes.ROUTES,
     *studies.ROUTES,
 )  # fmt: skip
-"""The endpoints; what is asked for besides are files of the page."""
+"""The endpoints; all other paths are files of the page."""
 
 
 def make_application(
@@ -46,15 +46,15 @@ def make_application(
     changes: Changes | None = None,
     studies: Mapping[str, StudyPage] | None = None,
 ) -> ASGIApp:
-    """Return the studio's application. Its folder is locked by the caller.
+    """Return the studio's application. The caller holds the lock of its folder.
 
     Args:
-        folder: where it keeps everything.
-        access: who may ask.
+        folder: the data folder.
+        access: the access control.
         static: the folder of the built page.
-        workers: how many jobs run at a time.
-        changes: what is closed when the studio ends, so that pages no longer wait for events.
-        studies: pages for raters, by study; ``access`` has their tokens.
+        workers: number of jobs that run at a time.
+        changes: notifier, closed when the studio ends so that pages stop waiting for events.
+        studies: pages for raters by study; ``access`` has their tokens.
     """
     files, changes = responses.list_files(static), changes or Changes()
 
@@ -96,27 +96,27 @@ async def _refuse(request: Request, error: Exception) -> Response:
         return await _fail(request, error)
     refused = answer({"error": str(error)}, status)
     if status in (408, 413):
-        refused.headers["connection"] = "close"  # what is still to come is not read
+        refused.headers["connection"] = "close"  # the rest of the body is not read
     return refused
 
 
 async def _refuse_route(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
     if error.status_code == 405:
-        return answer({"error": f"{request.method} is no method of this path."}, 405, error.headers)
+        return answer({"error": f"Method {request.method} not allowed."}, 405, error.headers)
     return answer({"error": str(error.detail)}, error.status_code, error.headers)
 
 
 async def _refuse_disk(request: Request, error: Exception) -> Response:
     assert isinstance(error, OSError)
-    _LOG.warning("The disk refuses: %s", error)
-    return answer({"error": f"The disk refuses: {error.strerror or error}."}, 507)
+    _LOG.warning("Disk error: %s", error)
+    return answer({"error": f"Disk error: {error.strerror or error}."}, 507)
 
 
 async def _give_up(request: Request, error: Exception) -> Response:
-    return answer({"error": "The request ended early."}, 400)
+    return answer({"error": "The request was cut off."}, 400)
 
 
 async def _fail(request: Request, error: Exception) -> Response:
     _LOG.error("%s %s failed", request.method, request.url.path, exc_info=error)
-    return answer({"error": "The studio itself failed; its terminal says how."}, 500)
+    return answer({"error": "Internal error of the studio; see its terminal."}, 500)

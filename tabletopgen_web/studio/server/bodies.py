@@ -1,4 +1,4 @@
-"""What requests send, read no further than it may be long."""
+"""Request bodies, read up to a size limit."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from generator.io.bounded import parse_object
 from ..refusals import RefusedError
 
 MOST_JSON = 64 * 2**10
-"""Bytes of a JSON object, unless an endpoint says otherwise."""
+"""Default size limit of a JSON object, bytes."""
 
-_MOST_DEPTH = 16
-_SECONDS = 60.0  # that a body may take to come
+_MAX_DEPTH = 16
+_SECONDS = 60.0  # time limit of a body
 
 
 async def read_body(request: Request, most: int) -> bytes:
     """Return the body of a request.
 
     Raises:
-        RefusedError: it has more than ``most`` bytes, of which no more is read, or comes too
+        RefusedError: the body exceeds ``most`` bytes, after which reading stops, or arrives too
             slowly.
     """
-    told = request.headers.get("content-length", "0")
-    if not told.isdecimal() or len(told) > 18 or int(told) > most:
+    declared = request.headers.get("content-length", "0")
+    if not declared.isdecimal() or len(declared) > 18 or int(declared) > most:
         raise _excess(most)
     body = bytearray()
     try:
@@ -37,24 +37,24 @@ async def read_body(request: Request, most: int) -> bytes:
                     raise _excess(most)
                 body += piece
     except TimeoutError as error:
-        raise RefusedError(408, f"The body did not come within {_SECONDS:g} s.") from error
+        raise RefusedError(408, f"The body did not arrive within {_SECONDS:g} s.") from error
     return bytes(body)
 
 
 async def read_json(request: Request, most: int = MOST_JSON) -> dict[str, Any]:
-    """Return the JSON object that a request sends.
+    """Return the JSON object in a request's body.
 
     Raises:
-        RefusedError: it is too long, or not said to be JSON.
-        InputError: it is no JSON object.
+        RefusedError: the body is too long, or its content type is not JSON.
+        InputError: the body is not a JSON object.
     """
     kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if kind != "application/json":
-        raise RefusedError(415, "The body has to be JSON, with content-type application/json.")
+        raise RefusedError(415, "The body must be JSON, with content-type application/json.")
     raw = await read_body(request, most)
-    return parse_object(raw, "The body", InputError, max_bytes=most, max_depth=_MOST_DEPTH)
+    return parse_object(raw, "The body", InputError, max_bytes=most, max_depth=_MAX_DEPTH)
 
 
 def _excess(most: int) -> RefusedError:
     size = f"{most // 2**20} MiB" if most >= 2**20 else f"{most // 2**10} KiB"
-    return RefusedError(413, f"The body is larger than {size}, which is the limit.")
+    return RefusedError(413, f"The body exceeds the limit of {size}.")

@@ -1,4 +1,4 @@
-"""Work that ends when nobody waits for its result any more: a client left, or the studio ends."""
+"""Cancellation of requests whose client has left, or when the studio ends."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .changes import Changes
 
 _T = TypeVar("_T")
 
-_GRACE = 0.5  # seconds that requests have when the studio ends
+_GRACE = 0.5  # seconds for requests to finish when the studio ends
 
 
 async def run_while_wanted(
@@ -27,7 +27,7 @@ async def run_while_wanted(
     """Return ``work(cancelled)``, run in a thread after the request's body has been read.
 
     The event is set when the client disconnects, the studio ends, or this task is cancelled; the
-    work has to end soon after. This returns, or raises, no earlier than the work ends, unless the
+    work must end soon after. The call returns or raises only after the work has ended, unless the
     task is cancelled.
 
     Raises:
@@ -44,7 +44,7 @@ async def run_while_wanted(
         if working.done():
             return working.result()
         cancelled.set()
-        with contextlib.suppress(Exception):  # of work that was cancelled in its middle
+        with contextlib.suppress(Exception):  # the error of interrupted work
             await working
         raise ClientDisconnect
     finally:
@@ -59,13 +59,13 @@ async def _disconnect(request: Request) -> None:
 
 
 class EndingRequests:
-    """Wraps the application; requests that outlast the studio are cancelled, and answered so."""
+    """Wraps the application; requests that outlast the studio get an error response."""
 
     def __init__(self, app: ASGIApp, changes: Changes) -> None:
         self._app, self._changes = app, changes
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer a request."""
+        """Handle a request."""
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
@@ -94,14 +94,14 @@ class EndingRequests:
 
 
 class StudioThreads(ThreadPoolExecutor):
-    """The threads of requests. Those that still run when the studio ends are not waited for."""
+    """The threads of requests. The studio does not wait for those still running at its end."""
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Start nothing more."""
+        """Reject new work."""
         super().shutdown(wait=False, cancel_futures=True)
 
     def wait_idle(self, seconds: float) -> bool:
-        """Return whether all threads end within so many seconds of a shutdown."""
+        """Return whether all threads end within the given seconds after a shutdown."""
         end = time.monotonic() + seconds
         for thread in tuple(self._threads):
             thread.join(max(0.0, end - time.monotonic()))

@@ -1,4 +1,4 @@
-"""Changes of a studio's state, that many wait for."""
+"""Notification of many waiters about changes of the studio's state."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import asyncio
 
 
 class Changes:
-    """Lets many wait for the next change, in one event loop, until the studio ends.
+    """Lets many tasks in one event loop wait for the next change, until the studio ends.
 
     Attributes:
-        closed: whether it ends; who waits then stops.
+        closed: whether the studio has ended; waiters then stop.
     """
 
     def __init__(self) -> None:
@@ -17,17 +17,17 @@ class Changes:
         self._next = asyncio.Event()
 
     def close(self) -> None:
-        """Say that the studio ends."""
+        """Signal the end of the studio."""
         self.closed = True
         self.notify()
 
     def notify(self) -> None:
-        """Say that something changed."""
+        """Signal a change."""
         self._next.set()
         self._next = asyncio.Event()
 
     def next(self) -> asyncio.Event:
-        """Return what is set by the next change."""
+        """Return the event that the next change sets."""
         return self._next
 
     async def wait_closed(self) -> None:

@@ -1,10 +1,10 @@
-"""Who may ask: the page that the printed address opens, and programs that know its token.
+"""Access control: the page at the printed address, and programs with the token.
 
-Raters of a study have a token of their own, which opens the study's page and takes their answers.
+Raters of a study have a separate token, which permits the study's page and submission of answers.
 
-Every request must be addressed to this server by its own name (else a foreign name that leads here
-could read it), and what changes something must come from its own page. Every answer says that
-nothing may be embedded, guessed, kept or passed on.
+Every request must use this server's own host name (which prevents DNS rebinding), and requests that
+change something must come from its own page. The headers of every response forbid embedding,
+content-type sniffing, caching and referrers.
 """
 
 from __future__ import annotations
@@ -38,26 +38,26 @@ HEADERS: Mapping[str, str] = MappingProxyType(
         "cross-origin-resource-policy": "same-origin",
     }
 )
-"""Headers of every answer; the page of a study brings a policy of its own."""
+"""Headers of every response; the page of a study has its own policy."""
 
 WORKER = "/assets/worker-"
-"""How the path of the physics worker's script begins, which has a policy of its own."""
+"""Path prefix of the physics worker's script, which has its own policy."""
 
-_WORKER_POLICY = (  # MuJoCo's bindings make functions of texts of their own
+_WORKER_POLICY = (  # MuJoCo's bindings create functions from strings
     "default-src 'none'; script-src 'self' 'unsafe-eval' 'wasm-unsafe-eval'; connect-src 'self'"
 )
 
 _SAFE = ("GET", "HEAD")
 
-_STUDY_TITLE = "User study"  # raters are not to read the name of a method
+_STUDY_TITLE = "User study"  # raters must not learn the name of a method
 
 
 @dataclass(frozen=True)
 class Access:
-    """Where the server listens, and the token that opens it.
+    """The address of the server, and the token for access.
 
-    ``studies`` are the tokens of raters, by study. ``ticket`` opens it once: other users of this
-    machine see what a program was started with, a browser's address included.
+    ``studies`` are the tokens of raters by study. ``ticket`` is valid once, because other users of
+    this machine can see the command line of a browser, including the address.
     """
 
     host: str
@@ -68,28 +68,28 @@ class Access:
 
     @property
     def address(self) -> str:
-        """The server's address as this machine opens it, without the token."""
+        """The server's address on this machine, without the token."""
         known = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(self.host, self.host)
         host = f"[{known}]" if ":" in known else known
         return f"http://{host}:{self.port}/"
 
     @property
     def link(self) -> str:
-        """What to open in a browser; it has the token."""
+        """The address to open in a browser, including the token."""
         return f"{self.address}?token={self.token}"
 
     @property
     def ticket_link(self) -> str:
-        """What to start a browser with."""
+        """The address for the browser's command line."""
         return f"{self.address}?ticket={self.ticket}"
 
     @property
     def cookie(self) -> str:
-        """The name of the cookie; browsers keep one jar for all ports of a host."""
+        """The name of the cookie; browsers share cookies between all ports of a host."""
         return f"tabletopgen-studio-{self.port}"
 
     def study_link(self, study: str) -> str:
-        """Return what raters of a study open in a browser; it has their token."""
+        """Return the address for the raters of a study, including their token."""
         return f"{self.address}study/{study}?token={self.studies[study]}"
 
     def study_cookie(self, study: str) -> str:
@@ -97,7 +97,7 @@ class Access:
         return f"study-{study}-{self.port}"
 
     def study_asked(self, scope: Scope) -> str | None:
-        """Return the study that a request is a rater's of; None if raters may not ask this."""
+        """Return the study of a rater's request; None if raters may not make this request."""
         begin, end = ("/study/", "") if scope["method"] in _SAFE else ("/api/studies/", "/answers")
         study = scope["path"].removeprefix(begin).removesuffix(end)
         if scope["method"] not in (*_SAFE, "POST") or scope["path"] != f"{begin}{study}{end}":
@@ -106,16 +106,16 @@ class Access:
 
     @property
     def is_local(self) -> bool:
-        """Whether this machine alone reaches the server."""
+        """Whether the server is reachable only from this machine."""
         return _is_loopback(self.host)
 
     def knows(self, token: str, study: str | None = None) -> bool:
-        """Tell whether a token is the one, or that of a study's raters."""
+        """Return whether a token is the studio's, or that of a study's raters."""
         known = self.token if study is None else self.studies[study]
         return secrets.compare_digest(token.encode("utf-8", "replace"), known.encode())
 
     def is_own(self, netloc: str) -> bool:
-        """Tell whether ``host:port``, as a request says it, means this server."""
+        """Return whether ``host:port`` from a request refers to this server."""
         try:
             parts = urlsplit(f"//{netloc}")
             host, port = (parts.hostname or "").lower(), parts.port or 80
@@ -129,14 +129,14 @@ class Access:
 
 
 class StudioGuard:
-    """Wraps the application; see the module."""
+    """Wraps the application; see the module docstring."""
 
     def __init__(self, app: ASGIApp, access: Access) -> None:
         self._app, self._access = app, access
         self._ticket = access.ticket  # None once it is used
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer a request, or pass it on."""
+        """Handle a request, or forward it."""
         if scope["type"] == "lifespan":
             await self._app(scope, receive, send)
             return
@@ -157,15 +157,15 @@ class StudioGuard:
         await (self._app if answer is None else answer)(scope, receive, send_guarded)
 
     def _refuse(self, scope: Scope) -> Response | None:
-        """Return the answer of a request that is not passed on."""
+        """Return the response to a request that is not forwarded."""
         headers = Headers(scope=scope)
         hosts = headers.getlist("host")
         if len(hosts) != 1 or not self._access.is_own(hosts[0]):
-            return _no("This server is not called that. Open the address that it printed.")
+            return _no("Unknown host name. Open the address printed by the server.")
         origins, safe = headers.getlist("origin"), scope["method"] in _SAFE
         own = len(origins) == 1 and origins[0] == f"http://{hosts[0]}"
         if (origins or not safe) and not own and not (not origins and self._bears(headers)):
-            return _no("Only the studio's own page may ask this.")
+            return _no("Only the studio's own page may send this request.")
         study = self._access.study_asked(scope)
         page = safe and (scope["path"] == "/" or scope["path"].startswith("/study/"))
         if page and (scope["path"] == "/" or study is not None):
@@ -179,37 +179,37 @@ class StudioGuard:
         if study is not None and self._has_cookie(headers, study):
             return None
         if page and scope["path"] != "/":
-            return _show("Open the whole address that you were sent.", _STUDY_TITLE)
-        words = "Open the address that the studio printed: it has the token."
+            return _show("Open the complete address that you received.", _STUDY_TITLE)
+        words = "Open the address printed by the studio, which includes the token."
         return _show(words) if page else _no(words)
 
     def _open(self, given: list[str], study: str | None) -> Response:
-        """Turn the token of an address into a cookie."""
+        """Exchange the token in an address for a cookie."""
         if len(given) != 1 or not self._access.knows(given[0], study):
             if study is not None:
-                return _show("This address is not complete, or no longer in use. Ask whoever sent "
-                             "it to you for another.", _STUDY_TITLE)  # fmt: skip
-            return _show("That is not the token of this studio. It has a new one each time that it "
-                         "is started: open the address that it printed last.")  # fmt: skip
+                return _show("This address is incomplete or no longer valid. Ask the sender for a "
+                "new one.", _STUDY_TITLE)  # fmt: skip
+            return _show("This is not the token of this studio. Each start creates a new one: "
+            "open the address printed last.")  # fmt: skip
         if study is None:
             answer = RedirectResponse("/", status_code=303)
             name, token, site = self._access.cookie, self._access.token, "strict"
         else:
             answer = RedirectResponse(f"/study/{study}", status_code=303)
             name, token = self._access.study_cookie(study), self._access.studies[study]
-            site = "lax"  # a strict one is not sent when a page, such as a mailbox, led here
+            site = "lax"  # strict ones are not sent after links from other pages
         answer.set_cookie(name, token, httponly=True, samesite=site, path="/")
         return answer
 
     def _open_once(self, given: list[str], headers: Headers) -> Response:
-        """Turn the ticket of an address into a cookie, the first time."""
+        """Exchange the ticket in an address for a cookie, once."""
         ticket = (self._ticket or "").encode()
         if ticket and secrets.compare_digest(given[0].encode("utf-8", "replace"), ticket):
             self._ticket = None
             return self._open([self._access.token], None)
         if self._has_cookie(headers, None):
             return RedirectResponse("/", status_code=303)
-        return _show("This address opened the studio once. Open the one that it printed.")
+        return _show("This address can be used only once. Open the address printed by the studio.")
 
     def _bears(self, headers: Headers) -> bool:
         given = headers.getlist("authorization")
@@ -228,7 +228,7 @@ def _no(message: str) -> Response:
 
 
 def _show(message: str, title: str = "TabletopGen studio") -> Response:
-    """Refuse for people, who see a page where programs read JSON."""
+    """Return an error page for people, or JSON for programs."""
     return HTMLResponse(
         f"<!doctype html><html lang=en><title>{title}</title><h1>{title}</h1>"
         f"<p>{html.escape(message)}</p></html>", status_code=403)  # fmt: skip

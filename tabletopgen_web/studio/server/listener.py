@@ -1,4 +1,4 @@
-"""Listening: a port that is this server's, and serving until Ctrl-C."""
+"""Binding of the port, and the server loop until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from generator.errors import BackendError
 from .cancellation import StudioThreads
 from .guard import Access
 
-_GRACE = 2  # seconds that answers under way have at the end
-_IDLE = 0.5  # seconds that threads of requests have after that
-_HEAD = 15.0  # seconds in which the head of a request is to come
+_GRACE = 2  # seconds for pending responses at the end
+_IDLE = 0.5  # further seconds for threads of requests
+_HEAD = 15.0  # time limit of a request's head, seconds
 
 
 @contextlib.contextmanager
 def bind(host: str, port: int) -> Iterator[socket.socket]:
-    """Yield a socket that listens.
+    """Yield a listening socket.
 
     Raises:
-        BackendError: the port is taken, or the host is not this machine's.
+        BackendError: the port is taken, or the host is not an address of this machine.
     """
     try:
         family = socket.AF_INET6 if ":" in host else socket.AF_INET
@@ -39,23 +39,23 @@ def bind(host: str, port: int) -> Iterator[socket.socket]:
     except (OSError, OverflowError) as error:
         raise BackendError(
             f"Port {port} of {host} cannot be used ({getattr(error, 'strerror', None) or error}). "
-            "Choose another --port, or 0 for any that is free."
+            "Choose another --port, or 0 for any free one."
         ) from error
     with listening:
         yield listening
 
 
 class HastyProtocol(H11Protocol):
-    """Closes connections on which no whole head of a request comes: there is room for so many."""
+    """Closes connections without a complete request head in time, since connections are limited."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:
-        """Begin to wait for a request."""
+        """Start to wait for a request."""
         super().connection_made(transport)
         self._late: asyncio.TimerHandle | None = None
         self._wait()
 
     def data_received(self, data: bytes) -> None:
-        """Take what came; wait on where it is no whole head."""
+        """Process received data; keep waiting for a complete head."""
         super().data_received(data)
         cycle = cast("RequestResponseCycle | None", self.cycle)
         if cycle is not None and not cycle.response_complete:
@@ -64,7 +64,7 @@ class HastyProtocol(H11Protocol):
             self._wait()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Wait no longer."""
+        """Stop waiting."""
         self._stop_waiting()
         super().connection_lost(exc)
 
@@ -78,7 +78,7 @@ class HastyProtocol(H11Protocol):
 
 
 class _Server(uvicorn.Server):
-    """Tells the application at once that the process is to end, not once all answers are sent."""
+    """Notifies the application of the process's end at once, before all responses are sent."""
 
     def __init__(self, config: uvicorn.Config, stop: Callable[[], None]) -> None:
         super().__init__(config)
@@ -92,12 +92,12 @@ class _Server(uvicorn.Server):
 def serve(
     app: ASGIApp, listening: socket.socket, access: Access, browse: bool, stop: Callable[[], None]
 ) -> bool:
-    """Answer requests until the process is interrupted; then call ``stop`` and end.
+    """Serve requests until the process is interrupted; then call ``stop`` and end.
 
-    Return whether a thread of a request is still busy, which keeps the process from ending.
+    Returns whether a thread of a request is still busy, which prevents a normal exit.
 
     Raises:
-        BackendError: the application cannot begin.
+        BackendError: the application cannot start.
     """
     config = uvicorn.Config(
         app, log_level="warning", access_log=False, server_header=False, proxy_headers=False,
@@ -106,8 +106,8 @@ def serve(
     )  # fmt: skip
     print(f"Open {access.link}", flush=True)
     for study in access.studies:
-        print(f"Raters of study {study} open {access.study_link(study)}", flush=True)
-    print("Ctrl-C ends the studio; jobs that run then begin again with the next one.",
+        print(f"Address for raters of study {study}: {access.study_link(study)}", flush=True)
+    print("Ctrl-C stops the studio; running jobs restart with the next one.",
           file=sys.stderr)  # fmt: skip
     if browse:
         opened = (access.ticket_link,)
@@ -121,5 +121,5 @@ def serve(
     with contextlib.suppress(KeyboardInterrupt):
         asyncio.run(answer_all())
     if not server.started:
-        raise BackendError("The studio could not begin; what is above says why.")
+        raise BackendError("The studio could not start; see the messages above.")
     return not threads.wait_idle(_IDLE)

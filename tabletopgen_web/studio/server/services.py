@@ -1,4 +1,4 @@
-"""What the endpoints share."""
+"""Shared parts of the endpoints."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ from ..specs import GenerateSpec, JobSpec, read_spec, scene_of
 from ..work.order import JobOrder
 from .changes import Changes
 
-_MOST_ESTIMATE = 180.0  # seconds
-_MOST_CLIENTS = 64  # that listen to events at once
+_MAX_ESTIMATE = 180.0  # seconds
+_MAX_CLIENTS = 64  # maximum number of event listeners
 
 
 @dataclass(eq=False)
@@ -36,8 +36,8 @@ class StudioServices:
     """The parts of a running studio.
 
     Attributes:
-        files: the files of the page by the path of their URL.
-        studies: the pages of studies that are served, by study.
+        files: the files of the page by URL path.
+        studies: the pages of served studies by study.
     """
 
     folder: StudioFolder
@@ -49,7 +49,7 @@ class StudioServices:
     uploads: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(2))
     writing: asyncio.Lock = field(default_factory=asyncio.Lock)
     estimates: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(1))
-    listeners: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(_MOST_CLIENTS))
+    listeners: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(_MAX_CLIENTS))
 
     def __post_init__(self) -> None:
         self.scenes = SceneLibrary(self.folder)
@@ -60,7 +60,7 @@ class StudioServices:
         self.store.dropped = self._remove_files
 
     def sweep(self) -> None:
-        """Remove what jobs that are no more had or made, and outdated views, if possible."""
+        """Remove files of deleted jobs, and outdated views; errors are ignored."""
         self.scenes.sweep()
         jobs = self.store.list_jobs()
         self.pictures.sweep({job.request["picture"] for job in jobs if "picture" in job.request})
@@ -69,18 +69,18 @@ class StudioServices:
         self._remove_files(kept - {job.id for job in jobs})
 
     def make_order(self, job: JobRow) -> Mapping[str, Any]:
-        """Return what the process of a job is told.
+        """Return the order for the process of a job.
 
         Raises:
-            TabletopError: the scene or the picture that it begins with is gone.
+            TabletopError: the job's input scene or picture no longer exists.
         """
         return self._order(job.kind, job.request, job.id)
 
     def check_begins(self, spec: JobSpec) -> None:
-        """Check that what a job begins with is there.
+        """Check that the job's input scene or picture exists.
 
         Raises:
-            RefusedError: it is not.
+            RefusedError: the input does not exist.
         """
         if (scene := scene_of(spec)) is not None:
             self.scenes.find(scene)
@@ -88,23 +88,23 @@ class StudioServices:
             self.pictures.path(spec.picture)
 
     async def estimate(self, request: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return what a job would ask servers, by a dry run in a process of its own.
+        """Return the requests of a job to servers, from a dry run in a separate process.
 
         Raises:
-            TabletopError: it is no job, or it cannot be tried.
+            TabletopError: the job is invalid, or the dry run fails.
         """
-        said: dict[str, Any] = {}
+        messages: dict[str, Any] = {}
 
         def hear(message: dict[str, Any]) -> None:
-            said[message["type"]] = message
+            messages[message["type"]] = message
 
         async with self.estimates:
             process = JobProcess(self._order("estimate", request, "estimate"), hear)
-            ending = await process.run(_MOST_ESTIMATE)
-        if "result" in said:
-            return {k: v for k, v in said["result"].items() if k != "type"}
-        told = said.get("error", {}).get("message")
-        raise BackendError(told or ending.describe())
+            ending = await process.run(_MAX_ESTIMATE)
+        if "result" in messages:
+            return {k: v for k, v in messages["result"].items() if k != "type"}
+        reason = messages.get("error", {}).get("message")
+        raise BackendError(reason or ending.describe())
 
     def _order(self, kind: str, request: Mapping[str, Any], job: str) -> Mapping[str, Any]:
         spec = read_spec(request)
@@ -117,7 +117,7 @@ class StudioServices:
         ).plain()  # fmt: skip
 
     def _remove_files(self, jobs: Iterable[str]) -> None:
-        """Remove what jobs found and made, if possible."""
+        """Remove figures and files of jobs; errors are ignored."""
         for job in jobs:
             for folder in (self.folder.figures, self.folder.files):
                 with contextlib.suppress(StorageError):
@@ -129,5 +129,5 @@ class StudioServices:
 
 
 def services_of(request: Request) -> StudioServices:
-    """Return the parts of the studio that a request is answered by."""
+    """Return the parts of the studio for a request."""
     return request.app.state.services

@@ -1,1 +1,1 @@
-"""What the process of a job does, a module a kind."""
+"""The work of a job's process, one module per kind."""

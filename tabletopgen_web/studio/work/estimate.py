@@ -1,4 +1,4 @@
-"""What a job would ask servers, by a dry run: nothing is sent, nothing is made."""
+"""Dry run of a job: nothing is sent or created."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .scenes import open_session, run_edit, run_generate
 
 
 def estimate(order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Return who answers each role, and the first calls that would be sent, a line each."""
+    """Return the backend of each role, and the first calls, a line each."""
     spec = read_spec(order.request)
     if not isinstance(spec, GenerateSpec | EditSpec) or not spec.paid.mix.given:
         return {"roles": [], "calls": [], "asks_servers": False}

@@ -1,4 +1,4 @@
-"""Jobs that make a file of a scene: episodes and exports."""
+"""Jobs that create a file from a scene: episodes and exports."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .order import JobOrder, Telling
 
 
 def record(spec: EpisodeSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Do a job of the kind "episode"."""
+    """Run a job of the kind "episode"."""
     telling.stage("playing", 1, 1)
     played = play_episode(order.start, spec.task, spec.seed)
     facts = {"success": played.success, "steps": len(played.rows) - 1, "task": spec.task}
@@ -23,7 +23,7 @@ def record(spec: EpisodeSpec, order: JobOrder, telling: Telling) -> dict[str, An
 
 
 def export_scene(spec: ExportSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Do a job of the kind "export": a file, or a zip archive where the format is a folder."""
+    """Run a job of the kind "export": a file, or a zip archive if the format is a folder."""
     from generator.bundle import load
     from generator.exports import export
 

@@ -1,4 +1,4 @@
-"""What the process of a job is told, and how it speaks of its progress."""
+"""The order for the process of a job, and its progress messages."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ class JobOrder:
     """One line of JSON from the server.
 
     Attributes:
-        kind: that of the job, or "estimate".
-        request: the job, as it was asked for.
-        scenes: the workspace, which new bundles go into.
+        kind: the kind of the job, or "estimate".
+        request: the request of the job.
+        scenes: the workspace, the destination of new bundles.
         figures: the folder of this job's pictures.
         files: the folder of this job's files.
-        bundle: the scene that the job begins with.
+        bundle: the input scene of the job.
         picture: the uploaded picture.
     """
 
@@ -44,34 +44,34 @@ class JobOrder:
 
     @classmethod
     def parse(cls, payload: Mapping[str, Any]) -> JobOrder:
-        """Return the order that JSON values say."""
+        """Return the order from JSON values."""
         paths = {k: Path(payload[k]) for k in ("scenes", "figures", "files")}
         more = {k: Path(v) for k in ("bundle", "picture") if (v := payload.get(k))}
         return cls(payload["kind"], payload["request"], **paths, **more)
 
     def plain(self) -> dict[str, Any]:
-        """Return it as JSON values."""
+        """Return the order as JSON values."""
         paths = ("scenes", "figures", "files", "bundle", "picture")
-        told = {k: None if (v := getattr(self, k)) is None else str(v) for k in paths}
-        return {"kind": self.kind, "request": dict(self.request), **told}
+        paths_as_text = {k: None if (v := getattr(self, k)) is None else str(v) for k in paths}
+        return {"kind": self.kind, "request": dict(self.request), **paths_as_text}
 
     @property
     def start(self) -> Path:
-        """The scene that the job begins with (InputError: it has none)."""
+        """The input scene of the job (InputError: it has none)."""
         if self.bundle is None:
             raise InputError("The job names no scene.")
         return self.bundle
 
 
 class Telling:
-    """Says lines of JSON to the server: stages, figures, a result or an error."""
+    """Sends lines of JSON to the server: stages, figures, and a result or an error."""
 
     def __init__(self, file: BinaryIO, figures: Path) -> None:
         self._file, self._figures = file, figures
         self._lock = threading.Lock()
 
     def say(self, **message: Any) -> None:
-        """Say one message; where nobody listens any more, this process ends."""
+        """Send one message; if the server has gone, this process ends."""
         try:
             with self._lock:
                 self._file.write(json.dumps(message).encode() + b"\n")
@@ -80,14 +80,14 @@ class Telling:
             os._exit(1)
 
     def stage(self, name: str, number: int, total: int) -> None:
-        """Say that a stage begins."""
+        """Report the start of a stage."""
         self.say(type="stage", name=name, number=number, total=total)
 
     def show(self, stage: str, pictures: Mapping[str, np.ndarray | bytes]) -> None:
-        """Write pictures of a stage by their stems, each whole, and say so.
+        """Write pictures of a stage atomically, by stem, and report each.
 
         Raises:
-            StorageError: the disk refuses.
+            StorageError: the folder is not writable.
         """
         for stem, picture in pictures.items():
             assert _STEM.fullmatch(stem), stem

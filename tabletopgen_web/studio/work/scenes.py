@@ -1,4 +1,4 @@
-"""Jobs that make a scene: generate, compose and edit."""
+"""Jobs that create a scene: generate, compose and edit."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def open_session(paid: Paid, dry: bool = False) -> Session:
-    """Return a session with the user's cache of responses and the shipped prices."""
+    """Return a session with the user's response cache and the shipped prices."""
     from generator.backends.paid_run import calls_folder
     from generator.calls import Session
     from generator.calls.store import CallStore
@@ -29,7 +29,7 @@ def open_session(paid: Paid, dry: bool = False) -> Session:
 def run_generate(
     spec: GenerateSpec, order: JobOrder, telling: Telling | None, session: Session, chosen: Backends
 ) -> Generation:
-    """Generate the scene; ``telling`` hears of stages, and shows what each found."""
+    """Generate the scene; report its stages and their pictures to ``telling``."""
     from generator.backends.paid_run import answering, scene_key
     from generator.errors import InputError
     from generator.method.figures import draw_stage
@@ -37,7 +37,7 @@ def run_generate(
 
     source = order.picture if spec.text is None else spec.text
     if source is None:
-        raise InputError("The uploaded picture is not there any more. Upload it again.")
+        raise InputError("The uploaded picture no longer exists. Upload it again.")
 
     def watch(stage: str, found: Mapping[str, Any]) -> None:
         if telling is not None:
@@ -45,7 +45,7 @@ def run_generate(
 
     key = scene_key("generate", source, None, None, spec.seed, None, chosen.identity())
     with answering(session, key, _print):
-        # A text is planned here: no text from outside is ever taken for the path of a picture.
+        # Plan texts here, so that no text from outside is interpreted as the path of a picture.
         planned = source if spec.text is None else chosen.reasoner.plan_scene(spec.text, spec.seed)
         return generate(
             planned, chosen, seed=spec.seed, name=spec.name, watch=watch,
@@ -66,7 +66,7 @@ def run_edit(spec: EditSpec, order: JobOrder, session: Session, chosen: Backends
 
 
 def generate_scene(spec: GenerateSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Do a job of the kind "generate"."""
+    """Run a job of the kind "generate"."""
     session = open_session(spec.paid)
     made = run_generate(spec, order, telling, session, spec.paid.mix.select(session))
     path = made.save(order.scenes)
@@ -77,7 +77,7 @@ def generate_scene(spec: GenerateSpec, order: JobOrder, telling: Telling) -> dic
 
 
 def compose_scene(spec: ComposeSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Do a job of the kind "compose"."""
+    """Run a job of the kind "compose"."""
     from generator.bundle import save
     from generator.composition import compose
     from generator.method.figures import preview
@@ -91,7 +91,7 @@ def compose_scene(spec: ComposeSpec, order: JobOrder, telling: Telling) -> dict[
 
 
 def edit_scene(spec: EditSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Do a job of the kind "edit"."""
+    """Run a job of the kind "edit"."""
     from generator.bundle import load, load_pictures
     from generator.language.reader import NOT_UNDERSTOOD
 
@@ -112,7 +112,7 @@ _print = partial(print, flush=True)  # to the log of the job
 
 
 def _spend(session: Session, path: Path) -> dict[str, Any]:
-    """Write the ledger beside a bundle; return what calls cost, if there were any."""
+    """Write the ledger beside a bundle; return the cost of calls, if there were any."""
     from generator.backends.paid_run import save_ledger
 
     save_ledger(session, path)

@@ -1,4 +1,4 @@
-"""A server of the protocol, keys and sessions for the cloud backend's tests."""
+"""Fixtures of the cloud backend's tests: a protocol server, keys and sessions."""
 
 import os
 from collections.abc import Callable, Iterator

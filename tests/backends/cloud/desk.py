@@ -1,4 +1,4 @@
-"""A painted desk with a book, a mug on it and a pen: instances, and what there is to say of it."""
+"""A painted desk with a book, a mug on it and a pen: instances and their descriptions."""
 
 import re
 
@@ -51,5 +51,5 @@ SIZES = {
 
 
 def listed(text: str) -> dict[int, str]:
-    """The numbered lines of a prompt: number to label."""
+    """Return the numbered lines of a prompt: number to label."""
     return {int(n): label for n, label in re.findall(r"^(\d+): ([^;\n]+)", text, re.MULTILINE)}

@@ -1,4 +1,4 @@
-"""Texts, what must be in their plans, and a correct answer of a chat model to each. Data only."""
+"""Texts, requirements on their plans, and a correct chat-model answer for each. Data only."""
 
 from dataclasses import dataclass, field
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Expected:
-    """What a plan of ``text`` has.
+    """Requirements on the plan of ``text``.
 
     Attributes:
         counts: how many of each category; "generic" for stand-ins.
@@ -30,7 +30,7 @@ class Expected:
     english: bool = True
 
     def answer(self) -> dict[str, Any]:
-        """Return the whole answer of a chat model."""
+        """Return the complete answer of a chat model."""
         table = {"outline": "rectangle", "material": "oak", "color": None, "legs": "tapered",
                  "length_cm": 120, "width_cm": 70, "height_cm": 74}  # fmt: skip
         return {
@@ -43,13 +43,13 @@ _LOOKS = ("color", "accent", "material", "size_word", "state", "contents", "size
 
 
 def thing(id: int, noun: str, *relations: tuple[str, int], **looks: Any) -> dict[str, Any]:
-    """Return a thing of an answer."""
+    """Return an object of an answer."""
     told = [{"kind": kind, "target": target} for kind, target in relations]
     return {"id": id, "noun": noun, "relations": told, **dict.fromkeys(_LOOKS), **looks}
 
 
 def group(kind: str, *things: int, around: int | None = None, seat: Any = None) -> dict[str, Any]:
-    """Return a group of an answer; ``seat`` is its number, from 1, and how many there are."""
+    """Return a group of an answer; ``seat`` is its number, from 1, and the number of seats."""
     told = None if seat is None else {"number": seat[0], "count": seat[1]}
     return {"kind": kind, "things": list(things), "around": around, "seat": told}
 

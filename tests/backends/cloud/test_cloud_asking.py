@@ -1,4 +1,4 @@
-"""One question over HTTP: the ladder of forms, asking again, refusals, and servers that fail."""
+"""One question over HTTP: fallback formats, retries, refusals, and failing servers."""
 
 import json
 from dataclasses import replace
@@ -26,7 +26,7 @@ NOUNS = ("table", "mug", "mug")
 
 @pytest.fixture(autouse=True)
 def answered(server: Running) -> None:
-    """The server lists the objects, unless a test says otherwise."""
+    """The server lists the objects by default."""
     server.script.chat = lambda request: KINDS
 
 
@@ -208,7 +208,7 @@ NO_CONNECTION = openai.APIConnectionError(request=REQUEST)
 def test_what_the_sdk_finds_wrong_is_told(
     reasoner: CloudReasoner, error: Exception, cause: Exception | None, told: str
 ) -> None:
-    """Whether it wraps what the session raises as no connection depends on its version."""
+    """Depending on its version, the SDK wraps errors of the session as connection errors."""
 
     def ask(*_: Any) -> None:
         raise error from cause

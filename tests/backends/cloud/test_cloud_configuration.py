@@ -1,4 +1,4 @@
-"""Where the cloud backend's server, models and keys come from, and where keys go."""
+"""Sources of the cloud backend's server, models and keys, and destinations of keys."""
 
 import importlib.util
 import sys
@@ -21,7 +21,7 @@ CLOUD_KEY, IMAGE_KEY = "TABLETOPGEN_CLOUD_KEY", "TABLETOPGEN_CLOUD_IMAGE_KEY"
 
 @pytest.fixture
 def setting(server: Running, monkeypatch: pytest.MonkeyPatch):
-    """Set a variable; nothing else of the cloud's is set."""
+    """Set one variable and no other of the cloud backend."""
     for name in (BASE, CLOUD_KEY, "TABLETOPGEN_CLOUD_CHAT_MODEL", "TABLETOPGEN_CLOUD_IMAGE_MODEL"):
         monkeypatch.delenv(name)
     return monkeypatch.setenv

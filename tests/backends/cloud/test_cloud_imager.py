@@ -1,4 +1,4 @@
-"""The imager's pictures over HTTP, in both forms that servers have, and what is done with them."""
+"""The imager's pictures over HTTP, in both server formats, and their processing."""
 
 import io
 import json
@@ -55,7 +55,7 @@ def plain(width: int = 300, height: int = 200) -> np.ndarray:
 
 @pytest.fixture(autouse=True)
 def painted(server: Running) -> None:
-    """The server draws a plain picture, unless a test says otherwise."""
+    """The server draws a plain picture by default."""
     server.script.paint = lambda request: plain()
 
 
@@ -256,7 +256,7 @@ def test_a_picture_in_a_data_address_is_taken(make_imager: Make) -> None:
 def redrawn(
     shown: np.ndarray, *, clear: bool, scale: float = 1.0, shift: tuple[int, int] = (0, 0)
 ) -> np.ndarray:
-    """Draw what a cut-out shows again: resized about the middle, moved, perhaps on nothing."""
+    """Redraw the content of a cut-out: resized about the centre, moved, optionally on white."""
     side = shown.shape[0]
     ground = shown[0, 0]
     middle = (1 - scale) * side / 2
@@ -405,7 +405,7 @@ def models() -> dict[str, Model]:
 
 
 def completed(imager: CloudImager, name: str) -> tuple[Instance, Detection]:
-    """Complete one thing of the desk; return what comes of it and what was found of it."""
+    """Complete one object of the desk; return the result and the findings."""
     found = detections()
     thing = found.pop(name)
     return imager.complete(reference(), thing, tuple(found.values())), thing
@@ -443,7 +443,8 @@ def test_a_right_top_view_is_taken_and_left_to_the_segmenter(
 
 
 def seen_at_last(server: Running, make_imager: Make, first: str) -> None:
-    """See a top view whose first check is answered so, the next one as it should be."""
+    """Return the result for a top view whose first check gets this answer, and the next a good
+    one."""
     asked = server.script.asked
     server.script.chat = lambda r: first if len(asked("completions")) == 1 else check(GOOD)
     assert seen(make_imager()).warnings == ()

@@ -1,4 +1,4 @@
-"""Prompts as data: all are found, and take exactly the variables they name."""
+"""Prompts as data files: all exist, and take exactly the variables that they name."""
 
 from importlib.resources import files
 from string import Template

@@ -1,4 +1,4 @@
-"""JSON out of what models write."""
+"""Extraction of JSON from model output."""
 
 import contextlib
 import time

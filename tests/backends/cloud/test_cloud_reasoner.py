@@ -1,4 +1,4 @@
-"""The reasoner's questions over HTTP: what is asked, and the project's values that come of it."""
+"""The reasoner's questions over HTTP: prompts, and the resulting values."""
 
 import dataclasses
 import json
@@ -277,7 +277,7 @@ def test_a_model_is_shown_from_six_sides_with_its_proportions(
 
 @pytest.mark.slow
 def test_six_sides_show_what_they_say() -> None:
-    """A cube whose +x face is white: seen in "+x" alone, and at the right of "+z" by its edge."""
+    """A cube whose +x face is white: visible in "+x" alone, and at the right edge of "+z"."""
     corners, faces, uv = [], [], []
     for axis in range(3):
         for sign in (-0.5, 0.5):

@@ -1,4 +1,4 @@
-"""What is kept of answers of no use: nothing, where they ended the question; else all of them."""
+"""Caching of invalid answers: none are cached if they ended the question, else all."""
 
 import json
 from collections.abc import Callable
@@ -28,14 +28,14 @@ Ask = Callable[..., tuple[str, ...]]
 
 
 def keeping(folder: Path, **settings: object) -> Session:
-    """A session of a run of its own, whose answers are kept in ``folder``."""
+    """A session of a separate run with responses cached in ``folder``."""
     quick = RetryPolicy(first=0.01, longest=0.02, rest=0.05)
     return Session(**{"store": CallStore(folder), "retry_policy": quick, "attempts": 2, **settings})
 
 
 @pytest.fixture
 def ask(server: Running, tmp_path: Path) -> Ask:
-    """One question in a run of its own."""
+    """Ask one question in a separate run."""
     return lambda **settings: CloudReasoner(session=keeping(tmp_path, **settings)).list_objects(
         reference()
     )
@@ -103,7 +103,7 @@ def test_what_was_asked_again_and_ended_well_is_replayed(server: Running, ask: A
 
 
 def test_what_a_call_that_failed_broke_off_goes_on(server: Running, ask: Ask) -> None:
-    """The answers so far were paid for: a run that goes on does not pay for them again."""
+    """The earlier answers were paid for: a resumed run does not pay for them again."""
 
     def nonsense(request: Request) -> str:
         server.script.failures.extend(["500"] * 2)
@@ -208,7 +208,7 @@ def plan(text: str) -> ScenePlan:
 def test_one_address_for_every_drawing_gives_each_its_own(
     server: Running, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, first: str
 ) -> None:
-    """Some servers answer each generation with an address such as /out/latest.png."""
+    """Some servers return the same address, such as /out/latest.png, for every generation."""
     drawn: list[int] = []
 
     def answer(call) -> Answer:
@@ -242,7 +242,7 @@ VIEWED = json.dumps(
 
 @pytest.fixture
 def geometry(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A top view by geometry that takes no time."""
+    """A fast geometric top view."""
     made = TopView(np.zeros((4, 6, 3), np.uint8), np.array([0, 0, 6, 4.0]), {})
     monkeypatch.setattr(EmbeddedImager, "top_view", lambda *known: made)
 

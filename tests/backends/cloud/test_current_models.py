@@ -1,4 +1,4 @@
-"""The models that are asked for unless others are named: prices, options, and budgets."""
+"""The default models: prices, options, and budgets."""
 
 from collections.abc import Callable
 from dataclasses import replace

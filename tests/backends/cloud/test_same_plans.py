@@ -1,4 +1,4 @@
-"""The cloud reasoner's plans are of the same type, and as right, as the embedded planner's."""
+"""The cloud reasoner's plans have the type and quality of the embedded planner's."""
 
 import json
 from collections import Counter
@@ -22,7 +22,7 @@ def name(expected: Expected) -> str:
 
 
 def check(plan: ScenePlan, expected: Expected) -> None:
-    """Assert what is expected of a plan, whoever made it."""
+    """Check the requirements on a plan from any planner."""
     kinds = {o.name: o.category for o in plan.objects} | {"table": "table"}
     assert Counter(o.category for o in plan.objects) == expected.counts
     found = Counter(
@@ -42,7 +42,7 @@ def check(plan: ScenePlan, expected: Expected) -> None:
 
 
 def check_settled(plan: ScenePlan, expected: Expected) -> None:
-    """Assert that everything is there and that what was asked for holds."""
+    """Check that every object exists and that the requested relations hold."""
     scene = compose(plan, 0)
     assert scene.report is not None and scene.report.passed
     assert Counter(o.model.category for o in scene.objects) == expected.counts

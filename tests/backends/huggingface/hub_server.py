@@ -1,4 +1,4 @@
-"""A local server that speaks as much of Hugging Face's protocol as fetching a model takes."""
+"""A local server with the part of Hugging Face's protocol that downloads need."""
 
 import hashlib
 import json
@@ -9,10 +9,11 @@ from urllib.parse import unquote, urlsplit
 
 @dataclass
 class Hub:
-    """One repository at one commit, and what is to go wrong.
+    """One repository at one commit, and its planned failures.
 
-    ``asked`` has the path of every request. ``status`` answers requests for files instead of them,
-    with ``code`` as Hugging Face's reason; ``cut`` breaks off in the middle of that many answers.
+    ``asked`` holds the path of every request. ``status`` replaces responses to file requests, with
+    ``code`` as Hugging Face's reason; ``cut`` is the number of responses that break off in the
+    middle.
     """
 
     repository: str

@@ -1,4 +1,4 @@
-"""What stands on the table."""
+"""Detection of the objects that stand on the table."""
 
 import numpy as np
 
@@ -35,7 +35,7 @@ def test_a_hole_in_the_table_s_mask_where_a_thing_stands_is_table() -> None:
 
 
 def test_what_stands_on_or_behind_things_on_the_table_is_on_it_too() -> None:
-    """Far back, a pile reaches above the table's edge."""
+    """Far back, a pile projects above the table's edge in the picture."""
     pile = [
         find("clock", 52, 10, 68, 30),
         find("box", 50, 30, 70, 50),

@@ -1,4 +1,4 @@
-"""Pinned models read from a folder: what is there is read, what is not is told, offline."""
+"""Pinned models loaded from a folder, offline: existing files are read, missing ones reported."""
 
 import dataclasses
 import json
@@ -37,7 +37,7 @@ DINOV2 = pins()["dinov2"]
 
 @pytest.fixture
 def folder(tiny_models: Path, tmp_path: Path) -> Path:
-    """A copy of the tiny DINOv2, to be damaged."""
+    """A copy of the tiny DINOv2, for tests that damage it."""
     shutil.copytree(snapshot(DINOV2, tiny_models), snapshot(DINOV2, tmp_path))
     return tmp_path
 

@@ -1,4 +1,4 @@
-"""Finds made one for each thing."""
+"""Merging of detections into one per object."""
 
 import numpy as np
 import pytest

@@ -117,7 +117,7 @@ def test_maps_have_the_type_of_the_images(encoder: HuggingFaceEncoder) -> None:
 def test_bfloat16_is_for_cuda_only(
     tiny_models: Path, monkeypatch: pytest.MonkeyPatch, device: str, exact: bool, fast: bool
 ) -> None:
-    """The network says that it is on CUDA, and works here."""
+    """The network pretends to be on CUDA, and works here."""
     entered: list[tuple[str, Any, bool]] = []
 
     class Autocast(torch.autocast):
@@ -143,7 +143,7 @@ def test_bfloat16_is_for_cuda_only(
 
 
 def test_threads_share_one_network(tiny_models: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As the rotation stage asks: from as many threads as there are things."""
+    """As in the rotation stage: one thread per object."""
     loads: list[int] = []
     real = module.load_model
 

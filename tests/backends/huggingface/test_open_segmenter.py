@@ -1,4 +1,4 @@
-"""The segmenter by open models: with right answers from players, and with the real classes."""
+"""The segmenter with open models: with correct answers from players, and with real classes."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -31,7 +31,7 @@ DETECTORS = ("grounding-dino-tiny", "sam3")
 
 @dataclass(frozen=True, eq=False)
 class Desk:
-    """A painted table with three things, and the mask of each."""
+    """A painted table with three objects, and the mask of each."""
 
     image: np.ndarray
     masks: dict[str, np.ndarray]
@@ -51,7 +51,7 @@ def block(shape: tuple[int, int], x0: int, y0: int, x1: int, y1: int) -> np.ndar
 
 
 def noise(height: int = 120, width: int = 160) -> np.ndarray:
-    """A picture whose parts all look different."""
+    """Return a picture whose parts all look different."""
     return np.random.default_rng(1).integers(0, 256, (height, width, 3)).astype(np.uint8)
 
 
@@ -71,7 +71,7 @@ def asked(
 @pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) -> None:
-    """Every thing is in the whole picture and in one to four parts of it."""
+    """Every object is in the whole picture and in one to four tiles."""
     segmenter = HuggingFaceSegmenter(detector, side=96)
     play(segmenter, desk.image, list(desk.masks.items()))
     table, *things = segmenter.segment(desk.image, (TABLE, *WORDS, "mug"))
@@ -97,7 +97,7 @@ def test_small_things_are_masked_in_the_part_that_shows_them_large() -> None:
 
 
 def test_what_a_part_cuts_is_found_in_the_whole() -> None:
-    """The parts of 2 x 2 with a quarter shared are 92 of 160 pixels wide."""
+    """Tiles of 2 x 2 with an overlap of a quarter are 92 of 160 pixels wide."""
     shape = (120, 160)
     truth = [(TABLE, block(shape, 5, 5, 155, 115)), ("tray", block(shape, 30, 40, 130, 80))]
     found = asked(noise(), truth, "tray", side=96)
@@ -171,7 +171,7 @@ def test_a_model_that_fails_names_backend_and_question(
 def test_tiny_models_of_the_real_classes_answer_and_repeat_themselves(
     tiny_models: Path, detector: str
 ) -> None:
-    """Their weights are random, so that only the form of the answer means anything."""
+    """Their weights are random, so only the form of the answer is meaningful."""
     settings = {"threshold": 0.2, "side": 64, "words": 2, "folder": str(tiny_models)}
     answers = []
     for _ in range(2):
@@ -232,7 +232,7 @@ def test_many_boxes_at_once_are_masked_as_each_by_itself(
 
 @pytest.mark.slow
 def test_a_box_s_mask_is_that_of_the_network_given_the_pixels(tiny_models: Path) -> None:
-    """The encoded picture, kept for all boxes, gives what the whole network does."""
+    """The cached encoding of the picture gives the result of the whole network for every box."""
     network = load_model(pins()["sam2"], tiny_models, "who:")
     image, box = noise(64, 64), np.array([10.0, 12, 40, 50])
     (found,) = Sam2(network).mask(image, [BoxDetection("a", 1.0, box)], tiles_of(64, 64, 1, 0.25))

@@ -1,4 +1,4 @@
-"""Words as Grounding DINO is asked about them: one of them is the answer, whole."""
+"""Words in Grounding DINO's prompts: the answer is one complete word."""
 
 import numpy as np
 import pytest
@@ -13,12 +13,12 @@ WORDS = ("table", "stuffed toy", "magnifying glass", "glass")
 
 @pytest.fixture(scope="module")
 def tokenizer() -> transformers.PreTrainedTokenizerFast:
-    """Knows single letters only, so that every word is many pieces."""
+    """A tokenizer that knows only single letters, so that every word has many tokens."""
     return transformers.PreTrainedTokenizerFast(tokenizer_object=tiny_models.letters_tokenizer())
 
 
 def logits(question, words: dict[int, dict[str, float]], rows: int) -> torch.Tensor:
-    """Return logits that give each row's words the same chance at all their tokens."""
+    """Return logits that give each row's words the same probability at all of their tokens."""
     made = torch.full((rows, len(question.ids)), -20.0)
     for row, chances in words.items():
         for word, chance in chances.items():
@@ -40,7 +40,7 @@ def test_each_word_has_its_own_tokens(tokenizer: transformers.PreTrainedTokenize
 def test_an_answer_is_the_word_that_fits_best_and_no_piece_of_it(
     tokenizer: transformers.PreTrainedTokenizerFast,
 ) -> None:
-    """Pieces above a threshold, strung together, would be "##fying glass" for the second row."""
+    """Joining the tokens above a threshold would give "##fying glass" for the second row."""
     (question,) = questions(WORDS, tokenizer, 24, 256)
     made = logits(question, {0: {"glass": 0.6}, 2: {"stuffed toy": 0.3, "table": 0.25}}, 3)
     first, *rest = question.tokens[2]

@@ -1,4 +1,4 @@
-"""Pictures as the models see them, held against the processors of transformers."""
+"""Model input pictures compared with the processors of transformers."""
 
 import numpy as np
 import pytest

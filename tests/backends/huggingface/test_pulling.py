@@ -1,4 +1,4 @@
-"""Fetching models: the pinned commit, the named files, checked; over real HTTP."""
+"""Model downloads over HTTP: the pinned commit, the named files, and their verification."""
 
 import dataclasses
 import errno
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.slow
 
 @pytest.fixture
 def model(tiny_models: Path) -> Pin:
-    """The tiny DINOv2 as a pin of its own."""
+    """The tiny DINOv2 as a pin."""
     weights = (snapshot(pins()["dinov2"], tiny_models) / WEIGHTS).read_bytes()
     digest = hashlib.sha256(weights).hexdigest()
     return dataclasses.replace(pins()["dinov2"], sha256=digest, bytes=len(weights))
@@ -205,7 +205,7 @@ def test_a_full_disk_keeps_what_is_there(
 
 
 def fake(tmp_path: Path, code: str, seconds: float = 60.0, least: int = 1) -> None:
-    """Watch a downloader that runs this code; what it fetches goes to ``tmp_path``."""
+    """Replace the downloader by this code; its files go to ``tmp_path``."""
     head = f"import json, os, sys, time\nplace = {str(tmp_path / 'file')!r}\n"
     watch([sys.executable, "-c", head + code], tmp_path, "toy", seconds=seconds, minimum=least)
 

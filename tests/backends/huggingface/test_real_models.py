@@ -1,4 +1,4 @@
-"""The pinned models themselves, where ``TABLETOPGEN_MODELS`` names a folder that has them."""
+"""The pinned models, if ``TABLETOPGEN_MODELS`` names a folder with them."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""Parts of a picture: where they lie, and what is where in them."""
+"""Tiles of a picture: their positions and contents."""
 
 import itertools
 

@@ -1,4 +1,4 @@
-"""Foreign meshes made in the tests: files as bytes, good ones and bad ones."""
+"""Foreign meshes created by the tests: valid and invalid files as bytes."""
 
 import base64
 import json
@@ -25,7 +25,7 @@ def textured(mesh: trimesh.Trimesh, picture: np.ndarray, uv: np.ndarray) -> trim
 
 
 def striped_box(size: tuple[float, float, float] = (2.0, 1.0, 1.0)) -> trimesh.Trimesh:
-    """A box (x, y, z) whose texture is red where y is high and blue where it is low."""
+    """Return a box (x, y, z) with a texture that is red at high y and blue at low y."""
     made = trimesh.creation.box(extents=size)
     corners = made.vertices[made.faces].reshape(-1, 3)
     picture = np.zeros((64, 64, 3), np.uint8)
@@ -54,7 +54,7 @@ def edited(raw: bytes, change: Callable[[dict], None]) -> bytes:
 
 
 def claiming(raw: bytes, faces: int) -> bytes:
-    """Return a GLB whose header claims so many faces: zeros, fewer than a mesh would take."""
+    """Return a GLB whose header claims so many faces, with fewer zero bytes than a mesh needs."""
 
     def claim(header: dict) -> None:
         count = {"count": 3 * faces, "componentType": 5121, "type": "SCALAR", "bufferView": 0}
@@ -74,12 +74,12 @@ def data_uri(picture: bytes) -> str:
 
 
 def png(width: int, height: int) -> bytes:
-    """A picture that says how large it is, and holds nothing."""
+    """Return a picture with a size header and no content."""
     return forging.png(width, height, mode=2)
 
 
 def instance(label: str) -> Instance:
-    """A thing whose crop is a red disc, cut out, in a frame that is not square."""
+    """Return an instance with a red disc as its crop, in a frame that is not square."""
     rows, columns = np.mgrid[:60, :80]
     crop = np.zeros((60, 80, 4), np.uint8)
     crop[(rows - 30) ** 2 + (columns - 40) ** 2 < 400] = (200, 30, 30, 255)

@@ -1,4 +1,4 @@
-"""A small HTTP server of the tests' own, in a thread."""
+"""A small HTTP server in a thread."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Call:
 
 @dataclass(frozen=True)
 class Answer:
-    """``length`` is what the headers claim; more than ``body`` has is an answer cut off.
+    """A response.
 
     ``hang`` is awaited first.
     """
@@ -56,7 +56,7 @@ class Served:
 def serving(
     answer: Callable[[Call], Answer], sent: Callable[[Call, bytes], None] = lambda *_: None
 ) -> Iterator[Served]:
-    """Serve what ``answer`` says; ``sent`` hears of each answer, once it is on its way."""
+    """Serve the responses of ``answer``; ``sent`` is called with each response once it is sent."""
     served = Served("")
 
     class Handler(BaseHTTPRequestHandler):
@@ -86,7 +86,7 @@ def serving(
 
 
 def quick(store: CallStore | None = None, attempts: int = 1) -> Session:
-    """A session that does not wait long."""
+    """Return a session with short timeouts."""
     return Session(
         store=store, attempts=attempts, retry_policy=RetryPolicy(first=0.01, longest=0.02)
     )

@@ -1,4 +1,4 @@
-"""What every modeler keeps, whoever makes the mesh."""
+"""The contract of every modeler, whatever the mesh generator."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -31,7 +31,7 @@ THING = glb(striped_box(SIZE))
 
 
 class PlayedTripoSR(Network):
-    """Of tsr.system: makes a box, coloured by vertex, z up."""
+    """Fake of tsr.system: makes a box with vertex colours, z up."""
 
     def extract_mesh(self, scene_codes, has_vertex_color, resolution: int = 256):
         made = trimesh.creation.box((SIZE[0], SIZE[2], SIZE[1]))
@@ -40,7 +40,7 @@ class PlayedTripoSR(Network):
 
 
 def in_process(environment: pytest.MonkeyPatch, folder: Path) -> dict[str, Callable[[], Modeler]]:
-    """Play the packages that make meshes in this process; return what asks them."""
+    """Fake the packages that generate meshes in this process; return their modelers."""
     fake_trellis(
         environment, lambda app_rep, mesh, simplify, texture_size, verbose: striped_box(SIZE)
     )
@@ -51,7 +51,7 @@ def in_process(environment: pytest.MonkeyPatch, folder: Path) -> dict[str, Calla
 
 @pytest.fixture(params=selected.names("modeler"), scope="module")
 def modeler(request, tmp_path_factory) -> Iterator[Modeler]:
-    """Each modeler that can be selected by name; a new one needs an entry here."""
+    """Each modeler that can be selected by name; new ones need an entry here."""
     folder = tmp_path_factory.mktemp("assets")
     (folder / "gizmo.glb").write_bytes(THING)
     cloud = Cloud(loads=[Answer(body=THING)])

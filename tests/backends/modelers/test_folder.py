@@ -1,4 +1,4 @@
-"""Your own files as models: which one is taken, what of it stays, what is refused."""
+"""User files as models: selection, conversion and rejection."""
 
 import io
 import os
@@ -96,7 +96,7 @@ def test_the_pictures_of_an_obj_are_bounded_together(tmp_path):
 
 
 def obj_with(folder: Path, *pictures: str) -> bytes:
-    """An OBJ whose materials show these pictures."""
+    """Return an OBJ whose materials use these pictures."""
     library = "".join(f"newmtl m{k}\nmap_Kd {name}\n" for k, name in enumerate(pictures))
     (folder / "m.mtl").write_text(library)
     (folder / "x").mkdir(exist_ok=True)

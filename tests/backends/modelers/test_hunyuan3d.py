@@ -1,4 +1,4 @@
-"""The local Hunyuan3D servers: what they are sent, and what is made of their answers."""
+"""The local Hunyuan3D servers: requests, and processing of responses."""
 
 import base64
 import io

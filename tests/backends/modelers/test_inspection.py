@@ -1,4 +1,4 @@
-"""Files that would do harm, or cannot be read, are refused before they are decoded."""
+"""Harmful or unreadable files are rejected before decoding."""
 
 import base64
 import io
@@ -95,13 +95,13 @@ def large_views(header: dict) -> None:
 
 
 def picture_elsewhere(header: dict) -> None:
-    """A second buffer could hold another picture than the one that is checked."""
+    """Add a second buffer, which could hold another picture than the checked one."""
     header["buffers"].append({"byteLength": 10**4, "uri": "data:;base64,AAAA"})
     header["bufferViews"][header["images"][0]["bufferView"]]["buffer"] = 1
 
 
 def many_pieces(header: dict) -> None:
-    """Of meshes that are not shown."""
+    """Add many pieces of hidden meshes."""
     header["meshes"].append({"primitives": header["meshes"][0]["primitives"] * 20_001})
 
 
@@ -144,7 +144,7 @@ def test_a_claim_of_too_many_faces_is_refused_before_they_are_read(faces):
 
 
 def many(header: dict) -> None:
-    """Put the mesh at 50 more nodes."""
+    """Add 50 more nodes with the mesh."""
     node = next(k for k, n in enumerate(header["nodes"]) if "mesh" in n)
     first = len(header["nodes"])
     header["nodes"] += [dict(header["nodes"][node]) for _ in range(50)]
@@ -175,7 +175,7 @@ def test_bombs_and_broken_pictures_are_refused(picture, said):
 
 
 def shows(*pictures: bytes) -> Callable[[dict], None]:
-    """Return what gives a file a material for each picture."""
+    """Return a function that adds a material for each picture to a file."""
 
     def change(header: dict) -> None:
         header["images"] = [{"uri": data_uri(p)} for p in pictures]
@@ -199,7 +199,7 @@ def test_pictures_are_bounded_together_and_equal_ones_count_once():
 
 
 def test_pictures_that_are_never_looked_at_are_never_decoded(monkeypatch):
-    """Of a material the base colour counts; a bomb for a normal map does nothing."""
+    """Only a material's base colour is decoded; a bomb as a normal map has no effect."""
 
     def bump(header: dict) -> None:
         bomb = "data:image/png;base64," + base64.b64encode(png(9000, 9000)).decode()
@@ -295,7 +295,7 @@ def test_a_chain_of_nodes_takes_time_in_proportion_to_its_length():
 
 
 def test_nodes_put_meshes_where_they_always_did():
-    """The places that trimesh finds itself, of meshes turned, scaled and nested."""
+    """The result equals trimesh's positions for rotated, scaled and nested meshes."""
     rng = np.random.default_rng(3)
 
     def nest(header: dict) -> None:
@@ -366,7 +366,7 @@ def test_an_obj_is_bounded_before_it_is_parsed(text, said):
 @pytest.mark.filterwarnings("ignore")
 @pytest.mark.parametrize("seed", range(3))
 def test_whatever_is_damaged_is_read_or_refused(seed):
-    """Bytes, digits of the header or single bits are changed; nothing but BackendError comes."""
+    """Changes of bytes, header digits or single bits raise nothing but BackendError."""
     rng = np.random.default_rng(seed)
     header = 20 + struct.unpack("<I", GOOD[12:16])[0]
     digits = [k for k in range(20, header) if chr(GOOD[k]).isdigit()]

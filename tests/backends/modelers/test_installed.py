@@ -1,4 +1,4 @@
-"""Models in this process: fakes with the signatures of the real ones, and what is asked of them."""
+"""Models in this process: fakes with the real signatures, and their inputs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from generator.scene import USUAL_VIEW, Model, View
 
 
 def install(monkeypatch, name: str, **members) -> None:
-    """Put a module, and the packages it is in, where imports find it."""
+    """Install a module and its parent packages in sys.modules."""
     parts = name.split(".")
     for k in range(1, len(parts) + 1):
         stem = ".".join(parts[:k])
@@ -37,7 +37,7 @@ def ask(modeler, view: View = USUAL_VIEW) -> Model:
 
 
 def tall(up: int) -> trimesh.Trimesh:
-    """A box twice as high as wide, in colours by vertex."""
+    """Return a box twice as high as wide, with vertex colours."""
     size = np.ones(3)
     size[up] = 2
     made = trimesh.creation.box(extents=size)
@@ -46,7 +46,7 @@ def tall(up: int) -> trimesh.Trimesh:
 
 
 class FakeTrellis:
-    """Of trellis.pipelines: loaded once, asked with a cut-out."""
+    """Fake of trellis.pipelines: loaded once, called with a cut-out."""
 
     loads: list[str]
     asked: list[dict]
@@ -146,7 +146,7 @@ def test_trellis_2_bakes_by_voxels(monkeypatch):
 
 
 class Network:
-    """Of tsr.system, without ``extract_mesh``, which changed."""
+    """Fake of tsr.system without ``extract_mesh``, which changed."""
 
     def __init__(self) -> None:
         self.renderer = types.SimpleNamespace(set_chunk_size=lambda size: None)
@@ -208,7 +208,7 @@ BOX = "trimesh.creation.box(extents=(1, 2, 1))"
 
 
 def checkout(folder: Path, rotation: str, mesh: str = BOX) -> Sam3D:
-    """Return SAM 3D played by a script that answers every picture with a rotation and a mesh."""
+    """Return a fake SAM 3D that returns a rotation and a mesh for every picture."""
     (folder / "notebook").mkdir(parents=True)
     script = SCRIPT.replace("ROTATION", rotation).replace("MESH", mesh)
     (folder / "notebook/inference.py").write_text(script)
@@ -231,7 +231,7 @@ def test_sam3d_is_loaded_from_its_checkout(monkeypatch, tmp_path):
 
 
 def in_pytorch3d(view: View, axes: np.ndarray) -> np.ndarray:
-    """Return the quaternion that SAM 3D says of a thing whose axes (rows) lie so in the world.
+    """Return SAM 3D's quaternion of an object with these axes (rows) in the world.
 
     By hand: a camera of PyTorch3D has x to the left, y up and z ahead, and points are rows that
     its matrices are applied to from the right.

@@ -1,4 +1,4 @@
-"""Meshes of servers, of folders and of other methods are parsed in a child process alone."""
+"""Meshes of servers, of folders and of other methods are parsed only in a child process."""
 
 import json
 from pathlib import Path
@@ -23,7 +23,7 @@ GOOD = glb(striped_box(), trimesh.creation.icosphere(1))
 
 @pytest.fixture(autouse=True)
 def _apart(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Use child processes, and parse nothing here."""
+    """Use child processes, and make parsing in this process fail."""
 
     def refuse(*args: object, **kwargs: object) -> None:
         raise AssertionError("foreign data is parsed in this process")

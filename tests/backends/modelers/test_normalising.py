@@ -1,4 +1,4 @@
-"""Foreign meshes as models of the project: upright, closed, light, in one texture."""
+"""Conversion of foreign meshes to models: upright, closed, light, with one texture."""
 
 import tracemalloc
 
@@ -130,7 +130,7 @@ def test_heavy_meshes_are_reduced_with_shape_and_colors_kept():
 
 @pytest.mark.slow
 def test_meshes_of_many_faces_are_worked_on_in_parts(monkeypatch):
-    """How much is held at once changes no outline, and fewer samples find the colours, too."""
+    """Processing in parts changes no outline, and fewer samples also find the colours."""
     made = ball()
     whole = list(decimation.silhouettes(made.vertices, made.faces, made.vertices))
     monkeypatch.setattr(decimation, "_AT_ONCE", 999)
@@ -232,7 +232,7 @@ def test_vessels_are_containers():
 
 
 def test_a_texture_too_small_for_all_faces_grows():
-    """Faces that each look another way are islands, and islands have gutters."""
+    """Faces with different directions are islands, and islands need gutters."""
     rng = np.random.default_rng(0)
     rough = trimesh.creation.icosphere(3)
     rough.vertices *= rng.uniform(0.6, 1.4, (len(rough.vertices), 1))
@@ -247,7 +247,7 @@ def test_settings_out_of_range_are_refused():
 
 
 def test_what_is_evenly_subdivided_is_reduced_too():
-    """Quadric error takes the collapses of a flat lattice for flips, and thins nothing out."""
+    """Quadric error decimation rejects the collapses of a flat lattice as flips."""
     top = trimesh.creation.box((1.2, 0.03, 0.7))
     legs = [trimesh.creation.cylinder(0.03, 0.7, sections=64) for _ in range(2)]
     parts = [top, *(leg.apply_translation((0.4 * k - 0.2, 0, 0)) for k, leg in enumerate(legs))]

@@ -1,4 +1,4 @@
-"""Textures of foreign meshes: each is decoded and kept once, whoever shows it."""
+"""Textures of foreign meshes: each is decoded and stored once, even if shared."""
 
 import io
 

@@ -1,4 +1,4 @@
-"""Foreign meshes that are no clean surface: repaired where that changes little, else refused."""
+"""Repair of defective foreign meshes, or rejection if it would change too much."""
 
 import numpy as np
 import pytest
@@ -25,7 +25,7 @@ def mesh_of(vertices: object, faces: object) -> trimesh.Trimesh:
 
 
 def torn(share: float) -> trimesh.Trimesh:
-    """A ball of 1280 faces without some, drawn by lot."""
+    """Return a ball of 1280 faces without some random ones."""
     ball = trimesh.creation.icosphere(3)
     kept = np.random.default_rng(0).random(len(ball.faces)) > share
     return mesh_of(ball.vertices, ball.faces[kept])
@@ -38,7 +38,7 @@ def grown(mesh: trimesh.Trimesh, tip: list[float]) -> trimesh.Trimesh:
 
 
 def tube(closed_below: bool) -> trimesh.Trimesh:
-    """A mug without a handle, one sheet thin: open above, and below unless closed there."""
+    """Return a mug without a handle as a single sheet: open above, and optionally below."""
     made = trimesh.creation.cylinder(1.0, 2.0, sections=24)
     up = made.face_normals[:, 2]
     return mesh_of(made.vertices, made.faces[up < 0.5 if closed_below else np.abs(up) < 0.5])
@@ -46,7 +46,7 @@ def tube(closed_below: bool) -> trimesh.Trimesh:
 
 @pytest.mark.parametrize(("share", "two"), [(0.02, 1.0), (0.05, 0.995), (0.1, 0.98)])
 def test_lost_faces_are_closed_but_for_holes_of_size(share, two):
-    """Of the edges, so many have two faces; the rest run around openings."""
+    """The given number of edges have two faces; the others surround openings."""
     assert _paired(torn(share).faces) < 0.98
     mesh = read(torn(share))
     faces = welded_shape(mesh.vertices, mesh.faces)[1]
@@ -69,7 +69,7 @@ def test_a_mesh_in_tatters_is_refused_with_the_figure(share):
 
 @pytest.mark.parametrize("size", [0.02, 1.0])
 def test_loose_triangles_are_refused(size):
-    """Small ones are no holes to be closed."""
+    """Small ones must not be treated as holes."""
     rng = np.random.default_rng(3)
     corners = rng.random((100, 1, 3)) + size * rng.random((100, 3, 3))
     with pytest.raises(BackendError, match=r"is not a surface: 100\.0% of its edges are torn"):
@@ -85,7 +85,7 @@ def test_a_small_fin_goes():
 
 
 def test_fins_that_are_much_together_are_refused():
-    """Each is small; all of them would be a tenth of the whole."""
+    """Each fin is small, but together they would be a tenth of the whole."""
     ball = trimesh.creation.icosphere(2)
     corners = ball.faces[::8, :2]
     tips = 1.2 * ball.vertices[corners].mean(1)
@@ -103,7 +103,7 @@ def test_a_large_fin_is_refused_with_the_figure():
 
 
 def test_a_small_wall_inside_goes():
-    """A bar with a wall across, joined to its sides: no edge of the wall has two faces."""
+    """A bar with an inner wall joined to its sides: no edge of the wall has two faces."""
     bar = np.array([[x, y, z] for x in (0, 5, 10) for y in (0, 1) for z in (0, 1)], float)
     quads = [(0, 4, 5, 1), (4, 8, 9, 5), (2, 3, 7, 6), (6, 7, 11, 10), (0, 2, 6, 4), (4, 6, 10, 8),
              (1, 5, 7, 3), (5, 9, 11, 7), (0, 1, 3, 2), (8, 10, 11, 9), (4, 5, 7, 6)]  # fmt: skip
@@ -181,7 +181,7 @@ def test_flaws_are_shares_of_all_edges():
 
 
 def test_a_long_rim_and_a_way_that_ends_are_followed():
-    """Rims of ten thousand sides take no longer than their number, and no fan lies at a slit."""
+    """Rims of ten thousand sides take linear time, and slits get no fan."""
     count = 10_000
     turn = 2 * np.pi * np.arange(count) / count
     rim = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(count)])

@@ -77,7 +77,7 @@ class Cloud:
         return told(**state, **({"ResultFile3Ds": files} if state["Status"] == "DONE" else {}))
 
     def checked(self, call: Call, action: str) -> str:
-        """Return what is wrong with a call's signature, as the service would check it."""
+        """Return the errors in a call's signature, as the service would check it."""
         stamp = int(call.headers["x-tc-timestamp"])
         if abs(time.time() - stamp) > 300:
             return "expired"
@@ -208,7 +208,7 @@ def test_a_compressed_download_is_fetched_once():
 
 
 def test_each_attempt_is_signed_as_of_its_own_time(monkeypatch):
-    """A signature holds for five minutes: a wait between two attempts may be longer."""
+    """A signature is valid for five minutes, which is less than some retry delays."""
     now, cloud, stamps = [1_800_000_000.0], Cloud(), []
     monkeypatch.setattr(time, "time", lambda: now[0])
 

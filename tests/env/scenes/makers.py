@@ -1,4 +1,4 @@
-"""Ways of making scenes for tests, called by name: ``making="makers:toy"``."""
+"""Scene makers for tests, by name: ``making="makers:toy"``."""
 
 import os
 import subprocess
@@ -13,7 +13,7 @@ from generator.scene import Scene, ScenePlan
 
 
 def toy(what: str | ScenePlan, seed: int) -> Scene:
-    """Make one cube whose place and name follow from the seed; "small" asks for a die as well."""
+    """Make one cube with position and name from the seed; "small" also requires a die."""
     x, y = np.random.default_rng(seed).uniform(-0.2, 0.2, 2)
     objects = [toy_object("cube_1", (0.045, 0.045, 0.045), (x, y))]
     if what == "small":
@@ -34,7 +34,7 @@ def slow(what: str | ScenePlan, seed: int) -> Scene:
 
 
 def nested(what: str | ScenePlan, seed: int) -> Scene:
-    """Start a process of its own, note its id in the file ``what``, and take long."""
+    """Start a child process, write its id to the file ``what``, and take long."""
     inner = subprocess.Popen(["sleep", "600"])
     part = Path(f"{what}.part")
     part.write_text(str(inner.pid))
@@ -43,12 +43,12 @@ def nested(what: str | ScenePlan, seed: int) -> Scene:
 
 
 def failing(what: str | ScenePlan, seed: int) -> Scene:
-    """Never come to rest."""
+    """Fail to settle."""
     raise SceneError("nothing stands")
 
 
 def broken(what: str | ScenePlan, seed: int) -> Scene:
-    """Fail as a bug would."""
+    """Raise an unexpected exception."""
     raise ZeroDivisionError("a bug")
 
 
@@ -66,6 +66,6 @@ def second_try(what: str | ScenePlan, seed: int) -> Scene:
 
 
 def categories(what: str | ScenePlan, seed: int) -> Scene:
-    """Make a mug or a bowl, by the seed: nothing that a plan could say beforehand."""
+    """Make a mug or a bowl, depending on the seed, so that no plan can predict it."""
     name = "mug_1" if seed % 2 else "bowl_1"
     return toy_scene((toy_object(name, (0.05, 0.05, 0.05), (0, 0)),), name=f"{name}_{seed}")

@@ -1,4 +1,4 @@
-"""Scenes of the difficulty at which the policy learns most."""
+"""Scenes at the difficulty from which the policy learns most."""
 
 import pickle
 
@@ -31,13 +31,13 @@ EDGES = (0.0, 0.25, 0.5, 0.75, 1.0)
 
 
 def graded(count: int = 8) -> FixedScenes:
-    """Scenes whose difficulty is known, given in no order: number k has difficulty k / count."""
+    """Scenes of known difficulty in no order: number k has difficulty k / count."""
     order = np.random.default_rng(0).permutation(count)
     return FixedScenes(tuple(SceneRef(str(k), unread, k / count) for k in order))
 
 
 def quarters(source: CurriculumScenes, draws: int = 2000) -> list[float]:
-    """How often each bin is drawn, once every scene has been met."""
+    """Return how often each bin is drawn, once every scene has been drawn."""
     rng = np.random.default_rng(0)
     drawn = [source.draw(rng).difficulty for _ in range(200 + draws)][200:]
     return (np.bincount(source.sampler.bins(drawn), minlength=4) / draws).tolist()
@@ -197,7 +197,7 @@ def test_a_draw_makes_one_scene_at_most_and_each_once() -> None:
     made: list[int] = []
 
     class Own:
-        """Makes scenes of random difficulty; has none at hand."""
+        """Makes scenes of random difficulty, without stored ones."""
 
         def draw(self, rng: np.random.Generator) -> SceneRef:
             number = int(rng.integers(1000))
@@ -288,7 +288,7 @@ def test_scenes_can_be_a_curriculum_of_any_others() -> None:
 
 # ------------------------------------------------------------------------------ the environment
 class Told:
-    """A source that keeps what it is told."""
+    """A source that records the reported outcomes."""
 
     def __init__(self) -> None:
         self.results: list[bool] = []
@@ -302,7 +302,7 @@ class Told:
 
 
 def finish(env) -> None:
-    """Put the target where it is to go, and let it rest."""
+    """Put the target into the goal region, at rest."""
     spot, target = env.goal.spot, env.world.scene.object(env.goal.target)
     env.world.teleport(target.name, np.array([*spot[:2], spot[2] + target.scale[2] / 2]))
     for _ in range(8):

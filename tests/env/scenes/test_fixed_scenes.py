@@ -1,4 +1,4 @@
-"""Scenes that are there: finding and drawing them, what is gone, and keeping compiled worlds."""
+"""Existing scenes: search, draws, removed bundles, and the cache of compiled worlds."""
 
 import pickle
 import shutil
@@ -39,7 +39,7 @@ def test_bundles_by_path_name_glob_and_list(store) -> None:
 def test_nothing_found_says_what_there_is(store) -> None:
     with pytest.raises(BundleError, match="desk_0"):
         resolve("desk_o")
-    with pytest.raises(BundleError, match="No bundle fits"):
+    with pytest.raises(BundleError, match="No bundle matches"):
         resolve(str(store / "kitchen_*"))
 
 
@@ -64,7 +64,7 @@ def test_an_environment_plays_bundles(store) -> None:
 
 def test_an_own_source_is_taken_as_it_is() -> None:
     class Growing:
-        """Draws tables with one cube more each time."""
+        """Draws tables with an additional cube each time."""
 
         count = 0
 

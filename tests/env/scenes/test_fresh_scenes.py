@@ -1,4 +1,4 @@
-"""Scenes made on demand: what decides them, and how they are made."""
+"""Scenes generated on demand: dependence on seeds, and generation."""
 
 import pickle
 import sys
@@ -19,7 +19,7 @@ LAB = SceneDistribution(themes=("lab",), objects=(2, 3))
 
 @pytest.fixture
 def composed(monkeypatch) -> list[tuple[ScenePlan, int]]:
-    """What the stand-in for ``compose`` was asked for."""
+    """Return the arguments of the calls of a fake ``compose``."""
     asked: list[tuple[ScenePlan, int]] = []
 
     def compose(plan: ScenePlan, seed: int) -> Scene:

@@ -1,4 +1,4 @@
-"""A pool that is renewed while training goes on, whatever happens to who renews it."""
+"""A pool of scenes renewed during training, including failures of the producers."""
 
 import multiprocessing
 import os
@@ -50,13 +50,13 @@ def alive(pid: int) -> bool:
 def draw_until(
     source: RefreshingScenes, rng: np.random.Generator, happened: Callable[[SceneRef], object]
 ) -> None:
-    """Draw until something is so after a draw; it is told the scene drawn."""
+    """Draw until a condition on the drawn scene holds."""
     until(lambda: happened(source.draw(rng)))
 
 
 @pytest.fixture
 def pool(tmp_path, monkeypatch) -> Iterator[Callable[..., RefreshingScenes]]:
-    """Make pools of toy scenes whose temporary files go to ``tmp_path``; close them at the end."""
+    """Return a function that makes pools of toy scenes in ``tmp_path``, closed at the end."""
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     made: list[RefreshingScenes] = []
@@ -236,7 +236,7 @@ def test_pools_of_one_seed_get_the_same_scenes_whoever_makes_them(pool) -> None:
 def test_scenes_in_step_do_not_depend_on_how_fast_they_are_made(
     pool, making: str, workers: int
 ) -> None:
-    """A draw that comes at once, or after the processes have long finished, sees the same."""
+    """Draws do not depend on whether the processes have finished."""
     first = initial()
 
     def seen(pause: float, **more: Any) -> list[tuple[str, tuple[str, ...]]]:
@@ -496,7 +496,7 @@ def test_nothing_outlives_the_process_however_it_ends(tmp_path, end, code) -> No
 
 
 def _child(source: RefreshingScenes, before: tuple[int, ...], told: Any) -> None:
-    """Draw in another process from a source that was handed over or forked."""
+    """Draw in another process from a source that was pickled or forked."""
     source.draw(np.random.default_rng(1))
     told.send((source.pids, bool(set(source.pids) & set(before))))
     told.poll(LONG)
@@ -505,7 +505,7 @@ def _child(source: RefreshingScenes, before: tuple[int, ...], told: Any) -> None
 @pytest.mark.slow
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_another_process_has_a_pool_of_its_own_even_a_daemon(pool, start) -> None:
-    """Vector environments run in daemonic processes, which may have no multiprocessing children."""
+    """Vector environments use daemonic processes, which cannot have multiprocessing children."""
     source = pool("slow")
     source.draw(np.random.default_rng(0))
     mine = source.pids

@@ -1,4 +1,4 @@
-"""How hard a scene is: each term for itself."""
+"""Difficulty of a scene, term by term."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""What may be passed as ``scenes``, and what is said of anything else."""
+"""Valid forms of ``scenes``, and errors for all others."""
 
 import pickle
 from pathlib import Path
@@ -141,7 +141,7 @@ def test_what_is_no_scene_is_explained(scenes, message) -> None:
 def test_a_path_with_a_colon_is_a_path(tmp_path: Path) -> None:
     path = assets_cache.add(toy_scene(), tmp_path / "odd:place", allow_failed=True)
     assert keys(resolve(str(path))) == [f"bundle:{path.resolve()}"]
-    with pytest.raises(BundleError, match="No bundle fits"):
+    with pytest.raises(BundleError, match="No bundle matches"):
         resolve(str(tmp_path / "odd:place" / "other*"))
 
 

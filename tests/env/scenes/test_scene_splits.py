@@ -1,4 +1,4 @@
-"""Scenes to train on and scenes held out: two sides that never meet."""
+"""Training and held-out scenes: two disjoint splits."""
 
 import json
 import os
@@ -33,7 +33,7 @@ SIDES: tuple[Side, ...] = ("train", "held_out")
 
 
 def desk(k: int, *names: str) -> Scene:
-    """A scene of its own for each number, with a thing of each name."""
+    """Return a distinct scene for each number, with an object of each name."""
     things = names or ("cube_1",)
     placed = (
         toy_object(n, (0.04, 0.04, 0.04), (0.1 * i - 0.3, 0.001 * k)) for i, n in enumerate(things)
@@ -111,7 +111,7 @@ def test_sides_draws_and_scenes_are_the_same_in_every_process() -> None:
 
 
 def test_sides_are_pinned() -> None:
-    """Which side a scene is on must not change with the version: results would not compare."""
+    """The side of a scene must not change between versions, or results would not be comparable."""
     rule = SplitRule("held_out")
     held = [k for k in range(40) if rule.admits(lambda k=k: f"fresh:{k}:a desk", frozenset)]
     assert held == [0, 8, 12, 13, 14, 18, 19, 38]
@@ -232,7 +232,7 @@ def test_a_curriculum_is_split_by_its_source(bundles) -> None:
 
 
 class Endless:
-    """A source of a user's own, that knows nothing of splits."""
+    """A user-defined source without support for splits."""
 
     def __init__(self) -> None:
         self.closed = 0
@@ -265,7 +265,7 @@ def test_any_other_source_is_split_by_looking_at_its_scenes() -> None:
 
 
 class Passing:
-    """A source of scenes in memory that it does not keep, each where the last one was."""
+    """A source of scenes in memory that are not kept, each at the address of the last."""
 
     def __init__(self) -> None:
         self.draws = 0

@@ -1,4 +1,4 @@
-"""One source for the slots of a vector environment, whatever is dropped or renewed meanwhile."""
+"""One source for the slots of a vector environment, with concurrent changes."""
 
 import pickle
 import shutil
@@ -28,7 +28,7 @@ from tabletopgen_env.scenes.lookup import fixed_scenes
 
 
 class Slow:
-    """Notes how many threads draw from it at once."""
+    """Records the number of threads that draw at the same time."""
 
     def __init__(self) -> None:
         self.refs = fixed_scenes(toy_scene()).refs
@@ -43,7 +43,7 @@ class Slow:
 
 
 class Losing:
-    """Draws the bundles it has in turn; the first is deleted once it is drawn."""
+    """Draws its bundles in order; the first is deleted after it is drawn."""
 
     def __init__(self, *refs: SceneRef) -> None:
         self.refs, self.draws = refs, 0
@@ -60,7 +60,7 @@ class Losing:
 
 @pytest.fixture
 def temporary(tmp_path, monkeypatch) -> Iterator[Path]:
-    """Where pools have their files; nothing may be left there."""
+    """The folder for files of pools, which must be empty afterwards."""
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     yield tmp_path
     assert not list(tmp_path.iterdir()), "something was left behind"

@@ -13,14 +13,14 @@ from tabletopgen_env.tasks.reach import Reach as Reach
 
 
 class UnportableError(Exception):
-    """An error that cannot be made of its message alone."""
+    """An error that cannot be recreated from its message alone."""
 
     def __init__(self, one: str, two: str) -> None:
         super().__init__(one + two)
 
 
 class Counting:
-    """Draws scenes in memory in turn, ever the same, and notes what it is told."""
+    """Draws scenes in memory in a fixed order, and records outcomes."""
 
     def __init__(self) -> None:
         self.refs = fixed_scenes([toy_scene(name="a"), toy_scene(name="b")]).refs
@@ -39,28 +39,28 @@ class Counting:
 
 
 class Failing:
-    """Draws nothing."""
+    """Raises on every draw."""
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         raise UnportableError("nothing ", "to draw")
 
 
 def pid(env: gym.Env) -> int:
-    """Return the process that an environment is in."""
+    """Return the process id of an environment."""
     return os.getpid()
 
 
 def nap(env: gym.Env, seconds: float = 0.5) -> str:
-    """Take a while."""
+    """Sleep for a while."""
     time.sleep(seconds)
     return "slept"
 
 
 def vanish(env: gym.Env) -> None:
-    """End the process with a code."""
+    """Exit the process with a code."""
     os._exit(3)
 
 
 def key(env: gym.Env) -> str:
-    """Return by what the compiled worlds of an environment are known."""
+    """Return the key of an environment's compiled worlds."""
     return ",".join(sorted(env.unwrapped._worlds._worlds))  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""However shards, or the process that has them, end: nothing is left behind, and one error says so.
+"""Ends of worker processes and their parent: no remains, and a single error.
 
 Scripts run without a main guard, in processes of their own, each with a limit of time.
 """
@@ -42,7 +42,7 @@ HEAD = (
 
 
 def alive(pid: int) -> bool:
-    """Whether a process runs; not if it has ended and nobody has asked how."""
+    """Return whether a process runs; False for zombies."""
     try:
         state = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0]
     except OSError:
@@ -55,7 +55,7 @@ def gone(pids: Any) -> bool:
 
 
 def shared_files() -> set[str]:
-    """The segments of shared memory that have a name, locks of processes aside.
+    """Return the named segments of shared memory, except process locks.
 
     Such a lock loses its name as soon as it is made; other tests make some at the same time.
     """
@@ -65,7 +65,7 @@ def shared_files() -> set[str]:
 
 
 def nothing_is_left(before: set[str]) -> None:
-    """Wait until there are no segments but those before, of which others may have gone."""
+    """Wait until only earlier segments exist, some of which others may have removed."""
     until(lambda: shared_files() <= before, SOON)
 
 
@@ -76,7 +76,7 @@ def made(**settings: Any) -> TabletopVectorEnv:
 
 
 def script(rest: str, **settings: Any) -> Any:
-    """Run a script meanwhile."""
+    """Run a script in the context."""
     pipe = subprocess.PIPE
     command = (sys.executable, "-c", HEAD + rest)
     return running(*command, stdout=pipe, stderr=pipe, text=True, **settings)

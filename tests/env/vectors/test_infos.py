@@ -1,4 +1,4 @@
-"""Infos that travel between processes are those that Gymnasium's vectors would have."""
+"""Infos sent between processes equal those of Gymnasium's vector environments."""
 
 import pickle
 from typing import Any
@@ -16,7 +16,7 @@ PLAIN: dict[str, Any] = {
 
 
 def through(slots: list[list[dict[str, Any]]]) -> tuple[list[Any], list[Any], list[int]]:
-    """What is read of the infos of each step, what is to be, and how many changes were sent."""
+    """Return the received and expected infos of each step, and the number of sent changes."""
     count = len(slots[0])
     numbers = np.zeros((NUMBERS, count))
     halves = [InfoWriter(numbers[:, :1], 0), InfoWriter(numbers[:, 1:], 1)]

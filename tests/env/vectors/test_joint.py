@@ -1,4 +1,4 @@
-"""Slots that are stepped together do what they do alone, to rounding."""
+"""Slots stepped together equal slots stepped alone, up to rounding."""
 
 from typing import Any
 
@@ -13,7 +13,7 @@ SLOTS, STEPS = 5, 24
 
 
 def play(mode: str, **settings: Any) -> list[Any]:
-    """Play a little; return what every call gave."""
+    """Play a few steps; return the result of every call."""
     env = TabletopVectorEnv(
         SLOTS, scenes=two_scenes(), autoreset_mode=mode, max_episode_steps=9, **settings
     )
@@ -29,7 +29,7 @@ def play(mode: str, **settings: Any) -> list[Any]:
 
 
 def assert_alike(one: Any, other: Any, at: str) -> None:
-    """Hold everything against everything, numbers to rounding."""
+    """Compare nested results, numbers up to rounding."""
     assert type(one) is type(other), at
     if isinstance(one, dict):
         assert one.keys() == other.keys(), at

@@ -1,4 +1,4 @@
-"""Slots in processes do what they do on threads, to the bit, and can be asked the same."""
+"""Slots in processes equal slots on threads, bit for bit, with the same interface."""
 
 import copy
 import multiprocessing
@@ -27,7 +27,7 @@ STILL = np.zeros((3, 5))
 
 @pytest.fixture(scope="module")
 def shards() -> Any:
-    """Three slots in two processes; a test leaves them reset."""
+    """Three slots in two processes; tests leave them reset."""
     envs = TabletopVectorEnv(3, scenes=two_scenes(), processes=2, autoreset_mode="Disabled")
     yield envs
     envs.close()
@@ -277,7 +277,7 @@ def test_a_source_that_fails_fails_the_reset() -> None:
 @pytest.mark.slow
 def test_an_episode_with_nothing_to_do_is_the_same_error_as_in_one_process() -> None:
     envs = TabletopVectorEnv(2, task="Stack", scenes=toy_scene([]), processes=1)
-    with pytest.raises(SceneError, match="Nothing to do") as caught:
+    with pytest.raises(SceneError, match="No valid task") as caught:
         envs.reset()
     assert "slot 0" in caught.value.__notes__[0]
     envs.close()

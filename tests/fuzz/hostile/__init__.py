@@ -1,8 +1,8 @@
-"""Hostile input for everything that reads files, answers or numbers of others.
+"""Hostile input for all code that reads foreign files, answers or numbers.
 
 A *target* crafts one hostile input from a seed and hands it to the product's own entry points. Each
-case runs in a worker process that is watched from outside, so that a hang, a crash or a memory hog
-counts instead of ending the run. The property: a case ends, within ``harness.SECONDS`` and
+case runs in a monitored worker process, so that a hang, a crash or excessive memory use is counted
+instead of ending the run. The property: a case ends, within ``harness.SECONDS`` and
 ``harness.MOST_MIB``, in a result or in a child of ``generator.errors.TabletopError``, and nothing
 outside its folder changes.
 """

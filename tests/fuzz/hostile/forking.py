@@ -1,4 +1,4 @@
-"""Children of the sandbox forked from the worker, which has imported what they need.
+"""Sandbox children forked from the worker, which has already imported their modules.
 
 A child that starts anew imports for a second of processor time what it uses for a few milliseconds.
 A forked one runs the same code behind the same pipes and under the same limits.
@@ -25,14 +25,14 @@ PRELOADED = (
 
 
 def preload() -> None:
-    """Import what the children of the sandbox import."""
+    """Import the modules of the sandbox's children."""
     for name in PRELOADED:
         importlib.import_module(name)
 
 
 @contextlib.contextmanager
 def forked_children() -> Iterator[None]:
-    """Have the sandbox fork its children from this process in the meantime."""
+    """Make the sandbox fork its children from this process within the context."""
     preload()
     started = runner._child
 
@@ -62,7 +62,7 @@ class Forked:
     """A forked process with pipes for its standard streams; the part of ``Popen`` that is used."""
 
     def __init__(self, main: Callable[[], object], environment: Mapping[str, str]) -> None:
-        """Fork, and call ``main`` in the child, with these environment variables more."""
+        """Fork, and call ``main`` in the child with additional environment variables."""
         pipes = [os.pipe() for _ in range(3)]
         sys.stdout.flush()
         sys.stderr.flush()
@@ -78,7 +78,7 @@ class Forked:
                 os.environ.update(environment)
                 main()
                 code = 0
-            except BaseException:  # nothing of the parent may run on in the child
+            except BaseException:  # no code of the parent may continue in the child
                 os.write(2, traceback.format_exc().encode(errors="replace"))
             finally:
                 os._exit(code)
@@ -91,7 +91,7 @@ class Forked:
         self.returncode: int | None = None
 
     def poll(self) -> int | None:
-        """Return the exit code as ``Popen`` has it, None while the process runs."""
+        """Return the exit code as ``Popen`` does, None while the process runs."""
         if self.returncode is None:
             pid, status = os.waitpid(self.pid, os.WNOHANG)
             if pid:
@@ -112,7 +112,7 @@ class Forked:
         return code
 
     def communicate(self, timeout: float) -> tuple[int, bytes, bytes]:
-        """Return the exit code and all that is written; errors are to fit into a pipe."""
+        """Return the exit code and all output; errors must fit into a pipe."""
         self.stdin.close()
         with self.stdout, self.stderr:
             out, err = self.stdout.read(), self.stderr.read()

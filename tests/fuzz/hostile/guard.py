@@ -1,4 +1,4 @@
-"""Notes every change of files that Python makes outside a case's folder, and refuses the far ones.
+"""Records every file change by Python outside a case's folder, and rejects distant ones.
 
 An audit hook sees the change before it happens. What lies in the room, where the canaries are, may
 be changed: the harness looks at it afterwards. What lies outside the room is never touched.
@@ -30,7 +30,7 @@ _DEVICES = "/dev/"
 
 
 class Guard:
-    """Watches this process's changes of files while it is armed."""
+    """Monitors the file changes of this process while it is armed."""
 
     def __init__(self, room: Path, temporary: Path) -> None:
         """Watch from now on; see ``arm``. A hook stays as long as its process.
@@ -43,12 +43,12 @@ class Guard:
         sys.addaudithook(self._heard)
 
     def arm(self, folder: Path) -> None:
-        """Note what is changed outside ``folder`` from now on."""
+        """Record changes outside ``folder`` from now on."""
         self.touched = []
         self._folder = os.path.realpath(folder)
 
     def disarm(self) -> list[str]:
-        """Stop, and return what was to be changed."""
+        """Stop, and return the attempted changes."""
         self._folder = ""
         return self.touched
 
@@ -62,7 +62,7 @@ class Guard:
             return
         for table, follow in ((_OF_NAMES, False), (_OF_FILES, True)):
             for place, descriptor in table.get(event, ()):
-                if event == "os.mkdir" and os.path.isdir(args[0]):  # it fails, and changes nothing
+                if event == "os.mkdir" and os.path.isdir(args[0]):  # it fails without any change
                     continue
                 known = descriptor is not None and descriptor < len(args)
                 self._check(event, args[place], args[descriptor] if known else None, follow)
@@ -79,7 +79,7 @@ class Guard:
 
 
 def _resolved(path: Any, descriptor: Any, follow: bool) -> str | None:
-    """Return the real place of a path; None for an open file, or for what is no path."""
+    """Return the resolved path; None for an open file or an invalid path."""
     if isinstance(path, int):
         return None
     try:

@@ -1,4 +1,4 @@
-"""Runs cases in a worker process, watched from outside; counts how they end."""
+"""Runs cases in a monitored worker process, and counts their outcomes."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class BrokenTarget(Exception):
 
 @dataclass(frozen=True)
 class Outcome:
-    """How one case ended.
+    """Outcome of one case.
 
     Attributes:
         kind: the target's name.
@@ -74,7 +74,7 @@ class Outcome:
 
     @property
     def cause(self) -> str:
-        """The error's line, or the innermost place where it was ended; alike for like faults."""
+        """The error's line, or the innermost frame when it was stopped; equal for like faults."""
         lines = [line.strip() for line in self.detail.splitlines() if line.strip()]
         if self.end in ("late", "heavy") and lines:
             return next((line for line in lines if "/generator/" in line or "_env/" in line), "")
@@ -83,7 +83,7 @@ class Outcome:
         return f"{last} {places[-1] if places else ''}"
 
     def told(self) -> str:
-        """Return what happened, and of what did not end well how to see it again."""
+        """Return a description, with instructions to reproduce a failure."""
         case = f"--kind {self.kind} --case {self.number} --seed {self.seed}"
         again = "" if self.good else f"  again: python benchmarks/fuzz.py {case}\n"
         return (
@@ -115,10 +115,10 @@ class Tally:
 
 
 class Worker:
-    """A process that runs cases one after another; a new one takes the place of one that dies."""
+    """A process that runs cases in sequence; it is replaced when it dies."""
 
     def __init__(self, seconds: float = SECONDS, most_mib: float = MOST_MIB) -> None:
-        """Start nothing yet; ``seconds`` and ``most_mib`` bound a case."""
+        """Set the limits of a case, ``seconds`` and ``most_mib``, without starting a process."""
         self._seconds, self._most = seconds, most_mib
         self._place = tempfile.TemporaryDirectory(prefix="tabletopgen-fuzz-")
         root = Path(self._place.name, "room")
@@ -159,13 +159,13 @@ class Worker:
         if self._process is None:
             self._start()
         self._watched({"kind": kind, "warm": True, "seed": 0, "number": -1}, WARM_SECONDS)
-        if self._process is None:  # it did not survive, as the cases will show
+        if self._process is None:  # it did not survive, as the next cases will show
             self._start()
         self._room.renew()
         self._warm.add(kind)
 
     def _start(self) -> None:
-        """Start a process whose home, temporary files and caches are in the room."""
+        """Start a process with home, temporary files and caches in the room."""
         room = self._room.root
         environment = {
             **{k: v for k, v in os.environ.items() if not k.startswith("TABLETOPGEN")},
@@ -187,7 +187,7 @@ class Worker:
         self._warm = set()
 
     def _watched(self, asked: dict[str, object], seconds: float) -> Outcome:
-        """Have one request answered, or the process ended where it takes too much."""
+        """Send one request, and end the process if it exceeds a limit."""
         process = self._process
         assert process is not None and process.stdin is not None and process.stdout is not None
         kind, seed, number = str(asked["kind"]), int(str(asked["seed"])), int(str(asked["number"]))
@@ -218,11 +218,11 @@ class Worker:
     def _ended(
         self, kind: str, seed: int, number: int, end: End, seconds: float, mib: float
     ) -> Outcome:
-        """End the process; return the outcome with where it was."""
+        """End the process; return the outcome with its stack."""
         process = self._process
         assert process is not None
         if process.poll() is None:
-            process.send_signal(signal.SIGUSR1)  # where it is, into the log
+            process.send_signal(signal.SIGUSR1)  # write its stack to the log
             time.sleep(0.3)
         self._kill()
         code = "" if end != "foreign" else f"the process ended with {process.returncode}\n"
@@ -247,7 +247,7 @@ def run_cases(
     numbers: Iterable[int],
     seen: Callable[[Outcome], None] = lambda outcome: None,
 ) -> Tally:
-    """Run cases of a kind; ``seen`` hears of each as it ends."""
+    """Run cases of a kind; ``seen`` is called with each outcome."""
     tally = Tally(kind, seed)
     for number in numbers:
         outcome = worker.run(kind, seed, number)
@@ -257,7 +257,7 @@ def run_cases(
 
 
 def report(tally: Tally, most: int = 12) -> str:
-    """Return what went wrong in a tally: counts, and the first case of each cause in full."""
+    """Return the failures in a tally: counts, and the first case of each cause in full."""
     bad = tally.bad
     if not bad:
         return ""
@@ -275,7 +275,7 @@ def report(tally: Tally, most: int = 12) -> str:
 
 
 def _brief(log: str) -> str:
-    """Return where each thread was: its innermost frames, and those of the product."""
+    """Return the position of each thread: its innermost frames, and those of the product."""
     kept, depth = [], 0
     for line in log.splitlines()[-400:]:
         depth = depth + 1 if line.startswith("  File") else 0
@@ -289,7 +289,7 @@ def _readable(stream: IO[str]) -> bool:
 
 
 def _resident(pid: int) -> float:
-    """Return the memory that a process and those below it have now, MiB."""
+    """Return the current memory of a process and its descendants, MiB."""
     pages = 0
     for one in _family(pid):
         try:
@@ -300,7 +300,7 @@ def _resident(pid: int) -> float:
 
 
 def _used(pid: int) -> float:
-    """Return the processor time of a process, those below it and those that ended, seconds."""
+    """Return the processor time of a process, its descendants and ended children, seconds."""
     ticks = 0
     for one in _family(pid):
         try:
@@ -312,12 +312,12 @@ def _used(pid: int) -> float:
 
 
 def _family(pid: int) -> list[int]:
-    """Return a process and all below it that its first thread or others started."""
+    """Return a process and all of its descendants, started from any thread."""
     found, waiting = [], [pid]
     while waiting:
         one = waiting.pop()
         found.append(one)
-        with contextlib.suppress(OSError, ValueError):  # it may have ended meanwhile
+        with contextlib.suppress(OSError, ValueError):  # it may have ended in the meantime
             for listed in Path(f"/proc/{one}/task").glob("*/children"):
                 waiting += map(int, listed.read_text().split())
     return found

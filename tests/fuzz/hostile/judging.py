@@ -1,4 +1,4 @@
-"""What a case may do: calls that are refused by errors of ours, and output that a terminal stands.
+"""Permitted behaviour of a case: the package's errors, and output that is safe for terminals.
 
 Used by the targets, inside a worker.
 """
@@ -17,7 +17,7 @@ MOST_MESSAGE = 20_000
 
 
 class Unfit(AssertionError):
-    """A text that must not reach a terminal, or a result that must not be."""
+    """Text that must not reach a terminal, or a forbidden result."""
 
 
 def accepts(*calls: Callable[[], Any]) -> bool:
@@ -44,7 +44,7 @@ def accepts_any(*calls: Callable[[], Any]) -> bool:
 
 @contextlib.contextmanager
 def reading(apart: bool) -> Iterator[None]:
-    """Read foreign files in child processes (``apart``), as users do, or in this process.
+    """Read foreign files in child processes (``apart``), as for users, or in this process.
 
     The same code runs in both; a child takes most of the time of a small case, though it is forked.
     """
@@ -81,7 +81,7 @@ def _printed(run: Callable[[], int]) -> bool:
 
 
 def check_printable(text: str, what: str) -> None:
-    """Check that a text does nothing to a terminal, can be encoded, and is no novel.
+    """Check that a text has no effect on a terminal, can be encoded, and is short.
 
     Raises:
         Unfit: it does.

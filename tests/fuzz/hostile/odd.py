@@ -1,4 +1,4 @@
-"""Things that stand where a file is expected: pipes, links, folders, devices."""
+"""Unusual entries in place of files: pipes, links, folders, devices."""
 
 import os
 import random
@@ -9,7 +9,7 @@ LINKS = ("/dev/zero", "../../precious/file.txt", "../../../precious/file.txt", "
 
 
 def put(path: Path, content: bytes, rng: random.Random, share: float = 0.05) -> None:
-    """Write a file, or with a probability of ``share`` something else in its place."""
+    """Write a file, or with a probability of ``share`` an unusual entry instead."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if rng.random() >= share:
         path.write_bytes(content)
@@ -28,4 +28,4 @@ def put(path: Path, content: bytes, rng: random.Random, share: float = 0.05) -> 
         path.chmod(0)
     else:
         with path.open("wb") as file:
-            file.truncate(rng.choice((2**20, 3 * 2**30)))  # sparse: large, and takes no room
+            file.truncate(rng.choice((2**20, 3 * 2**30)))  # sparse: large without using space

@@ -1,4 +1,4 @@
-"""Where cases run: a folder for the case, and canaries beside and above it."""
+"""The place where cases run: a folder for the case, and canaries beside and above it."""
 
 import hashlib
 import os
@@ -21,17 +21,17 @@ LEFTOVERS = (".staging-", ".partial-", ".removing-", ".part")
 
 
 class Room:
-    """The folders of one worker: ``case`` for the case, everything else to stay as it is."""
+    """The folders of one worker: only ``case`` may change."""
 
     def __init__(self, root: Path) -> None:
-        """Make the room in ``root``, which is there and empty."""
+        """Create the room in ``root``, an existing empty folder."""
         self.root = root
         self.case = root / "inside" / "case"
         self.temporary = root / "tmp"
         self._before = self.renew()
 
     def renew(self) -> dict[str, str]:
-        """Lay everything out anew; return what there is."""
+        """Recreate all files; return their listing."""
         for path in self.root.iterdir():
             remove(path)
         for name, text in CANARIES.items():
@@ -44,7 +44,7 @@ class Room:
         return self._before
 
     def changes(self) -> list[str]:
-        """Return what changed outside the case's folder since the last look; then mend it."""
+        """Return the changes outside the case's folder since the last check; then repair them."""
         now, before = self._listing(), self._before
         names = sorted(now.keys() | before.keys())
         changed = [name for name in names if now.get(name) != before.get(name)]
@@ -64,7 +64,7 @@ class Room:
 
 
 def listing(folder: Path, skipped: str = "") -> dict[str, str]:
-    """Return kind, mode and hash of everything in a folder by relative path; links unfollowed."""
+    """Return kind, mode and hash of a folder's entries by relative path; links unfollowed."""
     found: dict[str, str] = {}
     for here, folders, files in os.walk(folder):
         place = os.path.relpath(here, folder)

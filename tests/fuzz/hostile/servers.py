@@ -1,4 +1,4 @@
-"""A local server on bare sockets: what it sends need not be HTTP, and need not come in time."""
+"""A local server on raw sockets, which may send anything but HTTP, at any time."""
 
 import contextlib
 import json
@@ -17,7 +17,7 @@ LONGEST = 60.0
 
 @dataclass
 class Talk:
-    """One connection: what was asked, and how to answer slowly without outliving the case."""
+    """One connection: its request, and a way to respond slowly within the case's lifetime."""
 
     peer: socket.socket
     over: threading.Event
@@ -62,7 +62,7 @@ def serving(behaviour: Behaviour) -> Iterator[str]:
         finally:
             over.set()
             with contextlib.suppress(OSError):
-                server.shutdown(socket.SHUT_RDWR)  # it need not wait for its next look
+                server.shutdown(socket.SHUT_RDWR)  # no need to wait for its next check
             thread.join(5)
 
 
@@ -84,7 +84,7 @@ def _answer(talk: Talk, behaviour: Behaviour) -> None:
 
 
 def _read(talk: Talk) -> bool:
-    """Read a request; return whether one came whole."""
+    """Read a request; return whether it was complete."""
     raw = b""
     while b"\r\n\r\n" not in raw:
         piece = talk.peer.recv(65_536)
@@ -117,12 +117,12 @@ def whole(
 
 
 def telling(content: bytes, status: str = "200 OK", kind: str = "application/json") -> Behaviour:
-    """Return the behaviour of a server that answers everything alike."""
+    """Return the behaviour of a server with one response to all requests."""
     return lambda talk: talk.send(whole(content, status, kind))
 
 
 def hostile(rng: random.Random, good: bytes, kind: str) -> Behaviour:
-    """Return a behaviour that is slow, endless, cut off or no HTTP at all."""
+    """Return a behaviour that is slow, endless, cut off or not HTTP."""
     import gzip
     import zlib
 

@@ -1,4 +1,4 @@
-"""Bytes made hostile: flipped, cut, doubled, and lengths that lie."""
+"""Hostile bytes: flipped, cut, doubled, and with false lengths."""
 
 import functools
 import random
@@ -57,7 +57,7 @@ def bomb(size: int) -> bytes:
 
 
 def chunk(kind: bytes, data: bytes, wrong: bool = False) -> bytes:
-    """Return a chunk of a PNG; ``wrong`` spoils its check sum."""
+    """Return a chunk of a PNG, with a wrong checksum if ``wrong``."""
     check = zlib.crc32(kind + data) ^ wrong
     return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", check)
 
@@ -72,7 +72,7 @@ def png(
     before: bytes = b"",
     wrong: bool = False,
 ) -> bytes:
-    """Return a PNG of a header and packed pixels that need not go together."""
+    """Return a PNG from a header and compressed pixels that may not match."""
     head = struct.pack(">IIBBBBB", width, height, depth, color, 0, 0, interlace)
     return b"".join((
         _SIGNATURE, chunk(b"IHDR", head, wrong), before, chunk(b"IDAT", data), chunk(b"IEND", b""),
@@ -80,7 +80,7 @@ def png(
 
 
 def hostile_png(rng: random.Random, good: bytes) -> bytes:
-    """Return a PNG that lies about its size, its form or its content, or a spoiled one."""
+    """Return a PNG with a false size, format or content, or a damaged one."""
     kind = rng.randrange(9)
     if kind == 0:
         side = rng.choice((4096, 4097, 8192, 20_000, 65_535, 2**31 - 1, 2**32 - 1, 0))
@@ -108,7 +108,7 @@ def hostile_png(rng: random.Random, good: bytes) -> bytes:
 
 
 def _odd(rng: random.Random) -> bytes:
-    """Return a PNG of another depth, kind of colour or order of rows."""
+    """Return a PNG of another depth, colour type or row order."""
     depth, color = rng.choice((1, 2, 4, 8, 16, 3)), rng.choice((0, 2, 3, 4, 6, 1, 7))
     side = rng.choice((1, 7, 64, 300))
     content = rng.randbytes(rng.choice((10, side * (side * 8 + 1))))

@@ -1,4 +1,4 @@
-"""Values as JSON has them, made hostile: types swapped, sizes, numbers, names, nesting."""
+"""Hostile JSON values: types swapped, sizes, numbers, names, nesting."""
 
 import copy
 import json
@@ -72,7 +72,7 @@ def mutate(given: Any, rng: random.Random, extra: tuple[str, ...] = (), raw: boo
 
 
 def written(changed: Any, rng: random.Random, **options: Any) -> bytes:
-    """Return values as JSON's text, with the pieces that ``mutate`` put in."""
+    """Return values as JSON text, with the raw pieces inserted by ``mutate``."""
     options.setdefault("ensure_ascii", rng.random() < 0.5)
     content = json.dumps(changed, **options)
     for index, piece in enumerate(RAW):
@@ -84,7 +84,7 @@ def written(changed: Any, rng: random.Random, **options: Any) -> bytes:
 
 
 def _place(root: list[Any], rng: random.Random) -> tuple[Any, Any]:
-    """Return a holder and a key in it, outer ones as likely as inner ones."""
+    """Return a container and a key in it, at any depth with equal probability."""
     holder: Any = root
     key: Any = 0
     while True:

@@ -1,4 +1,4 @@
-"""The process in which cases run: reads requests as JSON lines, answers each with what came of it.
+"""The process in which cases run: reads requests as JSON lines, and writes an outcome for each.
 
 Started by ``harness.Worker``; ``python -m hostile.worker ROOM``.
 """
@@ -47,17 +47,17 @@ def main() -> None:
 
 
 def warm(kind: str, folder: Path) -> None:
-    """Run one case of a kind that is listed: what is made once is no part of a case's time."""
+    """Run one case of a listed kind, since one-time initialisation is not part of a case's time."""
     _emptied(folder)
     craft = target(kind)
     if kind in KINDS:
         run = craft(random.Random("warm"), folder)
-        with contextlib.suppress(BaseException):  # judged where it is a case
+        with contextlib.suppress(BaseException):  # its outcome counts only for an actual case
             run()
 
 
 def answer(kind: str, seed: int, number: int, room: Path, guard: Guard) -> dict[str, Any]:
-    """Run one case; return how it ended, how long that took, and by how much memory grew."""
+    """Run one case; return its outcome, its duration, and its memory growth."""
     folder = room / "inside" / "case"
     _emptied(folder)
     rng = random.Random(f"{seed}/{kind}/{number}")
@@ -80,7 +80,7 @@ def answer(kind: str, seed: int, number: int, room: Path, guard: Guard) -> dict[
 
 
 def _used() -> float:
-    """Return the processor time of this process and of its children that ended, seconds."""
+    """Return the processor time of this process and of its ended children, seconds."""
     kinds = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
     return sum(used.ru_utime + used.ru_stime for used in map(resource.getrusage, kinds))
 
@@ -130,7 +130,7 @@ def _writable(folder: Path) -> None:
 
 
 def _reset_peak() -> int:
-    """Forget the largest memory so far; return the present one, KiB.
+    """Reset the peak memory; return the current memory, KiB.
 
     Where the system does not let it be forgotten, what counts is what is more than ever before.
     """

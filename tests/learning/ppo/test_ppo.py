@@ -20,7 +20,7 @@ def learner(seed: int = 0, inputs: dict[str, int] | None = None, **config) -> Ba
 
 
 def learn(ppo: BatchPPO, worlds: TensorWorlds, rollouts: int, seed: int = 0) -> list[float]:
-    """Let it learn; return the mean rewards of the rollouts' steps, as PPO scales them."""
+    """Train; return the mean rewards of the rollouts' steps, as scaled by PPO."""
     seen, rewards = worlds.reset(seed), []
     for _ in range(rollouts):
         seen, rollout = ppo.collect(worlds, seen)
@@ -39,7 +39,7 @@ def alike(one: BatchPPO, other: BatchPPO) -> bool:
 
 
 def arrivals(ppo: BatchPPO, worlds: TensorWorlds) -> int:
-    """Count the points that the exported actor leaves at the origin when their time is over."""
+    """Count the points that the exported actor brings to the origin within the time limit."""
     actor, squash = ppo.export()
     assert squash == "clip"
     seen, arrived = worlds.reset(9), 0
@@ -89,7 +89,7 @@ def test_it_learns_where_the_worlds_are_and_acts_anywhere(tmp_path: Path) -> Non
 
 
 def test_a_time_limit_ends_no_value(monkeypatch) -> None:
-    """Where an episode is cut, the value of what was seen last is due; where it ended, nothing."""
+    """At a time limit, the value of the last observation is bootstrapped; at an end, zero."""
     ppo = learner(rollout=LIMIT + 1, gamma=0.9)
     monkeypatch.setattr(ppo.nets, "values", lambda seen: 100 + seen[""][:, 0])
     monkeypatch.setattr(ppo.nets, "means", lambda seen: torch.tensor([[9.0, 9.0], [0.0, 0.0]]))
@@ -110,7 +110,7 @@ def test_a_time_limit_ends_no_value(monkeypatch) -> None:
 
 
 def test_the_first_step_of_an_update_is_the_policy_gradient(monkeypatch) -> None:
-    """Of a policy that has not moved, the clipped objective is the mean advantage: 0."""
+    """For an unchanged policy, the clipped objective is the mean advantage: 0."""
     ppo, worlds = learner(epochs=1, minibatches=1), TensorWorlds(points())
     _, rollout = ppo.collect(worlds, worlds.reset(0))
     figures = ppo.update(rollout)

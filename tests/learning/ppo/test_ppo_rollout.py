@@ -5,7 +5,7 @@ from tabletopgen_env.learning.ppo.rollout import advantages
 
 
 def plain(rewards, values, over, last, gamma: float, gae_lambda: float) -> list[list[float]]:
-    """Sum every delta that follows a step, discounted, until its episode ends: eq. 16 as it is."""
+    """Sum the discounted deltas of each step until its episode ends: eq. 16 literally."""
     steps, worlds = len(rewards), len(rewards[0])
     found = [[0.0] * worlds for _ in range(steps)]
     for w in range(worlds):

@@ -11,7 +11,7 @@ from tabletopgen_env.parallel.vector import TabletopVectorEnv
 
 
 def outwards(count: int) -> torch.Tensor:
-    """Actions that push the first point over the edge and keep the others where they are."""
+    """Return actions that push the first point over the edge and hold the others."""
     return torch.tensor([[1.0, 1.0]] + [[0.0, 0.0]] * (count - 1))
 
 

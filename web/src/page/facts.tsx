@@ -1,4 +1,4 @@
-/** What is known of a scene: things, gate, certificate, downloads. */
+/** Facts about a scene: objects, gate, certificate, downloads. */
 import { Fragment } from "preact";
 import type { CertificateRow, Download, GateRow, SceneFiles, ThingRow } from "../data";
 
@@ -29,7 +29,7 @@ export function Facts({ files, base, selected }: { files: SceneFiles; base: stri
           <img
             loading="lazy"
             src={base + files.picture.file}
-            alt={files.picture.kind === "reference" ? `What ${row.name} was made from` : `A render of ${row.name}`}
+            alt={files.picture.kind === "reference" ? `Input picture of ${row.name}` : `Render of ${row.name}`}
           />
         </details>
       )}
@@ -75,7 +75,7 @@ function Things({ things, table, selected }: { things: ThingRow[]; table: readon
   );
 }
 
-/** A name that may go on in another line after an underscore. */
+/** A name that may wrap after an underscore. */
 function Breaking({ name }: { name: string }) {
   const [first, ...rest] = name.split("_");
   return (
@@ -149,7 +149,7 @@ function Certificate({ certificate }: { certificate: CertificateRow }) {
           ))}
         </tbody>
       </table>
-      <p class="small quiet">An instance, such as a thing to lift, is certified where the expert solves it from every start that was tried.</p>
+      <p class="small quiet">An instance, such as an object to lift, is certified if the expert solves it from every tested start.</p>
     </section>
   );
 }

@@ -1,10 +1,10 @@
-/** The gallery: a card for each scene, and what narrows them down. */
+/** The gallery: a card for each scene, and filters. */
 import { signal, useComputed } from "@preact/signals";
 import type { Gallery, SceneRow } from "../data";
 import { addressOf, useTitle } from "../ui/routing";
 import { contents, level, matches, NO_FILTER, themes, type Filter } from "./search";
 
-/** It outlives the gallery's page: the way back from a scene leads to what was found. */
+/** Outlives the gallery's page, so that the way back from a scene leads to the same results. */
 const filter = signal<Filter>(NO_FILTER);
 
 export function GalleryPage({ gallery }: { gallery: Gallery }) {
@@ -65,7 +65,7 @@ export function GalleryPage({ gallery }: { gallery: Gallery }) {
         </p>
         {shown.value.length === 0 && (
           <p>
-            No table fits. <button onClick={() => set(NO_FILTER)}>Clear the search</button>
+            No table matches. <button onClick={() => set(NO_FILTER)}>Clear the search</button>
           </p>
         )}
         <ul class="cards">

@@ -1,4 +1,4 @@
-/** The static page: `#/` is the gallery, `#/scene/ID` a scene, `#/beside/ID/ID` two of them. */
+/** The static page: `#/` is the gallery, `#/scene/ID` a scene, `#/beside/ID/ID` two scenes side by side. */
 import { signal } from "@preact/signals";
 import { render } from "preact";
 import { fetchData, type Gallery, type SceneRow } from "../data";
@@ -24,7 +24,7 @@ function App() {
   return (
     <>
       <a class="skip" href="#main" onClick={skip}>
-        Skip to the content
+        Skip to content
       </a>
       <Routed gallery={gallery.value} />
     </>
@@ -37,7 +37,7 @@ function Routed({ gallery }: { gallery: Gallery }) {
   const rows = ids.map((id) => gallery.scenes.find((row) => row.id === id || row.name === id));
   const missing = rows.findIndex((row) => !row || row.error);
   if (kind && (missing >= 0 || rows.length === 0)) {
-    return <Missing gallery={gallery} words={rows[missing]?.error ?? `There is no scene called ${ids[missing] ?? kind} here.`} />;
+    return <Missing gallery={gallery} words={rows[missing]?.error ?? `There is no scene ${ids[missing] ?? kind}.`} />;
   }
   const found = rows as SceneRow[];
   if (kind === "scene") return <ScenePage key={found[0]!.id} gallery={gallery} row={found[0]!} />;

@@ -1,4 +1,4 @@
-/** A scene of the gallery on its own page, alone or beside others. */
+/** A scene of the gallery on its own page, alone or side by side with others. */
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import type { Gallery, SceneRow } from "../data";
@@ -32,7 +32,7 @@ export function ScenePage({ gallery, row }: { gallery: Gallery; row: SceneRow })
           <div class="stack">
             <Viewer base={folder(row)} label={row.name} onEngine={(found) => (engine.value = found)} />
             <p class="small quiet">
-              Drag a thing to pull it, let go to throw it<span class="with-keys">; hold Shift to move it level</span>. Drag beside things to turn the view.
+              Drag an object to pull it, release it to throw it<span class="with-keys">; hold Shift to move it horizontally</span>. Drag the background to rotate the view.
             </p>
           </div>
           {engine.value?.ready.value && engine.value.files && (
@@ -89,7 +89,7 @@ export function BesidePage({ gallery, rows }: { gallery: Gallery; rows: SceneRow
   );
 }
 
-/** The viewer alone, for a frame in another page; with a task, an episode of it is played. */
+/** The viewer alone, for a frame in another page; with a task, it plays an episode. */
 export function EmbeddedPage({ row, task }: { row: SceneRow; task: string | undefined }) {
   const engine = useSignal<Engine | null>(null);
   useTitle(row.name);

@@ -1,4 +1,4 @@
-/** Which scenes of a gallery are shown, and in which order. */
+/** Filters and order of the scenes in a gallery. */
 import type { SceneRow } from "../data";
 
 export interface Filter {
@@ -10,7 +10,7 @@ export interface Filter {
 
 export const NO_FILTER: Filter = { words: "", theme: "", difficulty: "", certified: false };
 
-/** The ends of "medium", on the scale of `tabletopgen_env.scenes.difficulty`. */
+/** Bounds of "medium" on the scale of `tabletopgen_env.scenes.difficulty`. */
 const EASY = 0.3;
 const HARD = 0.45;
 
@@ -19,12 +19,12 @@ export function level(row: SceneRow): "easy" | "medium" | "hard" | "" {
   return row.difficulty < EASY ? "easy" : row.difficulty < HARD ? "medium" : "hard";
 }
 
-/** Whether the expert solves every task of the scene every time. */
+/** Whether the expert always solves every task of the scene. */
 export function isCertified({ certificate }: SceneRow): boolean {
   return certificate !== null && certificate.certified > 0 && certificate.certified === certificate.instances;
 }
 
-/** What is on a table, in words: "2 × mug, laptop". */
+/** The objects on a table, in words: "2 × mug, laptop". */
 export function contents(row: SceneRow): string {
   const counts = new Map<string, number>();
   for (const { label } of row.things) counts.set(label, (counts.get(label) ?? 0) + 1);
@@ -35,7 +35,7 @@ export function themes(rows: SceneRow[]): string[] {
   return [...new Set(rows.map((row) => row.theme).filter(Boolean))].sort();
 }
 
-/** Tells whether a scene has all words, plurals or not, in its name, its text or its things. */
+/** Returns whether a scene has all words, singular or plural, in its name, its text or its objects. */
 export function holds(row: SceneRow, words: string): boolean {
   const text = [row.id, row.prompt, ...row.asked, row.theme, row.table.label, ...row.things.flatMap((t) => [t.label, t.category, t.name])]
     .join(" ")
@@ -44,7 +44,7 @@ export function holds(row: SceneRow, words: string): boolean {
   return forms.every((any) => any.some((form) => text.includes(form)));
 }
 
-/** What may be an ending of a plural, and what stands in its place in a singular: no "plan" of "planes". */
+/** Possible plural endings, and the singular endings that they replace: no "plan" from "planes". */
 const ENDINGS: [RegExp, string][] = [
   [/(..)ies$/, "$1y"],
   [/ves$/, "f"],
@@ -52,7 +52,7 @@ const ENDINGS: [RegExp, string][] = [
   [/s$/, ""],
 ];
 
-/** A word as it is, and what it may be the plural of: "knives", "knif", "knive". */
+/** A word, and its possible singulars: "knives", "knif", "knive". */
 function formsOf(word: string): string[] {
   return [word, ...ENDINGS.filter(([end]) => end.test(word) && word.length > 3).map(([end, by]) => word.replace(end, by))];
 }

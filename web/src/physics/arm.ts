@@ -1,8 +1,8 @@
 /**
  * Drives the Panda as the environments' action mode `ee_delta` does, 20 times a second.
  *
- * The commanded point moves by an action, stays on a leash at the real one, and the joints follow by
- * damped least squares (`tabletopgen_env/actions/tool.py`, `robot/kinematics.py`, which say why).
+ * The commanded point moves by an action, with a limited lead over the measured one, and the joints
+ * follow by damped least squares; see `tabletopgen_env/actions/tool.py` and `robot/kinematics.py`.
  */
 import type { DoubleBuffer, MainModule, MjData, MjModel } from "@mujoco/mujoco";
 import { add, clamp, dot, rotationVector, solveSpd, sub, times, transpose } from "./linear";
@@ -10,8 +10,8 @@ import { idOf, ROBOT } from "./names";
 import type { ArmAction } from "./protocol";
 
 const HZ = 20;
-const STEP = 0.025; // metres an action
-const TURN = 0.15; // radians an action
+const STEP = 0.025; // metres per action
+const TURN = 0.15; // radians per action
 const LEASH = 0.04; // metres
 const YAW_LEASH = 0.4; // radians
 const LOWEST = [-0.5, -0.8, -0.1];
@@ -39,7 +39,7 @@ export class Arm {
   private readonly high: number[];
   private readonly every: number;
   private action: ArmAction | null = null;
-  /** Steps until the next action, and the servo commands that the steps until then move between. */
+  /** Steps until the next action, and the start and end of the servo commands until then. */
   private due = 0;
   private from: number[] = [];
   private to: number[] = [];
@@ -87,12 +87,12 @@ export class Arm {
     this.yaw = Math.atan2(tool.rotation[3]!, tool.rotation[0]!);
   }
 
-  /** Sets what is done until told otherwise; null lets the servos hold what they hold. */
+  /** Sets the action until the next call; null holds the servo commands. */
   drive(action: ArmAction | null): void {
     this.action = action;
   }
 
-  /** Commands the servos for one step; between two actions they move evenly. */
+  /** Commands the servos for one step, interpolating linearly between two actions. */
   beforeStep(): void {
     if (this.due <= 0) {
       this.from = this.to;
@@ -123,7 +123,7 @@ export class Arm {
     this.data.ctrl[7] = (GRIPPER_OPEN * (action[4] + 1)) / 2;
   }
 
-  /** Position and rotation (row-major) of the tool in the base frame, at given joints. */
+  /** Position and rotation (row-major) of the tool in the base frame, at the given joints. */
   private tool(joints: number[]): { position: number[]; rotation: number[] } {
     this.qpos.forEach((address, k) => (this.probe.qpos[address] = joints[k]!));
     this.mujoco.mj_kinematics(this.model, this.probe);

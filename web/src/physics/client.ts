@@ -10,13 +10,13 @@ interface Waiting {
 export class Physics {
   private worker: Worker | null = null;
   private closed = false;
-  /** Why the worker has failed; null while it has not. */
+  /** Why the worker has failed; null if it has not. */
   private broken: string | null = null;
   private readonly waiting = new Map<number, Waiting>();
   private next = 1;
 
   /**
-   * The worker itself starts with `begin`: what is never begun need not be closed.
+   * `begin` starts the worker; a client without `begin` needs no `close`.
    *
    * @param onFrame - called with every frame to draw.
    * @param onBreak - called once if the worker itself fails: no WebAssembly, out of memory.
@@ -26,10 +26,10 @@ export class Physics {
     private readonly onBreak: (message: string) => void,
   ) {}
 
-  /** Starts the worker; what is asked does so, too. */
+  /** Starts the worker; the first request does so, too. */
   begin(): void {
     if (this.worker || this.closed) return;
-    mujocoModule().catch(() => {}); // begun early; who loads a scene hears of a failure
+    mujocoModule().catch(() => {}); // started early; whoever loads a scene receives the failure
     this.worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
     this.worker.onmessage = (event: MessageEvent<Reply>) => this.heed(event.data);
     this.worker.onerror = (event) => {
@@ -50,12 +50,12 @@ export class Physics {
     return (await this.ask({ kind: "state" })) as State;
   }
 
-  /** The bodies that others would overlap if they were elsewhere. */
+  /** The bodies that the given bodies would overlap at other positions. */
   async overlaps(placed: Placed[]): Promise<number[]> {
     return (await this.ask({ kind: "overlaps", placed })) as number[];
   }
 
-  /** Sends a command; resolves when it has been done, and never once this is closed. */
+  /** Sends a command; resolves when it is done, and never after this is closed. */
   ask(command: Command): Promise<Answer> {
     this.begin();
     const id = this.next++;
@@ -67,7 +67,7 @@ export class Physics {
     });
   }
 
-  /** Sends a command of which nothing is awaited. */
+  /** Sends a command without awaiting a result. */
   tell(command: Command): void {
     if (this.broken === null) this.ask(command).catch((error: unknown) => console.warn("physics:", error));
   }

@@ -1,4 +1,4 @@
-/** What of a compiled model is drawn: geoms, meshes, textures, cameras, bodies. */
+/** The drawn parts of a compiled model: geoms, meshes, textures, cameras, bodies. */
 import type { MainModule, MjModel } from "@mujoco/mujoco";
 import { nameOf, ROBOT } from "./names";
 import type {
@@ -68,7 +68,7 @@ function geomOf(model: MjModel, k: number, name: string): GeomData {
   };
 }
 
-/** Gathers `width` numbers of each of the corners that `faces` names, from the row `first` on. */
+/** Gathers `width` numbers for each corner in `faces`, from the row `first` on. */
 function gather(from: Numbers, first: number, faces: Numbers, start: number, n: number, width: number): Float32Array {
   const out = new Float32Array(n * width);
   for (let k = 0; k < n; k++) {

@@ -1,4 +1,4 @@
-/** The little linear algebra that the arm's kinematics need; matrices are row-major. */
+/** Linear algebra for the arm's kinematics; matrices are row-major. */
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(Math.max(value, low), high);
 
@@ -11,7 +11,7 @@ export const dot = (a: number[], b: number[]): number => a.reduce((sum, v, k) =>
 /** The transpose of a 3x3 matrix. */
 export const transpose = (m: number[]): number[] => [0, 3, 6, 1, 4, 7, 2, 5, 8].map((k) => m[k]!);
 
-/** A 3x3 matrix times one of three rows and `columns` columns. */
+/** The product of a 3x3 matrix and one of three rows and `columns` columns. */
 export function times(a: number[], b: number[], columns: number): number[] {
   const out: number[] = [];
   for (let i = 0; i < 3; i++) {
@@ -36,7 +36,7 @@ export function rotationVector(r: number[]): number[] {
   return axis.map((v, k) => angle * v * (k === largest || row[k]! >= 0 ? 1 : -1));
 }
 
-/** Solves `a x = b` for a symmetric positive definite `a`, by Cholesky's factors. */
+/** Solves `a x = b` for a symmetric positive definite `a` by Cholesky decomposition. */
 export function solveSpd(a: number[][], b: number[]): number[] {
   const n = b.length;
   const l = a.map((row) => row.slice());

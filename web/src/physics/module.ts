@@ -3,10 +3,10 @@ import address from "../../node_modules/@mujoco/mujoco/mujoco.wasm?url";
 
 let compiled: Promise<WebAssembly.Module> | null = null;
 
-/** Begins to fetch and compile, if that has not begun; resolves to the module. */
+/** Starts to fetch and compile unless already started; resolves to the module. */
 export function mujocoModule(): Promise<WebAssembly.Module> {
   compiled ??= compile().catch((error: unknown) => {
-    compiled = null; // another try may do better
+    compiled = null; // another attempt may succeed
     throw error;
   });
   return compiled;
@@ -18,5 +18,5 @@ async function compile(): Promise<WebAssembly.Module> {
   if (response.headers.get("Content-Type")?.startsWith("application/wasm")) {
     return WebAssembly.compileStreaming(response);
   }
-  return WebAssembly.compile(await response.arrayBuffer()); // a host that does not know the type
+  return WebAssembly.compile(await response.arrayBuffer()); // a host without the content type
 }

@@ -1,14 +1,14 @@
 /**
- * What the page and its physics worker say to each other.
+ * Messages between the page and its physics worker.
  *
  * Units are metres, kilograms, radians and seconds; quaternions are wxyz, as in MuJoCo. The world
- * frame is the bundle's: +z up, +y away from who looks at the picture.
+ * frame is the bundle's: +z up, +y away from the viewer of the picture.
  */
 
 export type Vector = [number, number, number];
 export type Quaternion = [number, number, number, number];
 
-/** MuJoCo's `mjtGeom`, of the types that scenes here are made of. */
+/** Values of MuJoCo's `mjtGeom` for the geom types in scenes. */
 export const GEOM = {
   plane: 0,
   sphere: 2,
@@ -19,7 +19,7 @@ export const GEOM = {
   mesh: 7,
 } as const;
 
-/** A mesh as triangles without shared corners, so that each corner has its normal and uv. */
+/** A mesh of triangles without shared corners, so that each corner has its own normal and uv. */
 export interface MeshData {
   positions: Float32Array;
   normals: Float32Array;
@@ -54,11 +54,11 @@ export interface GeomData {
 
 export interface BodyData {
   name: string;
-  /** Whether it moves freely, as the objects of a table do. */
+  /** Whether the body is free, as the objects on a table are. */
   free: boolean;
   /** Address of a free body in qpos. */
   qpos: number;
-  /** Whether anything moves it: it is not welded to the world. */
+  /** Whether the body can move, i.e. is not welded to the world. */
   moves: boolean;
 }
 
@@ -83,23 +83,23 @@ export interface ModelData {
   arm: boolean;
 }
 
-/** What is drawn of an instant. */
+/** The drawn state at one instant. */
 export interface Frame {
-  /** Simulated seconds. */
+  /** Simulated time, seconds. */
   time: number;
   running: boolean;
   /** Position and quaternion of every body, seven numbers each. */
   poses: Float32Array;
-  /** Centre of mass of every body, three numbers each; null unless it is shown. */
+  /** Centre of mass of every body, three numbers each; null unless displayed. */
   centres: Float32Array | null;
-  /** Position, normal and force (newtons) of every contact, seven numbers each; likewise. */
+  /** Position, normal and force (newtons) of every contact, seven numbers each; null unless displayed. */
   contacts: Float32Array | null;
 }
 
-/** The commands a person gives the arm: the action of `ee_delta`, each in [-1, 1]. */
+/** A person's command to the arm: the action of `ee_delta`, each entry in [-1, 1]. */
 export type ArmAction = [number, number, number, number, number];
 
-/** Where a body could be. */
+/** A candidate pose of a body. */
 export interface Placed {
   body: number;
   position: Vector;
@@ -129,7 +129,7 @@ export interface State {
   contacts: number;
 }
 
-/** What is answered: a model to "load", a state to "state", bodies to "overlaps". */
+/** Responses by request: a model to "load", a state to "state", bodies to "overlaps". */
 export type Answer = ModelData | State | number[] | null;
 
 export type Reply =

@@ -1,20 +1,20 @@
-/** One compiled scene and its state: steps, frames to draw, and the pull of a person's pointer. */
+/** One compiled scene and its state: steps, frames to draw, and the pull of the pointer. */
 import type { MainModule, MjData, MjModel, MjVFS } from "@mujoco/mujoco";
 import { Arm } from "./arm";
 import { describe } from "./describe";
 import { idOf } from "./names";
 import type { ArmAction, Frame, ModelData, Placed, State, Vector } from "./protocol";
 
-/** A force like MuJoCo's own perturbation: a critically damped spring, stiff per kilogram. */
+/** A force like MuJoCo's own perturbation: a critically damped spring with stiffness per kilogram. */
 const STIFFNESS = 160;
 const DAMPING = 2 * Math.sqrt(STIFFNESS);
 
-/** Overlaps shallower than this, metres, are contact, as they are to who edits by a command. */
+/** Overlaps shallower than this, metres, count as contact, as in the `edit` command. */
 const TOUCH = 2e-4;
 
 interface Drag {
   body: number;
-  /** The point that is held, in the body's frame, and where it is pulled to, in the world. */
+  /** The held point in the body's frame, and its target in the world. */
   grip: Vector;
   target: Vector;
 }
@@ -23,7 +23,7 @@ export class Simulation {
   readonly described: ModelData;
   private drag: Drag | null = null;
   private arm: Arm | null = null;
-  /** Another state of the model, to try places in. */
+  /** Another state of the model, for testing poses. */
   private trial: MjData | null = null;
   private readonly flags: number;
 
@@ -42,7 +42,8 @@ export class Simulation {
   /**
    * Compiles a document.
    *
-   * @param start - name of the keyframe to start from; without one of that name, the model's own.
+   * @param start - name of the keyframe to start from; if it does not exist, the model's default
+   *     state.
    * @throws Error with MuJoCo's words if it cannot be compiled.
    */
   static compile(mujoco: MainModule, xml: string, files: [string, Uint8Array][], start: string): Simulation {
@@ -87,7 +88,7 @@ export class Simulation {
     this.arm?.reset();
   }
 
-  /** Advances by a number of steps; the arm, if it is driven, is commanded at 20 Hz. */
+  /** Advances by a number of steps; a driven arm receives commands at 20 Hz. */
   step(steps: number): void {
     for (let k = 0; k < steps; k++) {
       this.arm?.beforeStep();
@@ -96,7 +97,7 @@ export class Simulation {
     }
   }
 
-  /** Lets resting things sleep, as the document says, or keeps all awake: what sleeps has no contacts. */
+  /** Enables sleeping as in the document, or keeps all bodies awake, since sleeping bodies have no contacts. */
   allowSleep(allowed: boolean): void {
     const bits = this.mujoco.mjtEnableBit as unknown as Record<string, { value: number }>;
     const sleep = bits["mjENBL_SLEEP"]?.value ?? 0;
@@ -120,7 +121,7 @@ export class Simulation {
     this.drag = null;
   }
 
-  /** Shows a recorded instant: nothing is stepped. */
+  /** Shows a recorded instant without stepping. */
   pose(qpos: Float32Array, marker: Float32Array | null): void {
     this.data.qpos.set(qpos.subarray(0, this.model.nq));
     if (marker && this.data.mocap_pos.length >= 3) this.data.mocap_pos.set(marker.subarray(0, 3));
@@ -141,7 +142,7 @@ export class Simulation {
     };
   }
 
-  /** The bodies that free ones would overlap if they were placed elsewhere; the state stays as it is. */
+  /** The bodies that free ones would overlap at other poses; the state is unchanged. */
   overlaps(placed: Placed[]): number[] {
     const { model, mujoco } = this;
     const trial = (this.trial ??= new mujoco.MjData(model));
@@ -226,7 +227,7 @@ export class Simulation {
       const speed = motion[3 + i]! + turned[i]!;
       force[i] = mass * (STIFFNESS * (target[i]! - held[i]!) - DAMPING * speed);
     }
-    if (this.described.bodies[body]?.free) force[2] += mass * 9.81; // it does not sag; servos hold the arm
+    if (this.described.bodies[body]?.free) force[2] += mass * 9.81; // servos hold the arm
     data.xfrc_applied.set([...force, ...cross(arm, force)], 6 * body);
   }
 }

@@ -1,11 +1,11 @@
-/** The physics worker: MuJoCo's WebAssembly, stepped in real time, apart from the page's thread. */
+/** The physics worker: MuJoCo's WebAssembly, stepped in real time outside the page's thread. */
 import loadMujoco, { type MainModule } from "@mujoco/mujoco";
 import type { Answer, Frame, ModelData, Reply, Request } from "./protocol";
 import { Simulation } from "./simulation";
 
-/** Most simulated seconds that are made up for at once; a slow machine falls behind real time. */
+/** Maximum backlog in simulated seconds; a slow machine falls behind real time. */
 const MOST_BEHIND = 0.05;
-/** Milliseconds between two frames, and the most that steps may take of them. */
+/** Milliseconds between two frames, and the maximum share of them for steps. */
 const FRAME = 16;
 const BUSY = 12;
 
@@ -54,7 +54,7 @@ function start(module: WebAssembly.Module): Promise<MainModule> {
   return new Promise((resolve, reject) => {
     loadMujoco({
       instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void) {
-        WebAssembly.instantiate(module, imports).then(done, reject); // with too little memory it fails
+        WebAssembly.instantiate(module, imports).then(done, reject); // fails without enough memory
         return {};
       },
     }).then(resolve, reject);
@@ -70,7 +70,7 @@ async function load(request: Request & { kind: "load" }): Promise<ModelData> {
   return simulation.described;
 }
 
-/** What of a model is large: it is handed over, not copied; nothing here needs it again. */
+/** The large arrays of a model: transferred rather than copied, since the worker no longer needs them. */
 function buffersOf({ meshes, textures }: ModelData): ArrayBufferLike[] {
   const corners = meshes.flatMap(({ positions, normals, uvs }) => [positions.buffer, normals.buffer, ...(uvs ? [uvs.buffer] : [])]);
   return [...corners, ...textures.map(({ pixels }) => pixels.buffer)];

@@ -1,4 +1,4 @@
-/** The studio's server, as the page asks it. The types are those of `studio/contracts.py`. */
+/** Client of the studio's server. The types correspond to `studio/contracts.py`. */
 import { PageError, type SceneRow } from "../data";
 
 export type JobKind = "generate" | "compose" | "edit" | "episode" | "export";
@@ -7,10 +7,10 @@ export type ScenePlace = "workspace" | "store" | "shipped";
 export type Role = "reasoner" | "imager" | "segmenter" | "modeler" | "encoder";
 export type Format = "glb" | "mjcf" | "sdf" | "urdf" | "usd" | "usdz";
 
-/** Who answers the questions of a job by name, and what that may cost (no limit if left out). */
+/** Backends of a job by role, and its cost limit (none if omitted). */
 export type Paid = { backend?: string; budget?: number } & Partial<Record<Role, string>>;
 
-/** A text, or an uploaded picture, to a scene by the whole method. */
+/** A scene from a text or an uploaded picture, by the full method. */
 export interface GenerateRequest extends Paid {
   kind: "generate";
   text?: string;
@@ -19,7 +19,7 @@ export interface GenerateRequest extends Paid {
   name?: string;
 }
 
-/** A text to a scene at once, of catalogue objects. */
+/** A scene from a text, composed directly of catalogue objects. */
 export interface ComposeRequest {
   kind: "compose";
   text: string;
@@ -29,9 +29,9 @@ export interface ComposeRequest {
 }
 
 /**
- * A change of a scene. `words`: swap [name, what], add [what and where], remove [name], move
- * [name, where] or [name] with `to` (metres from the table's middle) or `turn` (degrees), restyle
- * [style, names...]. New things come from the catalogue unless a backend or role is named.
+ * An edit of a scene. `words`: swap [name, what], add [what and where], remove [name], move [name,
+ * where] or [name] with `to` (metres from the table's middle) or `turn` (degrees), restyle [style,
+ * names...]. New objects come from the catalogue unless a backend or role is given.
  */
 export interface EditRequest extends Paid {
   kind: "edit";
@@ -43,7 +43,7 @@ export interface EditRequest extends Paid {
   seed?: number;
 }
 
-/** An episode of a task at a scene, which the scripted expert plays. */
+/** An episode of a task at a scene, played by the scripted expert. */
 export interface EpisodeRequest {
   kind: "episode";
   scene: string;
@@ -65,21 +65,21 @@ export type JobRequest =
   | EpisodeRequest
   | ExportRequest;
 
-/** The stage that a job is at, with its number from 1. */
+/** The current stage of a job, with its number from 1. */
 export interface StageRow {
   name: string;
   number: number;
   total: number;
 }
 
-/** A picture of what a stage found. */
+/** A picture of a stage's result. */
 export interface FigureRow {
   name: string;
   stage: string;
   url: string;
 }
 
-/** What a job made: a scene of the workspace, or a file to fetch from `url`. */
+/** Result of a job: a scene of the workspace, or a file to fetch from `url`. */
 export interface JobResult {
   scene: string | null;
   file: string | null;
@@ -112,7 +112,7 @@ interface Happened {
   time: number;
 }
 
-/** Something that happened to a job. A removed job's state is "deleted". */
+/** An event of a job. A removed job has the state "deleted". */
 export type JobEvent = Happened &
   (
     | { type: "state"; state: JobState | "deleted"; error?: string }
@@ -122,20 +122,20 @@ export type JobEvent = Happened &
     | ({ type: "result" } & JobResult)
   );
 
-/** A scene of the list: what a gallery shows of it, where it lies, how it was edited. */
+/** A scene of the list: its gallery entry, its location, and its edits. */
 export interface StudioScene extends SceneRow {
   in: ScenePlace;
   digest: string;
   editable: boolean;
   parent: string | null;
-  /** Whether the user's store has it, too. */
+  /** Whether the user's store also has it. */
   saved: boolean;
   edits: number;
-  /** The last edit, in words. */
+  /** Description of the last edit. */
   last_edit: string;
 }
 
-/** A step of a scene's history: the scene after it. `kind` is "made" for how it began. */
+/** A step of a scene's history: the resulting scene. `kind` is "made" for the original one. */
 export interface EditRow {
   id: string;
   digest: string;
@@ -145,7 +145,7 @@ export interface EditRow {
   exists: boolean;
 }
 
-/** The steps that led to a scene, it being the last, and the scenes edited from it. */
+/** The steps that led to a scene, including it, and the scenes edited from it. */
 export interface SceneHistory {
   scene: string;
   steps: EditRow[];
@@ -164,7 +164,7 @@ export interface ExplainedRow {
   meaning: string;
 }
 
-/** What would be put on which table, in a sentence, and how each phrase was read. */
+/** The interpretation of a text: a summary of table and objects, and each phrase. */
 export interface Explanation {
   summary: string;
   rows: ExplainedRow[];
@@ -176,7 +176,7 @@ export interface RoleRow {
   settings: Record<string, unknown>;
 }
 
-/** What a job would ask servers first, a line each, and for at most how much. */
+/** The first requests of a job to servers, a line each, and their maximum cost. */
 export interface EstimateRow {
   roles: RoleRow[];
   calls: string[];
@@ -205,7 +205,7 @@ export interface StudioState {
   last_event: number;
 }
 
-/** The server refused: `status` of its answer (0: it was not reached), and its one sentence. */
+/** An error of the server: `status` of its response (0: unreachable), and its message. */
 export class StudioError extends PageError {
   constructor(
     readonly status: number,
@@ -219,7 +219,7 @@ export class StudioError extends PageError {
 async function refusal(answer: Response): Promise<StudioError> {
   const said: unknown = await answer.json().catch(() => null);
   const known = typeof said === "object" && said !== null && "error" in said;
-  const message = known ? String(said.error) : `The studio answered with ${answer.status}.`;
+  const message = known ? String(said.error) : `The studio responded with status ${answer.status}.`;
   return new StudioError(answer.status, message);
 }
 
@@ -231,19 +231,19 @@ async function ask<T>(method: string, path: string, body?: object | Blob): Promi
     init.headers = { "content-type": "application/json" };
   }
   const answer = await fetch(path, init).catch(() => {
-    throw new StudioError(0, "The studio is not reached. Is it still running?");
+    throw new StudioError(0, "The studio is not reachable. Is it still running?");
   });
   if (!answer.ok) throw await refusal(answer);
   return (answer.status === 204 ? undefined : await answer.json()) as T;
 }
 
-/** Bytes of an uploaded picture; `MOST_BYTES` of `studio/library/pictures.py`. */
+/** Maximum size of an uploaded picture, bytes; `MOST_BYTES` of `studio/library/pictures.py`. */
 const MOST_PICTURE = 20 * 2 ** 20;
 
 const job = (id: string): string => `/api/jobs/${encodeURIComponent(id)}`;
 const scene = (id: string): string => `/api/scenes/${encodeURIComponent(id)}`;
 
-/** Every endpoint; each rejects with a `StudioError`. */
+/** All endpoints; each rejects with a `StudioError`. */
 export const api = {
   state: () => ask<StudioState>("GET", "/api/state"),
   jobs: async () => (await ask<{ jobs: JobRow[] }>("GET", "/api/jobs")).jobs,
@@ -253,15 +253,15 @@ export const api = {
   resume: (id: string) => ask<JobRow>("POST", `${job(id)}/resume`),
   remove: (id: string) => ask<void>("DELETE", job(id)),
   upload: async (picture: Blob) => {
-    // A server that refuses while it is still sent to is not heard by browsers.
-    if (picture.size > MOST_PICTURE) throw new StudioError(413, "The picture is larger than 20 MiB, which is the limit.");
+    // Browsers ignore the response of a server that rejects a request during its upload.
+    if (picture.size > MOST_PICTURE) throw new StudioError(413, "The picture exceeds the limit of 20 MiB.");
     return ask<PictureRow>("POST", "/api/pictures", picture);
   },
   picture: (id: string) => `/api/pictures/${encodeURIComponent(id)}`,
   explain: (text: string, seed = 0) => ask<Explanation>("POST", "/api/explain", { text, seed }),
   estimate: (request: JobRequest) => ask<EstimateRow>("POST", "/api/estimate", request),
   scenes: async () => (await ask<{ scenes: StudioScene[] }>("GET", "/api/scenes")).scenes,
-  /** The folder of a scene, as the viewer opens it. */
+  /** The folder of a scene for the viewer. */
   folder: (id: string) => `${scene(id)}/`,
   history: (id: string) => ask<SceneHistory>("GET", `${scene(id)}/history`),
   save: (id: string) => ask<StudioScene>("POST", `${scene(id)}/save`, {}),

@@ -27,7 +27,7 @@ export function ComparePage({ ids }: { ids: string[] }) {
             </section>
           ) : (
             <p key={ids[k]} class="quiet">
-              {scenesRead.value ? `There is no scene ${ids[k]}.` : "Reading the scenes …"}
+              {scenesRead.value ? `There is no scene ${ids[k]}.` : "Loading the scenes …"}
             </p>
           ),
         )}

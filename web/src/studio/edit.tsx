@@ -1,4 +1,4 @@
-/** A scene of the studio: looked at, changed by mouse or words, saved, tried with the expert. */
+/** A scene of the studio: view it, edit it by mouse or text, save it, try it with the expert. */
 import { useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import { addressOf, useTitle } from "../ui/routing";
@@ -13,14 +13,14 @@ import { attempt, begin, editUnderWay, jobList, refreshScenes, scenes, scenesRea
 
 const STYLES = ["plain", "cartoon", "low-poly"];
 
-/** What an edit asks for, of the scene that is open. */
+/** The request of an edit of the open scene. */
 export type Edit = Omit<EditRequest, "kind" | "scene">;
 
 export function EditPage({ id }: { id: string }) {
   const row = scenes.value.find((scene) => scene.id === id);
   const engine = useSignal<Engine | null>(null);
   const busy = useSignal<string | null>(null);
-  /** What the next step of the history is looked at from, and what is chosen there. */
+  /** The view and selection for the next step of the history. */
   const kept = useRef<{ view: number[] | null; chosen: string | null }>({ view: null, chosen: null });
   useTitle(`${row?.name ?? "Scene"} – TabletopGen studio`);
 
@@ -39,11 +39,11 @@ export function EditPage({ id }: { id: string }) {
     }
     busy.value = `${asked.action} …`;
     const job = await begin({ kind: "edit", scene: id, ...asked });
-    busy.value = null; // from here on it is the job that is under way
+    busy.value = null; // from here on the job is under way
     if (!job) engine.value?.putBack();
   };
 
-  /** Goes to what an edit of this scene made, or says why there is nothing. */
+  /** Opens the result of an edit of this scene, or shows why there is none. */
   const end = async (over: JobRow): Promise<void> => {
     const here = addressOf("scene", id);
     if (over.state === "done" && over.result?.scene) {
@@ -51,17 +51,17 @@ export function EditPage({ id }: { id: string }) {
       await refreshScenes();
       const there = addressOf("scene", over.result.scene);
       const open = (): void => void (location.hash = there);
-      const stayed = location.hash === here; // who has gone elsewhere stays there
+      const stayed = location.hash === here; // do not navigate if the user has left the page
       if (stayed) open();
       const remedy = stayed ? undefined : { label: "Open it", run: open };
       const lost = (over.result.facts["not_understood"] ?? []) as string[];
-      tell([`${over.title}: done; the table was settled and passed its gate.`, ...lost].join(" "), lost.length > 0, remedy);
+      tell([`${over.title}: done; the table has settled and passed its gate.`, ...lost].join(" "), lost.length > 0, remedy);
       return;
     }
     if (location.hash === here) engine.value?.putBack();
     const asked = over.request as EditRequest;
     const said = over.error ?? `The edit was ${over.state}.`;
-    const onto = asked.to && said.includes("in the way") ? ` To put it on something, write “on the …” under “Move it”.` : "";
+    const onto = asked.to && said.includes("in the way") ? ` To place it on something, write “on the …” under “Move it”.` : "";
     tell(said + onto, true, remedyOf(asked, said, edit));
   };
 
@@ -80,7 +80,7 @@ export function EditPage({ id }: { id: string }) {
     if (row?.editable) found.edit(true);
   };
 
-  if (!row) return <p class="quiet">{scenesRead.value ? `There is no scene ${id}.` : "Reading the scenes …"}</p>;
+  if (!row) return <p class="quiet">{scenesRead.value ? `There is no scene ${id}.` : "Loading the scenes …"}</p>;
   if (row.error) return <p class="message">{row.error}</p>;
   const files = engine.value?.ready.value ? engine.value.files : null;
   return (
@@ -110,10 +110,10 @@ export function EditPage({ id }: { id: string }) {
   );
 }
 
-/** The edits that this page waits for. */
+/** The edits for which this page waits. */
 const followed = new Set<string>();
 
-/** Waits for an edit, once, and says how it ended. */
+/** Waits for an edit, once, and reports its result. */
 async function follow(id: string, end: (over: JobRow) => Promise<void>): Promise<void> {
   if (followed.has(id)) return;
   followed.add(id);
@@ -122,7 +122,7 @@ async function follow(id: string, end: (over: JobRow) => Promise<void>): Promise
   if (over) await end(over);
 }
 
-/** What is being done to the scene, over the view of it. */
+/** The current work on the scene, shown over the view. */
 function Working({ words, job }: { words: string | null; job: JobRow | undefined }) {
   return (
     <div class={words ? "working" : ""} role="status">
@@ -136,7 +136,7 @@ function Working({ words, job }: { words: string | null; job: JobRow | undefined
   );
 }
 
-/** How like its picture a scene is that was made of one here. */
+/** Similarity of a scene to the picture from which it was generated. */
 function Likeness({ id }: { id: string }) {
   const made = jobList.value.find((job) => job.kind === "generate" && job.result?.scene === id);
   const overlap = made?.result?.facts["mean_iou"] as number | null | undefined;
@@ -144,7 +144,7 @@ function Likeness({ id }: { id: string }) {
   return (
     <section class="panel">
       <h2>Likeness to the picture: {overlap.toFixed(2)}</h2>
-      <p class="small quiet">Mean overlap, from the picture's camera, of what was found in it; 1 is the same outlines. What was not found is not counted: look at both.</p>
+      <p class="small quiet">Mean overlap of the detected objects, seen from the picture's camera; 1 means identical outlines. Undetected objects are not counted, so compare both pictures.</p>
     </section>
   );
 }
@@ -153,7 +153,7 @@ async function save({ id, name }: StudioScene): Promise<void> {
   await attempt(async () => {
     await api.save(id);
     await refreshScenes();
-    tell(`${name} is in your store now. Other programs find it by its name: tabletopgen view ${id}`);
+    tell(`${name} is now in your store. Open it by name: tabletopgen view ${id}`);
   });
 }
 
@@ -161,18 +161,18 @@ export function wordsOf(name: string, move: Move): Edit {
   return { action: "move", words: [name], ...(move.to ? { to: move.to } : {}), ...(move.turn ? { turn: move.turn } : {}) };
 }
 
-/** Where a place is taken, the server says which one near by is free. */
+/** If a place is occupied, the server suggests a free one nearby. */
 function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void>): Message["remedy"] {
   const free = /nearest free place is at (-?\d+\.?\d*) (-?\d+\.?\d*)/.exec(said);
   if (!free || asked.action !== "move") return undefined;
   const to: [number, number] = [Number(free[1]), Number(free[2])];
-  return { label: "Put it there", run: () => void edit({ ...asked, to }) };
+  return { label: "Place it there", run: () => void edit({ ...asked, to }) };
 }
 
 interface EditPanelProps {
   engine: Engine;
   names: string[];
-  /** Whether nothing can be asked for now. */
+  /** Whether requests are disabled. */
   off: boolean;
   edit: (asked: Edit) => Promise<void>;
 }
@@ -211,7 +211,7 @@ function EditPanel({ engine, names, off, edit }: EditPanelProps) {
             </div>
           </div>
           <Words label="Move it" hint="left of the laptop" verb="Move" off={off} run={(words) => edit({ action: "move", words: [chosen, words] })} />
-          <Words label="Put something else in its place" hint="a teapot" verb="Swap" off={off} run={(words) => edit({ action: "swap", words: [chosen, words] })} />
+          <Words label="Replace it" hint="a teapot" verb="Swap" off={off} run={(words) => edit({ action: "swap", words: [chosen, words] })} />
           <button disabled={off} onClick={() => void edit({ action: "remove", words: [chosen] })}>
             Remove {chosen}
           </button>

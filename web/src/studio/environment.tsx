@@ -1,4 +1,4 @@
-/** The environment at a scene: the expert plays a task, and the episode is watched. */
+/** The environment at a scene: the expert plays a task, and the episode is shown. */
 import { useSignal } from "@preact/signals";
 import type { Engine } from "../viewer/engine";
 import type { Format, StudioScene } from "./api";
@@ -22,7 +22,7 @@ export function EnvironmentPanel({ row: { id, in: place, saved }, engine }: { ro
       await attempt(() => engine.playFile(url));
       engine.stage?.renderer.domElement.scrollIntoView({ block: "center", behavior: "smooth" });
     }
-    else if (over) tell(`The expert cannot try ${task.value} here. ${over.error ?? `The episode ${over.state}.`}`, true);
+    else if (over) tell(`The expert cannot play ${task.value} here. ${over.error ?? `The episode ${over.state}.`}`, true);
   };
   const write = async (): Promise<void> => {
     busy.value = true;
@@ -33,7 +33,7 @@ export function EnvironmentPanel({ row: { id, in: place, saved }, engine }: { ro
     if (url) {
       const fetchIt = (): void => location.assign(url);
       fetchIt();
-      tell(`${over?.result?.file} was made, and its download has begun.`, false, { label: "Download it again", run: fetchIt });
+      tell(`${over?.result?.file} was created, and its download has started.`, false, { label: "Download it again", run: fetchIt });
     }
     else if (over) tell(over.error ?? `The export ${over.state}.`, true);
   };

@@ -1,14 +1,14 @@
-/** What happens to jobs, as the studio tells it. */
+/** Job events from the studio. */
 import type { JobEvent } from "./api";
 
-/** Milliseconds until a studio that refused to tell of events is asked again. */
+/** Milliseconds until events are requested again after an error. */
 const AGAIN = 2000;
 
 /**
- * Calls `heard` with each event after the one numbered `since`, then with new ones, until the
- * function that it returns is called. `connected` hears whether the studio is reached; a lost
- * connection is made again, and goes on where it was. A page that nobody sees does without: a
- * browser keeps few connections to one server for all of its pages.
+ * Calls `heard` with each event after number `since`, then with new ones, until the returned
+ * function is called. `connected` receives whether the studio is reachable; a lost connection is
+ * reestablished and resumes. Hidden pages disconnect, because a browser limits the connections of
+ * all its pages to one server.
  */
 export function listen(
   since: number,
@@ -30,7 +30,7 @@ export function listen(
     source = opened;
     opened.onopen = () => connected(true);
     opened.onerror = () => {
-      connected(false); // the browser tries again, unless it was refused: a new studio has a new token
+      connected(false); // the browser reconnects unless it was rejected: a new studio has a new token
       if (opened.readyState === EventSource.CLOSED) again = window.setTimeout(open, AGAIN);
     };
     opened.onmessage = (message) => {

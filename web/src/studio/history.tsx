@@ -5,10 +5,10 @@ import { addressOf } from "../ui/routing";
 import { api, type SceneHistory } from "./api";
 import { attempt, scenes } from "./store";
 
-/** By scene, the later one from which this page came back to it. */
+/** The later scene from which this page came back, by scene. */
 const cameFrom = new Map<string, string>();
 
-/** Back to what a scene was edited from, and forth to what was made of it last. */
+/** Undo to the scene before an edit, and redo to the latest one after it. */
 export function History({ id, leave }: { id: string; leave: () => void }) {
   const chain = useSignal<SceneHistory | null>(null);
   useEffect(() => {
@@ -22,10 +22,10 @@ export function History({ id, leave }: { id: string; leave: () => void }) {
     };
   }, [id, scenes.value]); // another page may have edited it
   const known = chain.value?.scene === id ? chain.value : null;
-  const waiting = !known && chain.value !== null; // a button that is disabled loses the focus
+  const waiting = !known && chain.value !== null; // a disabled button loses the focus
   const before = known?.steps.filter((step) => step.exists && step.id !== id).at(-1)?.id;
-  const left = cameFrom.get(id); // what Redo is to bring back, if it is still there
-  const after = known?.later.find((later) => later === left) ?? known?.later[0]; // else the newest
+  const left = cameFrom.get(id); // the scene that Redo restores, if it still exists
+  const after = known?.later.find((later) => later === left) ?? known?.later[0]; // otherwise the newest
   const go = (to: string): void => {
     leave();
     if (to === before) cameFrom.set(to, id);

@@ -1,4 +1,4 @@
-/** One job: its stages with what each found, as they come, and what it made. */
+/** One job: its stages with their pictures as they arrive, and its result. */
 import { useEffect } from "preact/hooks";
 import { addressOf, useTitle } from "../ui/routing";
 import { api, type FigureRow } from "./api";
@@ -13,9 +13,9 @@ export function JobPage({ id }: { id: string }) {
   const made = job?.state === "done" ? job.result?.scene : null;
   useTitle(job ? `${job.title} – TabletopGen studio` : "TabletopGen studio");
   useEffect(() => void refreshJob(id), [id]); // lists have no logs
-  if (!job) return <p class="quiet">{studio.value ? "There is no such job. It may have been removed." : "Reading the jobs …"}</p>;
+  if (!job) return <p class="quiet">{studio.value ? "This job does not exist. It may have been removed." : "Loading the jobs …"}</p>;
   const stages = [...new Set(job.figures.map((figure) => figure.stage))];
-  if (!isOver(job)) stages.reverse(); // what is new is seen without scrolling
+  if (!isOver(job)) stages.reverse(); // show new stages without scrolling
   return (
     <div class="stack">
       <h1>{job.title}</h1>
@@ -31,7 +31,7 @@ export function JobPage({ id }: { id: string }) {
         <Controls job={job} />
       </div>
       {job.request.kind === "generate" && job.request.picture && (
-        <img class="thumb" alt="The picture it is made from" src={api.picture(job.request.picture)} />
+        <img class="thumb" alt="The input picture" src={api.picture(job.request.picture)} />
       )}
       {stages.map((stage) => (
         <section key={stage} class="panel">

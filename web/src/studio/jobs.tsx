@@ -1,14 +1,14 @@
-/** Jobs: what runs, what waits, what was made. */
+/** Jobs: running, waiting and finished. */
 import { addressOf } from "../ui/routing";
 import { api, type JobRow } from "./api";
 import { attempt, isOver, jobList } from "./store";
 
-/** Jobs of each list, at most. */
+/** Maximum number of jobs in each list. */
 const MOST = 20;
 
 export const link = (job: JobRow): string => (job.result?.scene && job.kind !== "episode" && job.kind !== "export" ? addressOf("scene", job.result.scene) : `#/job/${job.id}`);
 
-/** Whether a job belongs to the page of one scene, and is over there, too. */
+/** Whether a finished job belongs only to the page of its scene. */
 const isAside = (job: JobRow): boolean => isOver(job) && job.kind !== "generate" && job.kind !== "compose";
 
 export function JobsPanel() {
@@ -60,7 +60,7 @@ export function Progress({ job }: { job: JobRow }) {
   );
 }
 
-/** What beginning a job again is called; null where it would only be refused again. */
+/** Label of the button that restarts a job; null if it would fail again. */
 function againOf(job: JobRow): string | null {
   if (job.state === "failed") return job.kind === "edit" ? null : "Try again";
   return job.state === "done" ? null : "Start again";

@@ -1,4 +1,4 @@
-/** The studio: `#/` makes tables, `#/job/ID` follows one, `#/scene/ID` edits, `#/compare/ID/ID`. */
+/** The studio: `#/` creates tables, `#/job/ID` follows one, `#/scene/ID` edits, `#/compare/ID/ID` compares. */
 import { render } from "preact";
 import { followAddress, route, skip, useTitle } from "../ui/routing";
 import "../ui/styles.css";
@@ -15,7 +15,7 @@ function App() {
   return (
     <>
       <a class="skip" href="#main" onClick={skip}>
-        Skip to the content
+        Skip to content
       </a>
       <header class="bar">
         <a href="#/" class="brand">
@@ -38,7 +38,7 @@ function App() {
 function Messages() {
   return (
     <div aria-live="polite" class="messages">
-      {!connected.value && <p class="message">The studio does not answer. Start it again, and open the address that it prints; nothing is lost.</p>}
+      {!connected.value && <p class="message">The studio is not responding. Restart it and open the address that it prints; nothing is lost.</p>}
       {message.value && route.value && message.value.at === location.hash && (
         <p class={message.value.bad ? "message" : "message fine"} role={message.value.bad ? "alert" : undefined}>
           {message.value.text} <Remedy remedy={message.value.remedy} />
@@ -92,7 +92,7 @@ function MakePage() {
   );
 }
 
-/** A picture that is dropped beside its place is not to be opened in place of this page. */
+/** A picture dropped outside the drop area must not replace this page. */
 for (const kind of ["dragover", "drop"]) addEventListener(kind, (event) => event.preventDefault());
 followAddress();
 void connect();

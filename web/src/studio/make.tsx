@@ -1,4 +1,4 @@
-/** The form that begins a table: a text or a picture, who answers, what it would cost. */
+/** The form for a new table: a text or a picture, backends, and a cost estimate. */
 import { signal, useSignal, type Signal } from "@preact/signals";
 import { api, type EstimateRow, type JobRequest, type Paid, type PictureRow, type Role } from "./api";
 import { attempt, begin, message, studio, tell } from "./store";
@@ -8,7 +8,7 @@ type Way = "compose" | "generate";
 
 const MOST_VARIANTS = 8;
 
-/** It outlives the form, as a choice that was made. */
+/** Outlives the form, to keep the user's choice. */
 const way = signal<Way>("compose");
 
 export function MakeForm() {
@@ -19,11 +19,11 @@ export function MakeForm() {
   const backends = useSignal<Record<string, string>>({});
   const budget = useSignal("");
   const estimate = useSignal<EstimateRow | null>(null);
-  /** What `estimate` is of, as JSON: of what is asked for now it may say nothing. */
+  /** The request of `estimate` as JSON: the estimate is invalid for any other request. */
   const estimated = useSignal("");
   const busy = useSignal(false);
   const kind = (): Way => (picture.value ? "generate" : way.value);
-  /** Whether the embedded planner reads the text: of others it is not known beforehand what they make of it. */
+  /** Whether the embedded planner reads the text: the interpretation of other planners is unknown beforehand. */
   const embedded = (): boolean => !picture.value && !(kind() === "generate" && backends.value["reasoner"]);
 
   const request = (number: number): JobRequest => {
@@ -53,19 +53,19 @@ export function MakeForm() {
     if (kind() === "generate" && charges(backends.value) && estimated.value !== current()) {
       await reckon();
       busy.value = false;
-      if (estimate.value) tell("What you chose costs money. Look at the costs, then press the button again.");
+      if (estimate.value) tell("The selected backends cost money. Check the costs, then press the button again.");
       return;
     }
     const begun = [];
     for (let k = 0; k < variants.value; k++) {
       const job = await begin(request(seed.value + k));
-      if (!job) break; // the others would be refused, too
+      if (!job) break; // the others would be rejected, too
       begun.push(job);
     }
     busy.value = false;
     const first = begun[0];
     if (first && variants.value === 1) location.hash = `#/job/${first.id}`;
-    else if (first) tell(`${begun.length} tables are being made. They come under “Made here”, where they can be compared.`);
+    else if (first) tell(`${begun.length} tables are being made. They will appear under “Made here”, where you can compare them.`);
   };
 
   return (
@@ -80,7 +80,7 @@ export function MakeForm() {
           disabled={picture.value !== null}
           onInput={(event) => {
             text.value = event.currentTarget.value;
-            if (message.value?.bad) message.value = null; // it was about the text before
+            if (message.value?.bad) message.value = null; // it was about the previous text
           }}
         />
       </label>
@@ -88,14 +88,14 @@ export function MakeForm() {
       <Drop picture={picture} />
       {!picture.value && (
         <fieldset>
-          <legend>How</legend>
+          <legend>Method</legend>
           <label class="row">
             <input type="radio" name="way" checked={way.value === "compose"} onChange={() => (way.value = "compose")} />
-            Compose: seconds, from the catalogue
+            Compose: from the catalogue, in seconds
           </label>
           <label class="row">
             <input type="radio" name="way" checked={way.value === "generate"} onChange={() => (way.value = "generate")} />
-            Generate: the whole method, by way of a picture; about half a minute
+            Generate: the full method with an intermediate picture, about half a minute
           </label>
         </fieldset>
       )}
@@ -123,7 +123,7 @@ export function MakeForm() {
         </button>
         {kind() === "generate" && (
           <button type="button" onClick={() => void reckon()}>
-            What would it cost?
+            Estimate the cost
           </button>
         )}
       </div>
@@ -134,7 +134,7 @@ export function MakeForm() {
   );
 }
 
-/** Tells whether one of the chosen backends costs money. */
+/** Returns whether one of the selected backends costs money. */
 function charges(chosen: Record<string, string>): boolean {
   return studio.value?.backends.some((b) => b.charges && Object.values(chosen).includes(b.name)) ?? false;
 }
@@ -149,12 +149,12 @@ function Drop({ picture }: { picture: Signal<PictureRow | null> }) {
     busy.value = false;
     if (!found) return;
     picture.value = found;
-    if (message.value?.bad) message.value = null; // what was said of another file, or of none
+    if (message.value?.bad) message.value = null; // it was about another file
   };
   if (picture.value) {
     return (
       <div class="row">
-        <img class="thumb" src={api.picture(picture.value.picture)} alt="The picture that is made into a table" />
+        <img class="thumb" src={api.picture(picture.value.picture)} alt="The input picture" />
         <span class="small quiet">
           {picture.value.width} × {picture.value.height}
         </span>
@@ -178,10 +178,10 @@ function Drop({ picture }: { picture: Signal<PictureRow | null> }) {
         void take(event.dataTransfer?.files[0]);
       }}
     >
-      {busy.value ? "Reading the picture …" : "or drop a picture of a tabletop here, or choose one"}
+      {busy.value ? "Uploading the picture …" : "or drop a picture of a tabletop here, or choose one"}
       <input type="file" accept="image/png,image/jpeg,image/webp" onChange={(event) => {
           const input = event.currentTarget;
-          void take(input.files?.[0]).then(() => (input.value = "")); // one that was refused is not chosen
+          void take(input.files?.[0]).then(() => (input.value = "")); // clear a rejected file
         }}
       />
     </label>
@@ -197,7 +197,7 @@ function Backends({ chosen, budget }: { chosen: Signal<Record<string, string>>; 
   };
   return (
     <details>
-      <summary>Who answers</summary>
+      <summary>Backends</summary>
       <div class="filters">
         {known.roles.map((role) => (
           <label key={role}>
@@ -225,7 +225,7 @@ function Backends({ chosen, budget }: { chosen: Signal<Record<string, string>>; 
           </p>
         )}
         <label>
-          Most it may cost
+          Cost limit
           <input type="number" min="0" step="0.01" placeholder={charges(chosen.value) ? "no limit" : "free"} value={budget.value} onInput={(event) => (budget.value = event.currentTarget.value)} />
         </label>
       </div>
@@ -238,16 +238,16 @@ function Costs({ estimate, tables }: { estimate: EstimateRow; tables: number }) 
     <div role="status" class="stack small">
       {estimate.asks_servers ? (
         <>
-          <p>The first calls{tables > 1 ? ` of each of ${tables} tables` : ""} would be:</p>
+          <p>The first requests{tables > 1 ? ` for each of ${tables} tables` : ""} would be:</p>
           <ul>
             {estimate.calls.map((line, k) => (
               <li key={k}>{line}</li>
             ))}
           </ul>
-          <p class="quiet">Nothing was sent; what comes after depends on the answers.</p>
+          <p class="quiet">Nothing was sent; later requests depend on the answers.</p>
         </>
       ) : (
-        <p>No server would be asked: it costs nothing.</p>
+        <p>No requests to servers: this is free.</p>
       )}
     </div>
   );

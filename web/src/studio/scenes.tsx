@@ -1,4 +1,4 @@
-/** The studio's scenes as cards; some can be chosen and compared. */
+/** The studio's scenes as cards; some can be selected for comparison. */
 import { useSignal } from "@preact/signals";
 import { contents, holds } from "../page/search";
 import { addressOf } from "../ui/routing";
@@ -6,7 +6,7 @@ import { api, type StudioScene } from "./api";
 import { attempt, refreshScenes, scenes, scenesRead, tell } from "./store";
 
 const PLACES = { workspace: "made here", store: "in your store", shipped: "shipped" } as const;
-/** By the kind of a scene's provenance. */
+/** Labels by kind of a scene's provenance. */
 const WAYS: Readonly<Record<string, string>> = { compose: "composed", text: "generated", image: "from a picture" };
 const MOST = 4;
 
@@ -40,12 +40,12 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
         {hides && (
           <label class="row small">
             <input type="checkbox" checked={earlier.value} onChange={(event) => (earlier.value = event.currentTarget.checked)} />
-            Also what was edited further
+            Show earlier versions
           </label>
         )}
         {!all && <a href="#/scenes">All scenes</a>}
       </div>
-      {shown.length === 0 && <p class="quiet">{scenesRead.value ? "No scenes yet." : "Reading the scenes …"}</p>}
+      {shown.length === 0 && <p class="quiet">{scenesRead.value ? "No scenes yet." : "Loading the scenes …"}</p>}
       <ul class="cards">
         {shown.map((row) => (
           <li key={row.id}>
@@ -57,7 +57,7 @@ export function ScenesPanel({ all = false }: { all?: boolean }) {
   );
 }
 
-/** How often a scene was edited, and how the last time. */
+/** The number of edits of a scene, and the last one. */
 export function Edits({ row }: { row: StudioScene }) {
   if (row.edits === 0) return null;
   return (

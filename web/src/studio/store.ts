@@ -1,4 +1,4 @@
-/** What the page knows of the studio: jobs as events tell of them, scenes, and the last message. */
+/** The page's state: jobs, updated by events, scenes, and the last message. */
 import { computed, signal } from "@preact/signals";
 import { api, StudioError, type JobEvent, type JobRequest, type JobRow, type StudioScene, type StudioState } from "./api";
 import { listen } from "./events";
@@ -12,9 +12,9 @@ export const connected = signal(true);
 export interface Message {
   text: string;
   bad: boolean;
-  /** The address of the page that it is about. */
+  /** The address of the page to which it belongs. */
   at: string;
-  /** What can be done about it. */
+  /** A possible remedy. */
   remedy?: { label: string; run: () => void } | undefined;
 }
 
@@ -22,11 +22,11 @@ export const message = signal<Message | null>(null);
 
 export const jobList = computed(() => [...jobs.value.values()].sort((a, b) => b.created - a.created));
 
-/** The edit of a scene that waits or runs, whoever began it. */
+/** The waiting or running edit of the scene, whoever started it. */
 export const editUnderWay = (id: string): JobRow | undefined =>
   jobList.value.find((job) => job.request.kind === "edit" && job.request.scene === id && !isOver(job));
 
-/** Whether nothing more comes of a job by itself; an interrupted one begins again unless it says why not. */
+/** Whether a job is finished; an interrupted one restarts automatically unless it has an error. */
 export const isOver = (job: JobRow): boolean =>
   ["done", "failed", "cancelled"].includes(job.state) || (job.state === "interrupted" && job.error !== null);
 
@@ -34,7 +34,7 @@ export function tell(text: string, bad = false, remedy?: Message["remedy"]): voi
   message.value = { text, bad, remedy, at: location.hash };
 }
 
-/** Runs what may fail; the failure is told on the page. Returns what it gives, undefined if it failed. */
+/** Runs an action that may fail, and shows an error on the page. Returns its result, undefined after an error. */
 export async function attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
   try {
     return await work();
@@ -61,11 +61,11 @@ function drop(id: string): void {
   jobs.value = rest;
 }
 
-/** The reading of each job that is under way, and the jobs of which more has happened since it began. */
+/** Pending reads of jobs, and the jobs with newer events since their read began. */
 const reading = new Map<string, Promise<void>>();
 const changed = new Set<string>();
 
-/** Reads a job, one time after another: what was read last is what is known. */
+/** Reads a job; reads of the same job are serialised, so that the latest result is kept. */
 export function refreshJob(id: string): Promise<void> {
   changed.add(id);
   const begun = reading.get(id) ?? readJob(id);
@@ -84,15 +84,15 @@ async function readJob(id: string): Promise<void> {
   reading.delete(id);
 }
 
-/** Begins a job; resolves to it, or to undefined where it was refused. */
+/** Starts a job; resolves to it, or to undefined if it was rejected. */
 export async function begin(request: JobRequest): Promise<JobRow | undefined> {
-  message.value = null; // it was about what was done before
+  message.value = null; // it was about an earlier action
   const job = await attempt(() => api.begin(request));
-  if (job && !jobs.value.has(job.id)) put(job); // else events have told more of it
+  if (job && !jobs.value.has(job.id)) put(job); // otherwise events have already updated it
   return job;
 }
 
-/** Resolves once a job is over; to undefined where it was removed. */
+/** Resolves when a job is finished; to undefined if it was removed. */
 export function whenOver(id: string): Promise<JobRow | undefined> {
   return new Promise((resolve) => {
     const stop = jobs.subscribe((known) => {
@@ -105,21 +105,21 @@ export function whenOver(id: string): Promise<JobRow | undefined> {
 }
 
 async function heed(event: JobEvent): Promise<void> {
-  if (event.type === "state" && event.state === "deleted") drop(event.job); // one read meanwhile goes, too
+  if (event.type === "state" && event.state === "deleted") drop(event.job); // also drop a concurrent read
   await refreshJob(event.job);
   if (event.type === "result" && event.scene) await refreshScenes();
 }
 
-/** What could not be read while the studio was away is read when it is back. */
+/** Reads the parts that could not be read while the studio was unreachable. */
 function hear(is: boolean): void {
   if (is && !connected.value) for (const job of jobList.value) if (!isOver(job)) void refreshJob(job.id);
   connected.value = is;
 }
 
-/** Milliseconds until a studio that did not answer at the beginning is asked again. */
+/** Milliseconds between attempts to reach the studio at the start. */
 const AGAIN = 2000;
 
-/** Reads everything once, then follows what happens; tries until that is so. */
+/** Reads everything once, then follows events; retries until that succeeds. */
 export async function connect(): Promise<void> {
   const begun = await attempt(async () => {
     const state = await api.state();
@@ -133,6 +133,6 @@ export async function connect(): Promise<void> {
     setTimeout(() => void connect(), AGAIN);
     return;
   }
-  // Other pages save and remove scenes, of which no event tells.
+  // Other pages save and remove scenes, for which there are no events.
   window.addEventListener("focus", () => void refreshScenes());
 }

@@ -1,9 +1,9 @@
-/** What the embedded planner understands of a text, as it is typed, and what it does not. */
+/** The embedded planner's interpretation of a text while it is typed, including phrases that it ignores. */
 import { useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { api, type ExplainedRow, type Explanation } from "./api";
 
-/** Milliseconds without a key after which a text is read. */
+/** Milliseconds after the last key press before a text is read. */
 const PAUSE = 400;
 
 export function Understood({ text, seed }: { text: string; seed: number }) {
@@ -42,8 +42,8 @@ function Read({ explanation: { summary, rows } }: { explanation: Explanation }) 
         </p>
       ))}
       <details>
-        <summary>How each phrase was read</summary>
-        <div class="scroll" tabIndex={0} role="region" aria-label="How each phrase was read">
+        <summary>Interpretation of each phrase</summary>
+        <div class="scroll" tabIndex={0} role="region" aria-label="Interpretation of each phrase">
           <table>
             <tbody>
               {rows.map((row, k) => (

@@ -1,11 +1,11 @@
-/** A rater's answers as they are handed in. */
+/** A rater's answers for submission. */
 import type { Page } from "./assignment";
 import type { Progress } from "./progress";
 import type { Study } from "./study";
 
 const round = (seconds: number): number => Math.round(seconds * 10) / 10;
 
-/** Returns the answers as JSON: an id drawn at random, marks and times; nothing about the rater. */
+/** Returns the answers as JSON: a random id, ratings and times; nothing about the rater. */
 export function toText(study: Study, pages: Page[], progress: Progress): string {
   const times = pages.map(({ scene }) => progress.seconds[scene.id] ?? 0);
   const answers = {
@@ -33,7 +33,7 @@ export function toText(study: Study, pages: Page[], progress: Progress): string 
 export const fileName = (study: Study, progress: Progress): string =>
   `answers-${study.study}-${progress.rater}.json`;
 
-/** Has the browser save a text as a file. */
+/** Saves a text as a file with the browser. */
 export function download(name: string, text: string): void {
   const url = URL.createObjectURL(new Blob([text], { type: "application/json" }));
   const link = document.createElement("a");
@@ -43,11 +43,11 @@ export function download(name: string, text: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }
 
-/** Returns the path that takes answers; null where no server brought the page, or none takes any. */
+/** Returns the path for submitting answers; null if the page is not from a server, or it accepts none. */
 export const postPath = (study: Study): string | null =>
   location.protocol.startsWith("http") ? study.post : null;
 
-/** Sends answers to the page's own server; returns whether it took them. */
+/** Sends answers to the page's own server; returns whether it accepted them. */
 export async function post(path: string, text: string): Promise<boolean> {
   try {
     const answer = await fetch(path, {

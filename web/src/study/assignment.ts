@@ -1,8 +1,8 @@
-/** Which scenes a rater sees, in which order their results, and where the attention checks are. */
+/** The scenes of a rater, the order of their results, and the positions of the attention checks. */
 import { type Random, seededRandom, shuffle } from "./random";
 import { LEVELS, type Result, type Scene, type Study } from "./study";
 
-/** An item of a result's card that says which number to choose. */
+/** An item of a result's card that tells the rater which number to choose. */
 export interface Check {
   result: string;
   asked: number;
@@ -10,17 +10,17 @@ export interface Check {
 
 export interface Page {
   scene: Scene;
-  /** The scene's results in the order shown. */
+  /** The scene's results in display order. */
   results: Result[];
   check: Check | null;
 }
 
 /**
- * Returns a rater's pages; the rater's id decides them.
+ * Returns a rater's pages, which depend on the rater's id.
  *
- * Scenes are drawn without replacement. Each order of results is random by itself, and orders are
- * balanced within the rater: in as many scenes in a row as there are methods, each method is shown
- * once in every position (the rows of a Latin square, shuffled).
+ * Scenes are drawn without replacement. Each order of results is random, and orders are balanced
+ * within a rater: in as many consecutive scenes as there are methods, each method appears once in
+ * every position (the shuffled rows of a Latin square).
  */
 export function assign(study: Study, rater: string): Page[] {
   const random = seededRandom(`${study.study}:${rater}`);

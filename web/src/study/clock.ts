@@ -1,15 +1,15 @@
-/** How long the page is seen, counted once however many of its tabs are seen at a time. */
+/** The time for which the page is visible, counted once even if several tabs are visible. */
 
-const TICK = 5; // seconds between the clock's notes
-const LONGEST = 30; // seconds that one note may add: a machine may have slept
+const TICK = 5; // seconds between updates of the clock
+const LONGEST = 30; // maximum seconds per update: the machine may have been suspended
 
-/** A stretch of time; milliseconds since 1970. */
+/** A time interval; milliseconds since 1970. */
 export interface Stretch {
   from: number;
   to: number;
 }
 
-/** Calls `add` with the time for which the page was seen; returns what has it called at once. */
+/** Calls `add` with the intervals in which the page was visible; returns a function that calls it immediately. */
 export function watchTime(add: (seen: Stretch) => void): () => void {
   let since = performance.now();
   const tick = (): void => {
@@ -33,10 +33,10 @@ export function watchTime(add: (seen: Stretch) => void): () => void {
 }
 
 /**
- * Returns the seconds of `seen` that are not in `counted`, and what is counted then.
+ * Returns the seconds of `seen` that are not in `counted`, and the new counted interval.
  *
- * Tabs that are seen at a time count in turn, so that their stretches touch and become one. What
- * was counted after `seen` was counted before the machine's clock was set back.
+ * Tabs that are visible at the same time report in turn, so their intervals touch and merge. A
+ * counted interval after `seen` means that the machine's clock was set back.
  */
 export function countOnce(seen: Stretch, counted: Stretch | undefined): [number, Stretch] {
   const length = seen.to - seen.from;

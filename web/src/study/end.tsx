@@ -1,4 +1,4 @@
-/** The end: answers are sent, or saved as a file; either can be done again. */
+/** The end: answers are sent, or saved as a file; both can be repeated. */
 import { useEffect, useState } from "preact/hooks";
 import { download, fileName, post, postPath, toText } from "./answers";
 import { Heading } from "./heading";
@@ -27,7 +27,7 @@ export function End({ store }: { store: Store }) {
   );
 }
 
-/** Sends the answers when it appears, and again if asked to. */
+/** Sends the answers when it appears, and again on request. */
 function Sending({ store, path }: { store: Store; path: string }) {
   const [failed, setFailed] = useState(false);
   const texts = store.texts.value;
@@ -36,7 +36,7 @@ function Sending({ store, path }: { store: Store; path: string }) {
     setFailed(false);
     const { rater } = store.progress.value;
     const took = await post(path, toText(store.study, store.pages.value, store.progress.value));
-    if (store.progress.value.rater !== rater) return; // another one has begun meanwhile
+    if (store.progress.value.rater !== rater) return; // another rater has started meanwhile
     if (took) store.change({ sent: true });
     else setFailed(true);
   };

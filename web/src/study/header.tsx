@@ -1,4 +1,4 @@
-/** The study's title, how far the rater is, the language, and a way to start over. */
+/** The study's title, the rater's progress, the language, and a button to start over. */
 import { useRef } from "preact/hooks";
 import type { Store } from "./store";
 import { LANGUAGES, TEXTS } from "./texts";

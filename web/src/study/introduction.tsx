@@ -1,4 +1,4 @@
-/** What the study is about and what to do (Fig. 17). */
+/** Purpose and instructions of the study (Fig. 17). */
 import { Heading } from "./heading";
 import type { Store } from "./store";
 import { QUESTIONS } from "./study";
@@ -34,7 +34,7 @@ export function Introduction({ store }: { store: Store }) {
   );
 }
 
-/** The criteria, each with its question and what to consider (Fig. 18). */
+/** The criteria, each with its question and aspects to consider (Fig. 18). */
 export function Criteria({ texts }: { texts: Texts }) {
   return (
     <dl class="criteria">

@@ -1,4 +1,4 @@
-/** How far a rater is: kept in the browser, and read back with suspicion. */
+/** A rater's progress: stored in the browser, and validated when it is read. */
 import type { Stretch } from "./clock";
 import { newRater } from "./random";
 import { isLevel, QUESTIONS, type Question, type Study } from "./study";
@@ -9,19 +9,19 @@ export type Marks = Partial<Record<Question, number>>;
 export interface Progress {
   rater: string;
   language: Language;
-  /** 0 is the introduction, 1 the first scene, one more than there are scenes the end. */
+  /** 0 is the introduction, 1 the first scene, and the number of scenes plus 1 the end. */
   place: number;
-  /** How long each scene was looked at, by scene. */
+  /** Viewing time of each scene, by scene. */
   seconds: Record<string, number>;
-  /** The time that was counted last, by whichever tab. */
+  /** The last counted interval of any tab. */
   counted?: Stretch;
   /** By result. */
   marks: Record<string, Marks>;
   /** The preferred result, by scene. */
   choices: Record<string, string>;
-  /** What was chosen in an attention check, by scene. */
+  /** The chosen number in an attention check, by scene. */
   checks: Record<string, number>;
-  /** Whether a server took the answers. */
+  /** Whether a server accepted the answers. */
   sent: boolean;
 }
 
@@ -34,7 +34,7 @@ export function newProgress(language: Language = usualLanguage()): Progress {
   return { rater: newRater(), language, place: 0, ...none, sent: false };
 }
 
-/** Keeps the progress; returns false where the browser does not. */
+/** Stores the progress; returns false if the browser does not. */
 export function keep(study: Study, progress: Progress): boolean {
   try {
     localStorage.setItem(key(study), JSON.stringify(progress));
@@ -44,7 +44,7 @@ export function keep(study: Study, progress: Progress): boolean {
   }
 }
 
-/** Returns what was kept of this study; null if that is nothing that this page could have kept. */
+/** Returns the stored progress of this study; null if it is invalid. */
 export function recall(study: Study): Progress | null {
   try {
     const text = localStorage.getItem(key(study));
@@ -56,7 +56,7 @@ export function recall(study: Study): Progress | null {
   }
 }
 
-/** Tells whether an event of the browser's store is about this study. */
+/** Returns whether a storage event is about this study. */
 export const isAbout = (study: Study, event: StorageEvent): boolean => event.key === key(study);
 
 function isProgress(value: unknown, study: Study): value is Progress {

@@ -1,4 +1,4 @@
-/** Random numbers that a text decides: the same text gives the same numbers in every browser. */
+/** Random numbers seeded by a text: equal texts give equal numbers in every browser. */
 
 export type Random = () => number;
 
@@ -27,7 +27,7 @@ export function shuffle<T>(items: readonly T[], random: Random): T[] {
   return found;
 }
 
-/** Returns 16 random hexadecimal digits, which say nothing about anyone. */
+/** Returns 16 random hexadecimal digits, which are not derived from the rater. */
 export function newRater(): string {
   const bytes = crypto.getRandomValues(new Uint8Array(8));
   return Array.from(bytes, (byte) => byte.toString(16).padStart(2, "0")).join("");

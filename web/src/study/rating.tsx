@@ -1,18 +1,18 @@
-/** One question with its seven levels, as radio buttons that digits set, too. */
+/** One question with its seven levels as radio buttons, also set by digit keys. */
 import { digitOf, focusNext } from "./steps";
 import { LEVELS } from "./study";
 import type { Texts } from "./texts";
 
 interface Props {
   texts: Texts;
-  /** Of the radio buttons; unique in the page. */
+  /** Name of the radio buttons; unique in the page. */
   id: string;
-  /** The result that it is about. */
+  /** The rated result. */
   about: string;
   name: string;
   question: string;
   level: number | undefined;
-  /** Whether to say that the answer is missing. */
+  /** Whether to show that the answer is missing. */
   wanted: boolean;
   onAnswer: (level: number) => void;
 }
@@ -63,7 +63,7 @@ export function Rating({ texts, id, about, name, question, level, wanted, onAnsw
   );
 }
 
-/** What a level means, for those who do not see the row below. */
+/** Meaning of a level, for users who do not see the row below. */
 function Meaning({ texts, level }: { texts: Texts; level: number }) {
   const meaning = level === 1 || level === 4 || level === 7 ? texts.levels[level] : null;
   return meaning ? <span class="hidden">, {meaning}</span> : null;

@@ -136,7 +136,7 @@ function picturesOf(store: Store, result: Result, number: number): Picture[] {
   return result.views.map((source, k) => ({ source, label: labels[k] ?? "" }));
 }
 
-/** Saves the answers as a file where no server takes them. */
+/** Saves the answers as a file if no server accepts them. */
 function handIn(store: Store): void {
   if (postPath(store.study) !== null) return; // the end's page sends them
   const progress = store.progress.value;

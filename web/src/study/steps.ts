@@ -1,6 +1,6 @@
-/** Moving the focus from question to question: each is marked `data-step`, as is the button after. */
+/** Focus movement between questions: each is marked `data-step`, as is the button after them. */
 
-/** Focuses the step after the one that `inside` belongs to. */
+/** Focuses the step after the one that contains `inside`. */
 export function focusNext(inside: Element): void {
   const steps = [...document.querySelectorAll<HTMLElement>("[data-step]")];
   const own = inside.closest<HTMLElement>("[data-step]");
@@ -15,7 +15,7 @@ export function focusFirstOpen(): boolean {
   return open !== null;
 }
 
-/** Returns the number of a digit key pressed by itself, from 1 to `most`; null of other keys. */
+/** Returns the number of a digit key pressed without modifiers, from 1 to `most`; null for other keys. */
 export function digitOf(event: KeyboardEvent, most: number): number | null {
   if (event.ctrlKey || event.altKey || event.metaKey) return null;
   const digit = /^[1-9]$/.test(event.key) ? Number(event.key) : 0;

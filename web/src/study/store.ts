@@ -1,4 +1,4 @@
-/** The state of the page, and what changes it. */
+/** The state of the page, and its changes. */
 import { computed, effect, type ReadonlySignal, type Signal, signal } from "@preact/signals";
 import { assign, type Page } from "./assignment";
 import { countOnce, watchTime } from "./clock";
@@ -22,7 +22,7 @@ export interface Store {
   progress: Signal<Progress>;
   pages: ReadonlySignal<Page[]>;
   texts: ReadonlySignal<Texts>;
-  /** Whether the browser keeps the progress. */
+  /** Whether the browser stores the progress. */
   kept: ReadonlySignal<boolean>;
   zoom: Signal<Zoom | null>;
   change(changes: Partial<Progress>): void;
@@ -48,7 +48,7 @@ export function createStore(study: Study): Store {
     document.documentElement.lang = progress.value.language;
   });
   const catchUp = (): void => {
-    if (kept.value) progress.value = recall(study) ?? progress.value; // another tab's
+    if (kept.value) progress.value = recall(study) ?? progress.value; // from another tab
   };
   const tick = watchTime((seen) => {
     catchUp();
@@ -61,7 +61,7 @@ export function createStore(study: Study): Store {
   window.addEventListener("storage", (event) => {
     if (isAbout(study, event)) catchUp();
   });
-  // A tab that the browser had frozen has not heard what others kept.
+  // A tab suspended by the browser has missed updates from other tabs.
   for (const again of ["pageshow", "visibilitychange"]) window.addEventListener(again, catchUp);
   return {
     study,

@@ -1,4 +1,4 @@
-/** What a study's page shows: the data that `tabletopgen study new` puts into it. */
+/** The data of a study that `tabletopgen study new` inserts into the page. */
 
 export interface Result {
   id: string;
@@ -8,7 +8,7 @@ export interface Result {
 export interface Scene {
   id: string;
   input: string;
-  /** One result of each method; the k-th of every scene is of the same method. */
+  /** One result per method; the k-th result of every scene is from the same method. */
   results: Result[];
 }
 
@@ -17,7 +17,7 @@ export interface Study {
   title: string;
   scenesEach: number;
   attention: number;
-  /** The path on the page's own server that takes answers, if one does. */
+  /** The path on the page's own server that accepts answers, if any. */
   post: string | null;
   scenes: Scene[];
 }

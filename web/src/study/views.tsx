@@ -3,7 +3,7 @@ import type { Picture, Store } from "./store";
 
 interface Props {
   store: Store;
-  /** All pictures of the scene, to leaf through. */
+  /** All pictures of the scene, for browsing. */
   all: Picture[];
   picture: Picture;
 }

@@ -1,4 +1,4 @@
-/** A picture as large as the window or larger, and the scene's other pictures beside it. */
+/** An enlarged picture, with controls for the scene's other pictures. */
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Store } from "./store";
 
@@ -20,7 +20,7 @@ export function ZoomDialog({ store }: { store: Store }) {
   }, [opened]);
   useEffect(() => {
     const box = stage.current;
-    if (!box) return; // else its middle stays in sight
+    if (!box) return; // otherwise its middle stays in view
     box.scrollLeft = (box.scrollWidth - box.clientWidth) / 2;
     box.scrollTop = (box.scrollHeight - box.clientHeight) / 2;
   }, [size]);

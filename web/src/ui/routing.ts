@@ -1,4 +1,4 @@
-/** Pages of one document: what follows "#/" in the address says which of them is shown. */
+/** Pages of one document: the fragment after "#/" selects the page. */
 import { signal } from "@preact/signals";
 import { useLayoutEffect } from "preact/hooks";
 
@@ -13,27 +13,26 @@ function decode(part: string): string {
   try {
     return decodeURIComponent(part);
   } catch {
-    return part; // a damaged address names nothing
+    return part; // an invalid address selects nothing
   }
 }
 
-/** The address of a page by its parts: "#/scene/ID". */
+/** The address of a page from its parts: "#/scene/ID". */
 export const addressOf = (...parts: string[]): string => `#/${parts.map(encodeURIComponent).join("/")}`;
 
-/** Follows the address from now on; to be called once. */
+/** Follows the address from now on; call once. */
 export function followAddress(): void {
   window.addEventListener("hashchange", (event) => {
     const [kind] = route.value;
     route.value = parts();
     const before = new URL(event.oldURL).hash;
-    setTimeout(() => arrive(before, route.value[0] === kind)); // once the page is there
+    setTimeout(() => arrive(before, route.value[0] === kind)); // once the page is rendered
   });
 }
 
 /**
- * Moves the focus to the new page, which has none: to the link that leads back to where the reader
- * was, as on the way back to a list, else to its beginning. A page of the same kind that kept the
- * focus keeps it.
+ * Moves the focus to the new page: to the link to the previous page, as when the reader returns to
+ * a list, or else to the beginning. A page of the same kind keeps an existing focus.
  */
 function arrive(before: string, same: boolean): void {
   const lost = !document.activeElement || document.activeElement === document.body;
@@ -52,13 +51,13 @@ function focusMain(): void {
   main?.focus({ preventScroll: true });
 }
 
-/** Passes over what all pages begin with. */
+/** Skips the common header of all pages. */
 export function skip(event: Event): void {
   event.preventDefault(); // the address is the route
   focusMain();
 }
 
-/** Calls the document by the page that is shown. */
+/** Sets the document's title for the current page. */
 export function useTitle(title: string): void {
   useLayoutEffect(() => {
     document.title = title;

@@ -2,7 +2,7 @@
 import type { ArmAction } from "../physics/protocol";
 
 export const KEYS: readonly [string, string][] = [
-  ["W S", "away from you, nearer"],
+  ["W S", "away from you, towards you"],
   ["A D", "left, right"],
   ["R F", "up, down"],
   ["Q E", "turn the hand"],
@@ -16,7 +16,7 @@ export class Driving {
   private readonly held = new Set<string>();
   private open = true;
 
-  /** Heeds a key; returns whether it is one that drives. */
+  /** Handles a key; returns whether it drives the arm. */
   key(event: KeyboardEvent, down: boolean): boolean {
     if (down && (event.ctrlKey || event.metaKey || event.altKey)) return false;
     const key = event.key.toLowerCase();
@@ -34,7 +34,7 @@ export class Driving {
     this.held.clear();
   }
 
-  /** As at first: nothing is held, and the gripper is open. */
+  /** Resets the keys: none is pressed, and the gripper is open. */
   reset(): void {
     this.clear();
     this.open = true;
@@ -45,7 +45,7 @@ export class Driving {
   }
 
   /**
-   * Returns the action that is asked for.
+   * Returns the current action.
    *
    * @param turn - the direction "away from you" of the view, about the vertical, in the frame of the
    *   robot's base, radians from its x axis.

@@ -1,4 +1,4 @@
-/** A live scene as a person sees and handles it: drawing, view and pointer; the interface observes its signals. */
+/** A live scene for the interface: drawing, view and pointer; components observe its signals. */
 import { signal } from "@preact/signals";
 import * as THREE from "three";
 import { ROBOT } from "../physics/names";
@@ -20,17 +20,17 @@ export interface Hover {
 export class Engine extends LiveScene {
   readonly hover = signal<Hover | null>(null);
   readonly selected = signal<string | null>(null);
-  /** Why the thing that is moved cannot stand where it is held; null where it can. */
+  /** Why the moved object cannot stand at its current position; null if it can. */
   readonly blocked = signal<string | null>(null);
   readonly parts = signal(false);
-  /** Whether the camera is that of the picture, and how much of the picture lies over the view. */
+  /** Whether the camera is that of the picture, and the opacity of the picture over the view. */
   readonly inPicture = signal(false);
   readonly onion = signal(0);
-  /** Called when a person has put a thing elsewhere, while `editing`. */
+  /** Called when a person has moved an object, while `editing`. */
   onMoved: (name: string, move: Move) => void = () => {};
-  /** Whether a move is being made for good: no other one begins meanwhile. */
+  /** Whether a move is being saved: no other one can start meanwhile. */
   locked = false;
-  /** The view to begin with (`Stage.view`); null for the usual one. */
+  /** The initial view (`Stage.view`); null for the default one. */
   firstView: number[] | null = null;
   stage: Stage | null = null;
   private model: BuiltModel | null = null;
@@ -40,12 +40,12 @@ export class Engine extends LiveScene {
   private check: PlaceCheck | null = null;
   private unseen = false;
 
-  /** Draws on a canvas; a message in `error` says so where the browser cannot. */
+  /** Draws on a canvas; `error` has a message if the browser cannot. */
   attach(canvas: HTMLCanvasElement): void {
     try {
       this.stage = new Stage(canvas);
     } catch {
-      this.error.value = "This browser gives no WebGL, which the 3D view needs. Switch on hardware acceleration, or use another browser.";
+      this.error.value = "This browser does not provide WebGL, which the 3D view needs. Enable hardware acceleration, or use another browser.";
       return;
     }
     this.begin();
@@ -55,7 +55,7 @@ export class Engine extends LiveScene {
     };
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
-      if (!this.closed) this.error.value = "The graphics memory ran out. Close other tabs, then load this page again.";
+      if (!this.closed) this.error.value = "Out of graphics memory. Close other tabs, then reload this page.";
     });
     this.pointer = new Pointer(canvas, this.stage, () => this.model, {
       hover: (body, x, y) => this.point(body, x, y),
@@ -76,7 +76,7 @@ export class Engine extends LiveScene {
     this.marks = new Marks(data.bodies.flatMap((body, k) => (body.moves ? [k] : [])));
     this.stage.scene.add(this.model.root, this.marks.root);
     this.model.showParts(this.parts.value);
-    this.unseen = first || what === "arm"; // the first frame says where things are
+    this.unseen = first || what === "arm"; // the first frame has the initial poses
     this.choose(this.selected.value);
   }
 
@@ -88,7 +88,7 @@ export class Engine extends LiveScene {
     return Math.atan2(camera.y, camera.x) - Math.atan2(ahead.y, ahead.x);
   }
 
-  /** Where a body is on the canvas, in pixels from its corner; for scripts and tests. */
+  /** Position of a body on the canvas, in pixels from its corner; for scripts and tests. */
   locate(name: string): { x: number; y: number } | null {
     const group = this.groupOf(name);
     if (!group || !this.stage) return null;
@@ -97,12 +97,12 @@ export class Engine extends LiveScene {
     return { x: ((at.x + 1) / 2) * box.width, y: ((1 - at.y) / 2) * box.height };
   }
 
-  /** The robot's base, if it is there. */
+  /** The robot's base, if present. */
   private robot(): THREE.Object3D | undefined {
     return this.groupOf(`${ROBOT}link0`);
   }
 
-  /** What is drawn of a body, if it is there. */
+  /** The drawn group of a body, if present. */
   private groupOf(name: string | null): THREE.Object3D | undefined {
     return this.model?.bodies[this.bodyOf(name)]?.group;
   }
@@ -111,7 +111,7 @@ export class Engine extends LiveScene {
     return this.model?.data.bodies.findIndex((body) => body.name === name) ?? -1;
   }
 
-  /** The bodies that move with one: itself, the things that stand on it or lie in it, and on those. */
+  /** The bodies that move with one: itself, the objects on or in it, and those on them. */
   private carriedBy(name: string): number[] {
     const names = [name];
     for (const beneath of names) {
@@ -127,7 +127,7 @@ export class Engine extends LiveScene {
     if (!this.model) return;
     const height = this.files?.row.table.size[2] ?? 0.7;
     const robot = this.robot()?.position;
-    // With the robot there, from across the table and a little aside.
+    // With the robot, the view is from across the table and slightly aside.
     const azimuth = robot ? Math.atan2(-robot.x, robot.y) + 0.6 : -0.45;
     if (side === "top") this.stage?.frame(this.model.root, height - 0.05, robot ? azimuth - 0.6 : 0, 1.5);
     else this.stage?.frame(this.model.root, height - 0.3, azimuth);
@@ -135,7 +135,7 @@ export class Engine extends LiveScene {
     this.onion.value = 0;
   }
 
-  /** Looks as the picture does, with some of it over the view. */
+  /** Shows the view of the picture, with the picture overlaid. */
   lookAsPicture(onion: number): void {
     const picture = this.files?.picture;
     const camera = this.model?.data.cameras.find(({ name }) => name === "reference");
@@ -158,7 +158,7 @@ export class Engine extends LiveScene {
     this.choose(found?.free ? found.name : null);
   }
 
-  /** Selects a thing by its name; null selects none. */
+  /** Selects an object by name; null selects none. */
   choose(name: string | null): void {
     this.selected.value = name;
     this.marks?.select(this.groupOf(name) ?? null);
@@ -232,7 +232,7 @@ export class Engine extends LiveScene {
     this.stage?.draw();
   }
 
-  /** Begins or ends editing: the scene rests as it was settled. */
+  /** Starts or ends editing: the scene rests in its settled state. */
   edit(on: boolean): void {
     this.editing.value = on;
     if (!on || !this.ready.value) return;
@@ -240,7 +240,7 @@ export class Engine extends LiveScene {
     this.reset();
   }
 
-  /** Draws everything where the simulation has it, after a move that was refused. */
+  /** Draws everything at its simulated pose, after a rejected move. */
   putBack(): void {
     this.model?.forget();
     this.reset();

@@ -1,4 +1,4 @@
-/** A scene and its physics: opened, run, put into its modes, driven; `Engine` draws it. */
+/** A scene and its physics: loading, running, modes and driving; `Engine` draws it. */
 import { signal } from "@preact/signals";
 import { fetchData, fetchEpisode, fetchModel, PageError, type EpisodeRow, type SceneFiles } from "../data";
 import { Physics } from "../physics/client";
@@ -12,7 +12,7 @@ export abstract class LiveScene {
   readonly ready = signal(false);
   /** Why nothing can be shown any more. */
   readonly error = signal<string | null>(null);
-  /** What did not work, while the scene itself can be shown again (`recover`). */
+  /** An error after which the scene can be shown again (`recover`). */
   readonly trouble = signal<string | null>(null);
   readonly running = signal(false);
   readonly time = signal(0);
@@ -20,7 +20,7 @@ export abstract class LiveScene {
   readonly centres = signal(false);
   readonly contacts = signal(false);
   readonly gripper = signal<"open" | "closed">("open");
-  /** Whether dragging a thing moves it to a new place, in place of pulling it. */
+  /** Whether dragging an object moves it to a new place, instead of pulling it. */
   readonly editing = signal(false);
   readonly player = new Player((qpos, marker) => this.physics.tell({ kind: "pose", qpos, marker }));
   files: SceneFiles | null = null;
@@ -36,10 +36,10 @@ export abstract class LiveScene {
   protected data: ModelData | null = null;
   private readonly driving = new Driving();
   private base = "";
-  /** The changes of mode, one after the other. */
+  /** The changes of mode, in sequence. */
   private changes: Promise<void> = Promise.resolve();
 
-  /** Builds what is drawn of a model that was compiled. */
+  /** Creates the drawn objects of a compiled model. */
   protected abstract build(data: ModelData, what: "scene" | "arm"): void;
 
   /** Draws an instant. */
@@ -48,14 +48,14 @@ export abstract class LiveScene {
   /** The direction "away from the viewer", about the vertical, from the robot's x axis, radians. */
   protected abstract heading(): number;
 
-  /** Starts the physics, which rests while nobody sees the page. */
+  /** Starts the physics, which pauses while the page is hidden. */
   protected begin(): void {
     this.physics.begin();
     const seen = (): void => void (this.ready.value && this.tellRunning());
     document.addEventListener("visibilitychange", seen, { signal: this.stop.signal });
   }
 
-  /** Opens a scene's folder. */
+  /** Loads a scene's folder. */
   async open(base: string, running = true): Promise<void> {
     this.base = base;
     this.error.value = null;
@@ -79,7 +79,7 @@ export abstract class LiveScene {
     (this.ready.value ? this.trouble : this.error).value = told;
   }
 
-  /** Shows the scene anew after `trouble`. */
+  /** Reloads the scene after `trouble`. */
   recover(): Promise<void> {
     return this.change(async () => {
       this.trouble.value = null;
@@ -91,7 +91,7 @@ export abstract class LiveScene {
     });
   }
 
-  /** Does a change of mode once those before it are done. */
+  /** Changes the mode after all earlier changes are done. */
   private change(work: () => Promise<void>): Promise<void> {
     this.changes = this.changes.then(work).catch((error: unknown) => this.fail(error));
     return this.changes;
@@ -99,7 +99,7 @@ export abstract class LiveScene {
 
   private async load(what: "scene" | "arm"): Promise<void> {
     const files = what === "arm" ? this.files?.arm : this.files?.scene;
-    if (!files) throw new PageError("No robot can be put at this table.");
+    if (!files) throw new PageError("There is no place for a robot at this table.");
     const [xml, parts] = await fetchModel(this.base, files);
     const data = await this.physics.load(xml, parts, files.start);
     if (this.closed) return;
@@ -113,18 +113,18 @@ export abstract class LiveScene {
     this.tellRunning();
   }
 
-  /** Nothing is simulated while nobody sees the page. */
+  /** Pauses the simulation while the page is hidden. */
   private tellRunning(): void {
     this.physics.tell({ kind: "run", running: this.running.value && !document.hidden });
   }
 
-  /** Plays or pauses whatever is shown. */
+  /** Plays or pauses the scene or episode. */
   toggle(): void {
     if (this.mode.value === "episode") this.player.setPlaying(!this.player.playing.value);
     else this.run(!this.running.value);
   }
 
-  /** Begins whatever is shown anew. */
+  /** Restarts the scene or episode. */
   restart(): void {
     if (this.mode.value !== "episode") this.reset();
     else {
@@ -144,14 +144,14 @@ export abstract class LiveScene {
     this.gripper.value = "open";
   }
 
-  /** Advances by a number of steps, paused; returns the state. For scripts and tests. */
+  /** Advances the paused simulation by a number of steps; returns the state. For scripts and tests. */
   async advance(steps: number): Promise<State> {
     this.run(false);
     await this.physics.ask({ kind: "step", steps });
     return this.physics.state();
   }
 
-  /** Drives the arm by a list of actions, a twentieth of a second each; returns the state. */
+  /** Drives the arm by a list of actions, each for a twentieth of a second; returns the state. */
   async act(actions: ArmAction[]): Promise<State> {
     this.run(false);
     await this.physics.ask({ kind: "reset" });
@@ -172,7 +172,7 @@ export abstract class LiveScene {
 
   // ---------------------------------------------------------------------------------------- modes
 
-  /** Puts the arm at the table, or takes it away; the scene starts anew. */
+  /** Adds the arm to the table or removes it; the scene restarts. */
   setMode(mode: Mode): Promise<void> {
     return this.change(() => this.enter(mode));
   }
@@ -188,7 +188,7 @@ export abstract class LiveScene {
     if (mode === "arm") this.drive();
   }
 
-  /** Plays an episode of the scene's folder. */
+  /** Plays an episode in the scene's folder. */
   play(row: EpisodeRow): Promise<void> {
     return this.playFile(this.base + row.file);
   }
@@ -199,14 +199,14 @@ export abstract class LiveScene {
       const episode = await fetchEpisode(url);
       await this.enter("episode");
       if (!this.data || this.error.value) return;
-      if (episode.nq !== this.data.nq) throw new PageError("This episode is of another scene.");
+      if (episode.nq !== this.data.nq) throw new PageError("This episode belongs to another scene.");
       this.player.start(episode, this.data);
     });
   }
 
   // ----------------------------------------------------------------------------------------- keys
 
-  /** Heeds a key that drives the arm; returns whether it does. */
+  /** Handles a key that drives the arm; returns whether it does. */
   key(event: KeyboardEvent, down: boolean): boolean {
     if (this.mode.value !== "arm" || !this.driving.key(event, down)) return false;
     this.gripper.value = this.driving.gripper;

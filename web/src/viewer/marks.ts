@@ -1,8 +1,8 @@
-/** Marks over the scene: centres of mass, contacts, and the line along which a thing is pulled. */
+/** Overlays on the scene: centres of mass, contacts, and the line along which an object is pulled. */
 import * as THREE from "three";
 
 const MOST_CONTACTS = 400;
-const NEWTON = 0.03; // metres that a newton is drawn long
+const NEWTON = 0.03; // drawn length of a newton, metres
 const LONGEST = 0.15;
 const FRAME = 0x2563eb;
 const BLOCKED = 0xdc2626;
@@ -73,7 +73,7 @@ export class Marks {
     this.forces.geometry.setDrawRange(0, 2 * count);
   }
 
-  /** Frames the thing that is selected; null for none. */
+  /** Frames the selected object; null for none. */
   select(thing: THREE.Object3D | null): void {
     this.frame?.removeFromParent();
     this.frame?.dispose();
@@ -84,12 +84,12 @@ export class Marks {
     this.root.add(this.frame);
   }
 
-  /** Moves the frame with its thing. */
+  /** Moves the frame with its object. */
   follow(): void {
     this.frame?.update();
   }
 
-  /** Draws the frame as that of a thing that cannot stand there, or as usual. */
+  /** Draws the frame in the colour of an invalid place, or as usual. */
   warn(blocked: boolean): void {
     (this.frame?.material as THREE.LineBasicMaterial | undefined)?.color.set(blocked ? BLOCKED : FRAME);
   }

@@ -1,4 +1,4 @@
-/** The three.js objects of a model: geometries, materials, and a group for each body. */
+/** The three.js objects of a model: geometries, materials, and a group per body. */
 import * as THREE from "three";
 import { mergeVertices } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import { GEOM, type GeomData, type MeshData, type ModelData, type TextureData } from "../physics/protocol";
@@ -6,14 +6,14 @@ import { GEOM, type GeomData, type MeshData, type ModelData, type TextureData } 
 /** MuJoCo's group of collision parts in bundles; visual geoms are in the groups below. */
 export const COLLISION_GROUP = 3;
 
-/** Distinct colours of collision parts, in turn. */
+/** Distinct colours of collision parts, in order. */
 const PART_COLORS = [0x3b82f6, 0xf59e0b, 0x10b981, 0xec4899, 0x8b5cf6, 0x14b8a6, 0xef4444, 0x84cc16];
 
-/** The geom that marks an episode's goal; it is under the floor where there is none. */
+/** The geom that marks an episode's goal; it is below the floor if there is none. */
 const MARKER = "marker/goal";
 const MARKED = 0.6;
 
-/** Changes of a pose that nobody sees, metres or parts of a quaternion. */
+/** Invisible changes of a pose, metres or quaternion components. */
 const STILL = 2e-5;
 
 export interface BuiltBody {
@@ -56,7 +56,7 @@ export class BuiltModel {
     }
   }
 
-  /** Moves every body to its place in a frame; returns whether any of them moved visibly. */
+  /** Moves every body to its pose in a frame; returns whether any moved visibly. */
   place(poses: Float32Array): boolean {
     if (this.placed.length === poses.length && poses.every((v, k) => Math.abs(v - this.placed[k]!) < STILL)) return false;
     this.placed = poses;
@@ -68,12 +68,12 @@ export class BuiltModel {
     return true;
   }
 
-  /** Has the next frame place everything, whatever it was before. */
+  /** Makes the next frame update every body, whatever its previous pose. */
   forget(): void {
     this.placed = new Float32Array(0);
   }
 
-  /** Shows the convex parts that collide, in place of what is drawn. */
+  /** Shows the convex collision parts instead of the visual geoms. */
   showParts(on: boolean): void {
     for (const { visual, collision } of this.bodies) {
       for (const part of collision) part.visible = on;
@@ -153,7 +153,7 @@ function geometryOf({ positions, normals, uvs }: MeshData): THREE.BufferGeometry
   return mergeVertices(geometry, 1e-6);
 }
 
-/** The shape of a geom that is no mesh, its axis along z as MuJoCo's; null for others. */
+/** The shape of a geom that is not a mesh, with MuJoCo's z axis; null for others. */
 function primitive({ type, size }: GeomData): THREE.BufferGeometry | null {
   const upright = <T extends THREE.BufferGeometry>(shape: T): T => shape.rotateX(Math.PI / 2);
   switch (type) {

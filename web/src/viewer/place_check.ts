@@ -1,28 +1,28 @@
-/** Whether a thing that a person moves could stand where it is held; told while it is moved. */
+/** Validity of an object's place while a person moves the object. */
 import * as THREE from "three";
 import type { Placed } from "../physics/protocol";
 import type { BuiltModel } from "./meshes";
 
-/** What stands on a table begins this far above its top, metres. */
+/** Objects on a table start this far above its top, metres. */
 const GAP = 2e-4;
-/** Corners this far below the highest of a table still belong to its top, metres. */
+/** Corners this far below the highest one still belong to the table's top, metres. */
 const LEVEL = 2e-3;
 
 export class PlaceCheck {
-  /** The table's top from above: a convex outline, counter-clockwise. */
+  /** The table's top seen from above: a convex outline, counter-clockwise. */
   private readonly top: THREE.Vector2[];
   private readonly height: number;
-  /** Whether the place as it is drawn now has still to be looked at. */
+  /** Whether the current place still has to be checked. */
   private fresh = false;
-  /** Whether what is found is to be told. */
+  /** Whether the result is to be reported. */
   private wanted = false;
   private asking = false;
 
   /**
-   * @param bodies - those that move: the thing, then what it carries.
-   * @param falls - whether it is let down onto the table, from what it stood on.
-   * @param overlaps - gives the bodies that others would overlap elsewhere.
-   * @param told - called with why the thing cannot stand there, in words; null where it can.
+   * @param bodies - the moving bodies: the object, then those that it carries.
+   * @param falls - whether it moves from another object down to the table.
+   * @param overlaps - returns the bodies that others would overlap elsewhere.
+   * @param told - called with the reason why the object cannot stand there; null if it can.
    */
   constructor(
     private readonly model: BuiltModel,
@@ -36,13 +36,13 @@ export class PlaceCheck {
     this.top = outline(fixed.filter(({ z }) => z > this.height - LEVEL));
   }
 
-  /** Looks at the place as it is drawn now; where one is being looked at, the last one is next. */
+  /** Checks the current place; during a check, the most recent place is queued. */
   look(): void {
     this.fresh = this.wanted = true;
     if (!this.asking) void this.work();
   }
 
-  /** Forgets the place: whatever is found of it is no longer told. */
+  /** Forgets the place: its result is no longer reported. */
   forget(): void {
     this.fresh = this.wanted = false;
     this.told(null);
@@ -57,7 +57,7 @@ export class PlaceCheck {
         if (this.wanted) this.told(why);
       }
     } catch (error) {
-      console.warn("place:", error); // who edits hears of it when the place is asked for
+      console.warn("place:", error); // the user gets the error when requesting the place
       this.forget();
     } finally {
       this.asking = false;
@@ -82,7 +82,7 @@ function placed(body: number, { position, quaternion }: THREE.Object3D, down: nu
   return { body, position: [position.x, position.y, position.z - down], quaternion: [w, x, y, z] };
 }
 
-/** The corners of a body's collision parts, in the world. */
+/** The corners of a body's collision parts in the world. */
 function corners(model: BuiltModel, body: number): THREE.Vector3[] {
   return model.bodies[body]!.collision.flatMap((part) => {
     part.updateWorldMatrix(true, false);
@@ -94,7 +94,7 @@ function corners(model: BuiltModel, body: number): THREE.Vector3[] {
 const side = (a: THREE.Vector2, b: THREE.Vector2, c: { x: number; y: number }): number =>
   (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 
-/** The convex hull of points from above, counter-clockwise. */
+/** The convex hull of points seen from above, counter-clockwise. */
 function outline(points: THREE.Vector3[]): THREE.Vector2[] {
   const sorted = points.map(({ x, y }) => new THREE.Vector2(x, y)).sort((a, b) => a.x - b.x || a.y - b.y);
   const chain = (row: THREE.Vector2[]): THREE.Vector2[] => {

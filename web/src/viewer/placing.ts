@@ -1,20 +1,20 @@
-/** A thing that a person moves or turns on the table, before the change is made for good. */
+/** An object that a person moves or rotates on the table, before the change is saved. */
 import * as THREE from "three";
 
 export interface Move {
-  /** Where its centre is to be: metres from the table's, +x right and +y away; null where it is. */
+  /** Target of its centre: metres from the table's, +x right and +y away; null if unchanged. */
   to: [number, number] | null;
-  /** Degrees it was turned, counter-clockwise seen from above. */
+  /** Rotation in degrees, counter-clockwise seen from above. */
   turn: number;
 }
 
-/** Moves smaller than these are none: metres, degrees. */
+/** Smaller moves are ignored: metres, degrees. */
 const LEAST_MOVE = 0.002;
 const LEAST_TURN = 1;
 
 const UP = new THREE.Vector3(0, 0, 1);
 
-/** What is drawn of a thing, and its pose before. */
+/** The drawn group of an object, and its pose before the move. */
 interface Part {
   group: THREE.Object3D;
   from: THREE.Vector3;
@@ -22,15 +22,15 @@ interface Part {
 }
 
 export class Placing {
-  /** The thing, then what stands on it or lies in it, which goes along. */
+  /** The object, then the objects on or in it, which move along. */
   private readonly parts: Part[];
   private readonly from: THREE.Vector3;
   private readonly moved = new THREE.Vector3();
   private angle = 0;
 
   /**
-   * @param groups - the thing, then what stands on it or lies in it.
-   * @param held - where the thing is held, in the world.
+   * @param groups - the object, then the objects on or in it.
+   * @param held - the held point, in the world.
    */
   constructor(
     groups: THREE.Object3D[],
@@ -40,7 +40,7 @@ export class Placing {
     this.from = this.parts[0]!.from;
   }
 
-  /** Follows the pointer to a point as high as where it is held; `turning` turns in place. */
+  /** Follows the pointer to a point at the height of the held point; `turning` rotates in place. */
   drag(target: THREE.Vector3, turning: boolean): void {
     if (turning) {
       const bearing = (at: THREE.Vector3): number => Math.atan2(at.y - this.from.y, at.x - this.from.x);
@@ -59,7 +59,7 @@ export class Placing {
     }
   }
 
-  /** Returns what was asked for; null if the thing is where it was. */
+  /** Returns the requested change; null if the object has not moved. */
   end(): Move | null {
     const degrees = (((this.angle * 180) / Math.PI + 540) % 360) - 180;
     const moved = this.moved.length() >= LEAST_MOVE;

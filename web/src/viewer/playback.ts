@@ -1,9 +1,9 @@
-/** A recorded episode and the place in it: poses between its frames. */
+/** A recorded episode and the current time in it, with poses interpolated between its frames. */
 import type { Episode } from "../data";
 import type { ModelData } from "../physics/protocol";
 
 export class Playback {
-  /** Seconds since its beginning. */
+  /** Seconds since the start. */
   time = 0;
   private readonly quaternions: number[];
 
@@ -26,7 +26,7 @@ export class Playback {
     this.time = Math.min(Math.max(seconds, 0), this.duration);
   }
 
-  /** Returns qpos and the marker's place now. */
+  /** Returns the current qpos and position of the marker. */
   now(): { qpos: Float32Array; marker: Float32Array } {
     const { rows, nq, hz, frames } = this.episode;
     const width = nq + 3;
@@ -41,7 +41,7 @@ export class Playback {
   }
 }
 
-/** Writes the normalised mean of two quaternions at `k`, the short way round. */
+/** Writes the normalised linear interpolation of two quaternions at `k`, along the shorter arc. */
 function blend(row: Float32Array, a: Float32Array, b: Float32Array, k: number, share: number): void {
   let dot = 0;
   for (let i = 0; i < 4; i++) dot += a[k + i]! * b[k + i]!;

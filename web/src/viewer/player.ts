@@ -1,4 +1,4 @@
-/** Plays an episode frame by frame, and tells how far it is. */
+/** Plays an episode frame by frame, and reports the current time. */
 import { signal } from "@preact/signals";
 import type { Episode } from "../data";
 import type { ModelData } from "../physics/protocol";
@@ -6,7 +6,7 @@ import { Playback } from "./playback";
 
 export class Player {
   readonly playback = signal<Playback | null>(null);
-  /** Seconds since the episode's beginning. */
+  /** Seconds since the start of the episode. */
   readonly time = signal(0);
   readonly playing = signal(false);
   private asked = 0;

@@ -1,11 +1,11 @@
-/** The pointer over the canvas: names on hover, things that are dragged and thrown. */
+/** Pointer input on the canvas: names on hover, objects dragged and thrown. */
 import * as THREE from "three";
 import type { BuiltModel } from "./meshes";
 import type { Stage } from "./stage";
 
 export interface Grip {
   body: number;
-  /** Where it is held, in the body's frame, and where that was in the world. */
+  /** The held point in the body's frame, and its initial position in the world. */
   local: THREE.Vector3;
   held: THREE.Vector3;
 }
@@ -13,18 +13,18 @@ export interface Grip {
 export interface PointerEvents {
   /** The body under the pointer; -1 for none. */
   hover(body: number, x: number, y: number): void;
-  /** A body was clicked, not dragged; -1 for none. */
+  /** A body was clicked but not dragged; -1 for none. */
   click(body: number): void;
   drag(grip: Grip, target: THREE.Vector3, shift: boolean): void;
-  /** What was dragged is let go; `cancelled` where the browser took the pointer away. */
+  /** The dragged body is released; `cancelled` if the browser took the pointer away. */
   release(cancelled: boolean): void;
   /** Whether a body can be dragged. */
   movable(body: number): boolean;
-  /** Whether things are dragged in a level plane, with or without Shift. */
+  /** Whether objects are always dragged in a horizontal plane, not only with Shift. */
   level(): boolean;
 }
 
-/** Pixels that a press may move and still be a click. */
+/** Maximum motion of a click, pixels. */
 const CLICK = 4;
 
 export class Pointer {
@@ -77,7 +77,7 @@ export class Pointer {
     const level = event.shiftKey || this.events.level();
     const normal = level ? new THREE.Vector3(0, 0, 1) : this.stage.camera.getWorldDirection(new THREE.Vector3());
     this.plane.setFromNormalAndCoplanarPoint(normal, found.point);
-    this.stage.controls.enabled = false; // the camera stays while a thing is dragged
+    this.stage.controls.enabled = false; // the camera is fixed while an object is dragged
     this.canvas.setPointerCapture(event.pointerId);
   }
 

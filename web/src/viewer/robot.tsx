@@ -1,4 +1,4 @@
-/** The robot's tools: it is driven, or an episode of it is watched. */
+/** The robot's tools: driving it, or watching an episode. */
 import { useSignal } from "@preact/signals";
 import { KEYS } from "./driving";
 import type { Engine } from "./engine";
@@ -10,7 +10,7 @@ export function Robot({ engine, off }: { engine: Engine; off: boolean }) {
   const see = async (work: Promise<void>): Promise<void> => {
     await work;
     const canvas = engine.stage?.renderer.domElement;
-    canvas?.focus({ preventScroll: true }); // it has the arm's keys
+    canvas?.focus({ preventScroll: true }); // it handles the arm's keys
     canvas?.scrollIntoView({ block: "nearest", behavior: "smooth" });
   };
   return (
@@ -32,7 +32,7 @@ export function Robot({ engine, off }: { engine: Engine; off: boolean }) {
   );
 }
 
-/** What the episode is about, and how far it is. */
+/** The episode's instruction and the current time. */
 export function Timeline({ engine }: { engine: Engine }) {
   const play = engine.player.playback.value;
   if (!play) return null;
@@ -46,7 +46,7 @@ export function Timeline({ engine }: { engine: Engine }) {
         min="0"
         max={play.duration}
         step="0.05"
-        aria-label="Place in the episode, seconds"
+        aria-label="Time in the episode, seconds"
         value={Math.min(engine.player.time.value, play.duration)}
         onInput={(event) => engine.player.seek(Number(event.currentTarget.value))}
       />
@@ -62,23 +62,23 @@ const NUDGE = 250;
 
 const PAD: readonly [string, string, string][] = [
   ["q", "↺", "turn the hand left"],
-  ["w", "↑", "away"],
+  ["w", "↑", "away from you"],
   ["e", "↻", "turn the hand right"],
   ["r", "Up", "up"],
   ["a", "←", "left"],
-  ["s", "↓", "nearer"],
+  ["s", "↓", "towards you"],
   ["d", "→", "right"],
   ["f", "Down", "down"],
 ];
 
-/** Enter and Space hold a button down, as the pointer does. */
+/** Enter and Space hold a button down, like the pointer. */
 function heed(engine: Engine, key: string, event: KeyboardEvent, down: boolean): void {
   if (event.key !== "Enter" && event.key !== " ") return;
   event.preventDefault();
   engine.press(key, down);
 }
 
-/** Presses a button for a moment: a screen reader's click does not hold it. */
+/** Presses a button briefly: a screen reader's click does not hold it. */
 function nudge(engine: Engine, key: string): void {
   engine.press(key, true);
   setTimeout(() => engine.press(key, false), NUDGE);

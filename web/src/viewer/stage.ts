@@ -1,19 +1,19 @@
-/** Where a scene is drawn: renderer, light, floor, camera; it draws only when something changed. */
+/** Rendering of a scene: renderer, light, floor, camera; it draws only after changes. */
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { CameraData } from "../physics/protocol";
 
-/** A view that a picture was taken from: of its camera, in a frame of its proportions. */
+/** The view of a picture: its camera, in a frame with its aspect ratio. */
 export interface PictureView {
   camera: CameraData;
   /** Width over height. */
   aspect: number;
 }
 
-/** Milliseconds a drawing may take before the next ones are drawn coarser. */
+/** Drawing time in milliseconds above which resolution is reduced. */
 const SLOW = 45;
 const COARSEST = 0.6;
-/** Milliseconds without a change after which a coarse drawing is made anew, fine. */
+/** Milliseconds without a change after which a reduced drawing is repeated in full resolution. */
 const STILL = 250;
 
 export class Stage {
@@ -33,7 +33,7 @@ export class Stage {
   /** Called when the person moves the camera. */
   onMove: () => void = () => {};
 
-  /** @throws Error if the browser gives no WebGL. */
+  /** @throws Error if the browser does not provide WebGL. */
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !this.small, alpha: true, powerPreference: "high-performance" });
     this.renderer.outputColorSpace = THREE.SRGBColorSpace;
@@ -41,7 +41,7 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.camera.up.set(0, 0, 1);
-    // No environment map: to blur one takes seconds where no graphics card helps.
+    // No environment map: blurring one takes seconds without a graphics card.
     const sky = new THREE.HemisphereLight(0xf4f7ff, 0xb8a894, 1.9);
     sky.position.set(0, 0, 1);
     const fill = new THREE.DirectionalLight(0xdfe8ff, 0.55);
@@ -73,13 +73,13 @@ export class Stage {
     this.renderer.forceContextLoss();
   }
 
-  /** Draws once, at the next chance. */
+  /** Draws once, at the next opportunity. */
   draw(): void {
     if (!this.asked) this.asked = requestAnimationFrame(() => this.render());
   }
 
   /**
-   * Looks at what is there from in front and above, at all that is higher than `lowest` metres.
+   * Frames all objects higher than `lowest` metres, from the front and above.
    *
    * @param azimuth - 0 looks along +y, a positive one moves the camera towards +x.
    */
@@ -108,7 +108,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Where the camera is and what it looks at, to be had again elsewhere. */
+  /** The camera's position and target, to restore it elsewhere. */
   get view(): number[] {
     return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
   }
@@ -121,7 +121,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Turns the camera about what it looks at, by radians. */
+  /** Rotates the camera about its target, radians. */
   turn(azimuth: number, polar: number): void {
     this.leavePicture();
     const out = this.camera.position.clone().sub(this.controls.target);
@@ -134,7 +134,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Moves the camera to `factor` times its distance. */
+  /** Scales the distance of the camera by `factor`. */
   zoom(factor: number): void {
     this.leavePicture();
     const out = this.camera.position.clone().sub(this.controls.target).multiplyScalar(factor);
@@ -143,13 +143,13 @@ export class Stage {
     this.draw();
   }
 
-  /** Looks as the scene's picture does, until the person moves the camera. */
+  /** Uses the view of the scene's picture, until the person moves the camera. */
   enterPicture(view: PictureView, height: number): void {
     const { camera } = view;
     const turn = new THREE.Quaternion(camera.quaternion[1], camera.quaternion[2], camera.quaternion[3], camera.quaternion[0]);
     this.camera.position.set(...camera.position);
     const ahead = new THREE.Vector3(0, 0, -1).applyQuaternion(turn);
-    // The orbit goes about the point of the view's middle that is as high as the tabletop.
+    // The orbit centre is the point in the middle of the view at the height of the table top.
     const far = ahead.z < -0.05 ? (height - camera.position[2]) / ahead.z : 1.2;
     this.controls.target.copy(this.camera.position).addScaledVector(ahead, Math.min(Math.max(far, 0.3), 4));
     this.picture = view;
@@ -180,7 +180,7 @@ export class Stage {
     this.sun.shadow.radius = 3;
   }
 
-  /** Fits the field of view to the picture's frame, which lies whole in the canvas. */
+  /** Adapts the field of view so that the picture's frame lies entirely in the canvas. */
   private fit(): void {
     if (!this.picture) return;
     const { camera, aspect } = this.picture;

@@ -1,4 +1,4 @@
-/** A scene in the page: the canvas, its tools, and what went wrong. */
+/** A scene in the page: the canvas, its tools, and errors. */
 import { useComputed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { useEffect, useMemo, useRef } from "preact/hooks";
@@ -10,16 +10,16 @@ export interface ViewerProps {
   /** The scene's folder, with a slash at its end. */
   base: string;
   label: string;
-  /** Only what fits into another page: no arm, no picture. */
+  /** Reduced version to embed in another page: no arm, no picture. */
   small?: boolean;
   onEngine?: (engine: Engine) => void;
-  /** What is shown over the view while something is done to the scene. */
+  /** Content shown over the view while the scene changes. */
   working?: ComponentChildren;
 }
 
 declare global {
   interface Window {
-    /** The live scenes of this page by their folder, for scripts and tests. */
+    /** The live scenes of this page by folder, for scripts and tests. */
     tabletopgen?: Map<string, Engine>;
   }
 }
@@ -95,7 +95,7 @@ function Clock({ engine }: { engine: Engine }) {
   return <span class="clock">{time.toFixed(1)} s</span>;
 }
 
-/** Space plays or pauses, arrows turn the camera; with the arm at the table, its keys drive. */
+/** Space plays or pauses, arrow keys rotate the camera; with the arm at the table, its keys drive. */
 function heed(engine: Engine, event: KeyboardEvent): void {
   if (engine.key(event, true)) {
     event.preventDefault();

@@ -1,4 +1,4 @@
-"""What is attacked: a function for each kind of input, found by name.
+"""The attacked inputs: a function per kind of input, found by name.
 
 A target is called with random numbers and an empty folder, crafts its input there, and returns a
 function that hands it to the product: True says that all of it was accepted. What crafting raises
@@ -60,7 +60,7 @@ KINDS: Mapping[str, str] = MappingProxyType(
 
 @functools.cache
 def target(kind: str) -> Craft:
-    """Return the target of a kind; "module:function" names one that is not listed."""
+    """Return the target of a kind; "module:function" selects an unlisted one."""
     module, _, name = KINDS.get(kind, kind).partition(":")
     place = f"{__name__}.{module}" if kind in KINDS else module
     return getattr(importlib.import_module(place), name)

@@ -1,4 +1,4 @@
-"""Bundles that agree with themselves and are hostile all the same, and their certificates."""
+"""Bundles that are consistent but hostile, and their certificates."""
 
 import functools
 import hashlib
@@ -31,13 +31,13 @@ from . import Run
 Payload = dict[str, Any]
 Files = dict[str, bytes]
 
-_SIMULATED = 0.05  # share of the sound bundles that are also simulated and reset
+_SIMULATED = 0.05  # share of the valid bundles that are also simulated and reset
 _NAMES = ("table", "cube_1", "mug_1", "mesh", "0-cube", "scene.json", "scene.xml", "hull", "box")
 
 
 @functools.cache
 def base() -> tuple[bytes, Files]:
-    """Return scene.json and the other files of a small sound bundle that has everything."""
+    """Return scene.json and the other files of a small, valid bundle with all features."""
     import tempfile
 
     cube = toy_object("cube_1", (0.05, 0.05, 0.05), (-0.1, -0.1))
@@ -63,7 +63,7 @@ def base() -> tuple[bytes, Files]:
 
 
 def values(rng: random.Random, folder: Path) -> Run:
-    """Bundles with mutated fields, digests and XML made again."""
+    """Bundles with mutated fields, and recomputed digests and XML."""
     raw, files = base()
     files = dict(files)
     payload = json.loads(raw)
@@ -77,7 +77,7 @@ def values(rng: random.Random, folder: Path) -> Run:
 
 
 def _aim(payload: Payload, rng: random.Random) -> None:
-    """Put hostile numbers and texts where physics, pictures and people meet them."""
+    """Insert hostile numbers and texts at fields used by physics, pictures and people."""
     for _ in range(rng.choice((1, 1, 2))):
         holder: Any = rng.choice((
             payload["table"], payload["report"], payload["view"], *payload["objects"],
@@ -98,7 +98,7 @@ def _aim(payload: Payload, rng: random.Random) -> None:
 
 
 def files(rng: random.Random, folder: Path) -> Run:
-    """Bundles with mutated meshes, pictures, XML and lists of files, digests made again."""
+    """Bundles with mutated meshes, pictures, XML and file lists, and recomputed digests."""
     raw, kept = base()
     payload, kept = json.loads(raw), dict(kept)
     change = rng.choice(_CHANGES)
@@ -110,7 +110,7 @@ def files(rng: random.Random, folder: Path) -> Run:
 
 
 def certificates(rng: random.Random, folder: Path) -> Run:
-    """Certificates beside a sound bundle."""
+    """Certificates beside a valid bundle."""
     from tabletopgen_env.certificates.certificate import SCHEMA, read_certificate
     from tabletopgen_env.env import make_env
 
@@ -151,7 +151,7 @@ def certificates(rng: random.Random, folder: Path) -> Run:
 def _put(
     payload: Payload, files: Files, rng: random.Random, folder: Path, anew: bool = True
 ) -> Path:
-    """Write a bundle whose digests, and XML where there can be one, are those of its values."""
+    """Write a bundle with matching digests and, if possible, XML."""
     if anew:
         xml = _xml_of(payload, files)
         if xml is not None and rng.random() < 0.97:
@@ -170,11 +170,11 @@ def _put(
 
 
 def _xml_of(payload: Payload, files: Files) -> bytes | None:
-    """Return the XML of the values, as whoever forges a bundle can make it by our own code."""
+    """Return the XML of the values, as a forger could generate it with this package."""
     try:
         decoded = decode_scene(payload, files.__getitem__)
         return document(decoded.scene, paths=decoded.paths).xml.encode()
-    except Exception:  # no values of a scene: then it does not matter what the XML says
+    except Exception:  # not the values of a scene, so the XML does not matter
         return None
 
 
@@ -244,7 +244,7 @@ def _xml(payload: Payload, files: Files, rng: random.Random) -> None:
 
 
 def _many(payload: Payload, files: Files, rng: random.Random) -> None:
-    """Many models of few files: small on disk, much to decode."""
+    """Many models from few files: small on disk, expensive to decode."""
     models = payload["models"]
     one = next(iter(models.values()))
     count = rng.choice((50, 50, 50, 300, 300, 3000))
@@ -263,7 +263,7 @@ def _many(payload: Payload, files: Files, rng: random.Random) -> None:
 
 
 def _crowd(payload: Payload, files: Files, rng: random.Random) -> None:
-    """Copies of a thing in one place or near it: more contacts than there is room for."""
+    """Copies of an object at or near one place: more contacts than fit."""
     thing = rng.choice(payload["objects"])
     reach = rng.choice((0.0, 0.0, 0.01, 0.3))
     for k in range(rng.choice((2, 8, 20, 60))):
@@ -288,7 +288,7 @@ def _parts(payload: Payload, files: Files, rng: random.Random) -> None:
 
 
 def _listed(payload: Payload, files: Files, rng: random.Random) -> None:
-    """Lists of files that name others, or lie about them."""
+    """File lists with other names or false data."""
     listed = payload["files"]
     name = rng.choice(sorted(listed))
     kind = rng.randrange(5)
@@ -316,7 +316,7 @@ _CHANGES = (
 
 
 def _disturbed(place: Path, rng: random.Random) -> None:
-    """Put something else than a plain file in the place of one, or beside it."""
+    """Replace a file by an unusual entry, or add one beside it."""
     names = sorted(p for p in place.rglob("*") if p.is_file())
     path = rng.choice(names)
     kind = rng.randrange(5)
@@ -334,7 +334,7 @@ def _disturbed(place: Path, rng: random.Random) -> None:
 
 # ----------------------------------------------------------------------------------------- running
 def _run(place: Path, rng: random.Random) -> Run:
-    """Return what reads a bundle in every way there is; a share of the sound ones is simulated."""
+    """Return a function that reads a bundle in every way, and may simulate valid ones."""
     simulate, show, stored = rng.random() < _SIMULATED, rng.random() < 0.15, rng.random() < 0.05
     store = str(place.parent)
 
@@ -370,7 +370,7 @@ def _simulated(place: Path) -> bool:
 
         drawn(load(place))
 
-    def compile_again() -> None:  # what loads compiles
+    def compile_again() -> None:  # loading compiles
         scene = load(place)
         compile_spec(scene_spec(scene), scene.name)
 

@@ -1,4 +1,4 @@
-"""What users pass to environments and planners: options, settings, names of scenes, texts."""
+"""User input of environments and planners: options, settings, scene names, texts."""
 
 import functools
 import json
@@ -61,7 +61,7 @@ def options(rng: random.Random, folder: Path) -> Run:
 
 
 def _whole(seed: Any) -> Any:
-    """Return a seed as Gymnasium takes it: it refuses others itself."""
+    """Return a seed that Gymnasium accepts; it rejects others itself."""
     return seed if type(seed) is int and 0 <= seed < 2**63 else 0
 
 
@@ -91,7 +91,7 @@ def settings(rng: random.Random, folder: Path) -> Run:
 
 
 def scene_names(rng: random.Random, folder: Path) -> Run:
-    """What ``scenes`` may be called."""
+    """Values of ``scenes``."""
     extra = ("starter", "starter:train", "starter:", "fresh", "refreshing", "fresh:a mug", "lab",
              "lab-*", "starter:held_out")  # fmt: skip
     chosen: Any = rng.choice((*TEXTS, *extra))
@@ -104,7 +104,7 @@ def scene_names(rng: random.Random, folder: Path) -> Run:
         try:
             resolve(chosen)
         except TabletopError as error:
-            raise type(error)("refused") from None  # it may repeat what the user typed
+            raise type(error)("refused") from None  # it may repeat the user's input
 
     return lambda: accepts(find)
 
@@ -118,7 +118,7 @@ _PHRASES = (
 
 
 def texts(rng: random.Random, folder: Path) -> Run:
-    """Texts that are planned, and their plans in JSON."""
+    """Texts for the planner, and plans in JSON."""
     words = [rng.choice(_PHRASES) for _ in range(rng.choice((1, 5, 20, 100)))]
     asked = " ".join(words)
     if rng.random() < 0.3:

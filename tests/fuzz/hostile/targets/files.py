@@ -1,4 +1,4 @@
-"""Files of batches and of money: prompts, records, sums, ledgers, prices, kept answers."""
+"""Files of batches and budgets: prompts, records, sums, ledgers, prices, cached answers."""
 
 import contextlib
 import functools
@@ -43,14 +43,14 @@ _OUTSIDE = (
 
 
 def outside(folder: Path) -> tuple[str, ...]:
-    """Return names that lead out of a case's folder, to the canaries."""
+    """Return names that lead from a case's folder to the canaries."""
     root = folder.parents[1]
     return (*_OUTSIDE, str(root / "precious"), str(root / "poetry"), str(root / "precious/poetry"))
 
 
 # ---------------------------------------------------------------------------------------- prompts
 def prompts(rng: random.Random, folder: Path) -> Run:
-    """Files of prompts, plain and JSON, and the command that reads them."""
+    """Prompt files, plain and JSON, and the command that reads them."""
     told: Any = ["a desk", {"text": "a table", "seed": 3}, {"text": "x.png"}]
     path = folder / rng.choice(("p.txt", "p.json", "p.json", "p.JSON", "\u202ep.json"))
     content = written(mutate(told, rng, raw=True), rng)
@@ -73,7 +73,7 @@ def prompts(rng: random.Random, folder: Path) -> Run:
         accepts(lambda: batch.read_prompts(chosen, seed))
         if found:
             accepts(lambda: batch.jobs_of(found[0], variants=variants))
-        else:  # what cannot be read must end the command before any work
+        else:  # unreadable files must end the command before any work
             good |= command("batch", str(chosen), "--out", "out", "--route", "compose")
         return good
 
@@ -100,12 +100,12 @@ class StubMaker:
 
 
 class Inline:
-    """A worker pool without processes: tasks are done when they are given."""
+    """A worker pool without processes, which runs tasks immediately."""
 
     width = 1
 
     def __init__(self, width: int) -> None:
-        """Take any width."""
+        """Accept any width."""
 
     def submit(self, function: Callable[..., Any], *args: Any) -> Future[Any]:
         done: Future[Any] = Future()
@@ -113,11 +113,11 @@ class Inline:
         return done
 
     def close(self, grace: float = 0.0) -> None:
-        """There is nothing to end."""
+        """Do nothing."""
 
 
 def batches(rng: random.Random, folder: Path) -> Run:
-    """Batch folders with records of others, met by a batch that goes on there."""
+    """Batch folders with foreign records, resumed by a batch."""
     place = folder / "batch"
     make = StubMaker()
     texts = rng.sample(("a cube", "bad", "two", "x" * 300, "../../precious"), 2)
@@ -154,7 +154,7 @@ def batches(rng: random.Random, folder: Path) -> Run:
 
 
 def _begun(place: Path, key: str, record: Any, rng: random.Random) -> None:
-    """Leave what a batch that died may have left: a bundle that is not yet in its place, a lock."""
+    """Create possible remains of a killed batch: an unpublished bundle, and a lock."""
     own = place / PLACE / key
     kind = rng.randrange(5)
     named = record.get("bundle") if isinstance(record, dict) else None
@@ -174,7 +174,7 @@ def _begun(place: Path, key: str, record: Any, rng: random.Random) -> None:
 
 # ------------------------------------------------------------------------------------------- money
 def _cell(value: Any, rng: random.Random) -> str | int | float | bytes | None:
-    """Return what a database can hold of a value."""
+    """Return a value that a database can hold."""
     if isinstance(value, str):
         return value.encode("utf-8", "replace").decode()
     if value is None or isinstance(value, float | bytes):
@@ -185,7 +185,7 @@ def _cell(value: Any, rng: random.Random) -> str | int | float | bytes | None:
 
 
 def _database(rng: random.Random, **rows: list[Any]) -> bytes:
-    """Return a database with rows, now and then spoiled, or with a table too few or too many."""
+    """Return a database with rows, sometimes damaged, or with a missing or additional table."""
     with contextlib.closing(sqlite3.connect(":memory:")) as made:
         for table in TABLES:
             made.execute(table)
@@ -205,7 +205,7 @@ def _database(rng: random.Random, **rows: list[Any]) -> bytes:
 
 
 def _put_money(place: Path, rng: random.Random, folder: Path, share: float = 0.9) -> None:
-    """Put a shared budget into a folder, and what may lie beside it."""
+    """Put a shared budget into a folder, and possible files beside it."""
     if rng.random() > share:
         return
     spent, held = ["m", "USD", 1.0, 0], [1, "0123456789abcdef", 2.0]
@@ -246,7 +246,7 @@ def budgets(rng: random.Random, folder: Path) -> Run:
 
 
 def ledgers(rng: random.Random, folder: Path) -> Run:
-    """What the calls of earlier runs cost, a row each."""
+    """Ledgers of earlier runs, a row per call."""
     good: Any = {
         "key": "0" * 64, "time": 1.0, "currency": "USD", "server": "cloud",
         "question": "plan_scene", "model": "m", "outcome": "answered", "seconds": 1.0,
@@ -300,7 +300,7 @@ def prices(rng: random.Random, folder: Path) -> Run:
 
 
 def toml(table: Any) -> bytes:
-    """Return values as TOML, whether or not it can have them."""
+    """Return values as TOML, even if TOML cannot represent them."""
     if not isinstance(table, dict):
         return _toml_value(table).encode("utf-8", "surrogatepass")
     lines = [f"{_toml_key(k)} = {_toml_value(v)}" for k, v in table.items()]
@@ -336,7 +336,7 @@ def _bad_toml(rng: random.Random) -> bytes:
 
 
 def calls(rng: random.Random, folder: Path) -> Run:
-    """Answers that were kept: spoiled, forged with right sums, or no files at all."""
+    """Cached answers: damaged, forged with matching sums, or not files at all."""
     place = folder / "calls"
     key = hashlib.sha256(b"question").hexdigest()
     facts: Any = {"status": 200, "content_type": "application/json"}
@@ -375,7 +375,7 @@ def calls(rng: random.Random, folder: Path) -> Run:
 
 # ------------------------------------------------------------------------------------------- store
 def stores(rng: random.Random, folder: Path) -> Run:
-    """Names of bundles as users give them: to find, to save as, to remove."""
+    """Bundle names from users: to find, to save as, to remove."""
     import assets_cache
 
     store = folder / "store"
@@ -406,7 +406,7 @@ def stores(rng: random.Random, folder: Path) -> Run:
 
 
 def _quietly(call: Callable[[], Any]) -> None:
-    """Make a call whose error may repeat what the user typed, whatever that does to a terminal."""
+    """Make a call whose error may repeat the user's input, including control characters."""
     try:
         call()
     except TabletopError:

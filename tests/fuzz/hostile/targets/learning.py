@@ -1,4 +1,4 @@
-"""Files of training: policies, recipes, runs that are resumed, and arrays that are kept."""
+"""Files of training: policies, recipes, resumed runs, and cached arrays."""
 
 import functools
 import io
@@ -40,7 +40,7 @@ def _policy() -> bytes:
 
 
 def policies(rng: random.Random, folder: Path) -> Run:
-    """Policy files, and zips of Stable-Baselines3 that nobody trusts."""
+    """Policy files, and untrusted zip files of Stable-Baselines3."""
     raw = _policy()
     size = struct.unpack("<Q", raw[:8])[0]
     header, data = json.loads(raw[8 : 8 + size]), raw[8 + size :]
@@ -89,14 +89,14 @@ def _safetensors(header: bytes, data: bytes) -> bytes:
 
 
 class _Harm:
-    """Writes outside when it is unpickled."""
+    """Writes outside the folder when it is unpickled."""
 
     def __reduce__(self) -> Any:
         return open, ("../../precious/file.txt", "w")
 
 
 def _zip(rng: random.Random) -> bytes:
-    """Return a zip as a model's: with a pickle that does harm, or bombs, or odd names."""
+    """Return a model-like zip: with a harmful pickle, compression bombs, or unusual names."""
     import pickle
 
     file = io.BytesIO()
@@ -119,7 +119,7 @@ def _recipe() -> Recipe:
 
 
 def recipes(rng: random.Random, folder: Path) -> Run:
-    """Recipes of users, changes to them on the command line, and what is made of them."""
+    """User recipes, command-line changes to them, and their results."""
     payload = {k: v for k, v in _recipe().facts().items() if k not in ("name", "cloning")}
     content = toml(mutate(payload, rng, _WORDS))
     if rng.random() < 0.15:
@@ -237,7 +237,7 @@ def run_folders(rng: random.Random, folder: Path) -> Run:
 
 
 def _npz(rng: random.Random, good: bytes) -> bytes:
-    """Return a file of arrays: spoiled, of other kinds and sizes, or with pickles and bombs."""
+    """Return a file of arrays: damaged, of other types and sizes, or with pickles and bombs."""
     kind = rng.randrange(4)
     if kind == 0:
         return spoiled(good, rng)
@@ -262,7 +262,7 @@ def _npz(rng: random.Random, good: bytes) -> bytes:
 
 
 def _lying(rng: random.Random) -> bytes:
-    """Return arrays whose headers claim more than is there, or that inflate a thousandfold."""
+    """Return arrays with headers that claim too much, or that inflate a thousandfold."""
     shape = rng.choice(("(99999999999,)", "(-1,)", "(2147483647, 2147483647)", "(1000000000,)"))
     kind = rng.choice(("'<f8'", "'|O'", "'<U999999999'", "[('a', '<f8')]", "'<f4'"))
     head = f"{{'descr': {kind}, 'fortran_order': False, 'shape': {shape}, }}".encode()
@@ -276,7 +276,7 @@ def _lying(rng: random.Random) -> bytes:
 
 
 def arrays(rng: random.Random, folder: Path) -> Run:
-    """Arrays that are kept: convex hulls in the user's cache, lessons of the grasp detector."""
+    """Cached arrays: convex hulls in the user's cache, lessons of the grasp detector."""
     from research.grasps import training
 
     hulls = io.BytesIO()

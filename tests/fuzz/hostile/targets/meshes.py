@@ -1,4 +1,4 @@
-"""Foreign meshes: GLB and OBJ files of one's own, of servers, of other methods."""
+"""Foreign meshes: GLB and OBJ files of users, of servers, and of other methods."""
 
 import base64
 import functools
@@ -27,18 +27,18 @@ from . import Run
 
 Header = dict[str, Any]
 
-_APART = 0.1  # of the cases are read in children
+_APART = 0.1  # share of cases read in children
 _PICTURE = encode_png(np.full((16, 16, 3), 120, np.uint8))
 
 
 @functools.cache
 def good_glb() -> bytes:
-    """Return a sound GLB with a texture and two pieces."""
+    """Return a valid GLB with a texture and two pieces."""
     return packed(striped_box(), trimesh.creation.icosphere(1))
 
 
 def glb(rng: random.Random, folder: Path) -> Run:
-    """GLB files in a folder of assets, and as answers."""
+    """GLB files in a folder of assets, and as responses."""
     raw = hostile_glb(rng)
     (folder / "mug_1.glb").write_bytes(raw)
     apart = rng.random() < _APART
@@ -111,7 +111,7 @@ def external(rng: random.Random, folder: Path) -> Run:
 
 # ----------------------------------------------------------------------------------------- GLB
 def hostile_glb(rng: random.Random) -> bytes:
-    """Return a GLB that lies, or one with a mutated header, or a spoiled one."""
+    """Return a GLB with false data, a mutated header, or damage."""
     header, data = _parts(good_glb())
     kind = rng.randrange(10)
     if kind < 4:
@@ -145,7 +145,7 @@ def _packed(content: bytes, data: bytes, length: int | None = None) -> bytes:
 
 
 def _chain(header: Header, data: bytes, rng: random.Random) -> None:
-    """A long chain of nodes, a comb, or a circle."""
+    """Return a long chain of nodes, a comb, or a cycle."""
     count = rng.choice((10, 1000, 20_000, 100_000))
     nodes: list[Header] = [{"children": [k + 1]} for k in range(count - 1)] + [{"mesh": 0}]
     kind = rng.randrange(4)
@@ -160,7 +160,7 @@ def _chain(header: Header, data: bytes, rng: random.Random) -> None:
 
 
 def _lattice(header: Header, data: bytes, rng: random.Random) -> None:
-    """Nodes shared by many parents: as many paths as there are powers of two."""
+    """Return nodes shared by many parents, with exponentially many paths."""
     depth = rng.choice((5, 20, 40))
     header["nodes"] = [{"children": [k + 1, k + 1]} for k in range(depth)] + [{"mesh": 0}]
     header["scenes"] = [{"nodes": [0]}]
@@ -236,7 +236,7 @@ def _many(header: Header, data: bytes, rng: random.Random) -> None:
 
 
 def _numbers(header: Header, data: bytes, rng: random.Random) -> bytes:
-    """Vertices that are NaN, infinite, huge, all the same or all on a plane."""
+    """Return vertices that are NaN, infinite, huge, equal or coplanar."""
     floats = np.frombuffer(data[: len(data) // 4 * 4], "<f4").copy()
     kind = rng.randrange(5)
     some = np.random.default_rng(rng.randrange(2**31)).random(len(floats)) < 0.1

@@ -1,4 +1,4 @@
-"""MJCF made of sound parts and hostile ones: sizes, sensors, textures, replicates, meshes."""
+"""MJCF with valid and hostile parts: sizes, sensors, textures, replicates, meshes."""
 
 import random
 import struct
@@ -23,11 +23,11 @@ _COUNTS = (
 _PLACED = ("pos", "size", "quat", "euler", "mass", "friction", "rgba", "density", "margin")
 _BUILTIN = ("sphere", "hemisphere", "cone", "supersphere", "supertorus", "wedge", "plate")
 
-_MOST_TEXT = 2**26  # characters that meshes take
+_MOST_TEXT = 2**26  # size of meshes, characters
 
 
 def write_mjcf(rng: random.Random, folder: Path) -> Path:
-    """Write a MJCF of sound parts and hostile ones; return its path."""
+    """Write MJCF with valid and hostile parts; return its path."""
     parts: dict[str, list[str]] = {"top": [], "asset": [], "world": []}
     for craft in rng.choices(_CRAFTS, k=rng.choice((1, 1, 2, 3))):
         craft(rng, parts, folder)
@@ -128,7 +128,7 @@ def _meshes(rng: random.Random, parts: Parts, folder: Path) -> None:
     kind = rng.randrange(5)
     count = rng.choice((4, 300, 20_000))
     shape = np.random.default_rng(rng.randrange(2**31)).normal(size=(count, 3))
-    if kind == 0:  # odd numbers among sound ones
+    if kind == 0:  # unusual numbers among valid ones
         words = [f"{v:.4g}" for v in shape.ravel()]
         for _ in range(rng.choice((0, 1, 5))):
             words[rng.randrange(len(words))] = rng.choice(_NUMBERS)
@@ -163,7 +163,7 @@ def _meshes(rng: random.Random, parts: Parts, folder: Path) -> None:
 
 
 def obj(rng: random.Random, count: int) -> bytes:
-    """Return an OBJ of so many vertices, whose faces may name more."""
+    """Return an OBJ with the given number of vertices and possibly invalid faces."""
     sides = rng.choice((3, 4, 40))
     rows = [f"v {k % 17} {k % 13} {k % 7}" for k in range(count)]
     last = count + rng.choice((0, 0, 5))

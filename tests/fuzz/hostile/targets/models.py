@@ -1,4 +1,4 @@
-"""Foreign scenes whose parts are sound and do not go together: MJCF, GLB scenes and folders."""
+"""Foreign scenes with valid parts in invalid combinations: MJCF, GLB scenes and folders."""
 
 import os
 import random
@@ -124,7 +124,7 @@ def _forest(rng: random.Random) -> dict[str, Any]:
 
 # ------------------------------------------------------------------------------------------ folder
 def folders(rng: random.Random, folder: Path) -> Run:
-    """Folders with ``poses.json``: files that are named again and again, and what is in them."""
+    """Folders with ``poses.json``: files named repeatedly, and their contents."""
     _write_folder(rng, folder)
     children = _children(rng)
 
@@ -157,11 +157,11 @@ def _write_folder(rng: random.Random, folder: Path) -> Path:
 # ------------------------------------------------------------------------------------------ limits
 _MEMORIES = (2 * 2**30, 3 * 2**30, 5_500_000 * 2**10, 8 * 2**30)
 _TIMES = (5, 10, 30)  # seconds
-_FORKED = 0.96  # of the cases fork the children that the others start anew
+_FORKED = 0.96  # share of cases that fork the children
 
 
 def limited(rng: random.Random, folder: Path) -> Run:
-    """Foreign scenes read by a process with limits of its own, as ``ulimit`` sets them."""
+    """Foreign scenes read by a process under resource limits, as set by ``ulimit``."""
     writers: tuple[tuple[SourceKind, Callable[[random.Random, Path], Path]], ...] = (
         ("mjcf", write_mjcf), ("glb", _write_glb), ("folder", _write_folder),
     )  # fmt: skip
@@ -204,7 +204,7 @@ def main() -> None:
 def _read_limited(
     kind: SourceKind, path: Path, memory: int, seconds: int, children: AbstractContextManager[None]
 ) -> None:
-    """Read a scene under limits of this process; leave with 2 where it is refused."""
+    """Read a scene under limits of this process; exit with code 2 if it is rejected."""
     for limit, value in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, seconds)):
         known = [value, *resource.getrlimit(limit)]
         most = min((v for v in known if v != resource.RLIM_INFINITY), default=-1)
@@ -218,7 +218,7 @@ def _read_limited(
 
 
 def _children(rng: random.Random) -> AbstractContextManager[None]:
-    """Return how children of the sandbox start: most are forked."""
+    """Return how the sandbox starts children: most are forked."""
     return forked_children() if _forks(rng) else nullcontext()
 
 

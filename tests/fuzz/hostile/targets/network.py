@@ -1,4 +1,4 @@
-"""Answers of servers: of the cloud's chat and image models, of modelers, and of no server."""
+"""Server responses: cloud chat and image models, modelers, and no server at all."""
 
 import base64
 import functools
@@ -42,14 +42,14 @@ _ADDRESSES = (
 
 
 def session(folder: Path, rng: random.Random) -> Session:
-    """Return a session that does not wait long, with a store of its own now and then."""
+    """Return a session with short timeouts, sometimes with its own store."""
     store = CallStore(folder / "calls") if rng.random() < 0.3 else None
     policy = RetryPolicy(first=0.001, longest=0.002, obeyed=0.05, rest=0.05)
     return Session(store=store, attempts=rng.choice((1, 1, 2)), retry_policy=policy, grace=0.2)
 
 
 def _named(url: str) -> None:
-    """Set the addresses and keys that the backends read of the environment."""
+    """Set the addresses and keys that the backends read from the environment."""
     os.environ["TABLETOPGEN_CLOUD_BASE_URL"] = f"{url}/v1"
     os.environ["TABLETOPGEN_CLOUD_KEY"] = "sk-of-the-fuzzer"
     for name in ("CHAT", "IMAGE"):
@@ -68,7 +68,7 @@ def _asking(behaviour: Behaviour, ask: Callable[[str], Any]) -> Run:
 
 # ------------------------------------------------------------------------------------------- HTTP
 def http(rng: random.Random, folder: Path) -> Run:
-    """Behaviours of servers, met by a session's client and by a modeler."""
+    """Server behaviours, for a session's client and a modeler."""
     shared = session(folder, rng)
     mesh = rng.random() < 0.3
     good = good_glb() if mesh else encoded({"choices": [], "usage": {"prompt_tokens": 5}})
@@ -119,7 +119,7 @@ _ANSWERS: dict[str, Any] = {
 
 
 def _asks(reasoner: CloudReasoner) -> dict[str, Callable[[], Any]]:
-    """Return how each question is asked, about a painted desk."""
+    """Return a call for each question about a painted desk."""
     picture, things = desk.reference(), desk.instances()
     return {
         "plan_scene": lambda: reasoner.plan_scene("a mug on a book", 0),
@@ -136,7 +136,7 @@ def _asks(reasoner: CloudReasoner) -> dict[str, Callable[[], Any]]:
 
 
 def chat(rng: random.Random, folder: Path) -> Run:
-    """Answers of a chat model: what it says, and the JSON around it."""
+    """Chat-model responses: the content, and the JSON around it."""
     question = rng.choice([q for q in _ANSWERS if q != "review_orientation"])
     said = _said(rng, _ANSWERS[question])
     told: Any = {
@@ -161,7 +161,7 @@ def chat(rng: random.Random, folder: Path) -> Run:
 
 
 def _said(rng: random.Random, answer: Any) -> str:
-    """Return what a model says: its answer mutated, wrapped, broken or endless."""
+    """Return a model's content: its answer mutated, wrapped, broken or endless."""
     kind = rng.randrange(8)
     if kind < 5:
         answer = mutate(answer, rng, ("on", "in", "+x", "table", "round"), raw=True)
@@ -184,7 +184,7 @@ def _said(rng: random.Random, answer: Any) -> str:
 
 
 def images(rng: random.Random, folder: Path) -> Run:
-    """Answers of an image model: pictures in base64 and at addresses."""
+    """Image-model responses: pictures in base64 and at addresses."""
     picture = encode_png(np.full((64, 64, 3), 200, np.uint8))
     drawn = hostile_png(rng, picture) if rng.random() < 0.5 else picture
     coded = base64.b64encode(drawn).decode()
@@ -214,7 +214,7 @@ def images(rng: random.Random, folder: Path) -> Run:
 
 # --------------------------------------------------------------------------------------- modelers
 def hunyuan3d(rng: random.Random, folder: Path) -> Run:
-    """Answers of a local server of meshes, and what it says of its health."""
+    """Responses of a local mesh server, including its health check."""
     raw, kind, status = good_glb(), "application/octet-stream", "200 OK"
     if rng.random() < 0.4:
         raw = hostile_glb(rng)
@@ -235,7 +235,7 @@ def hunyuan3d(rng: random.Random, folder: Path) -> Run:
 
 
 def tencent(rng: random.Random, folder: Path) -> Run:
-    """Answers of the cloud of jobs: submissions, states, results and downloads."""
+    """Responses of the cloud job service: submissions, states, results and downloads."""
     action = rng.choice(("Submit", "Query", "Query", "GET"))
     mesh = hostile_glb(rng) if action == "GET" else good_glb()
     seeds = random.Random(rng.random())
@@ -272,7 +272,7 @@ def tencent(rng: random.Random, folder: Path) -> Run:
 
 
 def addresses(rng: random.Random, folder: Path) -> Run:
-    """Addresses of servers as users and environments name them."""
+    """Server addresses from users and environments."""
     address = rng.choice((*_ADDRESSES, *TEXTS, "http://127.0.0.1:1", "https://127.0.0.1:1/v1"))
     if rng.random() < 0.3:
         address = str(mutate("http://127.0.0.1:1/v1", rng))
@@ -283,7 +283,7 @@ def addresses(rng: random.Random, folder: Path) -> Run:
             _named("http://127.0.0.1:1")
             try:
                 os.environ["TABLETOPGEN_CLOUD_BASE_URL"] = address
-            except (UnicodeEncodeError, ValueError) as error:  # no environment holds it
+            except (UnicodeEncodeError, ValueError) as error:  # environments cannot hold it
                 raise BackendError("no address") from error
         CloudReasoner(session=shared).plan_scene("a mug", 0)
 

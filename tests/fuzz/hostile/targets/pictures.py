@@ -1,4 +1,4 @@
-"""Pictures and depth maps of users, and the numbers of their cameras."""
+"""Pictures and depth maps from users, and their camera parameters."""
 
 import functools
 import io
@@ -25,7 +25,7 @@ from ..streams import hostile_png, spoiled
 from ..values import number, text, value
 from . import Run
 
-_APART = 0.1  # of the cases are decoded in children
+_APART = 0.1  # share of cases decoded in children
 _FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF", "PPM", "ICO", "TGA")
 
 
@@ -41,7 +41,7 @@ def _good(kind: str = "PNG", depth: bool = False) -> bytes:
 
 
 def pictures(rng: random.Random, folder: Path) -> Run:
-    """Pictures in every format there is, as files and as bytes."""
+    """Pictures in all supported formats, as files and as bytes."""
     raw = hostile_png(rng, _good())
     if rng.random() < 0.5:
         raw = spoiled(_good(rng.choice(_FORMATS)), rng)
@@ -57,7 +57,7 @@ def pictures(rng: random.Random, folder: Path) -> Run:
 
 
 def readers(raw: bytes, apart: bool) -> tuple[Callable[[], Any], ...]:
-    """Return what reads a picture: photos, servers' answers, bundles, textures of meshes.
+    """Return all readers of pictures: photos, server responses, bundles, mesh textures.
 
     ``apart`` decodes in a child for each, as users do; else in this process, as within the child
     in which a mesh is read.
@@ -81,7 +81,7 @@ def _textured(raw: bytes) -> None:
     if reason := check_pictures([raw]):
         raise InputError(reason)
     try:
-        image = Image.open(io.BytesIO(raw))  # by trimesh, which takes any exception as no picture
+        image = Image.open(io.BytesIO(raw))  # trimesh treats any exception as a missing picture
     except Exception as error:
         raise InputError("no picture") from error
     Pictures("the mesh").place(image, np.ones(3))
@@ -107,7 +107,7 @@ def depths(rng: random.Random, folder: Path) -> Run:
     def run() -> bool:
         found: list[Intrinsics] = []
         good = accepts(lambda: found.append(Intrinsics(*given)))
-        asks: Any = None  # nobody is asked about a picture
+        asks: Any = None  # no backend is called
         usual = found[0] if found else Intrinsics(*camera)
         return good and accepts_any(
             lambda: refer(picture, asks, asks, 0, depth=depth, intrinsics=usual),
@@ -118,7 +118,7 @@ def depths(rng: random.Random, folder: Path) -> Run:
 
 
 def cameras(rng: random.Random, folder: Path) -> Run:
-    """What ``generate`` is given of a camera, a name, a seed and where to write."""
+    """Arguments of ``generate``: camera, name, seed and output path."""
     (folder / "picture.png").write_bytes(_good())
     (folder / "depth.png").write_bytes(_good("PNG", depth=True))
     (folder / "file").write_text("x")

@@ -1,4 +1,4 @@
-"""Pictures whose parts are sound and do not go together: tags, segments, chunks, frames."""
+"""Pictures with valid parts in invalid combinations: tags, segments, chunks, frames."""
 
 import functools
 import random
@@ -23,13 +23,13 @@ from ..streams import spoiled
 from . import Run
 from .pictures import readers
 
-_APART = 0.1  # of the cases are decoded in children
+_APART = 0.1  # share of cases decoded in children
 _COMPRESSIONS = (None, "tiff_lzw", "tiff_adobe_deflate", "packbits", "jpeg", "zstd", "lzma", "webp")
 _MODES = ("RGB", "L", "P", "RGBA", "CMYK", "1", "F")
 
 
 def structures(rng: random.Random, folder: Path) -> Run:
-    """Pictures made of the parts of sound ones, for everything that reads pictures."""
+    """Pictures assembled from parts of valid ones, for all readers of pictures."""
     raw = rng.choice((_tiff, _tiff, _jpeg, _png, _gif, _webp, _repeated))(rng)
     if rng.random() < 0.05:
         raw = spoiled(raw, rng)
@@ -50,7 +50,7 @@ def _tiff(rng: random.Random) -> bytes:
     mode, compression = rng.choice(_MODES), rng.choice(_COMPRESSIONS)
     try:
         sound = _sound("TIFF", mode, rng.random() < 0.1, compression=compression)
-    except (OSError, ValueError, RuntimeError):  # no such compression of that mode
+    except (OSError, ValueError, RuntimeError):  # no such compression for this mode
         sound = _sound("TIFF", "RGB", False)
     return mutated_tiff(rng, sound)
 
@@ -74,7 +74,7 @@ def _webp(rng: random.Random) -> bytes:
 
 
 def _repeated(rng: random.Random) -> bytes:
-    """The same scan, frame or tag, again and again."""
+    """The same scan, frame or tag, repeated."""
     kind = rng.randrange(3)
     if kind == 0:
         side = rng.choice((64, 640, 3000))

@@ -7,15 +7,15 @@ export const en: Texts = {
   thanks: "Thank you for taking part",
   welcome: [
     "This questionnaire is part of a study on the automatic generation of 3D tabletop scenes from one picture. It compares different methods.",
-    "Your answers are anonymous and are used for research only. They hold a random number, your marks and the time that each page took; nothing about you or your device.",
+    "Your answers are anonymous and are used for research only. They contain a random number, your ratings and the time spent on each page, but nothing about you or your device.",
   ],
   task: (scenes, results) => [
     `${scenes === 1 ? "There is 1 page. It" : `There are ${scenes} pages. Each`} shows an input picture and ${results} results generated from it, in random order. Ignore the angle from which a result is shown.`,
-    "Compare each result with the input picture and give it marks from 1 to 7. Then choose the result that you prefer overall.",
+    "Compare each result with the input picture and rate it from 1 to 7. Then choose the result that you prefer overall.",
   ],
-  scale: "1 = very poor, 4 = average, 7 = excellent. Higher marks mean better quality.",
+  scale: "1 = very poor, 4 = average, 7 = excellent. Higher ratings mean better quality.",
   checks:
-    "An extra item may tell you which number to choose. It shows that the questions are read.",
+    "An extra item may tell you which number to choose. It checks that the questions are read.",
   keyboard:
     "With a keyboard: Tab moves from question to question, 1 to 7 or the arrow keys answer, Enter on a picture enlarges it.",
   resume: "You can close the page and continue later in this browser.",
@@ -72,14 +72,14 @@ export const en: Texts = {
   again: "Try again",
   download: "Download the answers",
   startOver: "Start over",
-  startOverWarning: "This deletes your answers in this browser and begins with other scenes.",
+  startOverWarning: "This deletes your answers in this browser and starts again with other scenes.",
   startOverYes: "Delete and start over",
   cancel: "Cancel",
-  notKept: "This browser keeps nothing: do not close or reload the page before the end.",
+  notKept: "This browser does not save your progress: do not close or reload the page before the end.",
   close: "Close",
   previous: "Previous picture",
   following: "Next picture",
   larger: "Larger",
   smaller: "Smaller",
-  missing: "This page holds no study. Make one with the command “study new”.",
+  missing: "This page contains no study. Create one with the command “study new”.",
 };

@@ -1,4 +1,4 @@
-/** The texts of the page by language; a new language is one more table and one more line. */
+/** The texts of the page by language; a new language needs one more table and one more line. */
 import { en } from "./en";
 import type { Texts } from "./table";
 import { zh } from "./zh";
@@ -14,7 +14,7 @@ export const LANGUAGES = Object.keys(TEXTS) as Language[];
 export const isLanguage = (value: unknown): value is Language =>
   typeof value === "string" && Object.hasOwn(TEXTS, value);
 
-/** Returns the first language of the browser that there are texts in; English if there are none. */
+/** Returns the browser's first language with texts, English by default. */
 export function usualLanguage(): Language {
   const wanted = navigator.languages.map((tag) => tag.split("-")[0]);
   return wanted.find(isLanguage) ?? "en";

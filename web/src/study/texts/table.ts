@@ -1,16 +1,16 @@
-/** What every language says. */
+/** The texts required of every language. */
 import type { Question } from "../study";
 
 export interface QuestionTexts {
   name: string;
-  /** The question in one line. */
+  /** The question on one line. */
   question: string;
-  /** What to consider. */
+  /** Aspects to consider. */
   consider: string;
 }
 
 export interface Texts {
-  /** The language's own name. */
+  /** Name of the language in itself. */
   name: string;
   language: string;
   title: string;
@@ -32,7 +32,7 @@ export interface Texts {
   questions: Record<Question, QuestionTexts>;
   check(level: number): string;
   checkName: string;
-  /** What the lowest, the middle and the highest mark mean. */
+  /** Meanings of the lowest, middle and highest rating. */
   levels: { 1: string; 4: string; 7: string };
   choice: string;
   unanswered: string;
