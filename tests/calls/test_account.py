@@ -151,7 +151,7 @@ def test_the_shipped_prices_are_dated() -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("= 1", "is no TOML"),
+        ("= 1", "is not valid TOML"),
         ("modles = 1", "Did you mean 'models'"),
         ("models = 1", "is a table"),
         ('[models."m"]\nimput = 1', "Did you mean 'input'"),

@@ -50,7 +50,9 @@ def test_a_breaker_opens_rests_and_lets_one_try() -> None:
     breaker.check("a call")
     breaker.record_failure("It is down.", line)
     now[0] = 4.0
-    with pytest.raises(BackendError, match=r"a call.* maker failed 2 .* It is down\. .* 6 s more"):
+    with pytest.raises(
+        BackendError, match=r"a call.* maker failed 2 .* It is down\. .* another 6 s"
+    ):
         breaker.check("a call")
     now[0] = 10.0
     breaker.check("the trial")

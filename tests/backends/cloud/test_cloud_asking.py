@@ -185,7 +185,7 @@ def test_a_server_that_hangs_is_not_waited_for_for_ever(
     server.script.hang = 1.0
     server.script.failures.extend(["hang"] * 9)
     once = replace(reasoner, session=Session(attempts=1))
-    with pytest.raises(BackendError, match=r"list_objects.*did not answer within 0.3 s"):
+    with pytest.raises(BackendError, match=r"list_objects.*did not respond within 0.3 s"):
         once.list_objects(reference())
 
 

@@ -197,7 +197,7 @@ def test_a_server_that_hangs_or_is_not_there_is_given_up():
 
 def test_a_dry_run_says_what_it_would_ask():
     with serving(lambda call: Answer(body=GOOD)) as served:
-        with pytest.raises(DryRunError, match=r"Would ask hunyuan3d, model \(hunyuan3d-2\.1\)"):
+        with pytest.raises(DryRunError, match=r"Would call hunyuan3d, model \(hunyuan3d-2\.1\)"):
             ask(served.url, session=Session(dry=True))
         assert not served.calls
 
