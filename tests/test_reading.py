@@ -100,7 +100,7 @@ def test_no_number_and_no_text_is_refused(raw):
 def test_sizes_and_kinds_are_checked():
     with pytest.raises(InputError, match="11 bytes of JSON; the limit is 10"):
         parse_json(b" " * 10 + b"1", "It", InputError, max_bytes=10)
-    with pytest.raises(InputError, match="one JSON object, not list"):
+    with pytest.raises(InputError, match="must be a JSON object, not list"):
         parse_object("[]", "It", InputError)
 
 

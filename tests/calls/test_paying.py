@@ -170,7 +170,7 @@ def test_a_dry_run_that_needs_no_call_makes_nothing(
     generate()  # its answer is kept
     shutil.rmtree(tmp_path / "scenes")
     for names in ((), ("--backend", "embedded")):
-        assert "No server would be asked. Nothing was made" in generate("--dry-run", *names).out
+        assert "No server would be called. Nothing was made" in generate("--dry-run", *names).out
     told = generate("--dry-run", "--json", "--figures", str(tmp_path / "figures"))
     assert told.facts["dry_run"] == []
     assert not (tmp_path / "scenes").exists() and not (tmp_path / "figures").exists()

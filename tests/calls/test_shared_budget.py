@@ -202,7 +202,7 @@ def test_what_an_older_version_kept_is_not_taken_for_nothing(tmp_path: Path, old
     (tmp_path / old).write_text('{"mark": "m", "currency": "USD", "money": 1.0}')
     for _ in range(2):
         with pytest.raises(
-            StorageError, match=rf"{old} was written by an older version.*remove it"
+            StorageError, match=rf"{old} was written by an older version.*remove the file"
         ):
             SharedBudget.open(tmp_path, "USD")
     (tmp_path / old).unlink()

@@ -56,7 +56,7 @@ def test_a_breaker_opens_rests_and_lets_one_try() -> None:
         breaker.check("a call")
     now[0] = 10.0
     breaker.check("the trial")
-    with pytest.raises(BackendError, match="10 s more"):
+    with pytest.raises(BackendError, match="another 10 s"):
         breaker.check("a call beside it")
     breaker.record_failure("Still down.", breaker.line())
     now[0] = 19.0

@@ -238,7 +238,7 @@ def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
     assert set(told) == {*EMBEDDED, *PUBLISHED}
     assert {scene["perceptual"][name]["elevation_deg"] for name in EMBEDDED} == {50}
     bare = saved(taken.scene.replace(name="bare"), store)
-    assert "keeps no picture" in shell("evaluate", bare, "--sweep").out
+    assert "contains no picture" in shell("evaluate", bare, "--sweep").out
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""Pictures as image models answer with them: decoded with care, told from their background."""
+"""Safe decoding of pictures from image models, and separation of objects from backgrounds."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from ..server.json_text import Wrong
 LIMITS = PictureLimits(
     formats=("PNG", "JPEG", "WEBP"), max_bytes=128 * 2**20, max_pixels=40_000_000, min_side=64
 )
-"""Limits on the picture of an answer."""
+"""Limits on the picture in an answer."""
 
-_NEAR = 30  # grey levels by which a flat background may differ
-_FLAT = 0.7  # share of the picture's border that a flat background fills
-_LEAST, _MOST = 0.004, 0.97  # share of the picture that a thing drawn alone may fill
+_NEAR = 30  # grey levels by which a flat background may vary
+_FLAT = 0.7  # minimum fraction of the picture's border that a flat background fills
+_LEAST, _MOST = 0.004, 0.97  # fraction of the picture that an object drawn alone may fill
 
 RGBA = UInt8[np.ndarray, "_ _ 4"]
 
@@ -36,13 +36,13 @@ def decode_answer(data: bytes) -> RGBA:
 
 
 def on_white(picture: RGBA) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a picture with white behind what is transparent."""
+    """Return a picture composited on white."""
     alpha = picture[..., 3:].astype(np.float32) / 255
     return np.round(picture[..., :3] * alpha + 255 * (1 - alpha)).astype(np.uint8)
 
 
 def shrink(picture: UInt8[np.ndarray, "h w c"], maximum: int) -> UInt8[np.ndarray, "a b c"]:
-    """Return a picture with no side longer than ``maximum`` pixels."""
+    """Return a picture scaled down to at most ``maximum`` pixels per side."""
     height, width = picture.shape[:2]
     factor = maximum / max(width, height)
     if factor >= 1:
@@ -54,7 +54,7 @@ def shrink(picture: UInt8[np.ndarray, "h w c"], maximum: int) -> UInt8[np.ndarra
 def pad(
     picture: UInt8[np.ndarray, "h w 3"], minimum: float, maximum: float
 ) -> UInt8[np.ndarray, "a b 3"]:
-    """Return a picture with white at its sides, so that width over height is within limits."""
+    """Return a picture padded with white to an aspect ratio within limits."""
     height, width = picture.shape[:2]
     across = max(width, int(np.ceil(height * minimum)))
     down = max(height, int(np.ceil(width / maximum)))
@@ -65,10 +65,10 @@ def pad(
 
 
 def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
-    """Return where the thing is that was drawn alone, on nothing or on a flat background.
+    """Return the mask of an object drawn alone on a transparent or flat background.
 
     Raises:
-        Wrong: the background is not flat, or the thing fills next to nothing, or everything.
+        Wrong: the background is not flat, or the object fills too little or too much of it.
     """
     alpha = picture[..., 3]
     clear = _border(alpha < 128).mean()
