@@ -56,7 +56,7 @@ def test_a_dry_run_makes_and_removes_nothing(
     [
         (("vanity", "swap", "lipstick"), 2, 'swap NAME "a banjo"'),
         (("vanity", "swap", "lipstick", "a mug"), 2, "Did you mean 'lipstick_1'"),
-        (("vanity", "add", "a mug", "--to", "0", "0"), 2, "--to and --turn require the action move"),
+        (("vanity", "add", "a mug", "--to", "0", "0"), 2, "--to and --turn require the action"),
         (("vanity", "move", "lipstick_1"), 2, "--to X Y"),
         (("vanity", "move", "lipstick_1", "on the mirror", "--to", "0", "0"), 2, "--to X Y"),
         (("vanity", "remove", "lipstick_1", "--replace"), 5, "only what is there is removed"),

@@ -70,7 +70,7 @@ def test_an_interrupted_batch_says_that_what_is_made_is_kept(
     [
         (("no-such.txt",), 2, "No such file"),
         (("prompts.txt", "--backend", "embeded"), 3, "Did you mean 'embedded'"),
-        (("prompts.txt", "--encoder", "cloud"), 3, "nobody answers features"),
+        (("prompts.txt", "--encoder", "cloud"), 3, "no encoder (features)"),
         (("prompts.txt", "--route", "compose", "--imager", "cloud"), 2, "uses no backends"),
         (("prompts.txt", "--workers", "0", "--route", "compose"), 2, "workers"),
     ],

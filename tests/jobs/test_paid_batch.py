@@ -170,7 +170,8 @@ def test_a_dry_run_says_what_each_scene_would_ask_and_makes_nothing(
     assert [line.split() for line in roles] == [[role, "remote"] for role in select.PROTOCOLS]
     rows = batching("--dry-run", "--json").facts["dry_run"]
     assert [(r["text"], r["state"]) for r in rows] == [("one", "to ask"), ("two", "to ask")]
-    assert rows[0]["calls"][0].startswith("Would call cloud, plan_scene (m), for at most 0.0400 EUR")
+    first = rows[0]["calls"][0]
+    assert first.startswith("Would call cloud, plan_scene (m), for at most 0.0400 EUR")
     assert server.asked == [] and not (tmp_path / "out").exists()
 
     batching("--budget", "0.09", code=3)

@@ -82,7 +82,7 @@ class EmbeddedReasoner:
                 if (category := find_category(thing.label)) is not None:
                     solid = usual_solid(category.key)
                     looks.append(apparent_scale(whole_box(thing), solid, plane))
-        metric = told or reference.depth is not None
+        metric = planned or reference.depth is not None
         factor = 1.0 if metric else _table_factor(looks)
         for thing in things:
             if thing.name not in sizes:
