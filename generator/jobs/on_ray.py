@@ -167,7 +167,7 @@ def _connect(ray: Any, address: str, width: int) -> None:
         _knock(address)
         ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR, **cpus)
     except (OSError, ValueError, RuntimeError, ray.exceptions.RayError) as error:
-        raise BackendError(f"No Ray at {address!r}: {error}") from error
+        raise BackendError(f"No Ray cluster at {address!r}: {error}") from error
     finally:
         if asked is None:
             del os.environ[_USAGE]

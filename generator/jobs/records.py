@@ -43,7 +43,7 @@ PLACE = ".batch"
 
 
 def key_of(job: Job, make: Maker) -> str:
-    """Return the name of a job's record; for a picture it depends on its content, if readable."""
+    """Return the name of a job's record, which for a readable picture depends on its content."""
     from ..method.reference import fetch, is_picture_name
 
     picture = None

@@ -206,5 +206,5 @@ def test_a_task_that_ray_takes_no_more_fails_alone(monkeypatch: pytest.MonkeyPat
 
 def test_no_cluster_is_told() -> None:
     pytest.importorskip("ray")
-    with pytest.raises(BackendError, match=r"No Ray at '127\.0\.0\.1:9'"):
+    with pytest.raises(BackendError, match=r"No Ray cluster at '127\.0\.0\.1:9'"):
         pool_of(1, "127.0.0.1:9")

@@ -111,7 +111,7 @@ def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.nd
 
 
 def _on_table(sight: EyeReading, minimum: float) -> list[EyeDetection]:
-    """Return the objects that stand on the table or on each other, not beside or under it."""
+    """Return the objects that stand on the table or on each other, not next to or under it."""
     stands = stand_on(sight, [thing.whole for thing in sight.things])
     return [
         thing

@@ -50,7 +50,9 @@ def read_keys(what: str) -> tuple[str, str]:
     """
     found = os.environ.get(SECRET_ID, ""), os.environ.get(SECRET_KEY, "")
     if not all(found):
-        raise BackendError(f"{what} no key. Set {SECRET_ID} and {SECRET_KEY} in the environment.")
+        raise BackendError(
+            f"{what} the key is missing. Set {SECRET_ID} and {SECRET_KEY} in the environment."
+        )
     return found
 
 

@@ -114,7 +114,7 @@ class Hunyuan3D:
         }
 
     def health(self) -> str:
-        """Return the server's id of itself; a busy server does not respond.
+        """Return the server's worker id; a busy server does not respond.
 
         Raises:
             BackendError: no response, or 2.1's route does not exist (2.0's server has none).

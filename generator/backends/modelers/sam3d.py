@@ -28,7 +28,7 @@ _UNIT = 1e-2  # tolerance of a unit quaternion's norm
 
 @dataclass(frozen=True)
 class Sam3D(Installed):
-    """Runs an installed SAM 3D Objects, one instance at a time; needs 32 GB of CUDA memory.
+    """Runs a local installation of SAM 3D Objects; needs 32 GB of CUDA memory.
 
     Its mesh is used, and its rotation serves as a hint to the rotation stage
     (``Model.orientation``); translation and scale are ignored. It was tested with a simulated model
@@ -101,7 +101,7 @@ def orientation(rotation: Any, view: View, what: str) -> Float[np.ndarray, "3 3"
     if rotation is None:
         return None
     try:
-        for step in ("detach", "cpu"):  # of a tensor
+        for step in ("detach", "cpu"):  # if it is a tensor
             rotation = getattr(rotation, step, lambda kept=rotation: kept)()
         quaternion = np.asarray(rotation, np.float64).reshape(4)
     except (TypeError, ValueError):

@@ -130,7 +130,7 @@ class Tencent:
             reason = f"job {job} ended as {str(reply.get('Status'))[:40]!r} ({said})."
             if not new:
                 raise LostJob(reason)
-            raise BackendError(f"{what} {reason} Run it again to submit it anew.")
+            raise BackendError(f"{what} {reason} Run it again to submit a new job.")
         raw = self._download(reply, service)
         if raw is None:  # its URL has expired; another poll returns a new one
             raw = self._download(service.look(job, "renew"), service)

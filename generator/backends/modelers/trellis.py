@@ -29,7 +29,7 @@ Version = Literal["1", "2"]
 
 @dataclass(frozen=True)
 class Trellis(Installed):
-    """Runs an installed TRELLIS, one instance at a time; needs CUDA.
+    """Runs a local installation of TRELLIS on one instance at a time; needs CUDA.
 
     Attributes:
         version: "1" is TRELLIS, "2" is TRELLIS.2.

@@ -110,7 +110,7 @@ class Breaker:
                     f"last failure: {self._reason} It is not contacted for another {left:.0f} "
                     "s. Check that it runs, then try again."
                 )
-            # the other calls wait for this one
+            # only one trial call; the others wait for its outcome
             self._closed_again = self._clock() + self._policy.rest
 
     def line(self) -> FailureStreak:

@@ -28,7 +28,7 @@ def decode_answer(data: bytes) -> RGBA:
     """Decode the picture of an answer in a child process.
 
     Raises:
-        UnusableError: it is not a PNG, JPEG or WebP, is damaged, or is over a limit.
+        UnusableError: it is not a PNG, JPEG or WebP, is damaged, or exceeds a limit.
     """
     if data.lstrip()[:1] == b"<":
         raise UnusableError(f"the picture is HTML ({len(data)} bytes).")
@@ -81,7 +81,7 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
 
 
 def apart(colors: UInt8[np.ndarray, "*n 3"], color: ArrayLike) -> Float[np.ndarray, "*n"]:
-    """Return how far colours are from one, in grey levels of the channel that differs most."""
+    """Return the distances of colours from one colour: the maximum channel, in grey levels."""
     off = np.abs(colors.astype(np.float32) - np.asarray(color, np.float32))
     return np.maximum(np.maximum(off[..., 0], off[..., 1]), off[..., 2])
 
@@ -91,7 +91,7 @@ def _border(picture: np.ndarray) -> np.ndarray:
 
 
 def _flat_ground(picture: UInt8[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
-    """Return where the flat colour of the border reaches without a break."""
+    """Return the region of the border's flat colour that is connected to the border."""
     border = _border(picture)
     usual = np.median(border, axis=0)
     if (apart(border, usual) <= _NEAR).mean() < _FLAT:
@@ -101,5 +101,5 @@ def _flat_ground(picture: UInt8[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]
     numbers = np.asarray(found, np.intp)
     reached = np.zeros(count, bool)
     reached[_border(numbers)] = True
-    reached[0] = False  # what is not near
+    reached[0] = False  # the label of the pixels with other colours
     return reached[numbers]

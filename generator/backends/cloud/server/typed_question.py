@@ -48,7 +48,7 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass
 class Manners:
-    """Request features that a server has accepted: the form of answers, and a seed."""
+    """Request options that a server has accepted: the form of answers, and a seed."""
 
     form: int = 0
     seed: bool = True

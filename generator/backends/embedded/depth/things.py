@@ -103,7 +103,7 @@ def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[
     return [region]
 
 
-# ------------------------------------------------------------------------------ what was seen
+# ------------------------------------------------------------------------------ detections
 
 
 def confirm(

@@ -96,7 +96,7 @@ def carries(
     below: Bool[np.ndarray, "h w"],
     holds: bool,
 ) -> tuple[float, bool]:
-    """Return the confidence that one object carries another (0: it does not), and if inside."""
+    """Return the confidence that one object carries another (0: no), and whether it is inside."""
     rows = np.flatnonzero(full.any(1))
     edges = np.flatnonzero(below.any(1))
     if not len(rows) or not len(edges):

@@ -51,7 +51,7 @@ def _find(
     length: float | None,
     view: View | None,
 ) -> TablePlane:
-    """Compute :func:`find_tabletop` with a cache, since several stages need the same picture's."""
+    """Compute :func:`find_tabletop` with a cache, since several stages use the same picture."""
     image = np.frombuffer(pixels, np.uint8).reshape(*size, 3)
     sight = see(image)
     elevation, fov = fit_view(sight.latitude)

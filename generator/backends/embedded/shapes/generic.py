@@ -157,7 +157,7 @@ def _area(posed: PosedSolid, sweep: int) -> float:
 
 
 def is_regular(posed: PosedSolid) -> bool:
-    """Return whether an extruded outline looks as if made to lie or stand like that.
+    """Return whether an extruded outline has a regular shape.
 
     Rectangles and ellipses do, and so do outlines with an arm or much longer than wide.
     """
