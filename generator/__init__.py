@@ -1,13 +1,13 @@
 """Turn a text or one picture of a tabletop into a simulated table (TabletopGen).
 
-Contains no robot code.
+The package contains no robot code.
 
     from generator import compose, generate, load, save
 
     scene = compose("a desk with a laptop and a red mug", seed=0)
     save(scene, "tables")
 
-The names below are imported when they are first used.
+The names below are imported lazily, on first use.
 """
 
 from __future__ import annotations

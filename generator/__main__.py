@@ -1,4 +1,4 @@
-"""``python -m generator``: the ``tabletopgen`` command."""
+"""Entry point of ``python -m generator``, which runs the ``tabletopgen`` command."""
 
 from __future__ import annotations
 

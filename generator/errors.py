@@ -1,7 +1,7 @@
-"""The errors this project raises on purpose, below one base class.
+"""Exceptions that this project raises deliberately; they share one base class.
 
-Each message says what was wrong, what exists instead, and what to do: ``choices`` and
-``require_known`` help with names, ``require`` with the numbers of settings.
+Each message states the problem, the valid values and a fix. ``choices`` and ``require_known`` help
+with names, ``require`` with numeric settings.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from tabletop_objects.errors import require_known as require_known
 
 
 class BackendError(TabletopError, RuntimeError):
-    """A backend is unknown, not installed, or failed to answer a stage's question."""
+    """A backend is unknown, not installed, or failed to answer a request."""
 
 
 class UnusableError(BackendError):
-    """A backend gave an unusable answer; another attempt may succeed."""
+    """A backend returned an unusable answer; another attempt may succeed."""
 
 
 class BudgetError(BackendError):
@@ -29,7 +29,7 @@ class BudgetError(BackendError):
 
 
 class DryRunError(BackendError):
-    """A dry run sends no calls; the message lists what would have been sent."""
+    """A dry run sends no calls; the message lists the calls that it would have sent."""
 
 
 class StoppedError(BackendError):
@@ -37,7 +37,7 @@ class StoppedError(BackendError):
 
 
 class BundleError(TabletopError, RuntimeError):
-    """A bundle on disk is damaged, unsafe, from another schema, or cannot be found."""
+    """A bundle on disk is damaged, unsafe, missing, or has an unsupported schema."""
 
 
 class MissingError(BundleError):
@@ -45,15 +45,15 @@ class MissingError(BundleError):
 
 
 class StorageError(TabletopError, OSError):
-    """The disk refused: unwritable folder, full disk, lock not obtained."""
+    """A file operation failed: unwritable folder, full disk, or lock not acquired."""
 
 
 class SceneError(TabletopError, RuntimeError):
-    """A scene cannot be built, fails its physical gate, or offers nothing to do."""
+    """A scene cannot be built, fails its physical gate, or allows no valid task."""
 
 
 MAX_SEED = 2**63 - 1
-"""The largest seed that all generators of random numbers take."""
+"""The largest seed that every random number generator in use accepts."""
 
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (InputError, 2),
@@ -62,11 +62,11 @@ EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (StorageError, 5),
     (SceneError, 6),
 )
-"""Exit codes of the commands by kind of error."""
+"""Exit codes of the commands by error class."""
 
 
 def exit_code(error: TabletopError) -> int:
-    """Return the exit code of a command that failed with an error."""
+    """Return the exit code of a command that failed with ``error``."""
     return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
 
 
@@ -81,11 +81,11 @@ def require(
 ) -> None:
     """Check that the fields ``names`` of a settings object are numbers within a range.
 
-    ``above`` is what the value is above; ``integer`` ones are integers; ``allow_inf`` lets infinity
-    pass.
+    ``above`` is an exclusive lower bound. ``integer`` requires whole numbers. ``allow_inf`` accepts
+    infinity.
 
     Raises:
-        InputError: a value is no number or out of range.
+        InputError: a value is not a number or is out of range.
     """
     for name in names:
         require_number(
@@ -104,10 +104,12 @@ def require_number(
     integer: bool = False,
     allow_inf: bool = False,
 ) -> None:
-    """Check one number as ``require`` does; ``needs`` begins the message: "certify needs episodes".
+    """Check one number as ``require`` does.
+
+    ``needs`` is the start of the message, such as "certify needs episodes".
 
     Raises:
-        InputError: the value is no number or out of range.
+        InputError: the value is not a number or is out of range.
     """
     kind = numbers.Integral if integer else numbers.Real
     low, high = f" >= {minimum:g}" if minimum is not None else "", ""
@@ -129,8 +131,8 @@ def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
     """Check a seed; all commands and functions share this rule.
 
     Raises:
-        InputError: it is no whole number from 0 to ``maximum``, the largest that what it seeds
-            takes.
+        InputError: the seed is not a whole number from 0 to ``maximum``, the largest seed that the
+            caller's random number generator accepts.
     """
     whole = isinstance(seed, numbers.Integral) and not isinstance(seed, bool)
     if not (whole and 0 <= seed <= maximum):  # type: ignore[operator]
@@ -138,7 +140,7 @@ def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
 
 
 def _as_float(value: object) -> float:
-    """Return a number as a float; infinity if it is too large."""
+    """Return a number as a float, or infinity if it is too large."""
     try:
         return float(value)  # type: ignore[arg-type]
     except OverflowError:

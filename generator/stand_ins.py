@@ -1,7 +1,7 @@
-"""Stand-ins: plain things of about the right shape and size for what the catalogue lacks.
+"""Stand-ins: plain objects of roughly the right shape and size for unknown categories.
 
-Each belongs to a family ("appliance", "garment", "rod"). Many are drawn as a category of the
-catalogue that looks alike; the others are plain solids.
+Each stand-in belongs to a family ("appliance", "garment", "rod"). Many families use a similar
+category of the catalogue; the others are plain solids.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from tabletop_objects.values import Extent
 from .scene import Model
 
 GENERIC = "generic"
-"""Category of a stand-in."""
+"""The category of a stand-in."""
 
 _DENSITY = 400.0  # kg/m^3
 
@@ -34,9 +34,9 @@ class Family:
     """A kind of stand-in.
 
     Attributes:
-        size: usual extent (length x, depth y, height z), metres, of a solid of its own.
-        make: makes that solid, in metres.
-        like: the category that it is drawn as instead.
+        size: usual extent (length x, depth y, height z) in metres, for families with a plain solid.
+        make: builds the plain solid, in metres.
+        like: the catalogue category that is used instead.
     """
 
     size: Extent = (0.1, 0.08, 0.09)
@@ -45,12 +45,12 @@ class Family:
 
     @property
     def extent(self) -> Extent:
-        """Usual extent, metres."""
+        """The usual extent in metres."""
         return self.size if self.like is None else CATEGORIES[self.like].size
 
     @property
     def container(self) -> bool:
-        """Whether things can be put into it."""
+        """Whether other objects can be placed inside it."""
         return self.like is not None and CATEGORIES[self.like].container
 
 
@@ -61,9 +61,10 @@ def build_stand_in(
     attributes: Mapping[str, str] = MappingProxyType({}),
     size: Extent | None = None,
 ) -> Model:
-    """Return the stand-in of a family ("" or an unknown one is a plain block), marked as one.
+    """Return a model of a family, marked as a stand-in.
 
-    ``size`` is its extent in metres; None takes the family's, and the attribute "size" with it.
+    An empty or unknown ``family`` gives a plain block. ``size`` is the extent in metres; None uses
+    the family's extent and the attribute "size".
     """
     kind = FAMILIES.get(family, FAMILIES["block"])
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 5])
@@ -80,7 +81,7 @@ def build_stand_in(
 
 
 def stand_in_size(family: str, attributes: Mapping[str, str] = MappingProxyType({})) -> Extent:
-    """Return the extent expected of a family's stand-in, metres."""
+    """Return the expected extent of a family's stand-in in metres."""
     x, y, z = FAMILIES.get(family, FAMILIES["block"]).extent
     factor = size_factor(attributes)
     return x * factor, y * factor, z * factor
@@ -130,7 +131,7 @@ def _device(look: Look) -> Shape:
 
 
 def _rod(look: Look) -> Shape:
-    """A lying stick."""
+    """A rod lying on its side."""
     x, y, _ = FAMILIES["rod"].size
     stick = cylinder(y / 2, x, 20, bevel=0.002).turn(1, np.pi / 2).move(-x / 2, 0, y / 2)
     return shape(
@@ -178,7 +179,7 @@ def _furniture(look: Look) -> Shape:
 
 
 def _food(palette: tuple[str, ...], family: str) -> Callable[[Look], Shape]:
-    """Return the maker of a rounded lump of food with a flat foot."""
+    """Return a builder for a rounded piece of food with a flat base."""
 
     def make(look: Look) -> Shape:
         x, y, z = FAMILIES[family].size
@@ -316,4 +317,4 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "vehicle": Family(like="toy_car"),
     }
 )
-"""Every family by name; those of ``generator/language/words/nouns.tsv`` are among them."""
+"""All families by name, including those of ``generator/language/words/nouns.tsv``."""

@@ -1,4 +1,4 @@
-"""Tables: outline x legs x material, the top exactly flat at canonical z = +0.5."""
+"""Tables: a top outline, legs and a material; the top is exactly flat at canonical z = +0.5."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from .errors import InputError, choices
 from .scene import TABLE, ConvexPart, Model, Physics, PlannedTable
 
 OUTLINES = ("rectangle", "square", "round", "oval", "triangle", "slatted")
-"""Shapes of a top."""
+"""The shapes of a tabletop."""
 
 
 def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
-    """Return the top's convex outline in metres, counter-clockwise, at most 16 points."""
+    """Return the top's convex outline in metres, counter-clockwise, with at most 16 points."""
     x, y, _ = plan.size
     if plan.outline in ("round", "oval"):
         circle = ellipse(2, 2, 16)
-        if plan.outline == "oval":  # a superellipse, fuller than an ellipse
+        if plan.outline == "oval":  # a superellipse, which is fuller than an ellipse
             circle = np.sign(circle) * np.abs(circle) ** 0.8
         return circle * [x / 2, y / 2]
     if plan.outline == "triangle":
@@ -41,15 +41,15 @@ def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
 
 
 def build_table(plan: PlannedTable, seed: int) -> Model:
-    """Build a planned table: canonical model of ``plan.size`` metres, parts = top and legs.
+    """Build the canonical model of a planned table of ``plan.size`` metres: the top and the legs.
 
     Raises:
-        InputError: unknown outline or legs, or a size no table has (each side 0.2 to 4 m).
+        InputError: the outline or the legs are unknown, or a side is outside 0.2 to 4 m.
     """
     if not all(0.2 <= side <= 4.0 for side in plan.size):
-        raise InputError(f"A table measures 0.2 to 4 m along each side, got {plan.size}.")
+        raise InputError(f"Each side of a table must measure 0.2 to 4 m, got {plan.size}.")
     if plan.legs not in LEGS:
-        raise InputError(f"A table cannot have {plan.legs!r} legs." + choices(plan.legs, LEGS))
+        raise InputError(f"Unknown table legs {plan.legs!r}." + choices(plan.legs, LEGS))
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 7])
     made = _table(plan, rng)
     unit, center, extent = to_unit_box(mesh_of(made))
@@ -65,13 +65,13 @@ def build_table(plan: PlannedTable, seed: int) -> Model:
 
 
 def _friction(material: str) -> float:
-    """Return the sliding friction of a tabletop: polished stone, glass and metal are smoother."""
+    """Return the sliding friction of a tabletop; polished stone, glass and metal have less."""
     smooth = {"glass", "marble", "stone", *METALS}
     return 0.45 if smooth & set(material.lower().replace("-", " ").split()) else 0.5
 
 
 def _table(plan: PlannedTable, rng: np.random.Generator) -> Shape:
-    """Shape a table in metres, standing on z = 0."""
+    """Return the shape of a table in metres, standing on z = 0."""
     top_tile, leg_tile = _tiles(plan, rng)
     height = plan.size[2]
     thick = 0.02 if plan.material.startswith("glass") else 0.034
@@ -85,7 +85,7 @@ def _table(plan: PlannedTable, rng: np.random.Generator) -> Shape:
 
 
 def _top(plan: PlannedTable, low: float, high: float) -> tuple[list[Solid], ConvexPart]:
-    """Return the top's solids and its one collision slab, from z ``low`` to ``high``."""
+    """Return the top's solids and its single collision part, between z ``low`` and ``high``."""
     x, y, _ = plan.size
     outline = outline_of(plan)
     if plan.outline == "slatted":
@@ -121,7 +121,7 @@ def _apron(plan: PlannedTable, top: float) -> list[Solid]:
 
 
 def _feet(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
-    """Return where the legs join the top: near its corners, three for a triangle."""
+    """Return the points where the legs join the top: near its corners, three for a triangle."""
     x, y, _ = plan.size
     if plan.outline == "triangle":
         return np.array([[-0.36, -0.39], [0.36, -0.39], [0.0, 0.26]]) * [x, y]
@@ -137,7 +137,7 @@ Legs = tuple[list[Solid], list[ConvexPart]]
 
 
 def _post(foot: np.ndarray, top: float, low: float, high: float, lean: float = 0.0) -> Solid:
-    """Return a square post from side ``low`` at the floor to ``high`` under the top."""
+    """Return a square post, ``low`` wide at the floor and ``high`` wide at the top, in metres."""
     outward = foot / np.hypot(*foot) * lean
     square = rectangle(1, 1)
     rings = np.stack(
@@ -170,7 +170,7 @@ def _splayed_legs(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> L
 
 
 def _trestle(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
-    if len(feet) == 3:  # a triangular top has no two parallel ends to carry
+    if len(feet) == 3:  # a triangular top has no two parallel ends to support
         return _straight(feet, top, width)
     reach = np.abs(feet).max(0)
     side = 0.045
@@ -240,7 +240,7 @@ LEGS: Mapping[str, Callable[[Float[np.ndarray, "k 2"], float, float], Legs]] = M
         "metal": _metal,
     }
 )
-"""Leg styles: (where they join, height under the top, narrower side of the table)."""
+"""Leg styles: functions of (joints with the top, height under the top, shorter side)."""
 
 
 # -------------------------------------------------------------------------------- materials

@@ -1,4 +1,4 @@
-"""Processor count and the number of threads this process computes with."""
+"""Processor count and the number of compute threads of this process."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-_TURN = threading.RLock()  # torch's thread count belongs to the process, not to a thread
+_TURN = threading.RLock()  # torch's thread count is global to the process, not per thread
 
 
 def cores() -> int:
-    """Return how many processors this process may use."""
+    """Return the number of processors available to this process."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
 def threads() -> int:
-    """Return the number of threads to compute with; results do not depend on it.
+    """Return the number of compute threads; results do not depend on it.
 
-    This is OMP_NUM_THREADS if set, which NumPy's BLAS and torch read too, and which a batch and Ray
-    set for processes that share a machine; otherwise all processors.
+    This is OMP_NUM_THREADS if set, otherwise all processors. NumPy's BLAS and torch read the same
+    variable; batches and Ray set it for processes that share a machine.
     """
     setting = os.environ.get("OMP_NUM_THREADS", "").split(",")[0].strip()
     return int(setting) if setting.isdecimal() and int(setting) else cores()
@@ -29,7 +29,7 @@ def threads() -> int:
 
 @contextmanager
 def torch_threads(count: int) -> Iterator[None]:
-    """Run torch on ``count`` threads inside the block; not for several Python threads at once."""
+    """Run torch on ``count`` threads inside the block; one Python thread may use it at a time."""
     import torch
 
     before = torch.get_num_threads()
@@ -44,9 +44,10 @@ def torch_threads(count: int) -> Iterator[None]:
 def single_thread() -> Iterator[None]:
     """Run torch on one thread inside the block.
 
-    One thread sums in a fixed order, so results do not depend on the number of cores. Small work
-    such as splats does not profit from more threads either; on a busy machine they make it many
-    times slower. Threads take turns: code that a block waits for must not enter another one.
+    One thread sums in a fixed order, so results do not depend on the number of cores. Small
+    operations such as splats do not benefit from more threads, and on a busy machine more threads
+    make them many times slower. Only one Python thread at a time may be inside the block, so the
+    block must not wait for code in another thread that enters it too.
     """
     with _TURN, torch_threads(1):
         yield

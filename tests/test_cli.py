@@ -32,7 +32,7 @@ def test_compose_inspect_verify_view_and_remove(store: Path, tmp_path: Path, she
 
     assert shell("inspect", "reading", "--json").facts["objects"] == made["objects"]
 
-    assert "sound" in shell("verify", "reading").out
+    assert "valid" in shell("verify", "reading").out
 
     picture = tmp_path / "view.png"
     assert command("view", "reading", "--picture", str(picture)) == 0
@@ -64,7 +64,7 @@ def test_a_damaged_bundle_fails_verification(store: Path, shell: Shell) -> None:
         (("generate", "nowhere/desk.png"), 2, "No picture"),
         (("generate", TEXT, "--backend", "embeded"), 3, "Did you mean 'embedded'"),
         (("generate", TEXT, "--modeler", "hunyuan3"), 3, "Did you mean 'hunyuan3d'"),
-        (("generate", TEXT, "--backend", "cloud"), 3, "nobody answers segment"),
+        (("generate", TEXT, "--backend", "cloud"), 3, "no segmenter (segment)"),
         (("inspect", "no-such-scene"), 4, "no-such-scene"),
         (("cache", "rm", "no-such-scene"), 4, "no-such-scene"),
     ],

@@ -57,7 +57,7 @@ def test_extras_that_are_missing_come_with_the_line_that_installs_them(
     line = "record: missing minari; pip install 'tabletopgen[record]'"
     assert line in told(shell)
     monkeypatch.setattr(facts, "version", lambda p: None if p == "numpy" else installed(p))
-    assert "numpy: missing, install tabletopgen again" in told(shell)
+    assert "numpy: missing, reinstall tabletopgen" in told(shell)
 
 
 @pytest.mark.parametrize("words", [(), ("--json",)])

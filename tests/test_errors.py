@@ -51,7 +51,7 @@ def ended(body: str, shell: str) -> subprocess.CompletedProcess[str]:
         ("import time; time.sleep(0.5); print('few')", "| true", 141, ""),
         ("import time; time.sleep(0.5); print('few'); sys.exit(0)", "| true", 141, ""),
         ("print('few')", ">&-", 0, ""),
-        ("print('few')", "> /dev/full", 5, "error: what was printed could not be written"),
+        ("print('few')", "> /dev/full", 5, "error: the output could not be written"),
         ("print('few'); raise BrokenPipeError('of a worker')", "", 1, "of a worker"),
         ("print('few'); sys.exit(3)", "", 3, ""),
     ],

@@ -1,4 +1,4 @@
-"""Classes that answer the stages' questions. See ``protocols``, ``select`` and ``mix``."""
+"""Backends: the models behind the stages. See ``protocols``, ``select`` and ``mix``."""
 
 from .mix import Mix
 from .select import Backends

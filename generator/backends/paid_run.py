@@ -1,4 +1,4 @@
-"""What runs that ask backends share: who answers, where responses lie, what earlier runs spent."""
+"""Shared parts of runs that use servers: roles, cached responses, and earlier spending."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from .mix import Mix
 from .select import Backends
 
 VARIABLE = "TABLETOPGEN_CALLS"
-"""Environment variable naming the folder of cached responses."""
+"""Environment variable of the folder of cached responses."""
 
-_MOST_BYTES = 2**30  # of a file that decides a scene
+_MOST_BYTES = 2**30  # maximum size of a file that determines a scene
 
 
 def roles_of(mix: Mix, backends: Backends) -> dict[str, dict[str, Any]]:
-    """Return for each role who it is by name, and the settings that decide its answers."""
+    """Return the backend of each role, with the settings that determine its answers."""
     names, settings = mix.roles(), backends.identity()
     return {
         role: {"name": names[role], **{k: v for k, v in settings[role].items() if k != "class"}}
@@ -34,7 +34,7 @@ def roles_of(mix: Mix, backends: Backends) -> dict[str, dict[str, Any]]:
 
 
 def calls_folder(calls: Path | None = None) -> Path:
-    """Return where responses are cached: in ``calls``, else where this user's are."""
+    """Return the folder of cached responses: ``calls``, or else this user's default."""
     import platformdirs
 
     usual = os.environ.get(VARIABLE) or Path(platformdirs.user_cache_dir("tabletopgen")) / "calls"
@@ -42,7 +42,7 @@ def calls_folder(calls: Path | None = None) -> Path:
 
 
 def scene_key(*decisive: Any) -> str:
-    """Return what names a scene in ``answering``, by all that decides it; of files, the content."""
+    """Return the name of a scene for ``answering``, derived from its inputs and file contents."""
     values = [_content(value) if isinstance(value, Path) else value for value in decisive]
     text = json.dumps(plain(values), sort_keys=True, default=str)
     return hashlib.sha256(text.encode()).hexdigest()[:16]
@@ -52,15 +52,15 @@ def _content(path: Path) -> str:
     try:
         content = read_regular(path, "The file", InputError, max_bytes=_MOST_BYTES)
         return hashlib.sha256(content).hexdigest()
-    except InputError:  # who needs it tells of it
+    except InputError:  # the code that uses the file reports the error
         return str(path)
 
 
 @contextmanager
 def answering(session: Session, scene: str, tell: Callable[[str], None]) -> Iterator[None]:
-    """Have a session know what earlier runs of a scene spent, and end its calls with the run.
+    """Load a scene's earlier spending into a session, and end its calls with the block.
 
-    Where the run fails, ``tell`` is given what it cost; see ``Session.resume``.
+    If the run fails, ``tell`` receives its costs; see ``Session.resume``.
     """
     spending = session.resume(scene)
     assert spending is not None
@@ -70,12 +70,14 @@ def answering(session: Session, scene: str, tell: Callable[[str], None]) -> Iter
         session.stop.set()
         spent = session.account.text(session.prices.currency)
         if spent and not isinstance(error, DryRunError):
-            tell(f"{spent}\nWhat was answered is kept; {spending.path} says what was spent.")
+            tell(
+                f"{spent}\nReceived answers are kept; the spending is recorded in {spending.path}."
+            )
         raise
 
 
 def save_ledger(session: Session, made: Path) -> None:
-    """Write the ledger of the bundle ``made``: one that has none, or has to grow."""
+    """Write the ledger of the bundle ``made``, if it has none or has new entries."""
     entries = session.account.entries
     now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)
     if now or (any(e.earlier for e in entries) and not (made / LEDGER).exists()):

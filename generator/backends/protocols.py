@@ -1,8 +1,8 @@
-"""The typed questions that stages ask. A backend is any object that answers some of them.
+"""The protocols of backends: typed questions of the stages. A backend answers some of them.
 
-A backend sees what these signatures pass, and nothing else. Each backend is a frozen dataclass
-whose fields are its identity (model id, revision, seed); keys come from the environment and are
-never stored, logged or put into an exception.
+A backend receives the arguments of these methods and nothing else. Each backend is a frozen
+dataclass whose fields are its identity (model id, revision, seed). Keys come from the environment
+and are never stored, logged or included in exceptions.
 """
 
 from __future__ import annotations
@@ -35,22 +35,22 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 R = TypeVar("R")
 Instances = tuple[Instance, ...]
-"""What was found in a picture; the table is among it."""
+"""The detections in a picture, including the table."""
 
 Sizes = Mapping[str, SizePrior]
-"""Sizes by instance name, metres."""
+"""Sizes in metres by instance name."""
 
 
 class Each(Protocol):
-    """How one question is asked about many things."""
+    """A function that applies one question to many items."""
 
     def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        """Return ``work`` of every item, in their order."""
+        """Return ``work`` of every item, in order."""
         ...
 
 
 def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-    """Ask one after another: what computes here gains nothing by threads."""
+    """Process items sequentially; local computation does not benefit from threads here."""
     return [work(item) for item in items]
 
 
@@ -63,7 +63,7 @@ class Reasoner(Protocol):
         ...
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Name the categories to look for in the image, "table" among them (Sec. 3.1)."""
+        """Return the categories to detect in the image, including "table" (Sec. 3.1)."""
         ...
 
     def estimate_view(self, reference: Reference, table: Instance) -> View:
@@ -71,28 +71,29 @@ class Reasoner(Protocol):
         ...
 
     def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
-        """Give each instance's commonsense size and axes, the table's too (Fig. 22)."""
+        """Estimate each instance's commonsense size and axes, including the table's (Fig. 22)."""
         ...
 
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
     ) -> tuple[tuple[str, int], ...]:
-        """Say how to turn a mesh upright: ("x"|"y"|"z", multiple of 90 degrees) steps (Fig. 23).
+        """Return the rotations that turn a mesh upright (Fig. 23).
 
-        ``mesh`` is in metres, as its modeler sized it, about the middle of its box.
+        They are ("x"|"y"|"z", multiple of 90 degrees) steps. ``mesh`` is in metres at its modeler's
+        size, centred on its bounding box.
         """
         ...
 
     def stacking_order(
         self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
-        """Say what each instance stands on or in (Fig. 25)."""
+        """Return the support of each instance, and whether it is on or in it (Fig. 25)."""
         ...
 
 
 @runtime_checkable
 class Judge(Protocol):
-    """Marks for finished scenes (Sec. 4.1): two questions that a reasoner may answer, too."""
+    """Ratings of finished scenes (Sec. 4.1): two questions that a reasoner may also answer."""
 
     def rate(
         self,
@@ -100,9 +101,9 @@ class Judge(Protocol):
         pictures: tuple[UInt8[np.ndarray, "_a _b 3"], ...],
         criteria: Mapping[str, str],
     ) -> Mapping[str, float]:
-        """Mark the scene that ``pictures`` show, for each criterion, from 1 (poor) to 7.
+        """Rate the scene in ``pictures`` for each criterion, from 1 (poor) to 7.
 
-        ``criteria`` tells what each key means; 4 is average.
+        ``criteria`` describes each key; 4 is average.
         """
         ...
 
@@ -111,51 +112,51 @@ class Judge(Protocol):
         reference: UInt8[np.ndarray, "h w 3"],
         methods: Mapping[str, tuple[UInt8[np.ndarray, "_a _b 3"], ...]],
     ) -> tuple[str, ...]:
-        """Order several methods' scenes of one reference by overall preference, best first."""
+        """Rank several methods' scenes of one reference by overall preference, best first."""
         ...
 
 
 @runtime_checkable
 class PoseGuesser(Protocol):
-    """Poses read off the picture (Sec. 4.3) where an ablation leaves out DRO and TSA.
+    """Poses estimated from the picture (Sec. 4.3), for ablations without DRO and TSA.
 
-    Two questions that a reasoner may answer, too.
+    These are two questions that a reasoner may also answer.
     """
 
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Say each instance's yaw in radians, world frame; the table, whose yaw is 0, is left out.
+        """Return each instance's yaw in radians, world frame, without the table, whose yaw is 0.
 
-        Yaw 0 has the length (of ``sizes``) along +x.
+        At yaw 0, the length (of ``sizes``) is along +x.
         """
         ...
 
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Say where on the table each instance is and how large, in metres; the table is left out.
+        """Return each instance's position on the table and its size in metres, without the table.
 
-        The top is as large as ``sizes`` has it.
+        The tabletop has the size in ``sizes``.
         """
         ...
 
 
 @runtime_checkable
 class Imager(Protocol):
-    """The image model of the paper: draws, completes, and shows the table from above."""
+    """The paper's image model: draws reference pictures, completes objects, and draws top views."""
 
     def draw(self, plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
-        """Draw the reference image of a plan: whole table on white, 50-60 degrees elevation."""
+        """Draw the reference image of a plan: whole table on white, at 50-60 degrees elevation."""
         ...
 
     def complete(
         self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
     ) -> Instance:
-        """Redraw one object clean and whole (Sec. 3.1, Fig. 21). ``others`` may hide it.
+        """Redraw one object complete and clean (Sec. 3.1, Fig. 21). ``others`` may hide it.
 
-        The returned instance keeps the detection's label, box and mask; its name is its label
-        (the stage makes names unique).
+        The returned instance keeps the detection's label, box and mask; its name is its label (the
+        stage makes names unique).
         """
         ...
 
@@ -167,10 +168,11 @@ class Imager(Protocol):
         rotations: Mapping[str, Rotation],
         view: View,
     ) -> TopView:
-        """Show the table from straight above (Sec. 3.3, TSA, Fig. 24).
+        """Draw the table from straight above (Sec. 3.3, TSA, Fig. 24).
 
-        ``instances`` includes the table. A backend that only draws may leave ``boxes`` empty, for
-        the segmenter to find, and ignore ``models`` and ``rotations``: what is known so far.
+        ``instances`` includes the table. A backend that only draws may leave ``boxes`` empty, so
+        that the segmenter detects them, and may ignore ``models`` and ``rotations``, the results so
+        far.
         """
         ...
 
@@ -186,10 +188,11 @@ class Segmenter(Protocol):
         depth: Float[np.ndarray, "h w"] | None = None,
         intrinsics: Intrinsics | None = None,
     ) -> tuple[Detection, ...]:
-        """Find every instance of ``labels``; exactly one detection has the label "table".
+        """Detect every instance of ``labels``; exactly one detection has the label "table".
 
-        ``depth`` (metres, 0 where unknown) and ``intrinsics`` come with an RGB-D picture only. The
-        label "object" asks for anything on the table; a backend may answer with a better word.
+        ``depth`` (metres, 0 where unknown) and ``intrinsics`` are given for RGB-D pictures only.
+        The label "object" requests any object on the table; a backend may return a more specific
+        word.
         """
         ...
 
@@ -199,9 +202,9 @@ class Modeler(Protocol):
     """Image to 3D (Sec. 3.2)."""
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
-        """Make a textured model of one instance (the table too), in any orientation by 90 degrees.
+        """Make a textured model of one instance or the table, in any orientation by 90 degrees.
 
-        ``view`` is along the instance's own ray, ``size`` the prior.
+        ``view`` is along the instance's own ray; ``size`` is the prior.
         """
         ...
 

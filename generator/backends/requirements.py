@@ -1,4 +1,4 @@
-"""What backends need that run models in this process: imports, their folder, readable failures."""
+"""Requirements of backends that run models in this process: imports, folder, and errors."""
 
 from __future__ import annotations
 
@@ -18,27 +18,27 @@ from ..errors import BackendError
 T = TypeVar("T")
 
 MODELS = "TABLETOPGEN_MODELS"
-"""The environment's name for the folder; a cache of Hugging Face (``hub``) can be one."""
+"""Environment variable of the models' folder, which may be a Hugging Face cache (``hub``)."""
 
 
 def module(name: str, backend: str, how: str) -> ModuleType:
-    """Import what a backend needs (BackendError: it does not load; ``how`` says what to do)."""
+    """Import a package for a backend (BackendError: the import fails; ``how`` gives advice)."""
     try:
         return importlib.import_module(name)
     except ImportError as error:
         raise BackendError(
-            f"{backend} needs {name}, which does not load ({error}). {how}"
+            f"{backend} needs {name}, which cannot be imported ({error}). {how}"
         ) from error
 
 
 class Once(Generic[T]):
-    """What is made when it is first asked for, once, whichever thread asks first."""
+    """A value computed once, on first use, by whichever thread needs it first."""
 
     def __init__(self, make: Callable[[], T]) -> None:
         self._make, self._made, self._turn = make, list[T](), threading.Lock()
 
     def __call__(self) -> T:
-        """Return it."""
+        """Return the value."""
         with self._turn:
             if not self._made:
                 self._made.append(self._make())
@@ -47,17 +47,17 @@ class Once(Generic[T]):
 
 @contextlib.contextmanager
 def working(what: str) -> Iterator[None]:
-    """Turn whatever a model raises into a BackendError that says what it worked on."""
+    """Convert any exception of a model to a BackendError that names its task."""
     try:
         yield
     except BackendError:
         raise
     except Exception as error:
         said = " ".join(str(error).split())[:300]
-        raise BackendError(f"{what} it failed ({type(error).__name__}: {said}).") from error
+        raise BackendError(f"{what} the model failed ({type(error).__name__}: {said}).") from error
 
 
 def models_folder(given: str | Path | None = None) -> Path:
-    """Return ``given``, else the environment's folder, else the one in this user's cache."""
+    """Return ``given``, or else the environment's folder, or else the one in this user's cache."""
     usual = Path(platformdirs.user_cache_dir("tabletopgen")) / "models"
     return Path(given or os.environ.get(MODELS) or usual).expanduser()

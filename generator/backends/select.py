@@ -1,7 +1,7 @@
-"""Which class answers which question: one literal, lazy table.
+"""Selection of backends by name, with a lazily loaded table of classes.
 
-``Backends.select("embedded", modeler=MyModeler())`` mixes. There is no silent fallback: an
-unknown name lists the choices, a missing extra names the pip line.
+``Backends.select("embedded", modeler=MyModeler())`` combines backends. There is no silent fallback:
+an error lists the choices for an unknown name, and the pip command for a missing extra.
 """
 
 from __future__ import annotations
@@ -53,14 +53,14 @@ TABLE: Mapping[str, Mapping[str, str]] = {
         "encoder": f"{_HUGGINGFACE}.encoder:HuggingFaceEncoder",
     },
 }
-"""Backend name, then question set, to the class that answers; loaded when selected."""
+"""The class of each backend name and role, loaded on selection."""
 
 
 def check_names(default: str, roles: Mapping[str, Any]) -> None:
-    """Check who answers each role, by names.
+    """Check the backend name of each role.
 
     Raises:
-        BackendError: a role's name, or ``default`` for it, is unknown, or does not answer it.
+        BackendError: a role's name, or ``default`` in its place, is unknown or lacks the role.
     """
     if default not in TABLE:
         raise BackendError(f"Unknown backend {default!r}.{choices(default, TABLE)}")
@@ -70,8 +70,10 @@ def check_names(default: str, roles: Mapping[str, Any]) -> None:
         if name not in TABLE:
             raise BackendError(f"Unknown {role} {name!r}.{choices(name, able[role])}")
     lacking = [
-        f"Backend {name!r} has no {role}: nobody answers {', '.join(_questions(role))}. Choose "
-        f"another {role}. Available: {', '.join(sorted(able[role]))}."
+        (
+            f"Backend {name!r} has no {role} ({', '.join(_questions(role))}). "
+            f"Choose another {role}. Available: {', '.join(sorted(able[role]))}."
+        )
         for role, name in names.items()
         if name not in able[role]
     ]
@@ -94,7 +96,7 @@ def _load(name: str, role: str, session: Session) -> Any:
 
 
 def _add_fallback(role: str, backend: Any) -> Any:
-    """Return a backend with the embedded one as its ``fallback`` if it has such a field, empty."""
+    """Return a backend with the embedded one as its ``fallback``, if it has such an empty field."""
     if "fallback" not in _fields(type(backend)) or backend.fallback is not None:
         return backend
     return dataclasses.replace(backend, fallback=_load("embedded", role, Session()))
@@ -116,7 +118,7 @@ def _check(role: str, backend: Any) -> Any:
 
 @dataclass(frozen=True)
 class Backends:
-    """The five sets of answers a generation needs."""
+    """The backends of the five roles that a generation needs."""
 
     reasoner: Reasoner
     imager: Imager
@@ -128,15 +130,15 @@ class Backends:
     def select(
         cls, default: str = "embedded", *, session: Session | None = None, **roles: Any
     ) -> Backends:
-        """Return backends by name, with single roles replaced by a name or by your own object.
+        """Return backends by name; single roles may be set to a name or to your own object.
 
-        ``default`` answers whatever ``roles`` (``reasoner``, ``imager``, ``segmenter``,
-        ``modeler``, ``encoder``) leave open. Backends chosen by name that ask servers share
-        ``session``: store, ledger, budget; None is a new one that keeps nothing.
+        ``default`` is used for the roles (``reasoner``, ``imager``, ``segmenter``, ``modeler``,
+        ``encoder``) that ``roles`` does not set. Backends selected by name that call servers share
+        ``session`` with its store, ledger and budget; None creates a new one that stores nothing.
 
         Raises:
-            BackendError: unknown backend or role, a backend that does not answer a role's
-                questions, a missing extra, or an object that lacks a method of its protocol.
+            BackendError: an unknown backend or role, a backend without the role, a missing extra,
+                or an object that lacks a method of its protocol.
         """
         for role in roles:
             if role not in PROTOCOLS:
@@ -154,10 +156,10 @@ class Backends:
         )
 
     def check(self) -> None:
-        """Ask every role that can tell whether it is able to answer: its ``check()``, if any.
+        """Call ``check()`` of every role that has one.
 
         Raises:
-            BackendError: a folder, a model or a key is not there.
+            BackendError: a folder, a model or a key is missing.
         """
         for role in PROTOCOLS:
             check = getattr(getattr(self, role), "check", None)
@@ -165,24 +167,24 @@ class Backends:
                 check()
 
     def each(self, role: str) -> Each:
-        """Return how to ask a role about many things: at once where it has a ``session``.
+        """Return a function that applies a role to many items, concurrently with a ``session``.
 
-        That is what waits for a server; what computes here is asked in turn.
+        Only calls to servers are concurrent; local computation is sequential.
         """
         session = getattr(getattr(self, role), "session", None)
         return session.each if isinstance(session, Session) else in_turn
 
     def asks_servers(self) -> bool:
-        """Return whether a role has a ``session``: its answers come from a server."""
+        """Return whether a role has a ``session``, so that its answers come from a server."""
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def for_text(self) -> Backends:
-        """Return the backends for what was drawn of a text: a modeler may work faster there."""
+        """Return the backends for pictures drawn from a text, for which a modeler may be faster."""
         quick = getattr(self.modeler, "for_text", None)
         return self if quick is None else dataclasses.replace(self, modeler=quick())
 
     def identity(self) -> dict[str, dict[str, Any]]:
-        """Return each role's stable name and fields: what provenance records. No secrets."""
+        """Return each role's stable name and fields, as recorded in provenance, without secrets."""
         return {
             field.name: _identity(getattr(self, field.name)) for field in dataclasses.fields(self)
         }
@@ -198,10 +200,10 @@ def _identity(backend: Any) -> dict[str, Any]:
 
 
 def stable_name(kind: type) -> str:
-    """Return what provenance calls a class, whatever module it moves to.
+    """Return the name of a class in provenance, independent of its module.
 
-    A backend of the table is its name and role ("embedded.modeler"); another class of this project
-    is its bare name; a user's is its module and name.
+    A backend of the table has its name and role ("embedded.modeler"); another class of this project
+    has its bare name; a user's class has its module and name.
     """
     place = f"{kind.__module__}:{kind.__qualname__}"
     for name, answers in TABLE.items():
@@ -213,7 +215,7 @@ def stable_name(kind: type) -> str:
 
 
 def _record(value: Any) -> Any:
-    """Return what provenance records of a setting, ``_UNTOLD`` where it cannot be written down."""
+    """Return the provenance record of a setting, or ``_UNTOLD`` if it cannot be serialised."""
     if isinstance(value, str | int | float | bool | type(None)):
         return value
     if isinstance(value, tuple | list):

@@ -1,6 +1,6 @@
-"""Everything between a question and a paid call: sending, waiting, keeping, counting.
+"""Paid calls to servers: transport, retries, cache, prices, budgets and the ledger.
 
-``Session`` is what the calls of one generation share. Backends that ask a server hold one.
+A ``Session`` is shared by all calls of one generation. Each backend that calls a server holds one.
 """
 
 from .session import Session

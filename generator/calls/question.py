@@ -1,4 +1,4 @@
-"""What a request asks, whether it was asked before, and the most that it can cost."""
+"""The content of a request: its question, its key in the call store, and its maximum cost."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ MEANT, FREE = "x-tabletopgen-meant", "x-tabletopgen-free"
 
 Memo = Literal["yes", "no", "renew"]
 
-_MEANT = ("x-tc-action", "x-tc-version", "x-tc-region")  # headers that are part of a question
+_MEANT = ("x-tc-action", "x-tc-version", "x-tc-region")  # headers that are part of the question
 _MEMOS: Mapping[str, Memo] = {"yes": "yes", "no": "no", "renew": "renew"}
-_DIGITS = 12  # of the largest number of tokens or pictures
-_BYTES = 3  # of a text, to a token: few, so that the estimate is not too low
-_LONGEST_WORD = 4096  # characters: a longer one is a file in base64
-_ANSWER = 16_384  # tokens of a drawing, which no request sets a bound to
-_TALK = 131_072  # tokens of a chat's answer without a bound, with all that the model thinks
+_DIGITS = 12  # digits of the largest number of tokens or images
+_BYTES = 3  # bytes of text per token; conservatively low, so that costs are not underestimated
+_LONGEST_WORD = 4096  # characters; longer words are base64-encoded files
+_ANSWER = 16_384  # tokens of a generated image, which requests do not limit
+_TALK = 131_072  # tokens of an unlimited chat answer, including the model's reasoning
 
 
 @dataclass(frozen=True)
 class Question:
-    """One call: what it asks for of which model, the key of its content, and its price.
+    """One call: its question and model, the key of its content, and its price.
 
-    ``at`` is the server's host, and port if it has one.
+    ``at`` is the server's host, with its port if it has one.
     """
 
     server: str
@@ -49,13 +49,14 @@ class Question:
     at: str = ""
 
     def __str__(self) -> str:
-        """Return how messages name it."""
+        """Return the name of the call in messages."""
         return f"{self.server}, {self.name}" + f" ({self.model})" * bool(self.model)
 
     def money(self, usage: Usage) -> float | None:
-        """Return what an answer cost; None where the price is not known.
+        """Return the cost of an answer, or None if its price is unknown.
 
-        Where tokens are paid for, and the answer does not say how many, it is the most it can be.
+        If tokens are billed and the answer does not report their number, the maximum cost is
+        returned.
         """
         if self.price is None or self.most is None:
             return None
@@ -66,7 +67,7 @@ class Question:
 
 @dataclass(frozen=True)
 class Usage:
-    """What an answer says that it took."""
+    """Token and image counts that an answer reports."""
 
     tokens_in: int = 0
     tokens_out: int = 0
@@ -74,20 +75,23 @@ class Usage:
 
 
 NOTHING = Usage()
-"""What an answer took that says nothing of it."""
+"""The usage of an answer that reports none."""
 
 
 def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
-    """Return what a request asks; the headers that say so are taken off it.
+    """Return the question of a request and remove the internal headers that describe it.
 
     Raises:
-        BackendError: ``x-tabletopgen-memo`` has another value than "yes", "no" and "renew".
+        BackendError: ``x-tabletopgen-memo`` is not "yes", "no" or "renew".
     """
     name = request.headers.pop(QUESTION, "") or f"{request.method} {request.url.path}"
     model = request.headers.pop(MODEL, "")
     memo = request.headers.pop(MEMO, "yes")
     if memo not in _MEMOS:
-        raise BackendError(f"{server}, {name}: {MEMO} is {memo!r}." + choices(memo, _MEMOS))
+        raise BackendError(
+            (f'{server}, {name}: the header {MEMO} must be "yes", "no" or "renew", got {memo!r}.')
+            + choices(memo, _MEMOS)
+        )
     body = request.read()
     meant = request.headers.pop(MEANT, "")
     free = request.headers.pop(FREE, "") == "yes"
@@ -101,9 +105,9 @@ def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
 
 
 def usage(payload: Any) -> Usage:
-    """Return what the JSON of an answer says that it took.
+    """Return the usage that the JSON of an answer reports.
 
-    What a model thinks is paid for as well; some servers count it in the total alone.
+    Reasoning tokens are billed too; some servers count them only in the total.
     """
     if not isinstance(payload, dict):
         return NOTHING
@@ -118,7 +122,7 @@ def usage(payload: Any) -> Usage:
 
 
 def failed(payload: Any) -> bool:
-    """Return whether the JSON of an answer of status 2xx tells of an error."""
+    """Return whether the JSON of an answer with status 2xx reports an error."""
     if not isinstance(payload, dict):
         return False
     inner = payload.get("Response")
@@ -126,7 +130,7 @@ def failed(payload: Any) -> bool:
 
 
 def _key(request: httpx2.Request, body: bytes, model: str) -> str:
-    """Return the sha256 of what is asked: no key, no signature, no random boundary in it."""
+    """Return the sha256 of the question, without keys, signatures and random boundaries."""
     kind = request.headers.get("content-type", "")
     boundary = re.search(r'boundary="?([^";,]+)', kind)
     if boundary:
@@ -138,7 +142,7 @@ def _key(request: httpx2.Request, body: bytes, model: str) -> str:
 
 
 def _payload(request: httpx2.Request, body: bytes) -> Mapping[str, Any]:
-    """Return the fields of a request's body: of JSON, or the short ones of a form."""
+    """Return the fields of a request's body: its JSON, or the short fields of a form."""
     kind = request.headers.get("content-type", "")
     if "json" in kind:
         try:
@@ -154,9 +158,9 @@ def _payload(request: httpx2.Request, body: bytes) -> Mapping[str, Any]:
 def _price(
     request: httpx2.Request, payload: Mapping[str, Any], body: bytes, price: Price | None
 ) -> tuple[Price | None, float | None]:
-    """Return what a call costs and the most it can, None where that is not known.
+    """Return a call's price and its maximum cost; None for unknown values.
 
-    To look costs nothing, and so does what is not listed on this machine.
+    Status requests are free, and so are unlisted models on this machine.
     """
     if request.method in ("GET", "HEAD") or (price is None and local(request.url.host)):
         return Price(), 0.0
@@ -191,7 +195,7 @@ def _texts(value: Any) -> Iterator[str]:
 
 
 def _count(value: Any) -> int:
-    """Return a number of things as servers and forms write it; 0 for anything else."""
+    """Return a count as servers and forms write it; 0 if it is invalid."""
     if isinstance(value, str) and len(value) > _DIGITS:
         return 0
     try:

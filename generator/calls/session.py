@@ -1,4 +1,4 @@
-"""What the calls of one generation share."""
+"""State and settings that all calls of one generation share."""
 
 from __future__ import annotations
 
@@ -31,21 +31,21 @@ EXTRA = "pip install 'tabletopgen[cloud]'"
 
 @dataclass(frozen=True, eq=False)
 class Session(SessionState):
-    """Keeps, counts, bounds and repeats the calls of one generation; safe for threads.
+    """Caches, records, limits and retries the calls of one generation; thread-safe.
 
-    ``store``: where answers are kept; None keeps nothing.
-    ``account``: the ledger they are entered in; ``resume`` has it know of earlier runs.
-    ``prices``: what they cost.
-    ``budget``: what they may cost together, in the currency of ``prices``; a call that might exceed
-    it is not sent; what that may be is estimated on the high side. None for no limit.
-    ``workers``: how many things are asked for at once.
-    ``attempts``: how often a call is sent at most.
-    ``dry``: nothing is sent: the first call that the store cannot answer raises DryRunError.
-    ``stop``: once set, calls that wait or are still to be sent raise StoppedError. So do those
-    under way that do not end within ``grace``.
-    ``retry_policy``: how long to wait between attempts.
-    ``grace``: seconds that a call under way has after ``stop``, or Ctrl-C, to be answered, so that
-    the answer is kept. A second Ctrl-C ends it at once.
+    ``store``: the cache of answers; None disables caching.
+    ``account``: the ledger of the calls; ``resume`` adds earlier runs.
+    ``prices``: prices of models.
+    ``budget``: maximum total cost, in the currency of ``prices``. A call that might exceed it is
+    not sent; estimates are conservative. None means no limit.
+    ``workers``: maximum number of concurrent work items.
+    ``attempts``: maximum number of attempts per call.
+    ``dry``: send nothing; the first call that the store cannot answer raises DryRunError.
+    ``stop``: once set, waiting and unsent calls raise StoppedError, and so do calls in flight that
+    do not end within ``grace``.
+    ``retry_policy``: waits between attempts.
+    ``grace``: seconds after ``stop`` or Ctrl-C in which calls in flight may finish, so that their
+    answers are stored. A second Ctrl-C ends them immediately.
 
     Raises:
         InputError: a number is out of range.
@@ -62,31 +62,32 @@ class Session(SessionState):
         headers: tuple[str, ...] = (),
         sign: Sign | None = None,
     ) -> httpx2.Client:
-        """Return an HTTP client whose calls this session keeps, counts, bounds and repeats.
+        """Return an HTTP client whose calls this session caches, records, limits and retries.
 
-        It speaks to the origin of ``base_url`` alone. A request says what it is for by headers that
-        are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
-        ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
-        the kept answer is of no use any more. ``x-tabletopgen-meant`` stands for the body where
-        requests that differ ask the same, or that are alike do not. ``x-tabletopgen-free`` is "yes"
-        for what costs nothing (a look at a job), whatever the price table has. Other headers than
-        those of HTTP itself are not sent either. Answers of status 2xx, and 4xx that no wait would
-        mend, are returned, with the key that they are kept under (``store.KEY``); everything else
-        raises BackendError.
+        The client calls the origin of ``base_url`` only. Internal headers, which are not sent,
+        describe a request: ``x-tabletopgen-question`` (a protocol's method),
+        ``x-tabletopgen-model``, and ``x-tabletopgen-memo``, which is "no" for an answer that
+        changes (such as the state of a job) and "renew" if the stored answer is no longer of use.
+        ``x-tabletopgen-meant`` replaces the body in the key of the call store, for different bodies
+        that ask the same question or equal bodies that do not. ``x-tabletopgen-free`` is "yes" for
+        requests without cost (such as the state of a job), regardless of the price table. Only
+        standard HTTP headers and ``headers`` are sent. Responses with status 2xx, or with a 4xx
+        that no retry can fix, are returned with their key (``store.KEY``); all other outcomes raise
+        BackendError.
 
         Args:
-            server: names the server in messages and in the ledger.
-            base_url: http or https, as far as all paths have it in common.
-            timeout: seconds that one attempt may take.
-            most_bytes: what an answer may have at most.
-            secrets: what no message may hold. Keys go into headers, never into a URL, and where
-                some are given no others are sent.
-            headers: more that may be sent, in lower case.
-            sign: gives the headers that sign a request, for each attempt anew.
+            server: name of the server in messages and in the ledger.
+            base_url: the common http or https prefix of all paths.
+            timeout: maximum duration of one attempt in seconds.
+            most_bytes: maximum size of a response.
+            secrets: strings that messages must not contain. Keys belong in headers, never in a URL;
+                if secrets are given, headers with other keys are not sent.
+            headers: additional headers that may be sent, in lower case.
+            sign: returns the headers that sign a request, computed for each attempt.
 
         Raises:
-            BackendError: the extra is not installed, or the URL is invalid, or holds a password.
-            UnusableError: by a call, of an answer that is a web page or too large.
+            BackendError: the extra is not installed, or the URL is invalid or contains a password.
+            UnusableError: raised by calls if the response is a web page or too large.
         """
         try:
             import httpx2
@@ -94,26 +95,27 @@ class Session(SessionState):
             from .transport import PaidTransport
         except ImportError as error:
             raise BackendError(
-                f"{server} is asked over HTTP, and {error.name} is not installed. Run: {EXTRA}"
+                f"{server} is called over HTTP, which needs {error.name}. Run: {EXTRA}"
             ) from error
         checked_address(base_url, f"{server}: its address")
         transport = PaidTransport(
             self, server, base_url, timeout, most_bytes, secrets, headers, sign,
-            trust=self.trust,  # read now: it takes longer than some calls may
+            # loaded now, because loading takes longer than the timeout of some calls
+            trust=self.trust,
         )  # fmt: skip
         return httpx2.Client(
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )
 
     def resume(self, scene: str, keeper: Keeper = LOCAL) -> Spending | None:
-        """Know what earlier runs of a scene spent, and write this one's calls down with theirs.
+        """Load the spending of a scene's earlier runs, and record this run's calls with it.
 
-        To be called before any call. Returns where that is: in the database, on which ``keeper``
-        works, beside the answers; None if none are kept.
+        Call this before any other call. Returns the record, in the database next to the stored
+        answers, which ``keeper`` accesses; None if the session has no store.
 
         Raises:
-            StorageError: what was spent cannot be read.
-            InputError: it was in another currency than that of ``prices``.
+            StorageError: the recorded spending cannot be read.
+            InputError: earlier spending is in another currency than ``prices``.
         """
         if self.store is None:
             return None
@@ -123,17 +125,18 @@ class Session(SessionState):
 
     @functools.cached_property
     def trust(self) -> ssl.SSLContext:
-        """The certificates that servers are held against: reading them takes long, so once."""
+        """The certificates that verify servers, cached because reading them is slow."""
         import httpx2
 
         return httpx2.create_ssl_context()
 
     def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        """Return ``work`` of every item, in their order, ``workers`` at a time.
+        """Return ``work`` of each item, in order, with up to ``workers`` items at a time.
 
-        The first error stops what waits or has not begun, and is raised when the rest has ended;
-        what was answered by then is in the store. Ctrl-C leaves the rest ``grace``, a second one
-        nothing. In a dry run all items are tried, and one error names all calls.
+        The first error stops items that wait or have not started, and is raised once the others
+        have ended; answers received until then are in the store. Ctrl-C gives running items
+        ``grace`` seconds, a second one none. A dry run tries all items and reports all calls in one
+        error.
         """
         if min(self.workers, len(items)) <= 1 and not self.dry:
             return [work(item) for item in items]
@@ -156,19 +159,19 @@ class Session(SessionState):
                     if any(f.done() and f.exception() for f in futures):
                         halted.set()
                 wait(futures)
-            except BaseException:  # an interrupt, or the end of what this is part of
+            except BaseException:  # an interrupt, or the end of the enclosing work
                 halted.set()
                 deadline.bring_forward(self._announce_grace())
                 try:
                     wait(futures)
-                finally:  # also of a second interrupt
+                finally:  # also after a second interrupt
                     deadline.bring_forward(time.monotonic())
                 raise
         return _results(futures)
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:
-    """Return the results, or raise the first item's error that is more than "stopped"."""
+    """Return the results, or raise the first item's error other than StoppedError."""
     errors = [error for f in futures if (error := f.exception()) is not None]
     dry = [str(error) for error in errors if isinstance(error, DryRunError)]
     if len(dry) > 1 and len(dry) == len(errors):

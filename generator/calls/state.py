@@ -1,4 +1,4 @@
-"""What a call sees of its session: the settings, and how it waits and stops."""
+"""The state of a session that calls use: settings, waits and stops."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from .money.ledger import Account
 from .money.prices import Prices, unknown_price
 from .store import CallStore
 
-_SLICE = 0.05  # seconds between two looks at whether to stop
+_SLICE = 0.05  # seconds between checks for a stop
 
 
 @dataclass(frozen=True, eq=False)
 class SessionState:
-    """The fields of a ``Session``, which says what they are, and the waits of its calls."""
+    """The fields of a ``Session`` (documented there) and the waits of its calls."""
 
     store: CallStore | None = None
     account: Account = field(default_factory=Account)
@@ -45,13 +45,14 @@ class SessionState:
         require(self, "grace", minimum=0)
 
     def check_price(self, model: str, base_url: str, what: str) -> None:
-        """Check that a budget can be kept with a model: its price is known, or it runs here.
+        """Check that a budget can be enforced for a model: its price is known, or it runs locally.
 
-        Where the store holds answers, they may be all that is needed: then it is the first call to
-        be paid for that is refused.
+        If the store has answers, it may answer all calls; then the first call that must be paid for
+        is refused instead.
 
         Raises:
-            BudgetError: it is not; the message begins with ``what`` and says how to add a price.
+            BudgetError: the price is unknown; the message starts with ``what`` and explains how to
+                add a price.
         """
         at = urlsplit(base_url)
         if self.budget is None or self.dry or local(at.hostname or ""):
@@ -61,11 +62,11 @@ class SessionState:
             raise unknown_price(what, self.budget, model or f"@{at.netloc}")
 
     def wait_for(self, call: Future[Any]) -> BaseException | None:
-        """Wait for a pending call; return the interrupt that came meanwhile, to raise it later.
+        """Wait for a pending call; return an interrupt that arrived meanwhile, to be raised later.
 
         Raises:
-            StoppedError: there is reason to stop, and it did not end within ``grace``.
-            KeyboardInterrupt: the same for the main thread, or the second one.
+            StoppedError: the session stopped, and the call did not end within ``grace`` seconds.
+            KeyboardInterrupt: likewise in the main thread, or a second interrupt arrived.
         """
         own = Deadline()
         interrupt: BaseException | None = None
@@ -83,26 +84,26 @@ class SessionState:
             deadlines = (own, *self._deadlines())
             if any(d.until is not None and time.monotonic() >= d.until for d in deadlines):
                 raise interrupt or StoppedError(
-                    "Stopped; a call under way had no answer yet. What was answered is kept."
+                    "Stopped before a call in flight was answered. Received answers are kept."
                 )
 
     def _announce_grace(self) -> float:
-        """Tell an interrupted user what is waited for; return until when."""
+        """Log the grace period after an interrupt; return its end."""
         logging.getLogger(__name__).warning(
-            "Interrupted: calls under way have %g s to be answered, so that what is paid for is "
-            "kept. Interrupt again to end at once.", self.grace,
+            "Interrupted: waiting up to %g s for calls in flight, so that answers already paid "
+            "for are kept. Interrupt again to exit immediately.", self.grace,
         )  # fmt: skip
         return time.monotonic() + self.grace
 
     def check(self) -> None:
-        """Raise StoppedError if this session, or the work that this thread is part of, is over."""
+        """Raise StoppedError if the session, or the work that this thread belongs to, has ended."""
         if self.stop.is_set():
-            raise StoppedError("Stopped before all calls were made; what was answered is kept.")
+            raise StoppedError("Stopped before all calls were sent. Received answers are kept.")
         if any(halt.is_set() for halt in self._halts()):
-            raise StoppedError("Given up, for a call beside this one failed.")
+            raise StoppedError("Stopped because a concurrent call failed.")
 
     def pause(self, seconds: float) -> None:
-        """Wait, unless there is a reason to stop: see ``check``."""
+        """Wait ``seconds``, unless the session stops; see ``check``."""
         while seconds > 0:
             self.check()
             self.stop.wait(min(seconds, _SLICE))

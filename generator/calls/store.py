@@ -1,8 +1,8 @@
-"""Paid answers on disk, keyed by the content of their question.
+"""A store of paid answers on disk, keyed by the content of their questions.
 
-An answer is published or absent: it is written beside and renamed, and carries a checksum of all it
-holds, its key included. Of a question nothing but its key is kept; of an answer status, content
-type and body.
+An answer is published or absent: it is written to a temporary file and renamed, and it contains a
+checksum of its content and its key. Of a question only the key is stored; of an answer its status,
+content type and body.
 """
 
 from __future__ import annotations
@@ -27,21 +27,21 @@ from ..io.bounded import parse_object, read_regular
 from ..io.files import make_private, remove_file
 
 MOST_ANSWER_BYTES = 257 * 2**20
-"""Size of one kept answer: more than the largest that a server is read for."""
+"""Maximum size of a stored answer, which exceeds the largest response that is read."""
 
-_MOST_BYTES = 4 * 2**30  # of a store unless its owner says otherwise
+_MOST_BYTES = 4 * 2**30  # default size of a store
 _MAGIC = b"tabletopgen call 1"
 _KEY = re.compile(r"[0-9a-f]{64}")
 _PARTIAL = ".partial-"
-_STALE = 3600.0  # seconds: an older unfinished file was left by a process that is gone
-_MOST_HEAD = 2**16  # bytes of what is said of an answer
-_SHARE = 32  # of its size is what a store is filled by between two looks at it
-_POLL = 0.05  # seconds between two looks at a lock
+_STALE = 3600.0  # seconds; an older unfinished file belongs to a process that has ended
+_MOST_HEAD = 2**16  # bytes of an answer's header
+_SHARE = 32  # the size is checked after each 1/32 of the store's capacity is written
+_POLL = 0.05  # seconds between attempts to lock
 
 
 @dataclass(frozen=True)
 class StoredAnswer:
-    """What a server answered: all that is kept of it."""
+    """The stored parts of a server's answer."""
 
     status: int
     content_type: str
@@ -49,16 +49,16 @@ class StoredAnswer:
 
 
 class CallStore:
-    """A folder of answers that several threads and processes may use at once."""
+    """A folder of answers that threads and processes may use concurrently."""
 
     def __init__(self, folder: str | Path, most_bytes: int = _MOST_BYTES) -> None:
-        """Use ``folder``, which is made, for its owner alone, when the first answer is kept.
+        """Use ``folder``, which is created with the first answer, accessible only to its owner.
 
-        ``most_bytes`` is what answers may take up; those not asked for the longest go first. Where
-        several write, each may be off by a 32nd of it.
+        ``most_bytes`` is the capacity; the least recently used answers are evicted first. Each
+        concurrent writer may exceed it by 1/32.
 
         Raises:
-            InputError: ``most_bytes`` is no positive whole number.
+            InputError: ``most_bytes`` is not a positive whole number.
         """
         require_number("CallStore needs most_bytes", most_bytes, minimum=1, integer=True)
         self.folder = Path(folder)
@@ -66,10 +66,10 @@ class CallStore:
         self._most_answer = min(most_bytes, MOST_ANSWER_BYTES)
         self._broken = False
         self._lock_room = threading.Lock()
-        self._room = 0  # bytes that may be written before the folder is looked at again
+        self._room = 0  # bytes left to write before the folder's size is checked again
 
     def get(self, key: str) -> StoredAnswer | None:
-        """Return the answer to a question, or None. A damaged one is dropped."""
+        """Return the answer to a question, or None. Damaged answers are removed."""
         path = self._path(key)
         if not os.path.lexists(path):
             return None
@@ -82,24 +82,24 @@ class CallStore:
             if answer is None:
                 remove_file(path.parent, key)
             else:
-                os.utime(path, follow_symlinks=False)  # the order in which answers go
+                os.utime(path, follow_symlinks=False)  # for the eviction of the least recently used
         return answer
 
     def put(self, key: str, answer: StoredAnswer) -> None:
-        """Keep an answer, while ``holding`` the question; who reads sees it whole or not at all.
+        """Store an answer atomically, while ``holding`` its question.
 
         Raises:
-            StorageError: it is larger than the store, or than any answer. Or the disk refuses: that
-                is said once, and from then on nothing is kept.
+            StorageError: the answer is larger than the store or the maximum size, or the disk
+                fails. A disk failure is reported once; from then on nothing is stored.
         """
         if self._broken:
             return
         path, raw = self._path(key), _encode(key, answer)
         if len(raw) > self._most_answer:
             raise StorageError(
-                f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
-                f"which holds {self.most_bytes}, and {MOST_ANSWER_BYTES} an answer. Raise its "
-                "most_bytes, or ask for less."
+                f"An answer of {len(raw)} bytes does not fit into the call store {self.folder}, "
+                f"whose capacity is {self.most_bytes} bytes, with at most {MOST_ANSWER_BYTES} "
+                "bytes per answer. Raise its most_bytes, or request smaller answers."
             )
         try:
             self._write(path, raw)
@@ -108,23 +108,25 @@ class CallStore:
             self._broken = True
             raise StorageError(
                 f"The call store {self.folder} cannot be written ({error.strerror or error}): "
-                "answers of this run are used, but not kept. Free space or name another folder."
+                "this run uses its answers without storing them. Free disk space or choose "
+                "another folder."
             ) from error
 
     def forget(self, key: str) -> None:
-        """Drop an answer, if there is one."""
+        """Remove an answer, if it exists."""
         with contextlib.suppress(OSError):
             remove_file(self._path(key).parent, key)
 
     @contextlib.contextmanager
     def holding(self, key: str, check: Callable[[], None] = lambda: None) -> Iterator[None]:
-        """Hold a question, so that nobody else, in any process, asks it meanwhile.
+        """Lock a question, so that no other thread or process sends it at the same time.
 
-        The system lets go of it when the process dies; what that left half written is removed.
-        ``check`` is called now and then while another holds it, and may raise. Where no lock can be
-        had, nothing is held.
+        The operating system releases the lock if the process dies; unfinished files of dead
+        processes are removed. ``check`` is called periodically during the wait and may raise. If
+        locks are not available, nothing is locked.
         """
-        path = self.folder / "locks" / f"{key[:3]}.lock"  # a few keys of 4096 share one
+        # the 4096 locks are shared by several keys each
+        path = self.folder / "locks" / f"{key[:3]}.lock"
         lock = FileLock(path, mode=0o600)
         with contextlib.ExitStack() as held:
             try:
@@ -141,25 +143,25 @@ class CallStore:
                     pass
                 except OSError:
                     break
-                check()  # whatever it raises ends the wait
+                check()  # an exception ends the wait
             yield
 
     def __len__(self) -> int:
-        """Return how many answers are kept."""
+        """Return the number of stored answers."""
         return len(self._list_kept())
 
     def is_empty(self) -> bool:
-        """Return whether no answer is kept."""
+        """Return whether the store contains no answers."""
         kept = (self.folder / "answers").glob("[0-9a-f][0-9a-f]/*")
         return not any(_KEY.fullmatch(path.name) for path in kept)
 
     def size(self) -> int:
-        """Return how many bytes the answers take up."""
+        """Return the total size of the answers in bytes."""
         return sum(size for _, size, _ in self._list_kept())
 
     def _path(self, key: str) -> Path:
         if not _KEY.fullmatch(key):
-            raise StorageError(f"A key is a sha256 in 64 hexadecimal digits, got {key!r}.")
+            raise StorageError(f"A key must be a sha256 of 64 hexadecimal digits, got {key!r}.")
         return self.folder / "answers" / key[:2] / key
 
     def _write(self, path: Path, raw: bytes) -> None:
@@ -176,13 +178,13 @@ class CallStore:
             raise
 
     def _clear(self, key: str) -> None:
-        """Remove unfinished files of a question that is held: their writers are gone."""
+        """Remove unfinished files of a locked question, whose writers have ended."""
         path = self._path(key)
         for left in path.parent.glob(f"{_PARTIAL}{path.name}-*"):
             remove_file(left.parent, left.name)
 
     def _make_room(self, newest: Path, size: int) -> None:
-        """See to it that all answers fit; look only after so many bytes that it may be full."""
+        """Evict answers if necessary; scan the folder only after enough bytes have been written."""
         with self._lock_room:
             self._room -= size
             if self._room < 0:
@@ -190,9 +192,10 @@ class CallStore:
                 self._room = min(self.most_bytes - kept, spare)
 
     def _evict(self, newest: Path) -> int:
-        """Drop what was not asked for the longest if all is too much; return the size of the rest.
+        """Remove the least recently used answers if the store is full; return the remaining size.
 
-        ``newest`` stays. More goes than has to, so that the next answers find room.
+        ``newest`` is never removed. More answers than necessary are removed, to make room for the
+        next ones.
         """
         kept = sorted(self._list_kept(), key=lambda entry: entry[0])
         total = sum(size for _, size, _ in kept)
@@ -206,13 +209,13 @@ class CallStore:
         return total
 
     def _list_kept(self) -> list[tuple[float, int, Path]]:
-        """Return when each answer was used last, its bytes and path; remove what dead writers left.
+        """Return each answer's last use, size and path; remove files left by dead writers.
 
-        What has no answer's name, or is a link or in a linked folder, is somebody else's.
+        Files with other names, links, and files in linked folders are ignored.
         """
         kept = []
         for path in (self.folder / "answers").glob("[0-9a-f][0-9a-f]/*"):
-            with contextlib.suppress(OSError):  # another process dropped it
+            with contextlib.suppress(OSError):  # another process removed it
                 status = path.lstat()
                 if not stat.S_ISREG(status.st_mode) or path.parent.is_symlink():
                     continue
@@ -230,7 +233,7 @@ def _encode(key: str, answer: StoredAnswer) -> bytes:
 
 
 def _decode(key: str, raw: bytes) -> StoredAnswer | None:
-    """Return the answer that ``raw`` holds, or None if it is not whole or another key's."""
+    """Return the answer in ``raw``, or None if it is damaged or has another key."""
     first, _, content = raw.partition(b"\n")
     if first != b"%s %s" % (_MAGIC, _checksum(key, content)):
         return None
@@ -249,33 +252,33 @@ def _checksum(key: str, content: bytes) -> bytes:
 
 
 KEY = "x-tabletopgen-key"
-"""The header of a response that says under which key its answer is kept."""
+"""Response header with the key under which the answer is stored."""
 
 
 @dataclass(frozen=True)
 class Used:
-    """The keys of the answers that a question has had so far; ``store`` is where they are kept.
+    """The keys of the answers to one question so far, stored in ``store``.
 
-    A question that goes well leaves them there, for a run that resumes. One that ends in an error
-    for what they say must drop them, or it would end so for ever.
+    After a success the answers stay in the store for a run that resumes. After an error caused by
+    their content they must be removed, or every later run would fail in the same way.
     """
 
     store: CallStore | None
     keys: list[str] = field(default_factory=list)
 
     def add(self, headers: Mapping[str, str]) -> None:
-        """Take note of an answer by the headers of its response."""
+        """Record an answer, given the headers of its response."""
         self.keys.append(headers[KEY])
 
     def drop(self, *, last: bool = False) -> None:
-        """Drop the answers, or the last one, but not their cost: the next run asks for new ones."""
+        """Remove all answers, or the last one, but keep their costs on record."""
         if self.store is not None:
             for key in self.keys[-1:] if last else self.keys:
                 self.store.forget(key)
 
     @contextlib.contextmanager
     def dropped_on(self, error: type[BackendError]) -> Iterator[None]:
-        """Drop the answers if the work within ends in ``error``."""
+        """Remove the answers if the block raises ``error``."""
         try:
             yield
         except error:

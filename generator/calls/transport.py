@@ -1,4 +1,4 @@
-"""What all paid HTTP goes through: the call store, then the server."""
+"""The transport of all paid HTTP calls: first the call store, then the server."""
 
 from __future__ import annotations
 
@@ -28,16 +28,16 @@ _SENT = frozenset({
     "accept", "authorization", "connection", "content-length", "content-type",
     "host", "transfer-encoding", "user-agent",
 })  # fmt: skip
-_SIGNED_BY = "x-tc-"  # headers of a call that a signature covers
-_CONNECT = 30.0  # seconds in which a server takes a call, however long it may work on it
-_SAID = 2**14  # characters of a refusal that whoever asked gets to see
+_SIGNED_BY = "x-tc-"  # prefix of headers that a signature covers
+_CONNECT = 30.0  # seconds for connecting, regardless of the server's processing time
+_SAID = 2**14  # maximum characters of an error response passed to the caller
 _KIND = re.compile(r"[\w.+-]{1,99}/[\w.+-]{1,99}", re.ASCII)
-_LEAST = 6  # characters: shorter ones are no keys, and would redact words
+_LEAST = 6  # characters; shorter strings are not keys, and redacting them would garble words
 
 
 @dataclass(eq=False, repr=False)
 class PaidTransport(httpx2.BaseTransport):
-    """Sends the requests of one client to the origin of ``base_url``; see ``Session.client``."""
+    """Sends one client's requests to the origin of ``base_url``; see ``Session.client``."""
 
     session: SessionState
     server: str
@@ -53,8 +53,8 @@ class PaidTransport(httpx2.BaseTransport):
         self._base = base = httpx2.URL(self.base_url)
         if self.secrets and base.scheme == "http" and not near(base.host):
             told = (
-                f"{self.server}: its key goes to {base.host} unencrypted, where everyone on "
-                "the way can read it. Use an https address."
+                f"{self.server}: the key would be sent to {base.host} unencrypted, where others "
+                "can read it. Use an https address."
             )
             if told not in self.session.account.notes:
                 self._warn(told)
@@ -64,10 +64,10 @@ class PaidTransport(httpx2.BaseTransport):
         self._proxy = None if local(base.host) else proxy_for(base.scheme, base.host)
 
     def handle_request(self, request: httpx2.Request) -> httpx2.Response:
-        """Answer a request from the store, else from the server.
+        """Return the response to a request, from the store or else from the server.
 
         Raises:
-            BackendError: there is no answer; BudgetError, DryRunError and StoppedError are such.
+            BackendError: the call failed; BudgetError, DryRunError and StoppedError are subclasses.
         """
         asked = question(request, self.server, self.session.prices)
         secrets = (*self.secrets, *_keys(request))
@@ -89,11 +89,11 @@ class PaidTransport(httpx2.BaseTransport):
             if store is not None and reply.good and not failed(reply.payload):
                 try:
                     store.put(asked.key, answer)
-                except StorageError as error:  # a disk that refuses must not lose the answer
+                except StorageError as error:  # a disk failure must not lose the answer
                     self._warn(str(error))
             if call.interrupt is not None:
                 raise call.interrupt
-        if not reply.good:  # a refusal may repeat the key
+        if not reply.good:  # an error response may contain the key
             answer = replace(answer, body=excerpt(reply.body, _SAID, secrets).encode())
         return _response(answer, request, asked.key)
 
@@ -102,7 +102,7 @@ class PaidTransport(httpx2.BaseTransport):
         logging.getLogger(__name__).warning("%s", told)
 
     def _send(self, request: httpx2.Request, secrets: tuple[str, ...]) -> Future[Reply | Trouble]:
-        """Begin one attempt."""
+        """Start one attempt."""
 
         def dial(until: float) -> Wire:
             return Wire(until, self.trust, self._proxy)
@@ -110,9 +110,9 @@ class PaidTransport(httpx2.BaseTransport):
         return begin(lambda: exchange(dial, request, self.timeout, self.most_bytes, secrets))
 
     def _sendable(self, request: httpx2.Request) -> httpx2.Request:
-        """Return a request with no more headers and time than this server is to have.
+        """Return a copy of a request with only the headers and timeouts meant for this server.
 
-        Whoever made the request reads in his own what he asked for.
+        The caller's own request stays unchanged, including its internal headers.
         """
         sent = _SENT | set(self.headers)
         headers = [
@@ -136,20 +136,21 @@ class PaidTransport(httpx2.BaseTransport):
         url, base = request.url, self._base
         if (url.scheme, url.host, url.port) != (base.scheme, base.host, base.port):
             raise BackendError(
-                f"{asked}: this client is for {base.scheme}://{base.netloc.decode()} and does not "
-                f"call {url.scheme}://{url.netloc.decode()}. Open a client for that server."
+                f"{asked}: this client is restricted to {base.scheme}://{base.netloc.decode()} "
+                f"and cannot call {url.scheme}://{url.netloc.decode()}. Open a client for that "
+                "server."
             )
         if holds(url.query.decode("ascii", "replace"), secrets):
             raise BackendError(
-                f"{asked}: a key is part of the address, where logs would show it. "
-                "Send it in a header."
+                f"{asked}: the address contains a key, which logs would show. Send the key in a "
+                "header."
             )
 
 
 def _response(answer: StoredAnswer, request: httpx2.Request, key: str) -> httpx2.Response:
-    """Return a response as a client gets it, the same from the store as from the server.
+    """Return the response for a client; it is the same from the store and from the server.
 
-    Text is UTF-8, as JSON's is: what else a server may call it would choose how it is decoded.
+    Text is decoded as UTF-8, like JSON, regardless of the charset that a server declares.
     """
     kind = answer.content_type.partition(";")[0].strip()
     headers = {KEY: key, **({"content-type": kind} if _KIND.fullmatch(kind) else {})}
@@ -157,7 +158,7 @@ def _response(answer: StoredAnswer, request: httpx2.Request, key: str) -> httpx2
 
 
 def _keys(request: httpx2.Request) -> tuple[str, ...]:
-    """Return the keys that a request's headers hold."""
+    """Return the keys in a request's headers."""
     values = [request.headers.get(name, "") for name in _KEYS]
     words = (word for value in values for word in value.replace(",", " ").split())
     return tuple(word for word in words if len(word) >= _LEAST and word.lower() != "bearer")

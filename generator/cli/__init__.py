@@ -1,6 +1,6 @@
-"""The ``tabletopgen`` command; what it prints for ``--help`` is written in this package.
+"""The ``tabletopgen`` command; the modules of this package contain its ``--help`` texts.
 
-Only the command that runs is imported; a list of commands imports none.
+Only the command that runs is imported; listing the commands imports none.
 """
 
 from __future__ import annotations
@@ -17,31 +17,30 @@ from ..io.terminal import run_piped
 from . import interrupts
 from .plugins import OWN, find_commands, load, summary_of
 
-DESCRIPTION = """Turn text or a photo of a tabletop into a MuJoCo scene and Gymnasium environments.
-
-tabletopgen COMMAND --help tells more.
-
-Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,
-130 interrupted.
-"""
+DESCRIPTION = (
+    "Turn text or a photo of a tabletop into a MuJoCo scene and Gymnasium environments.\n\nSee "
+    "tabletopgen COMMAND --help for the options of a command.\n\nExit codes: 0 success, 1 a "
+    "check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,\n130 "
+    "interrupted.\n"
+)
 
 _COMPLETION = ("--tyro-print-completion", "--tyro-write-completion")
 
 
 def commands() -> Mapping[str, EntryPoint]:
-    """Return every command by name; this package's come first and cannot be shadowed."""
+    """Return all commands by name; this package's come first and cannot be overridden."""
     others = find_commands()
     return {**OWN, **{name: entry for name, entry in others.items() if name not in OWN}}
 
 
 def app(name: str) -> tyro.extras.SubcommandApp:
-    """Return the command called ``name``, which is imported, and no other.
+    """Return the command called ``name``; no other command is imported.
 
-    An option in its place (``--help``), or nothing, gets all commands with one line about each,
-    none of them imported; a request for shell completions gets them imported.
+    If ``name`` is empty or an option (``--help``), return all commands with their one-line
+    summaries, none of them imported. A request for shell completions imports all of them.
 
     Raises:
-        InputError: no command is called so, or it cannot be loaded.
+        InputError: no command has this name, or it cannot be loaded.
     """
     made = tyro.extras.SubcommandApp()
     if name and not name.startswith("-"):
@@ -56,7 +55,7 @@ def app(name: str) -> tyro.extras.SubcommandApp:
 
 
 def _entry(name: str) -> EntryPoint:
-    """Return where a command is defined; other packages' are looked up only if need be."""
+    """Return the entry point of a command; other packages' are searched only if necessary."""
     if name in OWN:
         return OWN[name]
     known = commands()
@@ -65,10 +64,10 @@ def _entry(name: str) -> EntryPoint:
 
 
 def _stub(summary: str) -> Callable[[], int]:
-    """Return a command without arguments that a list of commands shows; it is never run."""
+    """Return a placeholder for a command in a list of commands; it is never run."""
 
     def entry() -> int:
-        raise InputError("The first word is a command; `tabletopgen --help` lists them.")
+        raise InputError("The first word must be a command; `tabletopgen --help` lists them.")
 
     entry.__doc__ = summary
     return entry
@@ -88,7 +87,7 @@ def _run(arguments: list[str]) -> Any:
 
 
 def run(arguments: list[str]) -> int:
-    """Run the command line; every expected error becomes one line, and an exit code is returned."""
+    """Run the command line and return its exit code; expected errors print one line."""
     try:
         return _run(arguments) or 0
     except TabletopError as error:
@@ -101,7 +100,7 @@ def run(arguments: list[str]) -> int:
 
 
 def main() -> None:
-    """Run the process's command line and end it with the exit code."""
+    """Run the command line of this process and exit with its exit code."""
     interrupts.heed()
     code = run_piped(lambda: run(sys.argv[1:]))
     interrupts.ignore()

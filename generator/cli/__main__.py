@@ -1,4 +1,4 @@
-"""``python -m generator.cli``."""
+"""Entry point of ``python -m generator.cli``."""
 
 from __future__ import annotations
 

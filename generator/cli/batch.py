@@ -1,4 +1,4 @@
-"""The command that makes many scenes: ``batch``."""
+"""The ``batch`` command, which makes many scenes."""
 
 from __future__ import annotations
 
@@ -41,25 +41,25 @@ def batch(
     calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
-    """Make many scenes into one folder, in parallel; run again, the same command resumes.
+    """Make many scenes in one folder, in parallel; rerun the same command to resume.
 
-    The same text and seed produce identical bytes, however many workers there are. A text that
-    fails does not stop the others; the exit code is then 1. Several batches may share a folder.
-    Scenes beyond the budget are skipped and are no failures: run the command again with a larger
-    budget. If nothing else is missing, the exit code is 3.
+    The same text and seed produce identical bytes, regardless of the number of workers. A failed
+    text does not stop the others; the exit code is then 1. Several batches may share a folder.
+    Scenes beyond the budget are skipped without counting as failures: run the command again with a
+    larger budget. The exit code is 3 if only such scenes are missing.
 
     Args:
-        prompts: A text or the path of a picture a line, # for remarks; or a .json array of texts,
-            or of objects with text and seed.
-        out: Folder the bundles go into, and summary.json; all machines of a Ray cluster share it.
-        pool: Where the scenes are made.
-        route: All stages of the paper, or composed without drawing a picture first.
-        mix: Who answers the questions about text and image; roles can differ from the rest.
-        seed: Of each text.
-        variants: How many seeds each text is made with, from its own on.
-        retry: Also repeat what failed before because of its text or its gate.
-        calls: What requests to servers may cost, and where responses are cached.
-        json: Print one JSON object instead of a table.
+        prompts: File with one text or picture path per line (# starts a comment), or a .json array
+            of texts or of objects with text and seed.
+        out: Folder for the bundles and summary.json; shared by all machines of a Ray cluster.
+        pool: Workers that make the scenes.
+        route: Run all stages of the paper, or compose without drawing a picture first.
+        mix: Backends for text and images, which can differ per role.
+        seed: Seed of each text.
+        variants: Number of consecutive seeds per text, from its own seed.
+        retry: Also retry scenes that failed because of their text or their gate.
+        calls: Cost limit of server requests, and the cache of their responses.
+        json: Print a JSON object instead of a table.
     """
     from .. import jobs as batches
 
@@ -69,12 +69,12 @@ def batch(
     make: Maker = batches.Composing()
     asks: Backends | None = None
     if route == "generate":
-        asks = mix.select()  # one that cannot answer is refused before anything is made
+        asks = mix.select()  # fail before any work if a backend is unavailable
         folder = calls_folder(calls.calls).absolute()
         make = batches.Generating(mix, calls=str(folder), prices=calls.table())
     elif mix != USUAL or calls.budget is not None or calls.dry_run:
         raise InputError(
-            "--route compose asks nobody; leave out --backend, the roles, --budget and --dry-run."
+            "--route compose uses no backends; remove --backend, the roles, --budget and --dry-run."
         )
     if calls.budget is not None:
         require_number("batch needs --budget", calls.budget, minimum=0)
@@ -90,7 +90,10 @@ def batch(
                 jobs, out, make, workers=pool.workers, ray=pool.ray, retry=retry, progress=shown
             )
     except KeyboardInterrupt:
-        print("interrupted; what is made is kept, the same command goes on", file=sys.stderr)
+        print(
+            "interrupted; partial results are kept, rerun the same command to resume",
+            file=sys.stderr,
+        )
         return 130
     spent = _spending(make)
     if json:
@@ -103,7 +106,7 @@ def batch(
 
 
 def _spending(make: Maker) -> dict[str, Any]:
-    """Return what was spent of a maker's shared budget in all runs, nothing where it has none."""
+    """Return the spending of a maker's shared budget in all runs, or {} if it has none."""
     shared = getattr(make, "shared_budget", None)
     if shared is None:
         return {}
@@ -113,7 +116,7 @@ def _spending(make: Maker) -> dict[str, Any]:
 
 
 def _try(make: Generating, backends: Backends, tried: Callable[[], Summary], as_json: bool) -> int:
-    """Print who answers, and what each scene would ask first; return the exit code."""
+    """Print the backends and the first calls of each scene; return the exit code."""
     roles = roles_of(make.mix, backends)
     rows: list[dict[str, Any]] = []
     if backends.asks_servers():
@@ -127,8 +130,8 @@ def _try(make: Generating, backends: Backends, tried: Callable[[], Summary], as_
         for r in rows:
             shown.append(f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}")
             shown += [f"  {call}" for call in r["calls"]]
-        rest = "Nothing was sent; what comes after depends on the answers."
-        return [*shown, rest if rows else "No server is asked."]
+        rest = "Nothing was sent; later calls depend on the answers."
+        return [*shown, rest if rows else "No server is called."]
 
     emit({"backends": roles, "dry_run": rows}, as_json, lines)
     return 0
@@ -136,7 +139,7 @@ def _try(make: Generating, backends: Backends, tried: Callable[[], Summary], as_
 
 @contextmanager
 def _progress(total: int, *, quiet: bool) -> Iterator[Callable[[Outcome, int, int], None] | None]:
-    """Show how many are done on standard error, and each that failed."""
+    """Show progress on standard error, and a line for each failed scene."""
     if quiet:
         yield None
         return
@@ -163,8 +166,8 @@ def _print(summary: Summary, out: Path, spent: Mapping[str, Any]) -> None:
 
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     counts = summary.counts()
-    left = f", {counts['unpaid']} not paid for" if counts["unpaid"] else ""
-    shown = f"{counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
+    left = f", {counts['unpaid']} beyond the budget" if counts["unpaid"] else ""
+    shown = f"{counts['made']} made, {counts['there']} already done, {counts['failed']} failed"
     console.print(escape(f"{out}: {shown}{left}"), soft_wrap=True)
     if spent:
         paid = spent["spent"]

@@ -1,4 +1,4 @@
-"""List, check and remove bundles of the store."""
+"""The ``cache`` commands: list, check and remove bundles of the store."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ def list_bundles(
     *,
     json: bool = False,
 ) -> int:
-    """List the bundles that can be found by name.
+    """List the bundles that can be loaded by name.
 
-    They are the shipped ones, those of TABLETOPGEN_CACHE, and those in the user cache.
+    These are the shipped bundles, those in TABLETOPGEN_CACHE and those in the user cache.
 
     Args:
-        pattern: Glob on the names.
-        json: Print one JSON array instead of lines.
+        pattern: Glob pattern for the names.
+        json: Print a JSON array instead of lines.
     """
     import assets_cache
 
@@ -44,7 +44,7 @@ def remove(
     """Remove bundles from the user cache.
 
     Args:
-        bundles: Names, digests or globs.
+        bundles: Names, digests or glob patterns.
     """
     import assets_cache
 
@@ -59,7 +59,7 @@ def verify_all(*, json: bool = False) -> int:
     """Check every bundle in the store.
 
     Args:
-        json: Print one JSON object instead of lines.
+        json: Print a JSON object instead of lines.
     """
     import assets_cache
 

@@ -1,4 +1,4 @@
-"""The command that changes finished scenes: ``edit``."""
+"""The ``edit`` command, which changes finished scenes."""
 
 from __future__ import annotations
 
@@ -28,16 +28,17 @@ FORMS: Mapping[EditKind, str] = MappingProxyType({
     "move": 'move NAME "left of the laptop", or move NAME --to X Y, or move NAME --turn DEGREES',
     "restyle": "restyle STYLE [NAME ...]",
 })  # fmt: skip
-"""How each action is put."""
+"""The syntax of each action."""
 
 
 @dataclass(frozen=True)
 class MoveOptions:
-    """Where a moved thing goes.
+    """Where to move an object.
 
     Attributes:
-        to: With move: x and y of the thing's centre in metres from the table's, +x right, +y away.
-        turn: With move: degrees it turns, counter-clockwise seen from above.
+        to: With move: new x and y of the object's centre in metres from the table's centre, +x
+            right, +y away from the viewer.
+        turn: With move: rotation in degrees, counter-clockwise seen from above.
     """
 
     to: tuple[float, float] | None = None
@@ -61,27 +62,28 @@ def edit(
     calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
-    """Change one thing of a finished scene; what that does not disturb stays, to the byte.
+    """Change one object of a finished scene; unaffected objects stay identical to the byte.
 
     swap mug_1 "a teapot" · add "a red mug left of the laptop" · remove mug_1 · move mug_1 "behind
     the laptop" · move mug_1 --to 0.2 -0.1 --turn 90 · restyle cartoon mug_1
 
-    The scene is settled and judged again; one that fails its gate is not published. The bundle
-    edited stays, too. What is in a removed thing goes with it.
+    The scene is settled and checked again; a scene that fails its gate is not published. The
+    original bundle is kept. Removing a container also removes its contents.
 
     Args:
-        bundle: A bundle's name, digest, glob or path; `tabletopgen inspect` names its things.
-        action: What is done.
-        words: Name of the thing, what is asked for, or both. restyle takes plain, cartoon or
-            low-poly, then names of things; all if none is named.
-        target: Where a moved thing goes.
-        out: Folder the new bundle goes into; the user cache if left out.
-        replace: Put the new bundle in the place of the one edited, which is removed.
+        bundle: A bundle's name, digest, glob pattern or path; `tabletopgen inspect` lists its
+            objects.
+        action: The change to make.
+        words: An object's name, a description, or both. restyle takes plain, cartoon or low-poly,
+            then the names of objects; all objects if none are given.
+        target: Where to move an object.
+        out: Folder for the new bundle; defaults to the user cache.
+        replace: Replace the edited bundle, which is removed.
         seed: The same bundle, edit and seed give the same scene.
-        mix: Who draws and models what is new; the catalogue if nobody is named. The roles left
-            open are then embedded, unless --backend says otherwise.
-        calls: What requests to servers may cost, and where responses are cached.
-        json: Print one JSON object instead of text.
+        mix: Backends that draw and model new objects; the catalogue if none are given. Roles that
+            are not set are then embedded, unless --backend is given.
+        calls: Cost limit of server requests, and the cache of their responses.
+        json: Print a JSON object instead of text.
     """
     import assets_cache
 
@@ -93,7 +95,9 @@ def edit(
     _check_form(asked)
     if replace:
         if out is not None:
-            raise InputError("--replace puts the bundle where the old one is; leave out --out.")
+            raise InputError(
+                "--replace puts the new bundle in the place of the old one; remove --out."
+            )
         assets_cache.check_removable(path, path.parent)
     session = calls.session()
     chosen = mix.select(session) if mix.given else None
@@ -104,7 +108,7 @@ def edit(
             if shown is not None:
                 shown(action, 1, 1)
             edited = asked.apply(path, chosen)
-            if calls.dry_run:  # it came to no call
+            if calls.dry_run:  # no call was needed
                 raise DryRunError("")
             made = edited.save(path.parent if replace else folder)
     except DryRunError as error:
@@ -117,7 +121,7 @@ def edit(
 
 def _check_form(asked: WordedEdit) -> None:
     if asked.action != "move" and not (asked.to is None and asked.turn is None):
-        raise InputError(f"--to and --turn go with move, not with {asked.action}.")
+        raise InputError(f"--to and --turn require the action move, not {asked.action}.")
     if not asked.is_complete:
         form = FORMS[asked.action]
-        raise InputError(f"Say tabletopgen edit BUNDLE {form}; got {' '.join(asked.words)!r}.")
+        raise InputError(f"Use tabletopgen edit BUNDLE {form}; got {' '.join(asked.words)!r}.")

@@ -1,4 +1,4 @@
-"""The command that measures scenes: ``evaluate``."""
+"""The ``evaluate`` command, which measures scenes."""
 
 from __future__ import annotations
 
@@ -35,20 +35,20 @@ def evaluate(
     calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
-    """Measure scenes: collisions, what floats or drifts, sizes, likeness to picture and truth.
+    """Measure scenes: collisions, support, stability, sizes, and similarity to a picture.
 
     The exit code is 1 if any defect is found.
 
     Args:
-        bundles: Names, digests, globs or paths of bundles; or folders of another method's result
-            with a transforms.json (see the guide "Measure a scene").
-        picture: The picture to compare with; the one each bundle keeps if left out.
-        truth: A bundle taken as the true scene, objects matched by name.
-        sweep: Also look from 160 views for the one nearest to the picture (about 20 s a scene).
-        judge: Backend whose reasoner marks each scene from 1 to 7 (VF, IA, PP), and ranks them if
-            --picture and several bundles are given. The embedded one cannot.
-        calls: With --judge: what its requests may cost, and where responses are cached.
-        json: Print one JSON object instead of tables.
+        bundles: Names, digests, glob patterns or paths of bundles, or result folders of other
+            methods with a transforms.json (see the guide "Measure a scene").
+        picture: The picture to compare with; defaults to the one in each bundle.
+        truth: A bundle with the true scene; objects are matched by name.
+        sweep: Also search 160 views for the one closest to the picture (about 20 s per scene).
+        judge: Backend whose reasoner rates each scene from 1 to 7 (VF, IA, PP), and ranks the
+            scenes if --picture and several bundles are given. The embedded backend cannot judge.
+        calls: With --judge: cost limit of server requests, and the cache of their responses.
+        json: Print a JSON object instead of tables.
     """
     from ..bundle import load
     from ..evaluation import evaluate_bundle, rates
@@ -61,12 +61,11 @@ def evaluate(
     if judge is not None:
         session = calls.session()
         backends = Backends.select(reasoner=judge, session=session)
-        as_judge(backends.reasoner)  # refused before anything is measured
+        as_judge(backends.reasoner)  # fail before anything is measured
         asked, who = backends.reasoner, backends.identity()["reasoner"]
     elif calls != NO_CALLS:
         raise InputError(
-            "--budget, --dry-run, --calls and --prices are of what a judge costs; name one with "
-            "--judge."
+            "--budget, --dry-run, --calls and --prices apply to a judge; select one with --judge."
         )
     given = None if picture is None else read_image(picture)
     true = None if truth is None else load(one(truth))
@@ -93,7 +92,7 @@ def evaluate(
     else:
         _print(found, summary)
         if order:
-            print(f"ranked by {judge}, the best first: {', '.join(map(escape, order))}")
+            print(f"ranking by {judge}, best first: {', '.join(map(escape, order))}")
         if session is not None and (spent := session.account.text(session.prices.currency)):
             print(escape(spent))
     return 0 if all(e.flawless for _, e in found) else 1
@@ -105,7 +104,7 @@ def _measure(
     picture: Picture | None,
     judge: object | None,
 ) -> tuple[list[tuple[str, Evaluation]], tuple[str, ...], list[str]]:
-    """Return the scenes' measures, how they rank, and what a dry run would have asked the judge."""
+    """Return the scenes' measurements, their ranking, and the judge's calls in a dry run."""
     from ..evaluation import ranking
 
     found: list[tuple[str, Evaluation]] = []
@@ -114,7 +113,7 @@ def _measure(
     for path in paths:
         try:
             found.append((str(path), measure(path)))
-        except DryRunError as error:  # the others are asked about all the same
+        except DryRunError as error:  # the other scenes still list their calls
             would.append(str(error))
     if judge is not None and picture is not None and 1 < len(found) == len(paths):
         try:
@@ -143,19 +142,19 @@ def _print(found: list[tuple[str, Evaluation]], summary: Rates) -> None:
             table.add_row(escape(f.name), f.kind, escape(f.text), value, limit, f.evidence)
         console.print(table)
     print(
-        f"{summary.scenes} scenes, {sum(e.flawless for _, e in found)} without a defect; "
-        f"Col_O {100 * summary.col_o:.2f} % of {summary.pairs} pairs, "
-        f"Col_S {100 * summary.col_s:.1f} %"
+        f"{summary.scenes} scenes, {sum((e.flawless for _, e in found))} without defects; Col_O "
+        f"{100 * summary.col_o:.2f} % of {summary.pairs} pairs, Col_S {100 * summary.col_s:.1f} "
+        "%"
     )
 
 
 def _lines(facts: dict[str, Any]) -> list[str]:
-    """Return the figures that are no defects by themselves."""
+    """Return the measurements that are not defects by themselves."""
     lines = [f"{facts['objects']} objects, {facts['collisions']['pairs']} pairs"]
     if held := facts["soundness"]:
         lines.append(
-            f"after {held['seconds']:g} s: largest drift {held['most_drift_mm']} mm, largest turn "
-            f"{held['most_turn_deg']} deg"
+            f"after {held['seconds']:g} s: maximum drift {held['most_drift_mm']} mm, maximum "
+            f"rotation {held['most_turn_deg']} deg"
         )
     if seen := facts["picture"]:
         lines.append(f"silhouettes: mean IoU {seen['mean_iou']:.2f}")
@@ -173,7 +172,7 @@ def _lines(facts: dict[str, Any]) -> list[str]:
             "support_accuracy": "support accuracy {:.2f}",
         }
         shown = [text.format(true[k]) for k, text in names.items() if true[k] is not None]
-        lines.append(f"against the truth, {true['matched']} matched: " + ", ".join(shown))
+        lines.append(f"compared with the truth, {true['matched']} matched:" + ", ".join(shown))
     marks = [f"{k} {facts['marks'][k]}" for k in ("VF", "IA", "PP") if facts["marks"][k]]
-    lines.append(f"marks ({facts['marks']['judge']}): " + ", ".join(marks))
+    lines.append(f"ratings ({facts['marks']['judge']}):" + ", ".join(marks))
     return lines + [f"note: {note}" for note in facts["notes"]]

@@ -1,4 +1,4 @@
-"""The commands that make scenes: ``generate`` and ``compose``."""
+"""The ``generate``, ``compose`` and ``import`` commands, which make scenes."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from .paid_options import NO_CALLS, USUAL, Calls, Chosen
 
 @dataclass(frozen=True)
 class CameraOptions:
-    """What is known of the picture besides its colours.
+    """Known properties of the picture besides its colours.
 
     Attributes:
         depth: Depth map of the picture, of the same size: a 16-bit PNG in millimetres, 0 where
-            unknown. Sizes and places are then measured.
-        intrinsics: With --depth: fx,fy,cx,cy of the picture's camera, in its pixels.
+            unknown. Sizes and positions are then measured.
+        intrinsics: With --depth: fx,fy,cx,cy of the picture's camera in pixels.
     """
 
     depth: Path | None = None
@@ -36,11 +36,11 @@ class CameraOptions:
 
 @dataclass(frozen=True)
 class OutputOptions:
-    """What is written, and where.
+    """Output files and folders.
 
     Attributes:
-        out: Folder of the new bundle; the user cache if left out.
-        name: Name of the scene; made from the text if left out.
+        out: Folder for the new bundle; defaults to the user cache.
+        name: Name of the scene; derived from the text by default.
         figures: Also write the pictures of each stage (Sec. 6.1 of the paper) to this folder.
         allow_failed: Publish the scene even if it fails its physical gate.
     """
@@ -52,7 +52,7 @@ class OutputOptions:
 
 
 UNLIKE = exit_code(SceneError(""))
-"""Exit code of a bundle whose view does not show what its picture shows."""
+"""Exit code if the scene's view does not match its picture."""
 
 _CAMERA, _OUTPUT, _IMPORT = CameraOptions(), OutputOptions(), ImportOptions()
 
@@ -72,20 +72,20 @@ def generate(
 ) -> int:
     """Turn a text, or a picture of a tabletop, into a simulated table.
 
-    The exit code is 6 if the bundle's simulated view does not show what the picture shows.
+    The exit code is 6 if the simulated view does not match the picture.
 
     Args:
         source: A description ("a desk with a laptop and two mugs") or the path of a picture.
-        output: What is written, and where.
+        output: Output files and folders.
         seed: The same source and seed give the same scene.
-        camera: What is known of the picture besides its colours.
-        without: Leave a stage out, as in the paper's ablations: the backend guesses from the
-            picture what dro (rotations), tsa (places and sizes) or both would have found. Nothing
-            is refined then.
-        timings: Also print the seconds of every stage.
-        mix: Who answers the questions about text and image; roles can differ from the rest.
-        calls: What requests to servers may cost, and where responses are cached.
-        json: Print one JSON object instead of text.
+        camera: Known properties of the picture besides its colours.
+        without: Omit a stage, as in the paper's ablations: the backend estimates from the picture
+            the results of dro (rotations), tsa (positions and sizes) or both. Nothing is refined
+            then.
+        timings: Also print the duration of every stage in seconds.
+        mix: Backends for text and images, which can differ per role.
+        calls: Cost limit of server requests, and the cache of their responses.
+        json: Print a JSON object instead of text.
     """
     from ..method.reference import fetch, fetch_depth, is_picture_name
 
@@ -97,7 +97,7 @@ def generate(
     depth, intrinsics = camera.depth, camera.intrinsics
     lens = None if intrinsics is None else _intrinsics(intrinsics)
 
-    from ..generation import Config  # these take seconds: loaded once the options are checked
+    from ..generation import Config  # slow imports, only after the options are checked
     from ..pipeline import generate as run
 
     left_out = ("dro", "tsa") if without == "both" else (without,) if without else ()
@@ -113,7 +113,7 @@ def generate(
                 content, chosen, Config(without=left_out), seed, name=output.name,
                 progress=shown, depth=metres, intrinsics=lens,
             )  # fmt: skip
-            if calls.dry_run:  # all answers are kept
+            if calls.dry_run:  # all answers are stored
                 raise DryRunError("")
             if figures is not None:
                 generation.save_figures(figures)
@@ -125,7 +125,7 @@ def generate(
     match = generation.match
     done = print_scene(path, generation.scene, json, seconds, session, match)
     if match is not None and match.doubts:
-        print(escape(f"error: {path.name} is not the picture: {' '.join(match.doubts)}"),
+        print(escape(f"error: {path.name} does not match the picture: {' '.join(match.doubts)}"),
               file=sys.stderr)  # fmt: skip
         return UNLIKE
     return done
@@ -145,11 +145,11 @@ def compose(
 
     Args:
         text: A description ("a round dining table for two").
-        out: Folder the bundle goes into; the user cache if left out.
-        name: Name of the scene; made from the text if left out.
+        out: Folder for the bundle; defaults to the user cache.
+        name: Name of the scene; derived from the text by default.
         seed: The same text and seed give the same scene.
-        density: How full the table is; left out, as the text says ("cluttered").
-        json: Print one JSON object instead of text.
+        density: How full the table is; by default as the text describes it ("cluttered").
+        json: Print a JSON object instead of text.
     """
     folder = _check_output(out, name)
 
@@ -173,24 +173,24 @@ def import_(
 ) -> int:
     """Turn a scene of another program into a bundle: a MJCF, GLB or OBJ file, or a folder of files.
 
-    Of a MJCF the bodies with a free joint become objects, and what they stand on the table; meshes,
-    colours, textures, masses, friction and collision shapes stay. A folder needs poses.json, which
-    says which file is what, and where. What comes without collision shapes is cut into convex
-    parts. A single object without a table stands on a plain one. The scene is settled and judged,
-    and a table says what was done with each object: taken, repaired, replaced by its hull, refused
-    or left out.
+    In an MJCF file, bodies with a free joint become objects, and the body that supports them
+    becomes the table; meshes, colours, textures, masses, friction and collision shapes are kept. A
+    folder needs a poses.json, which lists the files and their poses. Models without collision
+    shapes are decomposed into convex parts. A single object without a table is placed on a plain
+    one. The scene is settled and checked, and a table lists the result for each object: taken,
+    repaired, replaced by its hull, refused or left out.
 
     Args:
-        source: A MJCF file (.xml), a GLB or OBJ file, a folder with poses.json, or a MJCF export's
-            folder.
-        out: Folder the bundle goes into; the user cache if left out.
-        options: How it is read.
+        source: An MJCF file (.xml), a GLB or OBJ file, a folder with poses.json, or the folder of
+            an MJCF export.
+        out: Folder for the bundle; defaults to the user cache.
+        options: Import options.
         allow_failed: Publish the scene even if it fails its physical gate.
-        json: Print one JSON object instead of text.
+        json: Print a JSON object instead of text.
     """
     if not os.path.lexists(source):
         raise InputError(
-            f"No file or folder at {str(source)!r}. Name a MJCF, GLB or OBJ file, or a folder."
+            f"No file or folder at {str(source)!r}. Specify an MJCF, GLB or OBJ file, or a folder."
         )
     folder = _check_output(out, options.name)
 
@@ -203,8 +203,8 @@ def import_(
     if not (allow_failed or scene.report is None or scene.report.passed):
         print(escape("\n".join(outcome_lines(outcomes))), file=sys.stderr)
         raise SceneError(
-            f"{source} fails the physical gate: {scene.report.failure_text}. Leave out what fails "
-            "(--drop-failing), or publish it all the same (--allow-failed)."
+            f"{source} fails the physical gate: {scene.report.failure_text}. Leave out the "
+            "failing objects (--drop-failing), or publish the scene anyway (--allow-failed)."
         )
     path = save(scene, folder, images={"preview": preview(scene)}, allow_failed=allow_failed)
     return print_scene(path, scene, json, outcomes=outcomes)
@@ -214,7 +214,7 @@ import_.__name__ = "import"
 
 
 def _check_output(out: Path | None, name: str | None) -> Path:
-    """Return the folder that a new bundle goes into, with the bundle's name checked."""
+    """Return the folder for a new bundle after checking the bundle's name."""
     from ..bundle import check_name
 
     if name is not None:
@@ -223,7 +223,7 @@ def _check_output(out: Path | None, name: str | None) -> Path:
 
 
 def _intrinsics(text: str) -> Intrinsics:
-    """Read ``fx,fy,cx,cy``; InputError if it is not four numbers."""
+    """Parse ``fx,fy,cx,cy``; raise InputError if it is not four numbers."""
     try:
         fx, fy, cx, cy = (float(part) for part in text.split(","))
     except ValueError as error:

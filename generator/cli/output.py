@@ -1,4 +1,4 @@
-"""Output of the commands: progress, scenes, JSON; the bundles that arguments name."""
+"""Output of the commands (progress, scenes, JSON) and look-up of bundles in arguments."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from ..io.files import check_folder
 
 @contextmanager
 def progress(*, quiet: bool) -> Iterator[Callable[[str, int, int], None] | None]:
-    """Show the running stage on standard error, if that is a terminal."""
+    """Show the running stage on standard error if it is a terminal."""
     if quiet:
         yield None
         return
@@ -43,7 +43,7 @@ def progress(*, quiet: bool) -> Iterator[Callable[[str, int, int], None] | None]
 
 
 def describe(path: Path, scene: Scene) -> dict[str, Any]:
-    """Return what a bundle holds, as JSON values."""
+    """Return the content of a bundle as JSON values."""
     report = scene.report
     return {
         "bundle": str(path),
@@ -76,9 +76,9 @@ def print_scene(
     likeness: PictureMatch | None = None,
     outcomes: Sequence[ImportOutcome] = (),
 ) -> int:
-    """Print a bundle, how like its picture it is, times and calls; return success's exit code.
+    """Print a bundle, its likeness to its picture, times and calls; return exit code 0.
 
-    ``outcomes`` are those of an import, which repeat warnings of the scene.
+    ``outcomes`` are the results of an import, whose details repeat warnings of the scene.
     """
     facts = describe(path, scene)
     if outcomes:
@@ -104,8 +104,10 @@ def print_scene(
         gate = "no report"
         if report := scene.report:
             gate = "passed" if report.passed else f"FAILED: {report.failure_text}"
-        like = [f"  likeness: {facts['mean_iou']:.2f} (mean overlap, from the picture's camera, of "
-                "what was found)"] if "mean_iou" in facts else []  # fmt: skip
+        like = [(
+            f"  likeness: {facts['mean_iou']:.2f} (mean overlap with the detected objects, from "
+            "the picture's camera)"
+        )] if "mean_iou" in facts else []  # fmt: skip
         listed = {str(outcome) for outcome in outcomes}
         notes = [f"  note: {w}" for w in facts["warnings"] if w not in listed]
         spent = "" if session is None else session.account.text(session.prices.currency)
@@ -126,13 +128,13 @@ def print_scene(
 
 
 def outcome_lines(outcomes: Sequence[ImportOutcome]) -> list[str]:
-    """Return a table of what an import did with each object."""
+    """Return a table of an import's result for each object."""
     rows = (f"    {o.name:<20} {o.kind:<9} {o.detail}".rstrip() for o in outcomes)
     return ["  import:", *rows] if outcomes else []
 
 
 def _timings(seconds: Mapping[str, Seconds]) -> list[str]:
-    """Return a line for each stage, and one for all."""
+    """Return one line per stage, and one for the total."""
     if not seconds:
         return []
     rows = [(stage, s.wall, s.cpu) for stage, s in seconds.items()]
@@ -141,12 +143,12 @@ def _timings(seconds: Mapping[str, Seconds]) -> list[str]:
 
 
 def emit(value: Any, as_json: bool, lines: Callable[[], list[str]]) -> None:
-    """Print ``value`` as JSON, or the lines for people."""
+    """Print ``value`` as JSON or as the lines of text."""
     print(json.dumps(value, indent=2) if as_json else escape("\n".join(lines())))
 
 
 def store(out: Path | None) -> Path:
-    """Return the folder that new bundles go into, checked: ``out``, else the user cache."""
+    """Return the folder for new bundles after checking it: ``out`` or the user cache."""
     import assets_cache
 
     if out is None:
@@ -156,23 +158,23 @@ def store(out: Path | None) -> Path:
 
 
 def find(wanted: str) -> list[Path]:
-    """Return the bundles that a name, digest, glob or path means; at least one."""
+    """Return the bundles, at least one, that match a name, digest, glob pattern or path."""
     import assets_cache
 
     return list(assets_cache.find(wanted))
 
 
 def some(bundles: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the names a user gave, refusing none at all."""
+    """Return the given bundle names, or raise InputError if there are none."""
     if not bundles:
-        raise InputError("Name at least one bundle; `tabletopgen cache list` shows what there is.")
+        raise InputError("Specify at least one bundle; `tabletopgen cache list` lists them.")
     return bundles
 
 
 def one(wanted: str) -> Path:
-    """Return the only bundle that ``wanted`` means."""
+    """Return the only bundle that matches ``wanted``."""
     found = find(wanted)
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
-        raise InputError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
+        raise InputError(f"{wanted!r} matches {len(found)} bundles: {names}. Specify one.")
     return found[0]

@@ -1,4 +1,4 @@
-"""What commands that ask backends share: who answers, which calls are sent, at what price."""
+"""Options shared by commands that use backends: roles, calls and prices."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from ..errors import DryRunError, escape
 from .output import emit
 
 Chosen = OmitArgPrefixes[Annotated[Mix, arg(name="backend")]]
-"""The type of a command's argument that makes these options."""
+"""Type of a command's argument with these options."""
 
 USUAL, NOBODY = Mix(), Mix(backend=None)
-"""What commands use unless told otherwise: those that generate, and that can do without."""
+"""Defaults of commands that always generate, and of commands that can work without backends."""
 
 
 def lines_of(roles: Mapping[str, Mapping[str, Any]]) -> list[str]:
-    """Return ``roles_of`` as a line for each role."""
+    """Return the lines of text for ``roles_of``, one per role."""
     lines = []
     for role, facts in roles.items():
         settings = ", ".join(f"{k}={v}" for k, v in facts.items() if k != "name" and v != "")
@@ -36,16 +36,16 @@ def lines_of(roles: Mapping[str, Mapping[str, Any]]) -> list[str]:
 
 @dataclass(frozen=True)
 class CallOptions:
-    """What requests to servers may cost, and where usable responses are cached.
+    """Cost limit of server requests, and the cache of their responses.
 
     Attributes:
-        budget: The most that the calls may cost; those of earlier runs of the same command
-            are counted. A batch counts all runs into its folder, and all its workers.
-        dry_run: Send nothing to servers and make nothing; print who answers what, and the first
-            calls that would be made.
-        calls: Folder of cached responses, so that none is billed twice; TABLETOPGEN_CALLS, else
-            the user cache, if left out.
-        prices: Price table (TOML); the shipped one if left out.
+        budget: Maximum total cost of the calls, including earlier runs of the same command. For a
+            batch it covers all workers and all runs in its folder.
+        dry_run: Send nothing to servers and make nothing; print the backend of each role and the
+            first calls that would be made.
+        calls: Folder of cached responses, so that none is billed twice; defaults to
+            TABLETOPGEN_CALLS or the user cache.
+        prices: Price table (TOML); defaults to the shipped one.
     """
 
     budget: float | None = None
@@ -54,7 +54,7 @@ class CallOptions:
     prices: Path | None = None
 
     def table(self) -> Prices:
-        """Return the price table; InputError if the file cannot be used."""
+        """Return the price table; raise InputError if the file is unusable."""
         return Prices.default() if self.prices is None else Prices.load(self.prices)
 
     def session(self) -> Session:
@@ -64,14 +64,14 @@ class CallOptions:
 
 
 Calls = OmitArgPrefixes[CallOptions]
-"""The type of a command's argument that makes these options."""
+"""Type of a command's argument with these options."""
 
 NO_CALLS = CallOptions()
 
 
 @contextmanager
 def answering(session: Session, scene: str) -> Iterator[None]:
-    """Do as ``backends.paying.answering``; what a failed command cost goes to standard error."""
+    """Wrap ``backends.paying.answering``; print the costs of a failed command on standard error."""
     with paid_run.answering(session, scene, lambda text: print(escape(text), file=sys.stderr)):
         yield
 
@@ -79,12 +79,14 @@ def answering(session: Session, scene: str) -> Iterator[None]:
 def print_dry_run(
     error: DryRunError, as_json: bool, mix: Mix = USUAL, backends: Backends | None = None
 ) -> int:
-    """Print who answers, and what a dry run came to; return the exit code of success."""
+    """Print the backends and the result of a dry run; return exit code 0."""
     roles = {} if backends is None else paid_run.roles_of(mix, backends)
     calls = str(error).splitlines()
-    rest = "Nothing was sent; what comes after depends on the answers."
+    rest = "Nothing was sent; later calls depend on the answers."
     if not calls:
-        rest = "No server would be asked. Nothing was made; leave out --dry-run for that."
+        rest = (
+            "No server would be called. Nothing was made; run without --dry-run to make the scene."
+        )
     facts = {"dry_run": calls} | ({"backends": roles} if roles else {})
     emit(facts, as_json, lambda: [*lines_of(roles), *calls, rest])
     return 0

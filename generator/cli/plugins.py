@@ -1,13 +1,13 @@
-"""The commands by name: this package's, and entry points of the group ``tabletopgen.commands``.
+"""Commands by name: this package's, and entry points of the group ``tabletopgen.commands``.
 
-A command is imported when it is run, not when it is listed: its one-line summary is read from the
-source of its module. This package imports no other package's command; ``tabletopgen_env`` declares
-its own in ``pyproject.toml``. A source checkout is asked first, for what is installed of it may be
-older, or nothing at all.
+A command is imported when it runs, not when it is listed: its one-line summary is read from its
+module's source. This package imports no other package's command; ``tabletopgen_env`` declares its
+own in ``pyproject.toml``. The declarations of a source checkout take precedence, because the
+installed metadata may be older or missing.
 
-Entry points of the group ``tabletopgen.verifiers`` check a part of a bundle that this package does
-not know of, by playing it again: functions of the bundle's path, the number of episodes to play,
-and a seed, that return how many were played and a list of what is wrong.
+Entry points of the group ``tabletopgen.verifiers`` check parts of a bundle that this package does
+not know, by replaying episodes: functions of the bundle's path, the number of episodes and a seed,
+which return the number of replayed episodes and a list of problems.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from ..errors import InputError, escape
 GROUP, VERIFIERS = "tabletopgen.commands", "tabletopgen.verifiers"
 
 CHECKOUT = Path(__file__).parents[2]
-"""The folder that holds this package: of a source checkout, with a ``pyproject.toml``."""
+"""The folder that contains this package; in a source checkout it has a ``pyproject.toml``."""
 
 OWN: Mapping[str, EntryPoint] = MappingProxyType({
     name: EntryPoint(name, f"{__package__}.{value}", GROUP)
@@ -52,11 +52,11 @@ OWN: Mapping[str, EntryPoint] = MappingProxyType({
         "objects": "objects:app",
     }.items()
 })  # fmt: skip
-"""The commands of this package, in the order that ``--help`` lists them."""
+"""The commands of this package, in the order of ``--help``."""
 
 
 def find_commands(group: str = GROUP) -> Mapping[str, EntryPoint]:
-    """Return the commands of other packages by name, or another group's; none is imported."""
+    """Return other packages' commands (or another group's entry points) by name, not imported."""
     installed = {entry.name: entry for entry in entry_points(group=group)}
     declared = project().get("entry-points", {}).get(group, {})
     own = {name: EntryPoint(name, value, group) for name, value in declared.items()}
@@ -64,27 +64,26 @@ def find_commands(group: str = GROUP) -> Mapping[str, EntryPoint]:
 
 
 def load(entry: EntryPoint) -> Any:
-    """Import a command.
-
-    It is a function, or a ``tyro.extras.SubcommandApp`` with commands of its own.
+    """Import a command: a function, or a ``tyro.extras.SubcommandApp`` with its own subcommands.
 
     Raises:
         InputError: it cannot be imported.
     """
     try:
         return entry.load()
-    except Exception as error:  # it is not ours
+    except Exception as error:  # the code belongs to another package
         raise InputError(
             f"The command {entry.name} cannot be loaded from {entry.value} "
-            f"({type(error).__name__}: {error}). Install again what adds it."
+            f"({type(error).__name__}: {error}). Reinstall the package that provides it."
         ) from error
 
 
 def summary_of(entry: EntryPoint) -> str | None:
-    """Return one line about a command: the first paragraph of its docstring.
+    """Return the summary of a command: the first paragraph of its docstring.
 
-    A group of commands has that of its module. The source is read, not run; a command without
-    readable source is imported. Returns None if that fails, and prints why on standard error.
+    For a group of commands this is its module's docstring. The source is read, not run; a command
+    without readable source is imported. If that fails, the reason is printed on standard error and
+    None is returned.
     """
     try:
         tree = ast.parse(_source_of(entry.module))
@@ -97,10 +96,10 @@ def summary_of(entry: EntryPoint) -> str | None:
 
 
 def _source_of(module: str) -> str:
-    """Return the source of a module; neither it nor the packages around it are imported.
+    """Return the source of a module without importing it or its parent packages.
 
     Raises:
-        ImportError: the module does not exist, or there is no source of it.
+        ImportError: the module does not exist, or its source is not available.
     """
     top, *inner = module.split(".")
     spec = importlib.util.find_spec(top)
@@ -130,7 +129,7 @@ def _first_paragraph(docstring: str | None) -> str:
 
 
 def project() -> Mapping[str, Any]:
-    """Return the ``project`` table of the source checkout; empty where this is none."""
+    """Return the ``project`` table of the source checkout, or {} outside of one."""
     try:
         text = (CHECKOUT / "pyproject.toml").read_text(encoding="utf-8")
         found = tomllib.loads(text).get("project", {})

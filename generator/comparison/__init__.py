@@ -1,4 +1,4 @@
-"""A scene held against its picture: the camera that took it, figures, and a sheet to judge by."""
+"""Comparison of a scene with its picture: the camera's position, scores, and a sheet."""
 
 from .camera import picture_camera as picture_camera
 from .scores import Comparison as Comparison

@@ -1,4 +1,4 @@
-"""Where the picture's camera stood: a view has directions only, the masks say the place."""
+"""The position of the picture's camera, estimated from the masks."""
 
 from __future__ import annotations
 
@@ -13,22 +13,23 @@ from ..render.sheet import scene_items
 from ..scene import TABLE, Scene
 
 _EVEN = 0.01
-"""Share of the picture's diagonal beyond which a box counts as an outlier."""
+"""Outlier threshold of a box edge, as a fraction of the picture's diagonal."""
 
 _FAR = 5.0
-"""Mean miss of the boxes' edges, over that, from which the fit is tried again from nearer."""
+"""Mean error of the box edges, in outlier thresholds, above which closer starts are tried."""
 
 _NEARER = (0.3, 0.6, 1.0)
-"""Logarithms of how much nearer it is tried."""
+"""Logarithmic depth steps of the closer starts."""
 
 
 def picture_camera(scene: Scene, segments: Segments) -> Camera:
     """Return the camera of the reference picture, in its pixels and the scene's world frame.
 
-    Azimuth, elevation and field of view are the scene's ``view``. The three numbers it leaves
-    open, the camera's place, are those under which the boxes of the table and of all objects come
-    closest to the boxes of their masks (robust least squares over box edges; what the frame cuts
-    is cut alike). Three numbers for the whole picture move no object against another.
+    Azimuth, elevation and field of view are those of the scene's ``view``. The three remaining
+    numbers, the camera's position, minimise the distance between the boxes of the table and all
+    objects and the boxes of their masks (robust least squares over box edges; boxes at the frame
+    are clipped alike). Three numbers for the whole picture cannot move objects relative to each
+    other.
 
     Raises:
         InputError: no instance of the picture is part of the scene.
@@ -49,7 +50,7 @@ def picture_camera(scene: Scene, segments: Segments) -> Camera:
     frame = np.array([width, height, width, height], float)
 
     def camera(steps: Float[np.ndarray, "3"]) -> Camera:
-        """Step right and down by shares of the depth, and nearer or farther by a factor."""
+        """Move right and down by fractions of the depth, and change the depth by a factor."""
         right, down, forward = start.rotation
         move = right * steps[0] + down * steps[1] + forward * (1 - np.exp(steps[2]))
         return Camera(start.position + depth * move, start.rotation, start.fov, width, height)
@@ -66,13 +67,14 @@ def picture_camera(scene: Scene, segments: Segments) -> Camera:
         return least_squares(misses, first, loss="soft_l1", f_scale=scale, diff_step=1e-4)
 
     best = fit(0.0)
-    if np.abs(best.fun).mean() > _FAR * scale:  # of a close view the frame's whole is far away
+    # for a close view, the start that frames the whole scene is too far away
+    if np.abs(best.fun).mean() > _FAR * scale:
         best = min([best, *(fit(nearer) for nearer in _NEARER)], key=lambda found: found.cost)
     return camera(best.x)
 
 
 def _box(camera: Camera, vertices: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "4"]:
-    """Return the pixel box of ``vertices``; those behind the camera are pushed before it."""
+    """Return the pixel box of ``vertices``; those behind the camera are moved in front of it."""
     p = camera.to_camera(vertices)
     pixels = p[:, :2] / np.maximum(p[:, 2:], 1e-3) * camera.focal
     pixels += np.array([camera.width / 2, camera.height / 2])

@@ -1,6 +1,7 @@
-"""What speaks against a scene of a picture: its view does not show what the picture shows.
+"""Reasons to doubt that a scene's view matches its picture.
 
-The physical gate says whether a scene is sound; these say whether it is the picture's.
+The physical gate checks whether a scene is physically valid; these checks compare it with the
+picture.
 """
 
 from __future__ import annotations
@@ -15,22 +16,22 @@ from ..scene import TABLE, Instance, Reference, Scene
 from .scores import Comparison, Score, compare
 
 EYE_LEVEL = float(np.deg2rad(12.0))
-"""Elevation, radians, below which a picture does not show how far back things stand."""
+"""Elevation in radians below which a picture does not show the depth of objects."""
 
-_TABLE = 0.35  # overlap (IoU) of the table's outlines below which the tables are two
-_THINGS = 0.3  # mean overlap of the things' below which they are others; of one, worth a word
-_GONE = 0.05  # overlap of one thing's below which it is not where the picture has it
-_MANY = 3  # one in so many of such things is one too many
+_TABLE = 0.35  # minimum IoU of the table's outlines
+_THINGS = 0.3  # minimum mean IoU of the objects' outlines, and of one object before a note
+_GONE = 0.05  # IoU below which an object counts as missing from its place
+_MANY = 3  # the match fails if one in this many objects is missing
 
 
 @dataclass(frozen=True)
 class PictureMatch:
-    """How a scene's view compares with its picture.
+    """How well a scene's view matches its picture.
 
-    ``mean_iou`` is the mean overlap (intersection over union, in [0, 1]) of the outlines of what
-    was found in the picture; what was not found is not counted. It is None where the two cannot be
-    compared. ``doubts`` say why the view does not show what the picture shows; ``notes`` name
-    single things that it shows elsewhere, or not at all.
+    ``mean_iou`` is the mean overlap (intersection over union, in [0, 1]) of the outlines of the
+    objects detected in the picture; undetected objects are not counted. It is None if the
+    comparison is impossible. ``doubts`` are reasons why the view does not match the picture;
+    ``notes`` name single objects that are elsewhere or missing in it.
     """
 
     mean_iou: float | None
@@ -41,17 +42,17 @@ class PictureMatch:
 def match_picture(
     scene: Scene, instances: tuple[Instance, ...], reference: Reference
 ) -> PictureMatch:
-    """Draw a scene from its picture's camera and compare the two.
+    """Render a scene from its picture's camera and compare the two.
 
-    ``instances`` are what was found in the picture, the table among them.
+    ``instances`` are the detections in the picture, including the table.
     """
     try:
         seen = compare(scene, Segments.of(instances), np.asarray(reference.image))
     except InputError as error:
-        return PictureMatch(None, (f"The scene cannot be held against the picture: {error}",))
+        return PictureMatch(None, (f"The scene cannot be compared with the picture: {error}",))
     shown = np.asarray(seen.rendered.ids)
     if not (shown >= 0).any():
-        blank = "The simulated view is blank: nothing of the scene is where the picture has it."
+        blank = "The simulated view is blank: no part of the scene is where the picture has it."
         return PictureMatch(0.0, (blank,))
     things = [score for score in seen.scores if score.name != TABLE and score.found]
     doubts = (*_doubt_table(seen), *_doubt_things(seen, things))
@@ -59,13 +60,15 @@ def match_picture(
 
 
 def warn_of_eye_level(scene: Scene) -> tuple[str, ...]:
-    """Return a warning if the picture was taken from hardly above the tabletop."""
+    """Return a warning if the picture was taken from little above the tabletop."""
     elevation = scene.view.elevation
     if elevation >= EYE_LEVEL:
         return ()
     return (
-        f"The picture is taken from eye level ({np.rad2deg(elevation):.0f}°): how far back things "
-        "stand, and how deep they are, cannot be seen and is guessed.",
+        (
+            f"The picture was taken from eye level ({np.rad2deg(elevation):.0f}°): the depths of "
+            "objects and their positions in depth are not visible and were guessed."
+        ),
     )
 
 
@@ -74,8 +77,10 @@ def _doubt_table(seen: Comparison) -> tuple[str, ...]:
     if overlap >= _TABLE:
         return ()
     return (
-        f"The simulated table covers {100 * overlap:.0f} % of the picture's (intersection over "
-        f"union; {100 * _TABLE:.0f} % at least is asked).",
+        (
+            f"The simulated table overlaps the picture's by {100 * overlap:.0f} % (intersection "
+            f"over union; the minimum is {100 * _TABLE:.0f} %)."
+        ),
     )
 
 
@@ -84,19 +89,21 @@ def _doubt_things(seen: Comparison, things: list[Score]) -> tuple[str, ...]:
     doubts = []
     if things and seen.mean_iou < _THINGS:
         doubts.append(
-            f"The simulated things cover {100 * seen.mean_iou:.0f} % of the picture's on average "
-            f"({100 * _THINGS:.0f} % at least is asked)."
+            f"The simulated objects overlap the picture's by {100 * seen.mean_iou:.0f} % on "
+            f"average (the minimum is {100 * _THINGS:.0f} %)."
         )
     if gone and _MANY * len(gone) >= len(things):
-        doubts.append(f"Not where the picture has them: {', '.join(gone)}.")
+        doubts.append(f"Objects that are not where the picture has them: {', '.join(gone)}.")
     return tuple(doubts)
 
 
 def _note_things(things: list[Score]) -> list[str]:
-    """Return a line for each built thing whose outlines hardly overlap."""
+    """Return a line for each built object whose outlines hardly overlap."""
     return [
-        f"{score.name} is not as the picture shows it: the outlines overlap by "
-        f"{100 * score.iou:.0f} % (intersection over union)."
+        (
+            f"{score.name} differs from the picture: the outlines overlap by {100 * score.iou:.0f} "
+            "% (intersection over union)."
+        )
         for score in things
         if score.built and score.iou < _THINGS
     ]

@@ -1,4 +1,4 @@
-"""How near a scene comes to its picture, by numbers: silhouettes and colours, object by object."""
+"""Scores of a scene's likeness to its picture: silhouettes and colours per object."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from ..scene import TABLE, Scene
 from .camera import picture_camera
 
 WORK_SIDE = 960
-"""Longest side in pixels at which pictures are compared."""
+"""Length in pixels of the longer image side during comparison."""
 
 _SAME_RATIO = 0.02
 
 
 @dataclass(frozen=True)
 class Score:
-    """One instance against its rebuilt body.
+    """Comparison of one instance of the picture with its object in the scene.
 
-    ``iou`` is of the visible silhouettes; ``color_difference`` the distance of their mean colours
-    in CIE L*a*b* (CIE76; about 2 is just visible), None if one of the two shows no pixel.
-    ``built`` is False for an instance that is no part of the scene, ``found`` for an object that
-    the picture has no instance of.
+    ``iou`` is that of the visible silhouettes. ``color_difference`` is the distance of their mean
+    colours in CIE L*a*b* (CIE76; about 2 is just noticeable), or None if either shows no pixel.
+    ``built`` is False for an instance that is not part of the scene, ``found`` for an object
+    without an instance in the picture.
     """
 
     name: str
@@ -43,10 +43,10 @@ class Score:
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """A scene beside its picture; ``picture``, ``segments`` and ``rendered`` have one size.
+    """A scene and its picture; ``picture``, ``segments`` and ``rendered`` have the same size.
 
-    ``scores`` holds the objects', ``table`` the table's. Ids in ``rendered``: 0 the table, ``k``
-    the object ``scene.objects[k - 1]``, -1 nothing.
+    ``scores`` has the objects' scores, ``table`` the table's. Ids in ``rendered``: 0 for the table,
+    ``k`` for the object ``scene.objects[k - 1]``, -1 for the background.
     """
 
     scene: Scene
@@ -59,23 +59,23 @@ class Comparison:
 
     @property
     def mean_iou(self) -> float:
-        """Mean over the objects; those not built or not found count as 0."""
+        """Mean over the objects; missing objects and instances count as 0."""
         return float(np.mean([score.iou for score in self.scores])) if self.scores else 0.0
 
     @property
     def mean_color_difference(self) -> float | None:
-        """Mean over the objects that both pictures show."""
+        """Mean over the objects that are visible in both pictures."""
         known = [s.color_difference for s in self.scores if s.color_difference is not None]
         return float(np.mean(known)) if known else None
 
     def silhouette(self, name: str) -> Bool[np.ndarray, "h w"]:
-        """Return the rendered pixels of the table or an object; none if there is no such body."""
+        """Return the rendered pixels of the table or an object; none if no such body exists."""
         names = [TABLE, *(thing.name for thing in self.scene.objects)]
         shown = np.asarray(self.rendered.ids)
         return shown == names.index(name) if name in names else np.zeros(shown.shape, bool)
 
     def facts(self) -> dict[str, Any]:
-        """Return the figures as JSON values."""
+        """Return the scores as JSON values."""
         difference = self.mean_color_difference
         return {
             "mean_iou": round(self.mean_iou, 4),
@@ -92,18 +92,18 @@ class Comparison:
 
 
 def compare(scene: Scene, segments: Segments, picture: UInt8[np.ndarray, "h w 3"]) -> Comparison:
-    """Draw ``scene`` as the picture's camera sees it and measure how the two agree.
+    """Render ``scene`` from the picture's camera and score the likeness of the two.
 
-    ``segments`` are what was found in the picture, which may be of any resolution.
+    ``segments`` are the detections in the picture, whose resolution may differ.
 
     Raises:
-        InputError: the picture has other proportions than ``segments``.
+        InputError: the picture has another aspect ratio than ``segments``.
     """
     height, width = segments.index.shape
     if abs(np.log(picture.shape[1] / picture.shape[0] * height / width)) > _SAME_RATIO:
         raise InputError(
-            f"The picture is {picture.shape[1]}x{picture.shape[0]}, the scene was made from one of "
-            f"{width}x{height}. Pass that picture, or leave it out to use the bundle's own."
+            f"The picture is {picture.shape[1]}x{picture.shape[0]}, but the scene was made from "
+            f"one of {width}x{height}. Pass that picture, or none to use the bundle's own."
         )
     whole = picture_camera(scene, segments)
     factor = min(1.0, WORK_SIDE / max(width, height))

@@ -1,6 +1,6 @@
-"""The sheet a person judges by: picture, masks, the scene as the camera sees it, both, from above.
+"""A comparison sheet: picture, masks, rendered scene, overlay, view from above, and scores.
 
-Every instance has one colour on the whole sheet.
+Each instance has the same colour everywhere on the sheet.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ PANEL = 640
 """Width of one panel in pixels."""
 
 _INK, _PALE, _GAP, _LINE = (40, 44, 52), (120, 126, 136), 12, 26
-_TALLEST = 1.0  # height of a panel over its width, at most
+_TALLEST = 1.0  # maximum ratio of a panel's height to its width
 
 Color = tuple[int, int, int]
 Picture = UInt8[np.ndarray, "_ _ 3"]
@@ -32,8 +32,9 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 def comparison_sheet(comparison: Comparison) -> UInt8[np.ndarray, "h w 3"]:
     """Draw the sheet: two rows of three panels.
 
-    Picture, picture with masks outlined and named, render from the picture's camera; both blended
-    with the rendered silhouettes outlined, the scene from above, and the figures.
+    The panels are the picture, the picture with outlined and named masks, the scene rendered from
+    the picture's camera, a blend of both with outlined silhouettes, the scene from above, and the
+    scores.
     """
     c = comparison
     names = [s.name for s in c.scores]
@@ -77,7 +78,7 @@ def _fit(image: Picture, width: int, height: int) -> Image.Image:
 
 
 def _color(index: int) -> Color:
-    """Return the colour of an instance: hues as far apart as can be, in two strengths."""
+    """Return the colour of an instance: maximally distinct hues in two brightnesses."""
     value = (0.95, 0.7)[index // 2 % 2]
     red, green, blue = colorsys.hsv_to_rgb(index * 0.61803 % 1.0, 0.95, value)
     return round(255 * red), round(255 * green), round(255 * blue)
@@ -86,7 +87,7 @@ def _color(index: int) -> Color:
 def _outline(
     image: Picture, masks: Mapping[str, Bool[np.ndarray, "h w"]], colors: Mapping[str, Color]
 ) -> Picture:
-    """Return ``image`` with the border of every mask drawn on it in its colour."""
+    """Return ``image`` with the outlines of all masks drawn in their colours."""
     out = np.ascontiguousarray(image.copy())
     wide = max(2, round(image.shape[1] / 320))
     for name, mask in masks.items():
@@ -98,7 +99,7 @@ def _outline(
 
 
 def _feet(masks: Mapping[str, Bool[np.ndarray, "h w"]]) -> dict[str, Float[np.ndarray, "2"]]:
-    """Return the pixel under the middle of every mask, where its name goes."""
+    """Return the pixel below the middle of each mask, for its name."""
     boxes = {name: mask_box(mask) for name, mask in masks.items() if mask.any()}
     return {name: np.array([(box[0] + box[2]) / 2, box[3]]) for name, box in boxes.items()}
 
@@ -106,7 +107,7 @@ def _feet(masks: Mapping[str, Bool[np.ndarray, "h w"]]) -> dict[str, Float[np.nd
 def _label(
     image: Picture, places: Mapping[str, Float[np.ndarray, "2"]], colors: Mapping[str, Color]
 ) -> Picture:
-    """Return ``image`` with names written under pixel places, moved apart where they would meet."""
+    """Return ``image`` with names at pixel positions, moved apart where they would overlap."""
     picture = Image.fromarray(np.ascontiguousarray(image))
     draw = ImageDraw.Draw(picture)
     font = ImageFont.load_default(max(11, round(picture.width / 52)))
@@ -161,7 +162,7 @@ def _figures(
     scores: Sequence[Score],
     colors: Mapping[str, Color],
 ) -> None:
-    """Write one line an instance: its colour, name, IoU and colour difference."""
+    """Write one line per instance: its colour, name, IoU and colour difference."""
     columns = 1 if len(scores) <= 16 else 2
     rows = -(-len(scores) // columns)
     line = min(26.0, height / (rows + 1))

@@ -1,1 +1,1 @@
-"""Files and texts from elsewhere: bounded readers, atomic writers, what a terminal may show."""
+"""Bounded readers of untrusted input, atomic writers, and safe terminal output."""

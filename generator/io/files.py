@@ -1,7 +1,7 @@
-"""Files that are written in one go, and files and folders that are removed by a plain name.
+"""Atomic writes, and removal of files and folders by plain name.
 
-``remove_tree`` and ``remove_file`` are the only ways in which what is named by a file's content is
-removed: by the name of an entry of a folder that the caller owns, never by a path.
+``remove_tree`` and ``remove_file`` are the only functions that remove paths read from a file. They
+accept the name of an entry of a folder that the caller owns, never a path.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from ..errors import StorageError
 def write_whole(
     path: Path, content: str | bytes, what: str, advice: str, mode: int = 0o644
 ) -> None:
-    """Write bytes, or a text as UTF-8, whole or not at all, to a file that ``mode`` lets be read.
+    """Write bytes, or a string as UTF-8, to a file atomically, with permissions ``mode``.
 
-    Its folder must be there. The message of an error names it by ``what`` ("The policy") and ends
-    with ``advice`` ("Choose another folder.").
+    The folder must exist. ``what`` ("The policy") is the start of error messages and ``advice``
+    ("Choose another folder.") the end.
 
     Raises:
-        StorageError: it cannot be written.
+        StorageError: the file cannot be written.
     """
     part = None
     try:
@@ -35,7 +35,7 @@ def write_whole(
                 file.write(content.encode() if isinstance(content, str) else content)
             part.chmod(mode)
             part.replace(path)
-        finally:  # also when it is interrupted
+        finally:  # also after an interrupt
             if part is not None:
                 part.unlink(missing_ok=True)
     except OSError as error:
@@ -45,7 +45,7 @@ def write_whole(
 
 
 def write_file(content: bytes, path: Path) -> Path:
-    """Write a file that may be there already, making its folder if it is missing.
+    """Write a file, replacing an existing one; create its folder if necessary.
 
     Raises:
         StorageError: the file cannot be written.
@@ -61,12 +61,12 @@ def write_file(content: bytes, path: Path) -> Path:
 
 
 def check_folder(folder: Path, option: str = "--out") -> None:
-    """Check, before any work is done for it, that files can be put into a folder.
+    """Check, before any work starts, that a folder is or can be made writable.
 
-    It and those above may be missing; ``option`` names it in the message of an error.
+    The folder and its parents may be missing. ``option`` names the folder in error messages.
 
     Raises:
-        StorageError: a file is in the way, or the folder may not be written.
+        StorageError: a file is in the way, or the folder is not writable.
     """
     there = folder
     while not os.path.lexists(there) and there != there.parent:
@@ -81,18 +81,18 @@ def check_folder(folder: Path, option: str = "--out") -> None:
 
 
 def check_target(path: Path, option: str = "--out") -> None:
-    """Check, before any work is done for it, that a file can be written, or written anew.
+    """Check, before any work starts, that a file can be written or replaced.
 
     Raises:
-        StorageError: a folder, a pipe or a device is there, or the file's folder cannot be one.
+        StorageError: the path is a folder, a pipe or a device, or its parent cannot be a folder.
     """
     if os.path.lexists(path) and not path.is_file():
-        raise StorageError(f"{option} {str(path)!r} cannot be written: it is not a file.")
+        raise StorageError(f"{option} {str(path)!r} cannot be written: it is not a regular file.")
     check_folder(path.parent, option)
 
 
 def make_private(folder: Path) -> None:
-    """Make a folder and those above that are missing, for their owner alone."""
+    """Create a folder and its missing parents, accessible only to their owner."""
     if folder.is_dir():
         return
     if not folder.parent.is_dir():
@@ -101,7 +101,7 @@ def make_private(folder: Path) -> None:
 
 
 def is_plain_name(name: object) -> bool:
-    """Return whether a name, as read from a file, is that of an entry of one folder."""
+    """Return whether a name read from a file is a plain entry name, not a path."""
     return (
         isinstance(name, str)
         and name.isprintable()
@@ -112,24 +112,24 @@ def is_plain_name(name: object) -> bool:
 
 
 def remove_tree(parent: Path, name: str) -> None:
-    """Remove a folder inside ``parent``; nothing happens if there is none.
+    """Remove a folder inside ``parent``; do nothing if it does not exist.
 
     Raises:
-        StorageError: the name is not plain, is that of no folder, or the folder cannot be removed.
+        StorageError: the name is not plain, is not a folder's, or the folder cannot be removed.
     """
     with _removing(parent, name) as place:
         try:
-            shutil.rmtree(place)  # refuses links, and follows none inside
+            shutil.rmtree(place)  # refuses links, and follows none inside the folder
         except FileNotFoundError:
-            if os.path.lexists(place):  # somebody else was removing it, too
+            if os.path.lexists(place):  # another process may have removed it meanwhile
                 shutil.rmtree(place, ignore_errors=True)
 
 
 def remove_file(parent: Path, name: str) -> None:
-    """Remove a file or a link inside ``parent``; nothing happens if there is none.
+    """Remove a file or a link inside ``parent``; do nothing if it does not exist.
 
     Raises:
-        StorageError: the name is not plain, is that of a folder, or the file cannot be removed.
+        StorageError: the name is not plain, is a folder's, or the file cannot be removed.
     """
     with _removing(parent, name) as place:
         place.unlink(missing_ok=True)
@@ -146,5 +146,5 @@ def _removing(parent: Path, name: str) -> Iterator[Path]:
         yield place
     except OSError as error:
         raise StorageError(
-            f"{place} cannot be removed: {error.strerror or error}. Remove it by hand."
+            f"{place} cannot be removed: {error.strerror or error}. Remove it manually."
         ) from error

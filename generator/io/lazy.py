@@ -1,4 +1,4 @@
-"""Names of a package that are imported when they are first used."""
+"""Lazily imported names of a package."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from typing import Any
 def lazy_names(
     package: str, homes: Mapping[str, str]
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return a package's ``__getattr__`` and ``__dir__`` for names that its modules define.
+    """Return ``__getattr__`` and ``__dir__`` of a package with lazily imported names.
 
     Args:
         package: the package's ``__name__``.
-        homes: the module of each name, relative to the package: ``{"load": "bundle"}``. No name is
-            that of a module of the package.
+        homes: the module that defines each name, relative to the package, as in ``{"load":
+            "bundle"}``. A name must not be that of a module of the package.
     """
 
     def get(name: str) -> Any:

@@ -1,4 +1,4 @@
-"""Encode pictures as files: PNG for bundles and servers, PNG or JPEG for people."""
+"""Encode images as PNG and write them to files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .files import write_file
 
 
 def write_picture(image: UInt8[np.ndarray, "h w c"], path: Path) -> Path:
-    """Write an image as PNG, whatever the name's ending, making the folder if it is missing.
+    """Write an image as PNG regardless of the file name's suffix; create the folder if necessary.
 
     Raises:
         StorageError: the file cannot be written.
@@ -21,7 +21,7 @@ def write_picture(image: UInt8[np.ndarray, "h w c"], path: Path) -> Path:
 
 
 def encode_png(image: Shaped[np.ndarray, "h w *c"]) -> bytes:
-    """Return an image as PNG, the same bytes for the same pixels."""
+    """Encode an image as PNG; the same pixels always give the same bytes."""
     from PIL import Image
 
     buffer = io.BytesIO()

@@ -1,4 +1,4 @@
-"""What is printed: texts that may be foreign, and readers that stop reading."""
+"""Standard output with closed pipes and full disks handled."""
 
 from __future__ import annotations
 
@@ -8,15 +8,15 @@ import select
 import sys
 from collections.abc import Callable
 
-_UNREAD = 128 + 13  # as of a process that SIGPIPE ends
-_UNWRITTEN = 5  # as of a StorageError
+_UNREAD = 128 + 13  # exit code of a process that SIGPIPE ends
+_UNWRITTEN = 5  # exit code of a StorageError
 
 
 def run_piped(run: Callable[[], int]) -> int:
-    """Run a command; return its exit code, or one for what it printed and could not.
+    """Run a command; return its exit code, or an error's if its output could not be written.
 
-    It ends quietly where nobody reads on, as ``| head`` does, and says so where the disk is full.
-    Any other error is as ``run`` raises it.
+    The command ends quietly if the reader closes the pipe, as ``| head`` does, and prints an error
+    if the disk is full. All other errors of ``run`` are propagated.
     """
     try:
         try:
@@ -31,16 +31,16 @@ def run_piped(run: Callable[[], int]) -> int:
         if not unread and (error.errno != errno.ENOSPC or error.filename is not None):
             raise
         nowhere = os.open(os.devnull, os.O_WRONLY)
-        os.dup2(nowhere, sys.stdout.fileno())  # for the flush at the end of the process
+        os.dup2(nowhere, sys.stdout.fileno())  # for the flush at process exit
         os.close(nowhere)
         if unread:
             return _UNREAD
-        print(f"error: what was printed could not be written: {error.strerror}.", file=sys.stderr)
+        print(f"error: the output could not be written: {error.strerror}.", file=sys.stderr)
         return _UNWRITTEN
 
 
 def _is_unread() -> bool:
-    """Return whether standard output is a pipe that nobody reads any more."""
+    """Return whether standard output is a pipe whose reader has closed it."""
     try:
         watched = select.poll()
         watched.register(sys.stdout.fileno(), 0)

@@ -1,8 +1,8 @@
-"""Many scenes into one folder: by several processes or on Ray, resumed after any end.
+"""Batches: many scenes in one folder, made by several processes or on Ray, and resumable.
 
-The same text and seed give the same bytes, whatever makes them and however many at a time. A scene
-is done or absent: the process that holds its lock makes it in a folder of its own, writes its
-record, and only then publishes it. So several batches may share a folder.
+The same text and seed give the same bytes, regardless of the maker and the degree of parallelism. A
+scene is either done or absent: the process that holds its lock makes it in a private folder, writes
+its record, and only then publishes it. Several batches may therefore share a folder.
 """
 
 from __future__ import annotations

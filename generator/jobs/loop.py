@@ -1,4 +1,4 @@
-"""The loop of a batch: survives worker crashes, waits for scenes locked by other runs; dry runs."""
+"""The main loop of a batch, robust to worker crashes and concurrent batches; dry runs."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from .task_pool import TaskPool
 from .work import Generating
 from .workers import WorkerDied
 
-_PAUSE = 0.5  # seconds between two looks at jobs that another batch is at
+_PAUSE = 0.5  # seconds between checks of jobs that another batch has locked
 
-_GRACE = 10.0  # seconds that interrupted workers have to end: more than a session's ``grace``
+_GRACE = 10.0  # grace period of interrupted workers in seconds, longer than a session's ``grace``
 
 
 def run(
@@ -36,30 +36,31 @@ def run(
     retry: bool = False,
     progress: Callable[[Outcome, int, int], None] | None = None,
 ) -> Summary:
-    """Make many scenes into one folder; what is there already is not made again.
+    """Make many scenes in one folder; existing scenes are not made again.
 
-    A job that fails, or that a budget does not allow, does not stop the others. The same call
-    resumes an interrupted batch.
+    A job that fails, or that exceeds a budget, does not stop the others. The same call resumes an
+    interrupted batch.
 
     Args:
-        prompts: texts, paths of pictures, or jobs with seeds of their own.
-        folder: where the bundles go, made if missing; ``summary.json`` is written there, too.
-        make: how scenes are made; None is ``Generating()``.
-        workers: how many are made at a time, each on one thread unless OMP_NUM_THREADS is set.
-        ray: address of a Ray cluster that makes them; "local" starts one here. None: processes.
-        seed: of each text.
-        variants: how many seeds each text is made with, from its own on.
-        retry: try again what failed as its gate or its text had it. Other failures always are.
-        progress: called as a job is done: with what came of it, how many are done, and how many
-            there are.
+        prompts: texts, paths of pictures, or jobs with their own seeds.
+        folder: folder for the bundles and ``summary.json``; created if missing.
+        make: the maker of the scenes; None means ``Generating()``.
+        workers: number of parallel jobs, each on one thread unless OMP_NUM_THREADS is set.
+        ray: address of a Ray cluster; "local" starts one on this machine. None uses processes.
+        seed: seed of each text.
+        variants: number of consecutive seeds per text, from its own seed.
+        retry: also retry jobs that failed because of their gate or their text. Other failures are
+            always retried.
+        progress: called after each job with its outcome, the number of finished jobs and the total
+            number.
 
     Returns:
-        What came of each job, in their order, and the figures of their gates.
+        The outcome of each job, in order, and statistics of the gates.
 
     Raises:
         InputError: no jobs, or a number out of range.
-        BackendError: no Ray.
-        StorageError: the folder cannot be written, or the disk is full.
+        BackendError: Ray is not available.
+        StorageError: the folder is not writable, or the disk is full.
     """
     require_number("A batch needs workers", workers, minimum=1, maximum=1024, integer=True)
     jobs, make, folder = jobs_of(prompts, seed, variants), make or Generating(), Path(folder)
@@ -98,11 +99,11 @@ def try_out(
     workers: int = 1,
     retry: bool = False,
 ) -> Summary:
-    """Return what each scene would ask of servers first; nothing is sent, nor put into the folder.
+    """Return the first server calls of each scene; nothing is sent or written to the folder.
 
-    Those that are still to be made are begun by processes of this machine, elsewhere: one that
-    would ask is "unpaid", with its calls as the error; one whose answers are all kept is "made".
-    ``folder``, where the bundles would go, need not be there; the arguments are those of ``run``.
+    Unfinished scenes are started by local processes in a temporary folder. A scene that needs a
+    call is "unpaid", with its calls as the error; a scene whose answers are all stored is "made".
+    ``folder``, the batch's folder, need not exist. The arguments are those of ``run``.
     """
     jobs, folder = jobs_of(prompts), Path(folder)
     known = {job: find_outcome(job, folder, key_of(job, make), retry) for job in jobs}
@@ -115,7 +116,7 @@ def try_out(
 
 
 def _pool(width: int, ray: str | None, make: Maker) -> tuple[TaskPool, Maker]:
-    """Return who runs the tasks, and the maker, whose money one process of several keeps."""
+    """Return the worker pool and the maker; on Ray, one process owns the maker's database."""
     if ray is None:
         return pool_of(width), make
     from .on_ray import RayPool
@@ -133,10 +134,10 @@ def _run_all(
     retry: bool,
     told: Callable[[Outcome], None],
 ) -> None:
-    """Run all jobs, at most as many as the pool is wide at a time.
+    """Run all jobs, up to the pool's width in parallel.
 
-    Where a worker of several dies, its job is run once more at the end, alone: another may have
-    taken its memory. Jobs that other batches have locked are looked at again and again.
+    If one of several workers dies, its job runs once more at the end, alone, because other jobs may
+    have exhausted its memory. Jobs locked by other batches are checked repeatedly.
     """
     running: dict[Future[Outcome], Job] = {}
     crashed, busy = deque[Job](), deque[Job]()
@@ -159,7 +160,7 @@ def _run_all(
                 else:
                     crashed.append(job)
                 continue
-            if alone and outcome.state == "there":  # published as its process died
+            if alone and outcome.state == "there":  # it was published just before its process died
                 outcome = replace(outcome, state="made")
             if outcome.state == "busy":
                 busy.append(job)

@@ -1,4 +1,4 @@
-"""A Ray cluster as a pool of workers, and the actor that owns a batch's database of money."""
+"""A worker pool on a Ray cluster, and the actor that owns a batch's spending database."""
 
 from __future__ import annotations
 
@@ -28,20 +28,21 @@ from .workers import WorkerDied
 
 R = TypeVar("R")
 
-_USAGE = "RAY_USAGE_STATS_ENABLED"  # else Ray tells its makers that it was started
-_KNOCK_TIME = 10.0  # seconds that a cluster has to accept a connection
-_ALIKE = ("tabletopgen", "mujoco", "numpy")  # what has to be of one version on all machines
+_USAGE = "RAY_USAGE_STATS_ENABLED"  # otherwise Ray reports usage statistics
+_KNOCK_TIME = 10.0  # connection timeout of a cluster in seconds
+# packages that must have the same version on all machines
+_ALIKE = ("tabletopgen", "mujoco", "numpy")
 
 
 class RayPool(TaskPool):
-    """At most ``width`` tasks of a Ray cluster at a time, a CPU each, spread over its machines.
+    """Runs up to ``width`` tasks on a Ray cluster, one CPU each, spread over its machines.
 
-    ``address`` is as ``ray.init`` takes it; "local" starts Ray here, with ``width`` CPUs. Where
-    this process is connected to a cluster already, that one is used, and the connection stays.
-    Tasks run in the folder that this process is in, where their machine has it.
+    ``address`` is an address for ``ray.init``; "local" starts Ray on this machine with ``width``
+    CPUs. If this process is already connected to a cluster, that connection is used and stays open.
+    Tasks run in this process's working directory if their machine has it.
 
     Raises:
-        BackendError: Ray is not installed, or there is none at the address.
+        BackendError: Ray is not installed, or no cluster runs at the address.
     """
 
     def __init__(self, address: str, width: int) -> None:
@@ -65,7 +66,7 @@ class RayPool(TaskPool):
     def submit(
         self, function: Callable[..., R], *args: Any, timeout: float | None = None
     ) -> Future[R]:
-        """See ``TaskPool``; BackendError where a machine cannot run it as this one would."""
+        """See ``TaskPool``; raises BackendError if a machine cannot run the task identically."""
         task = _RayTask(cloudpickle.dumps((function, args)), timeout)
         self._waiting.append(task)
         self._begin()
@@ -73,11 +74,11 @@ class RayPool(TaskPool):
 
     @cached_property
     def keeper(self) -> RayKeeper:
-        """Who works on the databases of money: an actor on this machine."""
+        """The keeper of the spending databases: an actor on this machine."""
         return RayKeeper(_keeping_actor(self._ray))
 
     def close(self, grace: float = 0.0) -> None:
-        """Cancel what waits and stop what runs, whatever ``grace``; leave the cluster."""
+        """Cancel pending tasks and stop running ones, ignoring ``grace``; leave the cluster."""
         with self._lock:
             for task in self._waiting:
                 task.future.cancel()
@@ -85,7 +86,7 @@ class RayPool(TaskPool):
             running, done = [*self._running], Counter(self._done)
             self._done.clear()
         for machine, count in sorted(done.items()):
-            logging.getLogger(__name__).info("%d tasks were done by Ray's node %s", count, machine)
+            logging.getLogger(__name__).info("Ray node %s ran %d tasks", machine, count)
         if self._own:
             self._ray.shutdown()
         else:
@@ -93,7 +94,7 @@ class RayPool(TaskPool):
                 self._ray.cancel(reference, force=True)
 
     def _begin(self) -> None:
-        """Hand Ray as many tasks as it may have."""
+        """Submit as many tasks to Ray as allowed."""
         with self._lock:
             while self._waiting and len(self._running) < self.width:
                 task = self._waiting.popleft()
@@ -101,7 +102,7 @@ class RayPool(TaskPool):
                     continue
                 try:
                     reference = self._call.remote(self._place, task.packed, task.timeout)
-                except Exception as error:  # the connection is lost, say
+                except Exception as error:  # such as a lost connection
                     task.future.set_exception(self._failure(error, task.timeout))
                     continue
                 self._running[reference] = task
@@ -110,14 +111,14 @@ class RayPool(TaskPool):
                 )
 
     def _end(self, reference: Any, done: Future[tuple[str, bytes]]) -> None:
-        """Pass on how a task has ended, and begin the next one."""
+        """Set the result of a finished task, and submit the next one."""
         with self._lock:
             task = self._running.pop(reference)
         try:
             machine, packed = done.result()
             with self._lock:
                 self._done[machine] += 1
-            well, value = pickle.loads(packed)  # by our own process
+            well, value = pickle.loads(packed)  # the data comes from our own process
         except Exception as error:
             well, value = False, self._failure(error, task.timeout)
             if "keeper" in self.__dict__:
@@ -129,13 +130,13 @@ class RayPool(TaskPool):
         self._begin()
 
     def _failure(self, error: Exception, timeout: float | None) -> Exception:
-        """Return what it means that there is no answer of a task."""
+        """Return the error for a task without a result."""
         if isinstance(error, self._ray.exceptions.RayTaskError):
             cause = getattr(error, "cause", error)
             return BackendError(f"A machine of the Ray cluster cannot run tasks: {cause}")
         if not isinstance(error, self._ray.exceptions.RayError):
-            return error  # what came cannot be unpickled, or Ray takes no more
-        late = "" if timeout is None else f", or was given up after {timeout:g} s"
+            return error  # the result cannot be unpickled, or Ray accepts no more tasks
+        late = "" if timeout is None else f", or exceeded its limit of {timeout:g} s"
         return WorkerDied(
             f"A worker process of Ray ended abruptly ({type(error).__name__}){late}. Use fewer "
             "workers if memory is short."
@@ -144,7 +145,7 @@ class RayPool(TaskPool):
 
 @dataclass(frozen=True)
 class _Place:
-    """The folder that tasks run in, and the versions that they need."""
+    """The working directory of tasks, and the versions that they require."""
 
     folder: str
     versions: Mapping[str, str]
@@ -166,21 +167,21 @@ def _connect(ray: Any, address: str, width: int) -> None:
         _knock(address)
         ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR, **cpus)
     except (OSError, ValueError, RuntimeError, ray.exceptions.RayError) as error:
-        raise BackendError(f"No Ray at {address!r}: {error}") from error
+        raise BackendError(f"No Ray cluster at {address!r}: {error}") from error
     finally:
         if asked is None:
             del os.environ[_USAGE]
 
 
 def _knock(address: str) -> None:
-    """Raise OSError if nobody listens at HOST:PORT, which Ray would try for minutes."""
+    """Raise OSError if nothing listens at HOST:PORT; Ray would retry for minutes."""
     host, colon, port = address.rpartition(":")
     if colon and port.isdecimal() and "/" not in host:
         socket.create_connection((host.strip("[]"), int(port)), _KNOCK_TIME).close()
 
 
 def _call(place: _Place, packed: bytes, timeout: float | None) -> tuple[str, bytes]:
-    """Run a task in a worker of Ray; return its machine's id and ``answer_task``'s answer."""
+    """Run a task in a Ray worker; return its node id and the result of ``answer_task``."""
     import ray  # pyright: ignore[reportMissingImports]
 
     machine = ray.get_runtime_context().get_node_id()
@@ -188,10 +189,10 @@ def _call(place: _Place, packed: bytes, timeout: float | None) -> tuple[str, byt
     if own != place.versions:
         other = ", ".join(f"{k} {v}, not {place.versions[k]}" for k, v in own.items()
                           if v != place.versions[k])  # fmt: skip
-        raise BackendError(f"it has {other}. Install the same versions everywhere.")
+        raise BackendError(f"it has {other}. Install the same versions on all machines.")
     with contextlib.suppress(OSError):
         os.chdir(place.folder)
-    signal.setitimer(signal.ITIMER_REAL, timeout or 0.0)  # whose signal ends the process
+    signal.setitimer(signal.ITIMER_REAL, timeout or 0.0)  # whose signal terminates the process
     try:
         return machine, answer_task(packed)
     finally:
@@ -200,21 +201,21 @@ def _call(place: _Place, packed: bytes, timeout: float | None) -> tuple[str, byt
 
 @dataclass(frozen=True)
 class RayKeeper:
-    """Has the actor work on databases of money; can be sent to all machines of the cluster."""
+    """Accesses spending databases through the actor; can be sent to all machines of the cluster."""
 
     actor: Any
 
     def create(self, folder: Path) -> None:
-        """Make a folder's database, unless there is one."""
+        """Create a folder's database if it does not exist."""
         self._ask("create", folder)
 
     def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
-        """Return ``operation(connection, *args)``, done in one transaction."""
+        """Return ``operation(connection, *args)``, run in one transaction."""
         return self._ask("transact", folder, operation, *args)
 
     @contextlib.contextmanager
     def owning(self, folder: Path) -> Iterator[str]:
-        """Name an owner of reservations: this task, alive until the block or its worker ends."""
+        """Yield the name of a new owner of reservations, alive until its block or worker ends."""
         import ray  # pyright: ignore[reportMissingImports]
 
         name = ray.get_runtime_context().get_task_id()
@@ -234,7 +235,7 @@ class RayKeeper:
 
 
 class _KeepingActor:
-    """The one process that works on the databases of a cluster's batch."""
+    """The single process that accesses the spending databases of a cluster's batch."""
 
     def __init__(self) -> None:
         self._owners: dict[str, contextlib.ExitStack] = {}
@@ -252,7 +253,7 @@ class _KeepingActor:
 
 
 def _keeping_actor(ray: Any) -> Any:
-    """Start the actor on this machine, where the databases are."""
+    """Start the actor on this machine, which has the databases."""
     from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy  # pyright: ignore[reportMissingImports]
 
     here = NodeAffinitySchedulingStrategy(ray.get_runtime_context().get_node_id(), soft=False)

@@ -1,4 +1,4 @@
-"""Who runs the tasks: processes of this machine, or a Ray cluster."""
+"""Selection of the worker pool: local processes or a Ray cluster."""
 
 from __future__ import annotations
 
@@ -10,14 +10,13 @@ from .workers import WorkerPool
 
 @dataclass(frozen=True)
 class PoolOptions:
-    """Who does the work; the result does not depend on it.
+    """Workers; results do not depend on them.
 
     Attributes:
-        workers: How much is done in parallel, each by a process with one thread: one for each
-            processor is fastest.
-        ray: Have the Ray cluster at this address do it ("auto": the one of this machine); "local"
-            starts Ray here (pip install 'tabletopgen[ray]'). What lies in files, such as bundles
-            that are named by a path, has to be in a folder that all machines share.
+        workers: Number of parallel processes, with one thread each; one per processor is fastest.
+        ray: Use the Ray cluster at this address ("auto": the one of this machine); "local" starts
+            Ray on this machine (pip install 'tabletopgen[ray]'). Files, such as bundles given by
+            path, must be in a folder that all machines share.
     """
 
     workers: int = 1
@@ -25,10 +24,10 @@ class PoolOptions:
 
 
 def pool_of(width: int, ray: str | None = None) -> TaskPool:
-    """Return a pool of ``width`` processes here or, with the address of a cluster, on Ray.
+    """Return a pool of ``width`` local processes or, given an address, of a Ray cluster.
 
     Raises:
-        BackendError: Ray is not installed, or there is none at the address.
+        BackendError: Ray is not installed, or no cluster runs at the address.
     """
     if ray is None:
         return WorkerPool(width)

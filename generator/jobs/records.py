@@ -1,8 +1,8 @@
 """Records of finished jobs in the folder of a batch.
 
-``.batch/<key>.json`` is the record of a job, ``.batch/<key>.lock`` is held by who makes it, in
-``.batch/<key>/``. The record is written when the bundle is whole, before it is put in its place: a
-process that dies in between leaves the rest to who comes next.
+``.batch/<key>.json`` is the record of a job; its maker holds ``.batch/<key>.lock`` and works in
+``.batch/<key>/``. The record is written when the bundle is complete, before the bundle is moved
+into place. If a process dies in between, the next one finishes the move.
 """
 
 from __future__ import annotations
@@ -33,53 +33,53 @@ from ..io.bounded import is_number, parse_object, read_regular
 from ..io.files import is_plain_name, remove_file, remove_tree, write_whole
 from .prompts import Job, Maker, key
 
-_KEPT = frozenset({"InputError", "SceneError"})  # failures that recur: not retried unless asked
+_KEPT = frozenset({"InputError", "SceneError"})  # permanent failures, retried only on request
 
 CRASH = "Crash"
-"""The kind of failure of a job whose process died."""
+"""Failure kind of a job whose process died."""
 
 PLACE = ".batch"
-"""The folder, within a batch's folder, of what is no bundle: its records, and what it has spent."""
+"""Subfolder of a batch's folder with its records and its spending."""
 
 
 def key_of(job: Job, make: Maker) -> str:
-    """Return what names a job's record. Of a picture, its content counts, if it can be read."""
+    """Return the name of a job's record, which for a readable picture depends on its content."""
     from ..method.reference import fetch, is_picture_name
 
     picture = None
     if is_picture_name(job.text):
-        with contextlib.suppress(InputError):  # who makes it tells of it
+        with contextlib.suppress(InputError):  # the maker will report the error
             content = fetch(job.text)
             picture = content if isinstance(content, bytes) else None
     return key(job, make.identity(), picture)
 
 
 def place_of(folder: Path) -> Path:
-    """Return where a batch's folder keeps its records; both are made if missing.
+    """Create a batch's folder and its record folder if missing; return the latter.
 
     Raises:
-        StorageError: they cannot be made, or the records are a link to elsewhere.
+        StorageError: they cannot be created, or the record folder is a link.
     """
     place = folder / PLACE
     if place.is_symlink():
-        raise StorageError(f"{place} is a link; a batch keeps its records in its own folder.")
+        raise StorageError(f"{place} is a link; the records of a batch must be in its own folder.")
     try:
         place.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise StorageError(
-            f"The batch's folder {folder} cannot be made: {error.strerror or error}. Choose "
+            f"The batch's folder {folder} cannot be created: {error.strerror or error}. Choose "
             "another folder."
         ) from error
     return place
 
 
 def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
-    """Make a job's scene in ``folder``, unless that is done, or someone else is at it.
+    """Make a job's scene in ``folder``, unless it exists or another process is making it.
 
-    ``retry`` tries again what failed in a way that was kept.
+    ``retry`` also retries recorded permanent failures.
 
     Raises:
-        StorageError: the folder cannot be written, or the disk is full.
+        StorageError: the folder is not writable, or the disk is full.
     """
     name, place = key_of(job, make), place_of(folder)
     try:
@@ -93,12 +93,12 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
     except OSError as error:
         raise StorageError(
             f"The batch's folder {folder} cannot be written: {error.strerror or error}. Free "
-            "space there, or choose another folder."
+            "disk space, or choose another folder."
         ) from error
 
 
 def find_outcome(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
-    """Return what came of a job before, its bundle in place; None if it is to be made."""
+    """Return a job's recorded outcome, with its bundle in place, or None if it must be made."""
     found = read(job, folder / PLACE, name)
     if found is None:
         return None
@@ -110,15 +110,16 @@ def find_outcome(job: Job, folder: Path, name: str, retry: bool = False) -> Outc
 def record_failure(
     job: Job, folder: Path, name: str, error: str, kind: str, seconds: float
 ) -> Outcome:
-    """Write down that a job failed; return that."""
-    error = error.encode("utf-8", "backslashreplace").decode()  # a file's name need not be text
+    """Record that a job failed and return its outcome."""
+    # file names in messages may be invalid Unicode
+    error = error.encode("utf-8", "backslashreplace").decode()
     outcome = Outcome(job, "failed", None, kind, error, round(seconds, 2))
     _write(outcome, folder, name)
     return outcome
 
 
 def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
-    """Make a job's scene; whatever goes wrong with it is written down."""
+    """Make a job's scene; record any failure."""
     own = folder / PLACE / name
     _clear(folder / PLACE, name)
     start = time.perf_counter()
@@ -127,9 +128,10 @@ def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
         report = load_report(made)
     except StorageError:
         raise
-    except Exception as error:  # one scene must not end the batch
+    except Exception as error:  # one failed scene must not end the batch
         spent, kind = time.perf_counter() - start, type(error).__name__
-        if isinstance(error, BudgetError | DryRunError):  # not written down: no fault of the scene
+        # not recorded, since the scene did not fail
+        if isinstance(error, BudgetError | DryRunError):
             return Outcome(job, "unpaid", None, kind, str(error), round(spent, 2))
         kind = "BackendError" if isinstance(error, BackendError) else kind
         return record_failure(job, folder, name, str(error), kind, spent)
@@ -140,15 +142,15 @@ def _make(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
     if not _sound(folder / made.name):
         raise StorageError(
             f"The scene of {job.text!r:.80} was made, but its record or its bundle "
-            f"{made.name!r:.80} cannot be read again in {folder}. Check the disk, and the name."
+            f"{made.name!r:.80} cannot be read back from {folder}. Check the disk and the name."
         )
     return outcome
 
 
 def _put_in_place(job: Job, folder: Path, name: str) -> None:
-    """Put a recorded bundle that lies where it was made among the others.
+    """Move a recorded bundle from its private folder to the batch's folder.
 
-    What lies in its place makes way only if it is the same bundle, by its digest, damaged.
+    An existing folder is replaced only if it is a damaged copy of the same bundle, by digest.
     """
     own = folder / PLACE / name
     found = None if own.is_symlink() or not own.is_dir() else read(job, folder / PLACE, name)
@@ -160,7 +162,7 @@ def _put_in_place(job: Job, folder: Path, name: str) -> None:
 
 
 def _clear(place: Path, name: str) -> None:
-    """Remove what was left where a job's scene is made; of a link, the link."""
+    """Remove remains of an earlier attempt; of a link, only the link itself."""
     own = place / name
     if own.is_symlink() or own.is_file():
         remove_file(place, name)
@@ -169,7 +171,7 @@ def _clear(place: Path, name: str) -> None:
 
 
 def _sound(bundle: Path) -> bool:
-    """Tell whether a bundle is there: published by one rename, it is then whole."""
+    """Return whether a bundle exists; it is published by one rename, so it is then complete."""
     try:
         load_fingerprint(bundle)
     except BundleError:
@@ -178,7 +180,7 @@ def _sound(bundle: Path) -> bool:
 
 
 def _figures(report: Mapping[str, Any]) -> dict[str, float]:
-    """Return what is summed up of a bundle's recorded gate, in millimetres and degrees."""
+    """Return the summarised values of a bundle's recorded gate, in millimetres and degrees."""
     lengths = ("penetration", "drift", "leaning", "settling", "moved")
     return {
         "objects": report["objects"],
@@ -193,11 +195,12 @@ def _write(outcome: Outcome, folder: Path, name: str) -> None:
     del facts["state"]
     text = json.dumps({**facts.pop("job"), **facts}, indent=1, sort_keys=True) + "\n"
     path = folder / PLACE / f"{name}.json"
-    write_whole(path, text, "The record of a scene", "Free space there, or choose another folder.")
+    write_whole(path, text, "The record of a scene", "Free disk space, or choose another folder.")
 
 
-_MOST_BYTES = 2**20  # of a record; the error in it may be long
-_BUNDLE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*-[0-9a-f]{12}")  # as ``bundle.save`` names them
+_MOST_BYTES = 2**20  # of a record, whose error text may be long
+# the names that ``bundle.save`` gives
+_BUNDLE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*-[0-9a-f]{12}")
 _RECORDED = ("bundle", "kind", "error", "seconds", "gate")
 
 State = Literal["made", "there", "failed", "unpaid", "busy"]
@@ -205,17 +208,17 @@ State = Literal["made", "there", "failed", "unpaid", "busy"]
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of a job.
+    """The outcome of a job.
 
     Attributes:
         job: the job.
-        state: "made" now, "there" already, "failed", "unpaid": a call that it needs was not sent,
-            for want of money or in a dry run, or "busy": someone else is at it.
+        state: "made" in this run, "there" already, "failed", "unpaid" (a required call was not
+            sent, because of the budget or a dry run), or "busy" (another process is making it).
         bundle: the name of its bundle, if there is one.
         kind: the class of the error, if it failed or is unpaid.
-        error: what it says.
-        seconds: how long it took whoever made it.
-        gate: figures of the recorded gate: see ``summary``.
+        error: the message of the error.
+        seconds: the time that its making took.
+        gate: values of the recorded gate; see ``summary``.
     """
 
     job: Job
@@ -228,10 +231,10 @@ class Outcome:
 
 
 def read(job: Job, place: Path, name: str) -> Outcome | None:
-    """Return what the record ``name`` says of a job; None if there is none that can be read.
+    """Return a job's outcome from the record ``name``, or None if it is missing or invalid.
 
-    ``bundle`` is then the plain name of a bundle's folder. ``gate`` is empty if what is recorded
-    is no figures.
+    ``bundle`` is then the plain name of a folder. ``gate`` is empty if the recorded values are not
+    numbers.
     """
     path = place / f"{name}.json"
     try:

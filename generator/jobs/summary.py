@@ -1,4 +1,4 @@
-"""What came of a batch, in figures: scenes made, failures by kind, the gates' means and worst."""
+"""The summary of a batch: scenes made, failures by kind, and gate statistics."""
 
 from __future__ import annotations
 
@@ -15,36 +15,36 @@ from ..io.files import write_whole
 from .records import Outcome
 
 FILE = "summary.json"
-"""Where a batch's folder keeps it."""
+"""File name of the summary in a batch's folder."""
 
 
 @dataclass(frozen=True)
 class Summary:
-    """What came of each job of a batch, in the order in which they were asked for."""
+    """The outcomes of a batch's jobs, in the order of the jobs."""
 
     outcomes: tuple[Outcome, ...]
 
     @property
     def failures(self) -> tuple[Outcome, ...]:
-        """The jobs that have no scene."""
+        """The failed jobs."""
         return tuple(o for o in self.outcomes if o.state == "failed")
 
     @property
     def unpaid(self) -> tuple[Outcome, ...]:
-        """The jobs that have no scene since a call was not sent; run again, they are tried."""
+        """The jobs without a scene because a call was not sent; the next run retries them."""
         return tuple(o for o in self.outcomes if o.state == "unpaid")
 
     def counts(self) -> dict[str, int]:
-        """Return how many scenes were made, were there, failed, and could not be paid for."""
+        """Return the numbers of scenes made, already done, failed, and beyond the budget."""
         states = Counter(o.state for o in self.outcomes)
         return {state: states[state] for state in ("made", "there", "failed", "unpaid")}
 
     def kinds(self) -> dict[str, int]:
-        """Return how many failed by kind of error, most frequent first."""
+        """Return the number of failures by kind of error, most frequent first."""
         return dict(Counter(o.kind or "" for o in self.failures).most_common())
 
     def gate(self) -> dict[str, dict[str, float]]:
-        """Return mean and largest value of each figure of the scenes' gates.
+        """Return the mean and the maximum of each value of the scenes' gates.
 
         Lengths are in millimetres, angles in degrees; ``objects`` and ``left_out`` are counts.
         """
@@ -57,7 +57,7 @@ class Summary:
         }
 
     def facts(self) -> dict[str, Any]:
-        """Return everything as JSON values."""
+        """Return all statistics as JSON values."""
         rows = map(dataclasses.asdict, self.outcomes)
         return {
             **self.counts(),
@@ -72,8 +72,8 @@ def write_summary(summary: Summary, folder: Path) -> None:
     """Write a summary into a batch's folder.
 
     Raises:
-        StorageError: it cannot be written.
+        StorageError: the file cannot be written.
     """
     text = json.dumps(summary.facts(), indent=1) + "\n"
-    advice = "Free space there, or choose another folder."
+    advice = "Free disk space, or choose another folder."
     write_whole(folder / FILE, text, "The batch's summary", advice)

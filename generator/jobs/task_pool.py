@@ -1,4 +1,4 @@
-"""What all pools of workers have in common, and what their tasks may keep in a process."""
+"""The common interface of worker pools, and objects cached in their processes."""
 
 from __future__ import annotations
 
@@ -12,13 +12,14 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 
-_AHEAD = 4  # tasks for each worker, given out before the first one's result is taken
+_AHEAD = 4  # tasks submitted per worker before the first result is consumed
 
 
 class TaskPool(ABC):
-    """Runs tasks in other processes, at most ``width`` at a time, in the order they come.
+    """Runs tasks in other processes, up to ``width`` in parallel, in order of submission.
 
-    Results do not depend on which process runs a task. A process that dies fails its task alone.
+    Results do not depend on the process that runs a task. The death of a process fails its task
+    only.
     """
 
     width: int
@@ -27,24 +28,24 @@ class TaskPool(ABC):
     def submit(
         self, function: Callable[..., T], *args: Any, timeout: float | None = None
     ) -> Future[T]:
-        """Have a worker call a function; both, and what it returns, must be picklable.
+        """Run a function in a worker; the function, its arguments and its result must be picklable.
 
-        The pending result is what the function returns or raises, or ``WorkerDied``; ``timeout``
-        are the seconds, from the task's own start, after which its process is killed.
+        The returned future has the function's result or exception, or ``WorkerDied``. ``timeout``
+        is in seconds from the start of the task, after which its process is killed.
         """
 
     @abstractmethod
     def close(self, grace: float = 0.0) -> None:
-        """End the pool: what has not begun is cancelled, the rest is stopped. May be called twice.
+        """Close the pool: cancel pending tasks and stop running ones. May be called twice.
 
-        ``grace`` are the seconds that running tasks have to end by themselves where the pool can
-        interrupt them.
+        ``grace`` is the time in seconds that running tasks have to end after an interrupt, if the
+        pool can interrupt them.
         """
 
     def map(self, function: Callable[[Any], T], items: Iterable[Any]) -> Iterator[T]:
-        """Yield the function's result for every item, in their order.
+        """Yield the function's results for all items, in order.
 
-        Only so many tasks are given out before their results are taken that no worker need wait.
+        Only enough tasks are submitted ahead to keep every worker busy.
         """
         pending = deque[Future[T]]()
         for item in items:
@@ -57,8 +58,8 @@ class TaskPool(ABC):
 
 @cache
 def call_once(packed: bytes) -> Any:
-    """Return what a pickled function returns, called at the first time in this process.
+    """Return the result of a pickled function, which is called once per process.
 
-    Tasks share by it what takes long to make and need not be made for each, such as environments.
+    Tasks use it to share objects that are slow to create, such as environments.
     """
     return pickle.loads(packed)()

@@ -1,4 +1,4 @@
-"""How the scenes of a batch are made: what runs in its processes. All of it can be pickled."""
+"""Makers of a batch's scenes, which run in its processes; all of them can be pickled."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Composing:
-    """Composes texts (``generator.composition``)."""
+    """Composes scenes from texts (``generator.composition``)."""
 
     def identity(self) -> dict[str, Any]:
-        """Return that it composes."""
+        """Return the settings that determine the scenes."""
         return {"route": "compose"}
 
     def __call__(self, job: Job, folder: Path) -> Path:
-        """Compose a job's text."""
+        """Compose the scene of a job's text."""
         from ..bundle import save
         from ..composition import compose
         from ..method.figures import preview
@@ -45,22 +45,23 @@ class Composing:
 
 @dataclass(frozen=True)
 class Generating:
-    """Generates scenes from texts or pictures by all stages (``generator.pipeline``).
+    """Generates scenes from texts or pictures with all stages (``generator.pipeline``).
 
     Attributes:
-        mix: who answers the stages' questions.
-        config: settings of the stages; None for the usual ones.
-        calls: folder where answers are kept, so that nothing is paid for twice; None keeps nothing.
-        prices: what calls of servers cost; None: the table that comes with the package.
-        shared_budget: what all scenes are paid from, see ``shared_budget``; None adds up nothing.
-        budget: what all scenes may cost together, those of earlier runs too, in the currency of
-            ``prices``; needs ``shared_budget``. A call that might exceed it is not sent.
-        dry: nothing is sent: the first call that is not kept raises DryRunError.
-        keeper: who works on the databases of money: over several machines, a process owning them.
+        mix: backends of the roles.
+        config: settings of the stages; None for the defaults.
+        calls: folder of stored answers, so that nothing is paid for twice; None stores nothing.
+        prices: prices of models; None for the shipped table.
+        shared_budget: record of the spending of all scenes, see ``shared_budget``; None keeps no
+            record.
+        budget: maximum total cost of all scenes, including earlier runs, in the currency of
+            ``prices``; requires ``shared_budget``. A call that might exceed it is not sent.
+        dry: send nothing; the first call whose answer is not stored raises DryRunError.
+        keeper: access to the spending databases; in a cluster, through the process that owns them.
 
     Raises:
-        BackendError: the backends cannot be selected here.
-        InputError: a budget that is not shared, or negative.
+        BackendError: the backends are not available on this machine.
+        InputError: the budget is negative or has no ``shared_budget``.
     """
 
     mix: Mix = field(default_factory=Mix)
@@ -71,29 +72,29 @@ class Generating:
     budget: float | None = None
     dry: bool = False
     keeper: Keeper = field(default=LOCAL, repr=False, compare=False)
-    # who answers as of where this was made; a process elsewhere has to agree
+    # the backends on this machine; a process elsewhere must have the same ones
     _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         told = self.mix.identity()
-        if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
+        if set(self.mix.roles().values()) != {"embedded"}:  # such as models and addresses
             told["answering"] = plain(self.mix.select().identity())
         object.__setattr__(self, "_answering", told)
         if self.budget is not None:
             require(self, "budget", minimum=0)
             if self.shared_budget is None:
                 raise InputError(
-                    "Generating needs a shared budget, which processes spend together. Give "
-                    "shared_budget=shared_budget(FOLDER) of the batch's folder."
+                    "Generating needs a shared budget, from which all processes spend. Pass "
+                    "shared_budget=shared_budget(FOLDER) with the batch's folder."
                 )
 
     def kept_by(self, keeper: Keeper) -> Generating:
-        """Return this maker, its databases of money worked on by ``keeper``."""
+        """Return a copy of this maker that accesses its databases through ``keeper``."""
         shared = self.shared_budget and replace(self.shared_budget, keeper=keeper)
         return replace(self, shared_budget=shared, keeper=keeper)
 
     def identity(self) -> dict[str, Any]:
-        """Return backends, their settings unless all are embedded, and the stages' settings."""
+        """Return the backends, their settings unless all are embedded, and the stages' settings."""
         from ..generation import Config
 
         config = plain(self.config or Config())
@@ -103,8 +104,9 @@ class Generating:
         """Generate a job's scene.
 
         Raises:
-            BudgetError: it cannot be afforded; DryRunError: it would have asked a server.
-            BackendError: here others would answer than where the batch was started.
+            BudgetError: a call exceeds the budget; DryRunError: a dry run needs a call.
+            BackendError: the backends on this machine differ from those where the batch was
+                started.
         """
         from ..pipeline import generate
 
@@ -126,14 +128,15 @@ class Generating:
         roles = [role for role in expected if here.get(role) != expected[role]]
         if roles:
             raise BackendError(
-                f"{' and '.join(roles)} would be another here than where the batch was started: "
-                f"{', '.join(f'{here.get(r)} instead of {expected[r]}' for r in roles)}. Set the "
-                "same environment variables on all machines."
+                f"{' and '.join(roles)} would differ from the machine where the batch was "
+                "started: "
+                f"{', '.join(f'{here.get(r)} instead of {expected[r]}' for r in roles)}. Set "
+                "the same environment variables on all machines."
             )
 
     @contextlib.contextmanager
     def _session(self, job: Job) -> Iterator[Session]:
-        """Yield the session of one scene, which knows what earlier runs spent on it."""
+        """Yield the session of one scene, which includes the spending of earlier runs."""
         with contextlib.ExitStack() as open_:
             shared = self.shared_budget
             spending = None if shared is None else open_.enter_context(shared.spending())
@@ -146,23 +149,23 @@ class Generating:
             )
             try:
                 session.resume(key_of(job, self), self.keeper)
-            except InputError as error:  # of another currency: no fault of the scene's
+            except InputError as error:  # another currency is not a failure of the scene
                 raise StorageError(str(error)) from error
             yield session
 
 
 def shared_budget(folder: str | Path, prices: Prices | None = None) -> SharedBudget:
-    """Return the budget that all batches in a folder spend from, begun if there is none.
+    """Return the budget shared by all batches in a folder, creating it if necessary.
 
     Raises:
-        InputError: what was spent there is in another currency than ``prices``.
-        StorageError: it cannot be read, or the folder not be written.
+        InputError: the recorded spending is in another currency than ``prices``.
+        StorageError: the record cannot be read, or the folder is not writable.
     """
     return SharedBudget.open(place_of(Path(folder)), (prices or Prices.default()).currency)
 
 
 def _share() -> None:
-    """Have libraries that do not heed it themselves keep to ``threads``: others work beside it."""
+    """Limit libraries that ignore ``threads`` to that number, because other workers run too."""
     import cv2
     import torch
 

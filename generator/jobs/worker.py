@@ -1,8 +1,8 @@
-"""A process of a worker pool: ``python -m generator.jobs.worker FOLDER``; see ``workers``.
+"""A worker process of a pool: ``python -m generator.jobs.worker FOLDER``; see ``workers``.
 
-It reads pickles from its standard input, a function to begin with and then tasks, and answers each
-task on its standard output. When the input ends, the process that owns the pool is gone, or closes
-it: then this one ends, whatever is going on, and removes FOLDER, if that is not empty.
+It reads pickles from standard input, first an initialisation function and then tasks, and writes
+each task's result to standard output. When the input ends, the pool was closed or its process has
+died; the worker then exits immediately and removes FOLDER, unless FOLDER is empty.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from typing import BinaryIO
 
 import cloudpickle
 
-_EXIT_TIME = 5.0  # seconds that the main thread has to end the process by itself
+_EXIT_TIME = 5.0  # seconds until the main thread must have ended the process by itself
 
 _Tasks = queue.SimpleQueue[bytes | None]
 
@@ -47,12 +47,12 @@ def main() -> None:
 
 
 def answer_task(packed: bytes) -> bytes:
-    """Run a pickled task; return, pickled, whether it went well, and what it returned or raised."""
+    """Run a pickled task; return the pickled pair of its success and its result or exception."""
     try:
         function, args = pickle.loads(packed)
         return cloudpickle.dumps((True, function(*args)))
     except Exception as error:
-        with contextlib.suppress(Exception):  # not every exception can be pickled
+        with contextlib.suppress(Exception):  # not all exceptions can be pickled
             failure = cloudpickle.dumps((False, error))
             pickle.loads(failure)
             return failure
@@ -60,7 +60,7 @@ def answer_task(packed: bytes) -> bytes:
 
 
 def _take_pipes() -> tuple[BinaryIO, BinaryIO]:
-    """Return input and output, from now on out of reach of tasks and of what they start."""
+    """Return input and output, and detach them from tasks and their child processes."""
     given, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     with Path(os.devnull).open("rb") as nothing:
         os.dup2(nothing.fileno(), 0)
@@ -69,7 +69,7 @@ def _take_pipes() -> tuple[BinaryIO, BinaryIO]:
 
 
 def _listen(given: BinaryIO, tasks: _Tasks, busy: threading.Event, folder: Path | None) -> None:
-    """Take tasks; when the input ends, end this process and what it has started."""
+    """Receive tasks; when the input ends, terminate this process and its children."""
     with contextlib.suppress(EOFError, OSError, pickle.UnpicklingError):
         while True:
             tasks.put(pickle.load(given))

@@ -1,13 +1,13 @@
-"""The worker pool: processes that run the tasks of batches, fresh scenes, recording, certifying.
+"""The worker pool of batches, scene servers, recording and certification.
 
-A worker is a Python process of its own (``worker``), driven by a thread here. It is neither a
+A worker is a separate Python process (``worker``), driven by a thread of this one. It is neither a
 ``multiprocessing`` process nor part of a ``ProcessPoolExecutor``: those run the user's script
-again, cannot be started by the daemonic processes of vector environments, and one death breaks a
-whole pool. Here a death fails one task, and the next task gets a new worker.
+again, cannot be started by the daemonic processes of vector environments, and break the whole pool
+when one process dies. Here a death fails one task, and the next task gets a new worker.
 
-Tasks and results are pickled (``cloudpickle`` sends along what a script defines) and travel through
-the worker's standard input and output. The input ends with the process that owns the pool, however
-that ends: then the worker exits, with all it has started.
+Tasks and results are pickled (``cloudpickle`` includes functions defined in scripts) and sent
+through the worker's standard input and output. The input ends when the process that owns the pool
+ends, for whatever reason; the worker then exits with all its child processes.
 """
 
 from __future__ import annotations
@@ -38,28 +38,28 @@ from .task_pool import TaskPool
 T = TypeVar("T")
 
 _SINGLE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-_EXIT_TIME = 5.0  # seconds that a worker without a task has to exit
+_EXIT_TIME = 5.0  # seconds that an idle worker has to exit
 
 
 class WorkerDied(SceneError):
     """A worker process ended abruptly, could not be started, or took too long.
 
-    ``how`` it ended, where that is known: "was killed (SIGKILL)".
+    ``how`` describes its end, if known, such as "was killed (SIGKILL)".
     """
 
     how: str = ""
 
 
 class WorkerPool(TaskPool):
-    """At most ``width`` worker processes, started as tasks come.
+    """Up to ``width`` worker processes, started on demand.
 
-    Each computes on one thread, unless OMP_NUM_THREADS and its like say otherwise. Ctrl-C is only
-    for the process that owns the pool: see ``close``. A forked copy of a pool owns nothing and must
-    not be used. ``begin``, picklable, is called once in each process, before its first task.
-    ``folder`` is a temporary one that ends with the pool; the workers' standard error goes there.
-    ``descriptors`` are those of open files that the workers inherit, by the same numbers; they may
-    be closed here once ``width`` tasks were submitted. ``environment`` are variables that they have
-    besides this process's.
+    Each computes on one thread, unless OMP_NUM_THREADS or similar variables are set. Workers ignore
+    Ctrl-C, which the process that owns the pool handles; see ``close``. A forked copy of a pool
+    owns nothing and must not be used. ``begin``, which must be picklable, is called once in each
+    process, before its first task. ``folder`` is temporary and removed with the pool; it contains
+    the workers' standard error. ``descriptors`` are open files that the workers inherit under the
+    same numbers; the caller may close them once ``width`` tasks were submitted. ``environment``
+    adds variables to those of this process.
     """
 
     def __init__(
@@ -79,29 +79,29 @@ class WorkerPool(TaskPool):
 
     @property
     def pids(self) -> tuple[int, ...]:
-        """The ids of the processes that run."""
+        """The ids of the running processes."""
         processes = [worker.process for worker in self._state.workers]
         return tuple(p.pid for p in processes if p is not None and p.poll() is None)
 
     def submit(
         self, function: Callable[..., T], *args: Any, timeout: float | None = None
     ) -> Future[T]:
-        """See ``TaskPool``; ``timeout`` kills the worker, and what it has started."""
+        """See ``TaskPool``; ``timeout`` kills the worker and its child processes."""
         state, task = self._state, _Task(cloudpickle.dumps((function, args)), timeout)
         if len(state.workers) < self.width:
             worker = _Worker(state, len(state.workers))
             state.workers.append(worker)
-            with contextlib.suppress(OSError):  # the task tells of it
+            with contextlib.suppress(OSError):  # the task will report the error
                 worker.start()
             threading.Thread(target=_serve, args=(state.tasks, worker), daemon=True).start()
         state.tasks.put(task)
         return task.future
 
     def close(self, grace: float = 0.0) -> None:
-        """End the processes and remove the folder; may be called twice.
+        """Close the processes and remove the folder; may be called twice.
 
-        ``grace`` are the seconds that running tasks have to end, once they are interrupted as by
-        Ctrl-C; 0 kills them. An interrupt of this call ends the wait.
+        ``grace`` is the time in seconds that running tasks have after an interrupt (as by Ctrl-C);
+        0 kills them. An interrupt during this call ends the wait.
         """
         busy = [w.process for w in self._state.workers if w.busy and w.process] if grace else []
         try:
@@ -123,7 +123,7 @@ class _Task:
 
 @dataclass(eq=False)
 class _State:
-    """What must not outlive the pool; threads refer to this, never to the pool."""
+    """State that must not outlive the pool; threads refer to this, never to the pool."""
 
     begin: bytes
     folder: Path | None
@@ -134,7 +134,7 @@ class _State:
     workers: list[_Worker] = field(default_factory=list)
 
     def cancel(self) -> None:
-        """Cancel the tasks that no worker has begun."""
+        """Cancel the tasks that no worker has started."""
         with contextlib.suppress(queue.Empty):
             while True:
                 if task := self.tasks.get_nowait():
@@ -143,7 +143,7 @@ class _State:
 
 @dataclass(eq=False)
 class _Worker:
-    """One process at a time. ``busy``: it has a task; ``proven``: it has done one."""
+    """One process at a time. ``busy``: it runs a task; ``proven``: it has finished one."""
 
     state: _State
     number: int
@@ -152,14 +152,14 @@ class _Worker:
     proven: bool = False
 
     def start(self) -> None:
-        """Start the process in a session of its own, with this process's modules."""
+        """Start the process in its own session, with this process's module search path."""
         path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
         alone = {name: os.environ.get(name, "1") for name in _SINGLE_THREAD}
         folder = self.state.folder
         with contextlib.ExitStack() as opened:
             errors = None
             if folder is not None:
-                folder.mkdir(exist_ok=True)  # who cleans temporary folders may have taken it
+                folder.mkdir(exist_ok=True)  # a cleaner of temporary folders may have removed it
                 errors = opened.enter_context((folder / f"{self.number}.log").open("wb"))
             self.process = subprocess.Popen(
                 [sys.executable, "-P", "-m", f"{__package__}.worker", str(folder or "")],
@@ -172,14 +172,14 @@ class _Worker:
         _send(self.process, self.state.begin)
 
     def run(self, task: _Task) -> Any:
-        """Return what the task returns, or raise what it raises, or ``WorkerDied``."""
+        """Return the task's result, or raise its exception or ``WorkerDied``."""
         if self.process is None or (self.proven and self.process.poll() is not None):
-            self.discard()  # it died without a task
+            self.discard()  # it died between tasks
             try:
                 self.start()
             except OSError as error:
                 raise WorkerDied(
-                    f"A task was not begun: no process could be started ({error})."
+                    f"A task was not started because its process could not be started ({error})."
                 ) from error
         process = self.process
         assert process is not None
@@ -193,7 +193,7 @@ class _Worker:
             packed = _receive(process)
         except (OSError, EOFError, ValueError, pickle.UnpicklingError) as error:
             code = self.discard()
-            how = f"was given up after {task.timeout:g} s" if late.is_set() else _death(code)
+            how = f"exceeded its limit of {task.timeout:g} s" if late.is_set() else _death(code)
             how += self._last_words()
             died = WorkerDied(
                 f"A worker process ended abruptly: it {how}. Use fewer workers if memory is short."
@@ -203,24 +203,24 @@ class _Worker:
         finally:
             timer.cancel()
             if task.timeout is not None:
-                timer.join()  # one that fired a moment ago must not kill under the next task
+                timer.join()  # a timer that has just fired must not kill the next task
         self.proven = True
-        well, value = pickle.loads(packed)  # by our own process
+        well, value = pickle.loads(packed)  # the data comes from our own process
         if not well:
             raise value
         return value
 
     def discard(self) -> int:
-        """Kill the process, and have none; return its exit code. Only for the thread that serves.
+        """Kill and forget the process; return its exit code. Only for the serving thread.
 
-        Other threads kill the process (``_kill``) and leave the worker alone: it may be about to
-        have another one.
+        Other threads kill the process (``_kill``) without changing the worker, because it may be
+        about to start another process.
         """
         process, self.process = self.process, None
         return 0 if process is None else _kill(process)
 
     def _last_words(self) -> str:
-        """Return the last line that the process wrote to its standard error."""
+        """Return the last line of the process's standard error."""
         with contextlib.suppress(OSError):
             if self.state.folder is not None:
                 text = (self.state.folder / f"{self.number}.log").read_text(errors="replace")
@@ -230,7 +230,7 @@ class _Worker:
 
 
 def _serve(tasks: queue.SimpleQueue[_Task | None], worker: _Worker) -> None:
-    """Hand one task after another to a worker: what a thread of a pool does."""
+    """Run tasks in a worker one after another; the main loop of a pool's thread."""
     while (task := tasks.get()) is not None:
         if not task.future.set_running_or_notify_cancel():
             continue
@@ -244,16 +244,16 @@ def _serve(tasks: queue.SimpleQueue[_Task | None], worker: _Worker) -> None:
             task.future.set_result(result)
         else:
             task.future.set_exception(failure)
-        del task, result, failure  # the thread keeps nothing
+        del task, result, failure  # release the references, which would otherwise outlive the task
 
 
 def _end(state: _State) -> None:
-    """End a pool: workers without a task exit, others are killed. A forked copy only hangs up."""
+    """Close a pool: idle workers exit, others are killed. A forked copy only closes its pipes."""
     processes = [worker.process for worker in state.workers if worker.process is not None]
     if os.getpid() != state.owner:
         for process in processes:
             _hang_up(process)
-            process.returncode = 0  # another process's child: nothing to wait for
+            process.returncode = 0  # a child of another process; nothing to wait for
         return
     state.cancel()
     for worker in state.workers:
@@ -273,7 +273,7 @@ def _end(state: _State) -> None:
 
 
 def _wait(processes: Iterable[subprocess.Popen[bytes]], seconds: float) -> None:
-    """Wait until processes have ended, no longer than so many seconds."""
+    """Wait until the processes have ended, for at most ``seconds``."""
     until = time.monotonic() + seconds
     for process in processes:
         with contextlib.suppress(subprocess.TimeoutExpired):
@@ -290,13 +290,13 @@ def _send(process: subprocess.Popen[bytes], packed: bytes) -> None:
 def _receive(process: subprocess.Popen[bytes]) -> bytes:
     assert process.stdout is not None
     with os.fdopen(os.dup(process.stdout.fileno()), "rb") as answers:
-        return pickle.load(answers)  # no more than this one is under way
+        return pickle.load(answers)  # at most this thread's task is running
 
 
 def _kill(process: subprocess.Popen[bytes]) -> int:
-    """Kill a worker's process and what it has started, which are a session; return its exit code.
+    """Kill a worker's session, which includes its children; return the worker's exit code.
 
-    Any thread may do it, and more than one at once.
+    This is thread-safe and may be called several times.
     """
     if process.poll() is None:
         with contextlib.suppress(OSError):
@@ -317,7 +317,7 @@ def _hang_up(process: subprocess.Popen[bytes]) -> None:
 
 def _death(code: int) -> str:
     if code >= 0:
-        return f"ended with code {code}"
+        return f"exited with code {code}"
     with contextlib.suppress(ValueError):
         return f"was killed ({signal.Signals(-code).name})"
     return f"was killed (signal {-code})"

@@ -1,9 +1,9 @@
-"""Functions run in a child process with limits on time, memory and output.
+"""Functions that run in a child process with limits on time, memory and output.
 
-Parsers of foreign files run here: a file that makes one loop, crash or fill the memory costs a
-child process and ends as one :class:`SandboxError`. The child returns values that this process
-decodes without pickle (:mod:`.packing`), works in a folder that no longer exists, and leaves no
-file behind, however it ends.
+Parsers of untrusted files run here: a file that makes one loop, crash or exhaust the memory costs a
+child process and raises one :class:`SandboxError`. The child returns values that this process
+decodes without pickle (:mod:`.serialization`). Its working directory is already deleted, so it
+leaves no files behind, however it ends.
 """
 
 from .runner import CpuBudget as CpuBudget

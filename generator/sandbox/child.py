@@ -1,7 +1,7 @@
-"""The child of a sandbox: ``python -m generator.sandbox.child``; see ``runner``.
+"""The child process of a sandbox: ``python -m generator.sandbox.child``; see ``runner``.
 
-It reads one request from its standard input, sets its limits, and writes the packed answer to what
-was its standard output when it started.
+It reads one request from standard input, applies its limits, and writes the packed result to its
+original standard output.
 """
 
 from __future__ import annotations
@@ -26,25 +26,26 @@ _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 
 
 def main() -> None:
-    """Answer one request."""
+    """Process one request."""
     try:
         _serve()
     except MemoryError:
         os._exit(NO_MEMORY)
-    os._exit(0)  # leaves nothing to the exit handlers of libraries that have parsed foreign data
+    os._exit(0)  # skips the exit handlers of libraries that have parsed untrusted data
 
 
 def _serve() -> None:
     given, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     with Path(os.devnull).open("rb") as nothing:
         os.dup2(nothing.fileno(), 0)
-    os.dup2(2, 1)  # what libraries print is no part of the answer
+    os.dup2(2, 1)  # output printed by libraries must not mix with the result
     request = unpack(given.read(), _find)
     _leave_with(int(request["parent"]))
     function = _find(f"{request['module']}:{request['name']}")
     _work_nowhere()
     memory = int(request["memory"])
-    too_large = memory_text(memory)  # names the inherited limit, so before ours
+    # mentions the inherited limit, so it is computed before ours is set
+    too_large = memory_text(memory)
     _limit(float(request["cpu_seconds"]), memory)
     for part in _answer(function, request["args"], too_large):
         answers.write(part)
@@ -52,9 +53,9 @@ def _serve() -> None:
 
 
 def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes | memoryview]:
-    """Return, packed in pieces, the function's result, or the error that it raises.
+    """Return the function's result or exception, packed in pieces.
 
-    ``too_large`` is the message where the memory does not suffice.
+    ``too_large`` is the message for insufficient memory.
     """
     start = time.process_time()
     try:
@@ -63,7 +64,7 @@ def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes 
     except TabletopError as error:
         name, message = type(error).__name__, str(error.args[0]) if error.args else ""
         breach = ""
-    except Exception as error:  # whatever a parser stumbles over in a foreign file
+    except Exception as error:  # any exception of a parser on an untrusted file
         name, words = type(error).__name__, " ".join(str(error).split())[:300]
         breach = "memory" if _lacks_memory(error) else "parser"
         text = failure_text(f"{name}: {words}", "is damaged", too_large)
@@ -74,7 +75,7 @@ def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes 
 
 
 def _lacks_memory(error: BaseException | None) -> bool:
-    """Return whether an error, or one that it was raised from, is that memory did not suffice."""
+    """Return whether an error, or one of its causes, is insufficient memory."""
     seen: set[int] = set()
     while error is not None and id(error) not in seen:
         seen.add(id(error))
@@ -86,7 +87,7 @@ def _lacks_memory(error: BaseException | None) -> bool:
 
 
 def _find(name: str) -> Any:
-    """Return a class or function of a module: the request is the parent's own."""
+    """Return a class or function of a module; the request comes from the parent process."""
     module, _, path = name.partition(":")
     found: Any = importlib.import_module(module)
     for part in path.split("."):
@@ -95,7 +96,7 @@ def _find(name: str) -> Any:
 
 
 def _leave_with(parent: int) -> None:
-    """Have the kernel kill this process when the parent dies (Linux)."""
+    """Let the kernel kill this process when the parent dies (Linux)."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_DIES_WITH_PARENT, int(signal.SIGKILL))
         if os.getppid() != parent:
@@ -103,14 +104,14 @@ def _leave_with(parent: int) -> None:
 
 
 def _work_nowhere() -> None:
-    """Work in a folder that is removed already: relative names cannot be created there."""
+    """Change to a deleted working directory, in which no files can be created."""
     folder = tempfile.mkdtemp()
     os.chdir(folder)
     Path(folder).rmdir()
 
 
 def _limit(cpu_seconds: float, memory: int) -> None:
-    """Limit what happens from now on; inherited limits stay where they are smaller."""
+    """Apply the limits; smaller inherited limits stay."""
     import resource
 
     used = resource.getrusage(resource.RUSAGE_SELF)
@@ -124,7 +125,11 @@ def _limit(cpu_seconds: float, memory: int) -> None:
 
 
 def _limit_time(seconds: int) -> None:
-    """Limit CPU time. The hard limit is above: its SIGKILL could be anyone's, SIGXCPU is ours."""
+    """Limit the CPU time.
+
+    The hard limit is higher than the soft one, because its SIGKILL is ambiguous, while the soft
+    limit's SIGXCPU is not.
+    """
     import resource
 
     soft, hard = resource.getrlimit(resource.RLIMIT_CPU)

@@ -1,4 +1,4 @@
-"""The parent's side of a sandbox: start a child, enforce its limits, decode its answer."""
+"""The parent's side of a sandbox: start a child, enforce its limits, decode its result."""
 
 from __future__ import annotations
 
@@ -21,32 +21,33 @@ from ..errors import InputError, TabletopError, require
 from .serialization import class_name, pack, unpack
 
 Breach = Literal["time", "memory", "output", "hung", "killed", "crash", "cancelled", "parser"]
-"""Why a child returned nothing: it reached a limit, was killed from outside (such as by a kernel
-that runs out of memory), died, was cancelled, or a parser raised an exception of its own. It never
-depends on the text of an error."""
+"""The reason why a child returned nothing: it reached a limit, was killed from outside (such as by
+a kernel that runs out of memory), died, was cancelled, or a parser raised its own exception. It
+never depends on the text of an error.
+"""
 
 NO_MEMORY = 77
-"""Exit code of a child that could not allocate memory outside of its function."""
+"""Exit code of a child that ran out of memory outside of its function."""
 
-_CHILD = f"{__package__}.child"  # the module that a child runs
+_CHILD = f"{__package__}.child"  # the child's module
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMEXPR_NUM_THREADS")
-_HUNG = 60.0, 20.0  # a child hangs after so many seconds, and so many more per CPU second allowed
-_ENDING = 30.0  # seconds in which a child ends once it has closed its pipes
-_LEAST_SECONDS = 0.05  # of CPU time of a call when its budget is spent
-_POLL = 0.2  # seconds between two looks at ``cancelled``
+_HUNG = 60.0, 20.0  # seconds until a child counts as hung, plus a factor on its CPU time limit
+_ENDING = 30.0  # seconds that a child has to exit after closing its pipes
+_LEAST_SECONDS = 0.05  # CPU time of a call after its budget is used up
+_POLL = 0.2  # seconds between checks of ``cancelled``
 _CHUNK = 1 << 20
 _LAST_WORDS = 4096  # bytes of standard error that are kept
 
 
 @dataclass(frozen=True)
 class SandboxLimits:
-    """Limits of one child process; a smaller limit that this process inherited applies instead.
+    """Limits of one child process; smaller limits inherited from this process take precedence.
 
     Attributes:
-        cpu_seconds: Processor time of the call, without the time that imports take.
-        memory: Bytes that the call may allocate beyond what the imported modules take.
-        output: Bytes of its packed result.
-        threads: Threads of the numeric libraries; None leaves that to the environment.
+        cpu_seconds: CPU time of the call, excluding imports.
+        memory: bytes that the call may allocate in addition to the imported modules.
+        output: bytes of the packed result.
+        threads: threads of the numeric libraries; None leaves them to the environment.
 
     Raises:
         InputError: a limit is not a positive number.
@@ -63,10 +64,10 @@ class SandboxLimits:
 
 
 class SandboxError(InputError):
-    """A child process with limits returned no result for its input; ``breach`` says why.
+    """A child process with limits returned no result for its input; ``breach`` is the reason.
 
-    Its text continues a sentence about the input: "takes more than 20 s of CPU time". Callers
-    raise the error of their own kind from it.
+    The message continues a sentence about the input: "takes more than 20 s of CPU time". Callers
+    raise their own kind of error from it.
     """
 
     def __init__(self, breach: Breach, message: str) -> None:
@@ -84,11 +85,11 @@ def call(
 ) -> Any:
     """Return ``function(*args)``, computed in a child process with limits.
 
-    ``function`` is a module's; its arguments and its result are values that ``serialization``
-    lists, and ``returns`` the dataclasses and enums that its result may hold. Arrays of the result
-    are read-only. Errors of this project that it raises are raised here. Setting ``cancelled`` from
-    another thread kills the child. The call takes its CPU time from ``budget``, and at most what
-    is left of it. Within a child the function is called directly.
+    ``function`` is a module-level function; its arguments and its result are values that
+    ``serialization`` supports, and ``returns`` lists the dataclasses and enums that the result may
+    contain. Arrays of the result are read-only. This project's errors are raised again in this
+    process. Setting ``cancelled`` from another thread kills the child. The call may use the CPU
+    time left in ``budget``, which is charged. Within a child the function is called directly.
 
     Raises:
         SandboxError: a limit is reached, the child dies, or the function raises another exception.
@@ -118,7 +119,7 @@ def call(
 
 
 def is_inside() -> bool:
-    """Return whether this process is the child of a sandbox, by the module that it runs."""
+    """Return whether this process is the child of a sandbox, based on its main module."""
     spec = getattr(sys.modules.get("__main__"), "__spec__", None)
     return spec is not None and spec.name == _CHILD
 
@@ -138,20 +139,21 @@ def _result(raw: bytes | memoryview, returns: Iterable[type], budget: CpuBudget)
             return answer["result"]
         kind, message, breach = answer["error"], str(answer["message"]), answer["breach"]
     except (ValueError, KeyError, TypeError) as error:
-        if isinstance(error, TabletopError):  # a value that the result's own class refuses
+        # a value that the constructor of the result's class rejects
+        if isinstance(error, TabletopError):
             raise
-        raise SandboxError("crash", f"breaks its reader ({error})") from error
+        raise SandboxError("crash", f"crashes its parser ({error})") from error
     if breach:
         raise SandboxError("memory" if breach == "memory" else "parser", message)
     raised = getattr(errors, kind, None)
     if not (isinstance(raised, type) and issubclass(raised, TabletopError)):
-        raise SandboxError("crash", f"breaks its reader ({kind}: {message})")
+        raise SandboxError("crash", f"crashes its parser ({kind}: {message})")
     raise raised(message)
 
 
 @contextlib.contextmanager
 def _child(limits: SandboxLimits) -> Any:
-    """Start a child with this process's modules; kill it in the end, whatever happens."""
+    """Start a child with this process's module search path; always kill it in the end."""
     path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
     alone = dict.fromkeys(_THREADS, str(limits.threads)) if limits.threads else {}
     try:
@@ -163,7 +165,9 @@ def _child(limits: SandboxLimits) -> Any:
         )  # fmt: skip
     except OSError as error:
         reason = error.strerror or error
-        raise SandboxError("crash", f"has no process to be read by ({reason})") from error
+        raise SandboxError(
+            "crash", f"cannot be read, because no process could be started ({reason})"
+        ) from error
     try:
         yield process
     finally:
@@ -171,7 +175,7 @@ def _child(limits: SandboxLimits) -> Any:
 
 
 def _await_end(process: subprocess.Popen[bytes]) -> Breach | None:
-    """Wait for the end of a child that has closed its pipes; return "hung" if it goes on."""
+    """Wait until a child that has closed its pipes exits; return "hung" if it does not."""
     try:
         process.wait(_ENDING)
     except subprocess.TimeoutExpired:
@@ -197,7 +201,7 @@ def _exchange(
     limits: SandboxLimits,
     cancelled: threading.Event | None,
 ) -> tuple[bytes | memoryview, bytes, Breach | None]:
-    """Send the request; return the answer, the end of standard error, and what was breached."""
+    """Send the request; return the result, the end of standard error, and the breach, if any."""
     assert process.stdin and process.stdout and process.stderr
     end = time.monotonic() + _HUNG[0] + _HUNG[1] * limits.cpu_seconds
     left, answer, words = memoryview(request), bytearray(), b""
@@ -233,7 +237,7 @@ def _exchange(
 
 
 def _write(process: subprocess.Popen[bytes], left: memoryview) -> memoryview:
-    """Write what the pipe takes; return the rest, nothing if the child has closed it."""
+    """Write as much as the pipe accepts; return the rest, or nothing if the child closed it."""
     assert process.stdin is not None
     try:
         return left[os.write(process.stdin.fileno(), left[:_CHUNK]) :]
@@ -246,37 +250,37 @@ def _write(process: subprocess.Popen[bytes], left: memoryview) -> memoryview:
 def _explain(breach: Breach | None, code: int, words: bytes, limits: SandboxLimits) -> SandboxError:
     seconds = f"{limits.cpu_seconds:g} s of CPU time"
     if breach == "output":
-        return SandboxError("output", f"holds more than {limits.output >> 20} MiB of data")
+        return SandboxError("output", f"contains more than {limits.output >> 20} MiB of data")
     if breach == "hung":
-        return SandboxError("hung", f"keeps its reader waiting without need of {seconds}")
+        return SandboxError("hung", f"blocks its parser without using {seconds}")
     if breach == "cancelled":
         return SandboxError("cancelled", "was cancelled")
-    if code == -signal.SIGXCPU:  # the soft limit, which lies below the hard one
+    if code == -signal.SIGXCPU:  # the soft limit, which is lower than the hard limit
         return SandboxError("time", _time_text(seconds))
     if code == -signal.SIGKILL:
-        reason = "the system killed its reader, as it does when memory runs out"
+        reason = "the system killed its parser, as happens when memory runs out"
         return SandboxError("killed", f"cannot be read here: {reason}")
     if code == NO_MEMORY:
         return SandboxError("memory", memory_text(limits.memory))
     last = words.decode(errors="replace").strip().splitlines()[-1:]
     text = last[0][:300] if last else _name_of(code)
     return SandboxError(
-        "crash", failure_text(text, "breaks its reader", memory_text(limits.memory))
+        "crash", failure_text(text, "crashes its parser", memory_text(limits.memory))
     )
 
 
 def failure_text(words: str, what: str, too_large: str) -> str:
-    """Return the message about a parser that ended with ``words``: ``what``, or ``too_large``.
+    """Return the message for a parser that failed with ``words``: ``what`` or ``too_large``.
 
-    C++ libraries report that memory did not suffice in their words alone ("std::bad_alloc"). The
-    words choose this text and nothing else: the breach stays "parser" or "crash".
+    C++ libraries report insufficient memory only in words ("std::bad_alloc"). The words affect only
+    this message; the breach stays "parser" or "crash".
     """
     signs = ("MemoryError", "bad_alloc", "llocat", "failed to map")
     return too_large if any(sign in words for sign in signs) else f"{what} ({words})"
 
 
 def memory_text(memory: int) -> str:
-    """Return the reason that ``memory`` bytes, or a smaller inherited limit, do not suffice."""
+    """Return the message that ``memory`` bytes, or a smaller inherited limit, do not suffice."""
     import resource
 
     return _excess(
@@ -294,7 +298,7 @@ def _time_text(seconds: str) -> str:
 
 
 def _excess(limit: str, kind: int, inherited: Callable[[int], str]) -> str:
-    """Return that an input takes more than a limit, and the limit that this process inherited."""
+    """Return the message that an input exceeds a limit, with the inherited limit, if any."""
     import resource
 
     soft = resource.getrlimit(kind)[0]
@@ -311,14 +315,14 @@ def _name_of(code: int) -> str:
 
 @dataclass
 class CpuBudget:
-    """Seconds of CPU time that are left for the calls of one input, such as all files of a folder.
+    """CPU time in seconds for all calls of one input, such as all files of a folder.
 
-    A call that ends at a limit, or in a crash, counts as all the time that it was allowed. The
-    budget decides whether another call is made, never what a call returns.
+    A call that ends at a limit, or in a crash, is charged its whole limit. The budget decides
+    whether another call is made, never what a call returns.
     """
 
     left: float
 
     def charge(self, seconds: float) -> None:
-        """Take the time of a call from what is left."""
+        """Subtract the time of a call from the remaining budget."""
         self.left = max(0.0, self.left - seconds)

@@ -1,8 +1,8 @@
-"""Values as bytes, without pickle: what crosses the pipes of a sandbox.
+"""Serialization without pickle, for the pipes of a sandbox.
 
-A packed value is a JSON document and the buffers that it refers to. Values are None, bool, int,
-float, str, bytes, paths, NumPy arrays of numbers, lists, tuples, dicts with string keys, enum
-members and dataclasses of those. An array or bytes object that occurs twice is packed once and
+A packed value is a JSON document followed by the buffers that it refers to. Values are None, bool,
+int, float, str, bytes, paths, NumPy arrays of numbers, lists, tuples, dicts with string keys, and
+enum members and dataclasses of those. An array or bytes object that occurs twice is packed once and
 unpacked as one object.
 """
 
@@ -27,7 +27,7 @@ _HEAD = struct.Struct("<4sQ")
 _MAGIC = b"ttg1"
 _ALIGN = 64  # bytes
 _MAX_HEAD = 64 * 2**20  # bytes of the JSON document
-_MAX_DEPTH = 64  # levels of its lists and objects
+_MAX_DEPTH = 64  # nesting of its lists and objects
 _DTYPE = re.compile(r"[<>|=][biufc][0-9]{1,2}")
 
 
@@ -37,10 +37,10 @@ def pack(value: object) -> bytes:
 
 
 def packed_parts(value: object) -> list[bytes | memoryview]:
-    """Return a value as pieces of bytes, its arrays without a copy.
+    """Return a value as pieces of bytes, without copying its arrays.
 
     Raises:
-        TypeError: the value holds an object of another kind than the module's docstring lists.
+        TypeError: the value contains an object of an unsupported type.
     """
     packer = _Packer()
     tree = packer.tree(value)
@@ -53,14 +53,14 @@ def packed_parts(value: object) -> list[bytes | memoryview]:
 
 
 def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
-    """Return the value that ``raw`` holds; its arrays are read-only views of ``raw``.
+    """Return the value in ``raw``; its arrays are read-only views of ``raw``.
 
-    ``find_class`` returns the class of a name such as "tabletop_objects.values:Mesh", or raises
+    ``find_class`` returns the class with a name such as "tabletop_objects.values:Mesh", or raises
     ``ValueError`` if the class is not expected.
 
     Raises:
-        ValueError: the bytes are no packed value.
-        TabletopError: the constructor of a class refuses its values.
+        ValueError: the bytes are not a packed value.
+        TabletopError: the constructor of a class rejects its values.
     """
     try:
         magic, length = _HEAD.unpack_from(raw)
@@ -71,13 +71,13 @@ def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
         start, buffers = _HEAD.size + length, []
         for size in document["sizes"]:
             if not 0 <= size <= len(raw) - start:
-                raise ValueError("a buffer is cut off")
+                raise ValueError("a truncated buffer")
             buffers.append(memoryview(raw)[start : start + size])
             start += size + -size % _ALIGN
         return _Unpacker(buffers, find_class).value(document["tree"])
     except TabletopError:
         raise
-    except Exception as error:  # whatever damaged bytes lead to
+    except Exception as error:  # any exception caused by damaged bytes
         raise ValueError(f"not a packed value ({type(error).__name__}: {error})") from error
 
 
@@ -90,7 +90,7 @@ def _parse(text: bytes) -> Any:
 
 
 def class_name(kind: type) -> str:
-    """Return the name by which a class is packed."""
+    """Return the name of a class in packed values."""
     return f"{kind.__module__}:{kind.__qualname__}"
 
 
@@ -98,10 +98,10 @@ class _Packer:
     def __init__(self) -> None:
         self.buffers: list[bytes | memoryview] = []
         self._places: dict[int, int] = {}
-        self._held: list[object] = []  # so that no other object gets a known identity
+        self._held: list[object] = []  # keeps the objects alive, so that their ids stay unique
 
     def tree(self, value: object) -> object:
-        """Return the JSON that stands for a value."""
+        """Return the JSON representation of a value."""
         if isinstance(value, enum.Enum):
             return {"enum": class_name(type(value)), "name": value.name}
         if value is None or isinstance(value, bool | str):
@@ -153,7 +153,7 @@ class _Unpacker:
         self._copies: dict[int, bytes] = {}
 
     def value(self, tree: Any) -> Any:
-        """Return the value that a JSON tree stands for."""
+        """Return the value of its JSON representation."""
         if isinstance(tree, list):
             return [self.value(v) for v in tree]
         if not isinstance(tree, dict):

@@ -55,7 +55,7 @@ def test_what_is_set_is_not_lacking_and_not_repeated(
 
 def test_a_folder_that_is_none_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("TABLETOPGEN_ASSETS", str(tmp_path / "none"))
-    assert "no folder" in found()["folder"].lacks
+    assert "not a folder" in found()["folder"].lacks
 
 
 @pytest.mark.usefixtures("tiny_models")

@@ -82,9 +82,9 @@ def test_an_edge_beside_something_hidden_is_no_edge():
 def test_specks_and_sky_are_refused():
     speck = np.zeros((240, 320), bool)
     speck[100:105, 100:105] = True
-    with pytest.raises(SceneError, match="nearer to the table"):
+    with pytest.raises(SceneError, match="closer picture"):
         plane_from_view(speck, VIEW)
     sky = np.zeros((240, 320), bool)
     sky[:60] = True
-    with pytest.raises(SceneError, match="nearer to the table"):
+    with pytest.raises(SceneError, match="closer picture"):
         plane_from_view(sky, View(0.0, np.deg2rad(5), np.deg2rad(45)))

@@ -105,7 +105,7 @@ def test_weights_go_to_disk_and_back(tmp_path):
 @pytest.mark.parametrize(
     ("categories", "temperature", "why"),
     [
-        ("[" * 9000, "1", "deeper"), ("[1]", "1", "a text"), ('{"mug": 1}', "1", "no list"),
+        ("[" * 9000, "1", "deeper"), ("[1]", "1", "a string"), ('{"mug": 1}', "1", "not a list"),
         (r'["mug\u001b[2J"]', "1", "cannot be printed"), ('["mug"]', "nan", "temperature"),
         (f'["{"x" * 70_000}"]', "1", "bytes of JSON"), ('["mug"]', "-1", "temperature"),
     ],

@@ -78,8 +78,8 @@ def test_questions_that_nobody_answers_are_named_all_at_once_before_anything_loa
     monkeypatch.setattr(select, "_load", lambda *_: pytest.fail("it loads"))
     with pytest.raises(BackendError) as told:
         Backends.select("cloud", encoder="hunyuan3d", modeler=MyModeler())
-    assert "'cloud' has no segmenter: nobody answers segment." in str(told.value)
-    assert "'hunyuan3d' has no encoder: nobody answers features." in str(told.value)
+    assert "'cloud' has no segmenter (segment)." in str(told.value)
+    assert "'hunyuan3d' has no encoder (features)." in str(told.value)
     assert "Available: embedded, huggingface." in str(told.value)
     assert "modeler" not in str(told.value)
 

@@ -151,13 +151,13 @@ def test_the_shipped_prices_are_dated() -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("= 1", "is no TOML"),
+        ("= 1", "is not valid TOML"),
         ("modles = 1", "Did you mean 'models'"),
-        ("models = 1", "is a table"),
+        ("models = 1", "must be a table"),
         ('[models."m"]\nimput = 1', "Did you mean 'input'"),
         ('[models."m"]\ninput = "1"', "m needs input"),
         ('[models."m"]\ninput = -1', ">= 0"),
-        ("[models]\nm = 2", "a price is a table"),
+        ("[models]\nm = 2", "a price must be a table"),
     ],
 )
 def test_a_wrong_table_is_told(tmp_path: Path, text: str, words: str) -> None:

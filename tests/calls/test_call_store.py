@@ -148,7 +148,7 @@ def test_one_answer_is_bounded_in_a_store_of_any_size(
     monkeypatch.setattr("generator.io.bounded.open", refuse, raising=False)
     assert store.get(key("q")) is None and not file.exists()
     monkeypatch.setattr("generator.calls.store.MOST_ANSWER_BYTES", 300)
-    with pytest.raises(StorageError, match="300 an answer"):
+    with pytest.raises(StorageError, match="300 bytes per answer"):
         CallStore(tmp_path).put(key("q"), StoredAnswer(200, "", bytes(300)))
 
 

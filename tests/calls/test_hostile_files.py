@@ -78,7 +78,7 @@ def test_many_spenders_are_dead_at_once_and_too_many_are_refused(tmp_path: Path)
     (folder / "spenders").mkdir()
     assert SharedBudget(folder, "m").total().money == 256
     database(folder, values=[(f"{k:016x}", 0.25) for k in range(10_001)])
-    with pytest.raises(StorageError, match="10001 calls under way"):
+    with pytest.raises(StorageError, match="10001 calls in flight"):
         SharedBudget(folder, "m").total()
 
 
@@ -125,7 +125,7 @@ def test_spenders_elsewhere_are_refused(tmp_path: Path) -> None:
 def test_a_hostile_sum_is_one_clear_error(tmp_path: Path, statement: str) -> None:
     database(tmp_path, statement)
     before = (tmp_path / FILE).read_bytes()
-    with pytest.raises(StorageError, match="does not say what was spent") as caught:
+    with pytest.raises(StorageError, match="is not a valid spending database") as caught:
         SharedBudget.open(tmp_path, "USD")
     assert str(caught.value).isprintable() and len(str(caught.value)) < 1000
     assert (tmp_path / FILE).read_bytes() == before
@@ -136,7 +136,7 @@ def test_a_damaged_page_is_one_clear_error(tmp_path: Path) -> None:
     whole = (tmp_path / FILE).read_bytes()
     for page in range(1, len(whole) // 4096):
         (tmp_path / FILE).write_bytes(whole[: 4096 * page] + b"\xff" * (len(whole) - 4096 * page))
-        with pytest.raises(StorageError, match="does not say what was spent"):
+        with pytest.raises(StorageError, match="is not a valid spending database"):
             SharedBudget.open(tmp_path, "USD")
             SharedBudget(tmp_path, "m").total()
 
@@ -161,7 +161,7 @@ def test_a_sum_is_a_regular_file(tmp_path: Path, kept: Path, end: str) -> None:
 def test_a_sum_is_bounded(tmp_path: Path) -> None:
     SharedBudget.open(tmp_path, "USD")
     os.truncate(tmp_path / FILE, 2**32)
-    with pytest.raises(StorageError, match="4294967296 bytes; at most"):
+    with pytest.raises(StorageError, match="4294967296 bytes; the limit is"):
         SharedBudget.open(tmp_path, "USD")
 
 
@@ -216,7 +216,7 @@ def test_money_counts_whatever_else_a_call_says(tmp_path: Path, wrong: dict[str,
     ids=lambda facts: repr(facts)[:40],
 )  # fmt: skip
 def test_a_call_that_is_none_is_not_taken_for_nothing(tmp_path: Path, facts: object) -> None:
-    with pytest.raises(StorageError, match="does not say what was spent") as caught:
+    with pytest.raises(StorageError, match="is not a valid spending database") as caught:
         spending(tmp_path, facts).earlier()
     assert str(caught.value).isprintable() and len(str(caught.value)) < 1000
 

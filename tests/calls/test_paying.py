@@ -100,7 +100,7 @@ def test_a_dry_run_prints_the_calls_and_sends_none(
 ) -> None:
     *roles, call, rest = generate("--dry-run").out.splitlines()
     assert roles[0].split() == ["reasoner", "remote"] and len(roles) == 5
-    assert call.startswith("Would ask cloud, plan_scene (m), for at most 0.0400 EUR")
+    assert call.startswith("Would call cloud, plan_scene (m), for at most 0.0400 EUR")
     assert "Nothing was sent" in rest
     told = generate("--dry-run", "--json").facts
     assert told["dry_run"] == [call]
@@ -144,7 +144,7 @@ def test_a_run_that_failed_counts_for_the_next_ones_budget_and_ledger(
 ) -> None:
     for answer in (tmp_path / "usual" / "answers").glob("*/*"):
         answer.unlink()  # so that it has to be paid for again
-    assert "Of the budget of 0.05, 0.0200 is spent" in generate("--budget", "0.05", code=3).err
+    assert "0.0200 of the budget of 0.05 is spent" in generate("--budget", "0.05", code=3).err
     path = Path(generate("--budget", "0.06").out.splitlines()[0])
     assert json.loads((path / "ledger.json").read_text())["money"] == 0.04
     generate("--seed", "1", "--budget", "0.05")  # another scene
@@ -170,7 +170,7 @@ def test_a_dry_run_that_needs_no_call_makes_nothing(
     generate()  # its answer is kept
     shutil.rmtree(tmp_path / "scenes")
     for names in ((), ("--backend", "embedded")):
-        assert "No server would be asked. Nothing was made" in generate("--dry-run", *names).out
+        assert "No server would be called. Nothing was made" in generate("--dry-run", *names).out
     told = generate("--dry-run", "--json", "--figures", str(tmp_path / "figures"))
     assert told.facts["dry_run"] == []
     assert not (tmp_path / "scenes").exists() and not (tmp_path / "figures").exists()

@@ -53,7 +53,7 @@ def test_many_spenders_never_overdraw_it(tmp_path: Path) -> None:
     assert (len(sent), len(refused)) == (4, 2)
     assert all(s.money + s.held <= 1.0 for s in sent)
     assert (shared.total().money, shared.total().held) == (1.0, 0.0)
-    assert "budget of 1 for all scenes, 1.0000 is spent" in refused[0]
+    assert "1.0000 of the budget of 1 for all scenes is spent" in refused[0]
 
 
 def test_it_is_there_in_the_next_run(tmp_path: Path) -> None:
@@ -62,7 +62,7 @@ def test_it_is_there_in_the_next_run(tmp_path: Path) -> None:
             if kept:
                 spender.settle(spender.reserve(0.75, 1.0, "a call"), 0.5)
             else:
-                with pytest.raises(BudgetError, match=r"0\.5000 is spent"):
+                with pytest.raises(BudgetError, match=r"0\.5000 of the budget"):
                     spender.reserve(0.75, 1.0, "a call")
                 call = spender.reserve(0.75, 2.0, "a call")  # with a larger budget
                 spender.settle(call, 0.25)
@@ -74,7 +74,7 @@ def test_no_budget_is_kept_while_earlier_calls_have_no_price(tmp_path: Path) -> 
     shared = SharedBudget.open(tmp_path, "USD")
     with shared.spending() as spender:
         spender.settle(spender.reserve(0.25, None, "a call"), None)
-        with pytest.raises(BudgetError, match="1 calls of earlier runs into this folder have no"):
+        with pytest.raises(BudgetError, match="1 calls of earlier runs in this folder have no"):
             spender.reserve(0.25, 5.0, "a call")
         assert spender.reserve(0.0, 5.0, "free") is not None
         assert spender.reserve(0.25, None, "no budget")
@@ -168,15 +168,15 @@ def test_calls_of_sessions_are_paid_from_it(tmp_path: Path) -> None:
         )
         ask(first, server.url, "one")
         ask(second, server.url, "two")
-        with pytest.raises(BudgetError, match=r"0\.0420 is spent"):
+        with pytest.raises(BudgetError, match=r"0\.0420 of the budget"):
             ask(first, server.url, "three")  # it may cost 0.04
     assert len(server.asked) == 2
     assert (first.account.money, shared.total().money) == (0.021, pytest.approx(0.042))
 
 
 def test_another_folder_of_that_name_is_refused(tmp_path: Path) -> None:
-    """As on a machine of a Ray cluster that does not share the folder."""
-    elsewhere = "is here not the folder that the batch was started with"
+    """As on a machine of a Ray cluster that does not share it."""
+    elsewhere = "is not the folder in which the batch was started"
     shared = SharedBudget.open(tmp_path, "USD")
     (tmp_path / FILE).unlink()
     with pytest.raises(StorageError, match=elsewhere):
@@ -192,7 +192,7 @@ def test_another_folder_of_that_name_is_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize("text", ["", "{}", "SQLite format 3\0", "x" * 4096])
 def test_a_damaged_sum_is_never_taken_for_nothing(tmp_path: Path, text: str) -> None:
     (tmp_path / FILE).write_text(text)
-    with pytest.raises(StorageError, match="does not say what was spent"):
+    with pytest.raises(StorageError, match="is not a valid spending database"):
         SharedBudget.open(tmp_path, "USD")
     assert (tmp_path / FILE).read_text() == text
 
@@ -201,7 +201,9 @@ def test_a_damaged_sum_is_never_taken_for_nothing(tmp_path: Path, text: str) -> 
 def test_what_an_older_version_kept_is_not_taken_for_nothing(tmp_path: Path, old: str) -> None:
     (tmp_path / old).write_text('{"mark": "m", "currency": "USD", "money": 1.0}')
     for _ in range(2):
-        with pytest.raises(StorageError, match=rf"{old} is from an older version.*remove it"):
+        with pytest.raises(
+            StorageError, match=rf"{old} was written by an older version.*remove the file"
+        ):
             SharedBudget.open(tmp_path, "USD")
     (tmp_path / old).unlink()
     assert SharedBudget.open(tmp_path, "USD").total().money == 0.0
@@ -209,7 +211,7 @@ def test_what_an_older_version_kept_is_not_taken_for_nothing(tmp_path: Path, old
 
 def test_another_currency_is_refused(tmp_path: Path) -> None:
     SharedBudget.open(tmp_path, "USD")
-    with pytest.raises(InputError, match="spent in USD, and the price table is in EUR"):
+    with pytest.raises(InputError, match="spending in USD, but the price table is in EUR"):
         SharedBudget.open(tmp_path, "EUR")
 
 

@@ -58,7 +58,7 @@ def test_a_budget_is_for_all_runs_of_a_scene(tmp_path: Path) -> None:
         ask(run(tmp_path, budget=0.06), server.url, "a")
         again = run(tmp_path, budget=0.06)
         ask(again, server.url, "a")
-        with pytest.raises(BudgetError, match=r"budget of 0\.06, 0\.0210 is spent"):
+        with pytest.raises(BudgetError, match=r"0\.0210 of the budget of 0\.06 is spent"):
             ask(again, server.url, "b")
         other = session(store=CallStore(tmp_path), budget=0.06)
         other.resume("other")
@@ -123,7 +123,7 @@ def test_answers_are_priced_as_soon_as_their_model_is(tmp_path: Path) -> None:
     assert run(tmp_path, prices=Prices()).account.unpriced == 1
     resumed = run(tmp_path, budget=0.06)
     assert (resumed.account.money, resumed.account.unpriced) == (pytest.approx(0.021), 0)
-    with serving([Says()]) as server, pytest.raises(BudgetError, match=r"0\.0210 is spent"):
+    with serving([Says()]) as server, pytest.raises(BudgetError, match=r"0\.0210 of the budget"):
         ask(run(tmp_path, budget=0.06), server.url)
     assert server.asked == []
 
@@ -211,7 +211,7 @@ def test_a_disk_that_refuses_loses_no_answer_and_says_so(tmp_path: Path) -> None
     shared.account.resume(Spending(tmp_path / "file" / "calls", "a"))
     with serving([Says()]) as server:
         assert ask(shared, server.url).status_code == 200
-    assert "What was spent cannot be read or written" in shared.account.notes[0]
+    assert "The spending database cannot be read or written" in shared.account.notes[0]
 
 
 def test_with_a_budget_nothing_is_sent_that_cannot_be_written_down(tmp_path: Path) -> None:
@@ -241,7 +241,7 @@ def test_an_answer_under_a_budget_outlives_a_disk_that_refuses_late(tmp_path: Pa
 
 @pytest.mark.parametrize(
     ("folder", "told"),
-    [(FILE, "not a regular file"), ("spending", "spending is from an older version")],
+    [(FILE, "not a regular file"), ("spending", "spending was written by an older version")],
 )
 def test_what_cannot_be_read_is_not_taken_for_nothing(
     tmp_path: Path, folder: str, told: str
@@ -253,7 +253,7 @@ def test_what_cannot_be_read_is_not_taken_for_nothing(
 
 def test_money_of_another_kind_is_not_added_up(tmp_path: Path) -> None:
     Spending(tmp_path, "a", "EUR").write("k", Entry("s", "q", money=0.25))
-    with pytest.raises(InputError, match="in 'EUR', and the price table is in USD"):
+    with pytest.raises(InputError, match="in 'EUR', but the price table is in USD"):
         Account().resume(Spending(tmp_path, "a", "USD"))
 
 

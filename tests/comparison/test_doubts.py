@@ -55,8 +55,8 @@ def test_things_that_are_elsewhere_are_told(
 ) -> None:
     match = match_picture(moved(scene, 0.25), *found)
     doubts = " ".join(match.doubts)
-    assert "The simulated things cover" in doubts
-    assert "Not where the picture has them: " in doubts
+    assert "The simulated objects overlap" in doubts
+    assert "not where the picture has them: " in doubts
     assert len(match.notes) == len(scene.objects)
 
 
@@ -66,7 +66,7 @@ def test_one_thing_that_is_elsewhere_is_named(
     far = moved(scene, 0.25).objects[-1]
     match = match_picture(scene.replace(objects=(*scene.objects[:-1], far)), *found)
     (note,) = match.notes
-    assert note.startswith(f"{far.name} is not as the picture shows it")
+    assert note.startswith(f"{far.name} differs from the picture")
 
 
 def test_eye_level_is_warned_of(scene: Scene) -> None:
@@ -84,6 +84,6 @@ def test_the_command_ends_with_6_where_the_view_shows_something_else(
     picture = Path(__file__).parents[2] / "examples/pictures/coffee_table.png"
     assert cli.run(["generate", str(picture), "--out", str(tmp_path)]) == 6
     shown = capsys.readouterr()
-    assert "is not the picture: The simulated view is blank." in shown.err
+    assert "does not match the picture: The simulated view is blank." in shown.err
     assert "note: The simulated view is blank." in shown.out
     assert len(list(tmp_path.iterdir())) == 1  # the bundle is there all the same

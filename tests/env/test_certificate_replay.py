@@ -82,7 +82,7 @@ def test_what_the_expert_did_not_do_is_found(
 ) -> None:
     bundle = shutil.copytree(certified, tmp_path / certified.name)
     verify = shell.of("verify", str(bundle), "--replay", "3", "--seed", "1")
-    assert f"{bundle.name}: sound, 3 episodes replayed" in verify().out
+    assert f"{bundle.name}: valid, 3 episodes replayed" in verify().out
     counted = {"failures": [], "replayed": 3, "seed": 1}
     assert json.loads(verify("--json").out) == {bundle.name: counted}
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 0, 1))

@@ -183,7 +183,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
         (lambda p: spoilt(p, task="Sequence", preset="kichen"), "no preset 'kichen'"),
         (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes to be a whole"),
         (lambda p: p | {"terms": p["terms"] | {"tasks": ["Juggle"]}}, "Unknown task 'Juggle'"),
-        (lambda p: spoilt(p, goal=[0.1, 0.2]), "must be a text, not list"),
+        (lambda p: spoilt(p, goal=[0.1, 0.2]), "must be a string, not list"),
         (lambda p: spoilt(p, target="cube\x1b[2J"), "cannot be printed"),
         (lambda p: p | {"versions": {"mujoco": "3" * 500}}, "500 characters"),
         (lambda p: p | {"more": [[[[[[]]]]]]}, "deeper than 4"),

@@ -321,7 +321,7 @@ def test_a_judge_keeps_a_budget_over_runs_of_the_same_words(
     server, evaluate = paid
     assert "budget of 0.1" in evaluate("--budget", "0.1", code=3).err and server.asked == []
     told = evaluate("--budget", "0.6", code=3).err
-    assert len(server.asked) == 2 and "0.5000 is spent" in told and "What was answered" in told
+    assert len(server.asked) == 2 and "0.5000 of the budget" in told and "Received answers" in told
     assert "earlier runs" in evaluate("--budget", "0.75").out and len(server.asked) == 3
     monkeypatch.setenv("JUDGE_MODEL", "another")  # no run of the same words
     assert "earlier runs" not in evaluate("--budget", "0.1").out

@@ -238,7 +238,7 @@ def test_what_is_wrong_is_said(folder: Path, changes: dict[str, Any], words: str
     ("text", "words"),
     [
         ("{", "not valid JSON"),
-        ("[]", "one JSON object"),
+        ("[]", "a JSON object"),
         ('{"name": NaN}', "NaN"),
         ("[" * 100_000, "json nests lists or objects deeper"),
     ],

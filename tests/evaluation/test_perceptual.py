@@ -66,7 +66,7 @@ def test_what_is_not_installed_is_told_with_the_reason(monkeypatch: pytest.Monke
     assert {m.name for m in found.metrics} == set(EMBEDDED)
     assert set(found.missing) == set(PUBLISHED)
     assert all("pip install" in reason for reason in found.missing.values())
-    assert "transformers, which does not load" in found.missing["clip"]
+    assert "transformers, which cannot be imported" in found.missing["clip"]
 
 
 def test_an_unknown_metric_lists_the_choices() -> None:

@@ -151,7 +151,7 @@ def test_a_file_that_breaks_its_reader_is_refused_alone(
     )
     found = outcomes(write_meshes(tmp_path / "in", {**ONE, "bad": lambda: box(0.1, 0.3, 0.1)}))
     assert found["one"].kind == "taken"
-    assert found["bad"].kind == "refused" and "breaks its reader" in found["bad"].detail
+    assert found["bad"].kind == "refused" and "crashes its parser" in found["bad"].detail
 
 
 # ------------------------------------------------------------------------------------------- MJCF
@@ -249,7 +249,7 @@ def test_a_ball_is_judged_on_a_level_table_then_and_later(tmp_path: Path, shell:
     assert again is not None and again.passed and again.lean == 0
     edited = editing.remove(path, "cube").scene.report
     assert edited is not None and edited.passed and edited.lean == 0
-    assert "sound, gravity leaning by 0°" in shell("verify", str(path)).out
+    assert "valid, gravity tilted by 0°" in shell("verify", str(path)).out
     leaned = import_scene(source, ImportOptions(lean=2.0))
     assert leaned.report is not None and leaned.report.lean is None
     assert [(f.kind, f.objects, f.leaning) for f in leaned.report.failures] == [

@@ -62,7 +62,7 @@ def test_an_interrupted_batch_says_that_what_is_made_is_kept(
     prompts = tmp_path / "prompts.txt"
     prompts.write_text(TEXT)
     args = ("batch", str(prompts), "--out", str(tmp_path / "out"), "--route", "compose")
-    assert "what is made is kept" in shell(*args, code=130).err
+    assert "partial results are kept" in shell(*args, code=130).err
 
 
 @pytest.mark.parametrize(
@@ -70,8 +70,8 @@ def test_an_interrupted_batch_says_that_what_is_made_is_kept(
     [
         (("no-such.txt",), 2, "No such file"),
         (("prompts.txt", "--backend", "embeded"), 3, "Did you mean 'embedded'"),
-        (("prompts.txt", "--encoder", "cloud"), 3, "nobody answers features"),
-        (("prompts.txt", "--route", "compose", "--imager", "cloud"), 2, "asks nobody"),
+        (("prompts.txt", "--encoder", "cloud"), 3, "no encoder (features)"),
+        (("prompts.txt", "--route", "compose", "--imager", "cloud"), 2, "uses no backends"),
         (("prompts.txt", "--workers", "0", "--route", "compose"), 2, "workers"),
     ],
 )

@@ -84,7 +84,7 @@ def test_who_answers_is_decided_where_the_batch_is_made(
     there = pickle.loads(sent)
     assert there.identity() == one.identity()
     assert "no-real-key" not in repr(one) + str(sent)
-    with pytest.raises(BackendError, match=r"reasoner would be another .*gpt-two.* of .*gpt-one"):
+    with pytest.raises(BackendError, match=r"reasoner would differ .*gpt-two.* of .*gpt-one"):
         there(batch.Job("a desk"), tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
@@ -136,7 +136,7 @@ def test_the_command_keeps_its_budget_and_says_what_was_spent(
 ) -> None:
     server, batching = run
     shown = batching("--budget", "0.09", code=3).out  # 0.02, 0.02, 0.02, and then 0.04 is too much
-    assert "1 made, 0 there already, 0 failed, 1 not paid for" in shown
+    assert "1 made, 0 already done, 0 failed, 1 beyond the budget" in shown
     assert "spent in all runs: 0.0600 of 0.09 EUR" in shown
     assert "not made: 'two'" in shown and "raise the budget" in shown
     assert len(server.asked) == 3
@@ -170,7 +170,8 @@ def test_a_dry_run_says_what_each_scene_would_ask_and_makes_nothing(
     assert [line.split() for line in roles] == [[role, "remote"] for role in select.PROTOCOLS]
     rows = batching("--dry-run", "--json").facts["dry_run"]
     assert [(r["text"], r["state"]) for r in rows] == [("one", "to ask"), ("two", "to ask")]
-    assert rows[0]["calls"][0].startswith("Would ask cloud, plan_scene (m), for at most 0.0400 EUR")
+    first = rows[0]["calls"][0]
+    assert first.startswith("Would call cloud, plan_scene (m), for at most 0.0400 EUR")
     assert server.asked == [] and not (tmp_path / "out").exists()
 
     batching("--budget", "0.09", code=3)
@@ -182,7 +183,7 @@ def test_a_dry_run_says_what_each_scene_would_ask_and_makes_nothing(
 def test_what_asks_no_server_needs_no_sum(run: tuple[Served, Shell], tmp_path: Path) -> None:
     _, batching = run
     shown = batching("--backend", "embedded", "--dry-run").out
-    assert "No server is asked." in shown and "reasoner   embedded" in shown
+    assert "No server is called." in shown and "reasoner   embedded" in shown
     assert not (tmp_path / "out").exists()
 
 
@@ -190,7 +191,7 @@ def test_what_asks_no_server_needs_no_sum(run: tuple[Served, Shell], tmp_path: P
     ("more", "words"),
     [
         (("--budget", "-1"), "--budget"),
-        (("--route", "compose", "--backend", "embedded", "--budget", "1"), "asks nobody"),
+        (("--route", "compose", "--backend", "embedded", "--budget", "1"), "uses no backends"),
         (("--prices", "no-such.toml"), "cannot be read"),
     ],
 )

@@ -47,6 +47,6 @@ def test_many_tasks_given_up_in_a_row_each_fail_alone() -> None:
         slow = [pool.submit(time.sleep, LONG, timeout=0.3) for _ in range(6)]
         quick = [pool.submit(pow, k, 2) for k in range(6)]
         for future in slow:
-            with pytest.raises(WorkerDied, match=r"given up after 0\.3 s"):
+            with pytest.raises(WorkerDied, match=r"exceeded its limit of 0\.3 s"):
                 future.result(LONG)
         assert [future.result(LONG) for future in quick] == [k * k for k in range(6)]

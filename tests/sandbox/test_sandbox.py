@@ -232,7 +232,7 @@ def test_words_choose_the_message_alone(function: Any) -> None:
 
 
 def test_a_kill_from_outside_is_not_called_a_limit() -> None:
-    with pytest.raises(SandboxError, match="the system killed its reader"):
+    with pytest.raises(SandboxError, match="the system killed its parser"):
         call(fall)
 
 

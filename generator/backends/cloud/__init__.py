@@ -1,6 +1,6 @@
-"""Reasoner and imager over any OpenAI-compatible server: the paper's closed models, or your own.
+"""Reasoner and imager for any OpenAI-compatible server: the paper's closed models, or others.
 
-``configuration`` says which environment variables choose server, models and keys.
+``configuration`` lists the environment variables that select the server, models and keys.
 """
 
 from importlib.util import find_spec

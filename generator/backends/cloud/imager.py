@@ -1,4 +1,4 @@
-"""The image model of the paper: draws, completes, and shows the table from above."""
+"""The paper's image model: draws reference pictures, completes objects, and draws top views."""
 
 from __future__ import annotations
 
@@ -36,27 +36,27 @@ from .server.json_text import Wrong
 from .server.typed_question import Chat, Manners
 
 REDRAWS = 2
-"""How often at most a picture is drawn again that does not show what it should."""
+"""Maximum number of redraws of an incorrect picture."""
 
-_WORK = 1280  # longest side of pictures, pixels
-_WIDE = 1.5  # width over height of reference images
+_WORK = 1280  # longer side of pictures in pixels
+_WIDE = 1.5  # aspect ratio (width over height) of reference images
 _EARLIER = "\n\nAn earlier drawing was wrong: "
 
 
 @dataclass(frozen=True)
 class CloudImager:
-    """Answers the three picture questions by an image model, and a chat model that checks it.
+    """Answers the three picture questions with an image model, checked by a chat model.
 
     Attributes:
-        base_url: the image server; see ``drawing`` for the forms it may have.
-        model: the image model's id there.
-        form: the form; "" tells it by the model's and the server's names.
+        base_url: the image server; see ``drawing`` for the supported forms.
+        model: the image model's id on that server.
+        form: the form of requests; "" derives it from the names of the model and the server.
         chat_base_url: the chat server.
         chat_model: the chat model, which checks top views.
-        seed: another seed draws otherwise.
-        session: what the calls of one generation share; no identity.
-        fallback: the imager that makes the top view where the model gives none of use;
-            ``Backends.select`` passes the embedded one. None leaves the error.
+        seed: different seeds give different drawings.
+        session: shared state of the calls of one generation; not part of the identity.
+        fallback: the imager for top views if the model draws no usable one; ``Backends.select``
+            passes the embedded imager. None raises the error instead.
     """
 
     base_url: str = field(default_factory=configuration.image_base_url)
@@ -79,7 +79,7 @@ class CloudImager:
             raise BackendError(f"Imager has no form {self.form!r}." + choices(self.form, RATIOS))
 
     def check(self) -> None:
-        """Check that the models' prices are known if there is a budget (BudgetError: no)."""
+        """Check that the models' prices are known if there is a budget (otherwise BudgetError)."""
         models = {self.model: self.base_url, self.chat_model: self.chat_base_url}
         for model, url in models.items():
             self.session.check_price(model, url, f"cloud, imager ({model})")
@@ -91,22 +91,22 @@ class CloudImager:
 
     @property
     def painter(self) -> Painter:
-        """The image model, ready to be asked."""
+        """The image model with its server and form."""
         form: Form = "seedream" if self.form == "seedream" else "openai"
         server = Server(self.base_url, self.model, "image", self.session)
         return Painter(server, form, self.tolerated)
 
     @property
     def chat(self) -> Chat:
-        """The chat model, ready to be asked."""
+        """The chat model with its server."""
         server = Server(self.chat_base_url, self.chat_model, "chat", self.session)
         return Chat(server, self.manners, self.seed)
 
     def draw(self, plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
-        """Draw the plan's reference image, at most 1280 pixels long.
+        """Draw the plan's reference image, at most 1280 pixels wide or high.
 
         Raises:
-            BackendError: the server gave no picture, as for every question.
+            BackendError: the server returned no usable picture; this applies to all questions.
         """
         table, things = plan_text.in_words(plan)
         text = prompt(
@@ -118,10 +118,10 @@ class CloudImager:
     def complete(
         self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
     ) -> Instance:
-        """Redraw one object clean and whole, put where it was in the reference.
+        """Redraw one object completely, without occlusion, and register it to the picture.
 
         Raises:
-            BackendError: ``REDRAWS`` more drawings do not show it either, or see ``draw``.
+            BackendError: none of ``REDRAWS`` more drawings shows it either; also see ``draw``.
         """
         cutout = cutouts.cut(reference, detection, others)
         place = Labelled.of(
@@ -160,12 +160,12 @@ class CloudImager:
     ) -> TopView:
         """Draw the table from above; its boxes are left to the segmenter.
 
-        The chat model checks that each thing is there once and nothing else is. Where a model
-        refuses, or ``REDRAWS`` more drawings fail, ``fallback`` makes the view by geometry, and
-        ``warnings`` of the top view says why.
+        The chat model checks that the view shows each object exactly once and nothing else. If a
+        model refuses, or ``REDRAWS`` more drawings fail, ``fallback`` renders the view from
+        geometry, and ``warnings`` of the top view states the reason.
 
         Raises:
-            BackendError: a server gave no answer at all, or none of use and there is no fallback.
+            BackendError: a server did not answer, or no drawing is usable and there is no fallback.
         """
         try:
             return self._drawn_top_view(reference, instances, models)
@@ -173,13 +173,16 @@ class CloudImager:
             if self.fallback is None:
                 raise
             made = self.fallback.top_view(reference, instances, models, rotations, view)
-            warning = f"The top view was made by geometry, for none drawn could be used. {error}"
+            warning = (
+                "The top view was rendered from geometry, because no drawing of it was usable. "
+                f"{error}"
+            )
         return replace(made, repaired=tuple(made.boxes), warnings=(*made.warnings, warning))
 
     def _drawn_top_view(
         self, reference: Reference, instances: Instances, models: Mapping[str, Model]
     ) -> TopView:
-        """Return a drawn top view that is right (UnusableError: none is)."""
+        """Return a correct drawn top view, or raise UnusableError."""
         things = Labelled.of(reference.image, instances)
         pictures = [pad(p, *RATIOS[self.painter.form]) for p in things.pair()]
         extent = _table_size(reference, models)
@@ -200,18 +203,18 @@ class CloudImager:
                 return TopView(image, np.array([0, 0, across, height], float), {})
             complaint = f"{_EARLIER}{' '.join(found)}"
         raise UnusableError(
-            f"{1 + REDRAWS} top views drawn by {self.model} were wrong. "
-            f"What was wrong with the last: {_last(complaint)}"
+            f"{1 + REDRAWS} top views drawn by {self.model} were wrong. Problem of the last "
+            f"one: {_last(complaint)}"
         )
 
     def _take(self, seed: int, take: int) -> str:
-        """Return words that make requests for other drawings other requests."""
+        """Return words that make the requests for different drawings different."""
         number = 1 + take + (1 + REDRAWS) * (self.seed + seed)
         return f"Version {number}. Do not write this number."
 
 
 def _form(model: str, base_url: str) -> Form:
-    """Return the form in which a server is asked, by the model's and the server's names."""
+    """Return the form of a server's requests, derived from the model's and the server's names."""
     known = any(word in model.lower() for word in ("seedream", "seededit"))
     return "seedream" if known or configuration.server_name(base_url) == "ark" else "openai"
 
@@ -221,14 +224,14 @@ def _last(complaint: str) -> str:
 
 
 def _as_instance(detection: Detection) -> Instance:
-    """Return a detection as an instance that is not cut out yet."""
+    """Return a detection as an instance without a cut-out."""
     nothing = np.zeros((1, 1, 4), np.uint8)
     label, box = detection.label, detection.box
     return Instance(label, label, box, detection.mask, nothing, box)
 
 
 def _table_size(reference: Reference, models: Mapping[str, Model]) -> tuple[float, float] | None:
-    """Return the table's length and width in metres, if they are known."""
+    """Return the table's length and width in metres, or None if they are unknown."""
     if reference.plan is not None:
         return reference.plan.table.size[:2]
     if TABLE not in models:

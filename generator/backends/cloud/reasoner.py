@@ -1,4 +1,4 @@
-"""The reasoner of the paper: a multimodal chat model behind typed questions."""
+"""The paper's reasoner: a multimodal chat model behind typed questions."""
 
 from __future__ import annotations
 
@@ -38,13 +38,13 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass(frozen=True)
 class CloudReasoner:
-    """Answers the six questions, and the two of ``Judge`` and of ``PoseGuesser``, by a chat model.
+    """Answers the six questions, and the two each of ``Judge`` and ``PoseGuesser``, by chat.
 
     Attributes:
-        base_url: an OpenAI-compatible server that knows chat/completions with pictures.
-        model: the model's id there.
-        seed: sent with every question to servers that take one.
-        session: what the calls of one generation share; no identity.
+        base_url: an OpenAI-compatible server whose chat/completions accept pictures.
+        model: the model's id on that server.
+        seed: sent with every question to servers that accept a seed.
+        session: shared state of the calls of one generation; not part of the identity.
     """
 
     base_url: str = field(default_factory=configuration.chat_base_url)
@@ -57,7 +57,7 @@ class CloudReasoner:
         object.__setattr__(self, "base_url", configuration.checked_url(self.base_url))
 
     def check(self) -> None:
-        """Check that the price of the model is known if there is a budget (BudgetError: no)."""
+        """Check that the model's price is known if there is a budget (otherwise BudgetError)."""
         self.session.check_price(self.model, self.base_url, f"cloud, reasoner ({self.model})")
 
     @property
@@ -67,16 +67,16 @@ class CloudReasoner:
 
     @property
     def chat(self) -> Chat:
-        """The model, ready to be asked."""
+        """The chat model with its server."""
         server = Server(self.base_url, self.model, "chat", self.session)
         return Chat(server, self.manners, self.seed)
 
     def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
-        """Expand a text into a plan; another seed plans otherwise what the text leaves open.
+        """Expand a text into a plan; the seed varies what the text leaves open.
 
         Raises:
             InputError: the text is empty or too long.
-            BackendError: no usable answer, as for every question.
+            BackendError: no usable answer; this applies to all questions.
         """
         text = worded("plan_scene", text=plan_answer.checked_text(prompt), seed=str(seed))
 
@@ -86,7 +86,7 @@ class CloudReasoner:
         return self.chat.ask("plan_scene", text, (), answers.PlanAnswer, plan)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Return "table" and the noun of each kind seen, as often as it is there."""
+        """Return "table" and the noun of each visible kind, repeated by its count."""
         plan = ""
         if reference.plan is not None:
             nouns = ", ".join(thing.noun for thing in reference.plan.objects)
@@ -100,7 +100,7 @@ class CloudReasoner:
         )
 
     def estimate_view(self, reference: Reference, table: Instance) -> View:
-        """Return the camera as the model judges it; known intrinsics tell the field of view."""
+        """Return the model's estimate of the camera; known intrinsics fix the field of view."""
         shown = Labelled.of(reference.image, (table,))
 
         def view(answer: answers.ViewAnswer) -> View:
@@ -115,7 +115,7 @@ class CloudReasoner:
         return self.chat.ask("estimate_view", text, (shown.picture(),), answers.ViewAnswer, view)
 
     def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
-        """Return usual sizes; those that a text fixed are kept."""
+        """Return typical sizes; sizes fixed by a text are kept."""
         shown = Labelled.of(reference.image, instances)
         fixed = scene_answers.fixed_sizes(reference, instances)
         numbers = shown.numbers
@@ -139,7 +139,7 @@ class CloudReasoner:
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
     ) -> tuple[tuple[str, int], ...]:
-        """Return the quarter turns that make the model stand as the instance's picture shows it."""
+        """Return the quarter turns that orient the model as in the instance's picture."""
         length, width, height = (f"{100 * v:.3g}" for v in size.extent)
         x, y, z = (f"{v:.2f}" for v in mesh.extent / mesh.extent.max())
         text = worded(
@@ -156,7 +156,7 @@ class CloudReasoner:
     def stacking_order(
         self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
-        """Return what each thing rests on or in; layers are counted from the table up."""
+        """Return the support of each object; layers are counted from the table up."""
         shown = Labelled.of(reference.image, instances)
 
         def stacking(answer: answers.RestsAnswer) -> Mapping[str, Stacking]:
@@ -168,7 +168,7 @@ class CloudReasoner:
     def rate(
         self, reference: Picture, pictures: tuple[Picture, ...], criteria: Mapping[str, str]
     ) -> Mapping[str, float]:
-        """Return marks from 1 to 7."""
+        """Return ratings from 1 to 7."""
 
         def marks(answer: answers.MarksAnswer) -> dict[str, float]:
             given = [m.criterion for m in answer.marks]
@@ -183,10 +183,10 @@ class CloudReasoner:
     def rank(
         self, reference: Picture, methods: Mapping[str, tuple[Picture, ...]]
     ) -> tuple[str, ...]:
-        """Return the methods, best first; the model is told letters, no names.
+        """Return the methods, best first; the model sees letters instead of names.
 
         Raises:
-            InputError: more methods than letters.
+            InputError: there are more methods than letters.
         """
         if len(methods) > len(ascii_uppercase):
             raise InputError(f"At most {len(ascii_uppercase)} methods can be ranked at once.")
@@ -206,7 +206,7 @@ class CloudReasoner:
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Return yaws as the model sees them."""
+        """Return the model's estimates of all yaws."""
         shown = Labelled.of(reference.image, instances, table=False)
         if not shown.by_number:
             return {}
@@ -222,13 +222,13 @@ class CloudReasoner:
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return places and sizes as the model sees them, none beyond the tabletop.
+        """Return the model's estimates of positions and sizes, all within the tabletop.
 
         Raises:
-            BackendError: ``sizes`` has no table, or see ``plan_scene``.
+            BackendError: ``sizes`` has no table; also see ``plan_scene``.
         """
         if TABLE not in sizes:
-            raise self.chat.server.failure("guess_layout", "the size of the table is not given.")
+            raise self.chat.server.failure("guess_layout", "the size of the table is missing.")
         shown = Labelled.of(reference.image, instances, table=False)
         if not shown.by_number:
             return {}

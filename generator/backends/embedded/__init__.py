@@ -1,1 +1,1 @@
-"""The embedded backend: plain CPU, no key, no network; its learned weights come with it."""
+"""The embedded backend: CPU only, no key, no network; its learned weights are included."""

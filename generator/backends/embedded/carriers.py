@@ -1,7 +1,8 @@
-"""Flat things that others stand on: boards, trays and mats that the eye takes for tabletop.
+"""Flat objects that carry others: boards, trays and mats, which the eye mistakes for the tabletop.
 
-They differ in colour from the rest of the top, are convex, and carry something. A shadow is darker
-than what it falls on, hardly another colour, and convex only with what throws it.
+They differ in colour from the rest of the top, are convex, and carry something. A shadow, in
+contrast, is darker than the surface with hardly any change of hue, and is convex only together with
+the object that casts it.
 """
 
 from __future__ import annotations
@@ -15,16 +16,17 @@ from jaxtyping import Bool, Float, UInt8
 from ...meshes.pixels import dilate, erode, foot_of, hull_of, mask_iou
 from .plane.outline import working_copy
 
-_DIFFERENT = 12.0  # CIELAB units from the top's usual colour
-_SHADOW = 35.0, 6.0  # darker by less, and less coloured than this: a shadow
-_ALIKE = 12.0  # CIELAB units between the patches of one carrier
-_CRUMB = 2e-4  # of the picture: a smaller patch is none
-_FLAT = 0.02, 0.4  # share of the tabletop that a carrier covers
-_FILLED = 0.9  # share of its hull that it fills, with the things on it
-_BARE = 0.2  # share of its hull that shows it
-_STANDS = 0.6  # share of a thing's foot within its hull, of what stands on it
-_KNOWN = 0.4  # overlap (IoU) of it with something that the eye has found
-_OWN = 0.85  # share of its own colour's pixels around it that are within it
+_DIFFERENT = 12.0  # CIELAB distance from the top's usual colour
+# a shadow is darker by less than the first value and less coloured than the second
+_SHADOW = 35.0, 6.0
+_ALIKE = 12.0  # CIELAB distance between the patches of one carrier
+_CRUMB = 2e-4  # minimum area of a patch, as a fraction of the picture
+_FLAT = 0.02, 0.4  # fraction of the tabletop that a carrier covers
+_FILLED = 0.9  # minimum fraction of its hull that the carrier and the objects on it fill
+_BARE = 0.2  # minimum fraction of its hull where the carrier itself is visible
+_STANDS = 0.6  # fraction of an object's foot within the hull, for objects on the carrier
+_KNOWN = 0.4  # overlap (IoU) with a detection of the eye, above which the carrier is already known
+_OWN = 0.85  # fraction of nearby pixels of its colour that lie within the carrier
 
 
 def find_carriers(
@@ -32,9 +34,10 @@ def find_carriers(
     top: Bool[np.ndarray, "h w"],
     things: Sequence[Bool[np.ndarray, "h w"]],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the whole masks of the carriers on a tabletop.
+    """Return the complete masks of the carriers on a tabletop.
 
-    ``top`` is all of it, with what is on it; ``things`` is what shows of each thing there.
+    ``top`` is the whole tabletop, including the objects on it; ``things`` are the visible parts of
+    these objects.
     """
     if not things or not top.any():
         return []
@@ -63,7 +66,7 @@ def find_carriers(
 def _other_colour(
     lab: Float[np.ndarray, "h w 3"], bare: Bool[np.ndarray, "h w"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of the bare top that are of another colour than most of it."""
+    """Return the pixels of the bare top whose colour differs from its most common one."""
     smooth = cv2.medianBlur(np.ascontiguousarray(lab, np.float32), 5)
     if not bare.any():
         return bare
@@ -83,7 +86,7 @@ def _pieces(
     other: Bool[np.ndarray, "h w"],
     covered: Bool[np.ndarray, "h w"],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the patches of another colour; things may lie between parts of the same colour."""
+    """Return the patches of other colours; objects may separate parts of one patch."""
     opened = cv2.morphologyEx(other.astype(np.uint8), cv2.MORPH_OPEN, np.ones((5, 5), np.uint8))
     count, labels, stats, _ = cv2.connectedComponentsWithStats(opened)
     kept = [k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= _CRUMB * other.size]

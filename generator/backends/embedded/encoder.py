@@ -1,4 +1,4 @@
-"""Appearance features without learned weights: colour, and oriented edges at several scales."""
+"""Image features without learned weights: colour, and oriented edges at several scales."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ if TYPE_CHECKING:
 class EmbeddedEncoder:
     """A fixed filter bank as Phi of Eq. 4.
 
-    At each scale, stride 2, 4 and 8, a map holds two chroma channels and the derivatives of
-    luminance along ``orientations`` directions. Each position's channels are divided by their
-    length softened by ``floor``, so that neither brightness nor contrast counts, and flat grey
-    regions stay near zero. Maps are spatial; nothing is pooled.
+    At each scale (stride 2, 4 and 8), a map has two chroma channels and the derivatives of
+    luminance along ``orientations`` directions. The channels of each position are divided by their
+    norm, softened by ``floor``, so that brightness and contrast have no effect and flat grey
+    regions stay near zero. The maps are spatial; nothing is pooled.
 
     Attributes:
         scales: number of maps; their strides are 2, 4, 8, ...
         orientations: directions of the derivative filters over half a turn.
-        chroma: weight of the colour channels against the edges.
-        floor: length below which a position counts as featureless.
+        chroma: weight of the colour channels relative to the edges.
+        floor: norm below which a position counts as featureless.
     """
 
     scales: int = 3
@@ -35,7 +35,8 @@ class EmbeddedEncoder:
     def features(self, images: Tensor) -> tuple[Tensor, ...]:
         """Map (b, 3, h, w) images in [0, 1] to (b, 2 + orientations, h / s, w / s) maps.
 
-        Differentiable in ``images``; every position's channel vector has length below 1.
+        The result is differentiable in ``images``; the norm of every position's channels is below
+        1.
         """
         from torch.nn import functional
 
@@ -46,7 +47,7 @@ class EmbeddedEncoder:
         return tuple(maps)
 
     def _describe(self, level: Float[Tensor, "b 3 h w"]) -> Float[Tensor, "b c h w"]:
-        """Turn one scale's luminance and chroma into length-normalised channels."""
+        """Convert the luminance and chroma of one scale to normalised channels."""
         import torch
         from torch.nn import functional
 
@@ -62,7 +63,7 @@ class EmbeddedEncoder:
 
 
 def _opponent(images: Float[Tensor, "b 3 h w"]) -> Float[Tensor, "b 3 h w"]:
-    """Split RGB into luminance and two chroma channels that a change of brightness keeps."""
+    """Convert RGB to luminance and two chroma channels that are invariant to brightness."""
     import torch
 
     r, g, b = images.unbind(1)

@@ -1,8 +1,8 @@
-"""Which thing each word of a text means: as the eye names it, as the catalogue builds it.
+"""Matching of a text's words to objects in a picture, through rendered catalogue examples.
 
-The eye has learned a few of the catalogue's categories. What the others look like to it is tried:
-an example is built, rendered from all sides at about the picture's elevation, and shown to it. A
-thing that it takes for the same may be of that category.
+The eye has learned only a few of the catalogue's categories. For any other category, an example is
+built, rendered from all sides at about the picture's elevation, and named by the eye. An object to
+which the eye gives similar names may belong to that category.
 """
 
 from __future__ import annotations
@@ -30,24 +30,24 @@ from .eye.weights import load_weights
 from .plane.measure import apparent_scale, usual_solid
 from .plane.plane import TABLE_LENGTH, TablePlane
 
-_SEED = 7_000_003  # of a category's example; no text's drawing has it
+_SEED = 7_000_003  # seed of a category's example; no drawing of a text uses it
 _TURNS = 4
-_SIDE = 160  # pixels of an example's picture
+_SIDE = 160  # picture size of an example in pixels
 _FOV = float(np.deg2rad(20))
 _GROUND = 225, 215, 205  # a light tabletop
-_SHARE = 0.3  # of a picture that the tabletop covers
-_PROPORTION = 0.6  # width over length of a usual tabletop
-_STEP = 10  # degrees of elevation between examples
+_SHARE = 0.3  # fraction of a picture that the tabletop covers
+_PROPORTION = 0.6  # ratio of width to length of a typical tabletop
+_STEP = 10  # elevation step between examples in degrees
 _LOWEST, _HIGHEST = 20, 80  # degrees
-_CUT = 0.004  # of the longer side: what comes as near to the frame goes on beyond it
+_CUT = 0.004  # an object closer to the frame than this fraction of the longer side counts as cut
 
 
 def rate_words(
     things: Sequence[EyeDetection], wanted: Sequence[str], plane: TablePlane
 ) -> Float[np.ndarray, "n w"]:
-    """Return how much each thing looks like each word, from 0 to 1.
+    """Return how well each object matches each word, from 0 to 1.
 
-    A word outside the catalogue is as likely as that the thing is unknown to the eye.
+    For a word outside the catalogue, it is the probability that the eye does not know the object.
     """
     names = np.stack([thing.names for thing in things]).astype(float)
     categories = load_weights().categories
@@ -59,7 +59,7 @@ def rate_words(
         if found is None:
             rated[:, column] = names[:, -1]
             continue
-        # The Bhattacharyya coefficient, squared: 1 for what gets the same names.
+        # The squared Bhattacharyya coefficient, which is 1 for equal name distributions.
         same = np.sqrt(names) @ np.sqrt(_name_examples(found.key, degrees)).T
         rated[:, column] = np.square(same).max(1)
         if found.key in categories:
@@ -71,9 +71,9 @@ def rate_words(
 def compare_sizes(
     things: Sequence[EyeDetection], wanted: Sequence[str], plane: TablePlane
 ) -> Float[np.ndarray, "n w 2"]:
-    """Return ``apparent_scale`` of each thing for each word; NaN where nothing is known.
+    """Return the ``apparent_scale`` of each object for each word; NaN where it is unknown.
 
-    That is for words outside the catalogue, and for things that the frame cuts.
+    It is unknown for words outside the catalogue, and for objects that the frame cuts.
     """
     found = [find_kind(word) for word in wanted]
     keys = sorted({category.key for category in found if category is not None})
@@ -89,7 +89,7 @@ def compare_sizes(
 def scales_of(
     thing: EyeDetection, keys: Sequence[str], plane: TablePlane
 ) -> dict[str, tuple[float, float]] | None:
-    """Return ``apparent_scale`` of a thing for each category; None if the frame cuts it."""
+    """Return the ``apparent_scale`` of an object per category, or None if the frame cuts it."""
     box = mask_box(thing.whole)
     height, width = thing.whole.shape
     if min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width):
@@ -99,7 +99,7 @@ def scales_of(
 
 @lru_cache(maxsize=1024)
 def _name_examples(key: str, degrees: int) -> Float[np.ndarray, "e k"]:
-    """Return what the eye calls a category's example from all sides, at an elevation in degrees."""
+    """Return the eye's names for a category's example from all sides; elevation in degrees."""
     view = View(0.0, float(np.deg2rad(degrees)), _FOV)
     model = build(key, _SEED)
     looks = [_look(model, turn, view) for turn in range(_TURNS)]
@@ -110,7 +110,7 @@ def _name_examples(key: str, degrees: int) -> Float[np.ndarray, "e k"]:
 
 
 def _look(model: Model, turn: int, view: View) -> Closeup:
-    """Return the look at an example, turned so often, as if it stood on a usual table."""
+    """Return the close-up of an example in one of its rotations, as if on a typical table."""
     yaw = 2 * np.pi * (turn + 0.25) / _TURNS
     item = place(model.mesh, model.size, np.zeros(3), yaw_quaternion(yaw), 1)
     camera = framing_camera(item.vertices, view, _SIDE, _SIDE, margin=0.1)

@@ -1,4 +1,4 @@
-"""The embedded image model: paints a plan, completes crops, rectifies the table from above."""
+"""The embedded image model: renders plans, completes crops, and rectifies the tabletop."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .drawing import completion, painter, topview
 class EmbeddedImager:
     """Answers the three picture questions without any model.
 
-    ``draws_catalogue`` tells that a plan's drawing shows the catalogue's own objects.
+    ``draws_catalogue`` is True because the drawing of a plan shows the catalogue's own objects.
     """
 
     draws_catalogue: ClassVar[bool] = True

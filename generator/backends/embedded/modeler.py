@@ -1,4 +1,4 @@
-"""Image to 3D by analysis and synthesis: try shapes, keep the one that looks like the picture."""
+"""Image to 3D by analysis and synthesis: fit candidate shapes and keep the most similar one."""
 
 from __future__ import annotations
 
@@ -24,20 +24,21 @@ from .shapes.paint import PROJECT, paint
 from .shapes.solids import PosedSolid
 from .tables.likeness import model_table
 
-_COARSE = 100  # of those that catalogue shapes are searched with
-_WORKING = 200  # longer side of the silhouettes that are compared, pixels
-_ALIKE = 0.6  # silhouette overlap below which a catalogue shape is not what the picture shows
-_SURE = 0.83  # overlap less what odd proportions cost, from which a label is believed at once
-_TRUST = 0.12  # below, a label is believed unless a solid's score is that much better
-_UNLIKE = 0.4  # gap to measured proportions above which a label is not believed
+_COARSE = 100  # likewise, during the search of catalogue shapes
+_WORKING = 200  # longer side in pixels of the compared silhouettes
+_ALIKE = 0.6  # minimum silhouette overlap of a catalogue shape
+# overlap minus the penalty for odd proportions, above which a label is accepted at once
+_SURE = 0.83
+_TRUST = 0.12  # otherwise a label is rejected if a generic solid's score is better by this margin
+_UNLIKE = 0.4  # difference from measured proportions above which a label is rejected
 
 
 @dataclass(frozen=True)
 class EmbeddedModeler:
-    """The embedded image-to-3D backend. ``texture`` is the side of the baked textures, texels.
+    """The embedded image-to-3D backend. ``texture`` is the side of the baked textures in texels.
 
-    ``quick`` is how it works where a plan tells what a thing is, and puts right what it mistakes:
-    the label is believed, and fewer shapes are tried.
+    ``quick`` is for scenes whose plan names the objects and corrects errors: labels are trusted,
+    and fewer shapes are tried.
     """
 
     seed: int = 0
@@ -45,7 +46,7 @@ class EmbeddedModeler:
     quick: bool = dataclasses.field(default=False, repr=False)
 
     def for_text(self) -> EmbeddedModeler:
-        """Return the modeler that models what was drawn of a text."""
+        """Return the modeler for pictures that were drawn from a text."""
         return dataclasses.replace(self, quick=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
@@ -68,7 +69,7 @@ class EmbeddedModeler:
     def _likeness(
         self, category: Category, instance: Instance, size: SizePrior, projection: Projection
     ) -> Likeness | None:
-        """Return the catalogue shape that looks most like the crop, unless none looks like it."""
+        """Return the catalogue shape most similar to the crop, or None if none is similar."""
         coarse = projection.resize(_COARSE)
         found = fit_likeness(
             category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
@@ -76,7 +77,7 @@ class EmbeddedModeler:
         )  # fmt: skip
         if found.iou < _ALIKE:
             return None
-        # A book does not stand as a box does.
+        # A book has different resting poses than a box.
         belied = size.measured and bounded_gap(found.extent, size.extent) > _UNLIKE
         return None if belied else found
 
@@ -84,7 +85,7 @@ class EmbeddedModeler:
 def likeness_model(
     found: Likeness, instance: Instance, projection: Projection, size: SizePrior, texture: int
 ) -> Model:
-    """Return the catalogue model of a likeness with the crop's proportions and colours."""
+    """Return a likeness's catalogue model with the crop's proportions and colours."""
     mesh = paint(
         found.model.mesh, found.extent, found.yaw, found.position, instance.crop, projection,
         texture, found.iou >= PROJECT,
@@ -96,7 +97,7 @@ def likeness_model(
 def solid_model(
     posed: PosedSolid, instance: Instance, projection: Projection, size: SizePrior, texture: int
 ) -> Model:
-    """Paint a posed solid from the crop and bring it to the canonical frame."""
+    """Paint a posed solid from the crop and convert it to the canonical frame."""
     planes = mirror_planes(posed, projection)
     atlas, picture = texture_bake.paint(
         posed.world, posed.solid.faces, instance.crop, projection, planes, texture,
@@ -111,7 +112,7 @@ def solid_model(
 
 
 def mirror_planes(posed: PosedSolid, projection: Projection) -> tuple[Float[np.ndarray, "4"], ...]:
-    """Return the vertical planes about which a solid may be taken to look alike."""
+    """Return the vertical planes about which a solid may be considered symmetric."""
     low, high = posed.solid.vertices.min(0), posed.solid.vertices.max(0)
     turn = rotation_z(posed.yaw)
     middle = turn @ ((low + high) / 2) + posed.position

@@ -34,41 +34,42 @@ from .segmenter import GENERIC
 
 _TAU = 0.25  # tolerance of proportions, as in the RMA-Score
 _HEIGHT = 0.74
-"""Metres: the usual height of a table, where nothing tells it."""
+"""The default height of a table in metres."""
 
 
 @dataclass(frozen=True)
 class EmbeddedReasoner:
-    """Answers the six questions without any model; the picture's part rests on the table plane.
+    """Answers the six questions without any model; answers about pictures use the table plane.
 
-    The two of ``PoseGuesser`` it answers by a naive look at the picture (``guessing``).
+    The two questions of ``PoseGuesser`` are answered by a naive reading of the picture
+    (``guessing``).
     """
 
     plan_scene = staticmethod(plan_scene)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Return the plan's nouns, one per expected thing; without a plan, ask for anything."""
+        """Return the plan's nouns, one per expected object, or "object" without a plan."""
         if reference.plan is None:
             return (TABLE, GENERIC)
         return (TABLE, *(thing.noun for thing in reference.plan.objects))
 
     def estimate_view(self, reference: Reference, table: Instance) -> View:
-        """Return the camera that depth shows, or that explains the tabletop's outline."""
+        """Return the camera from depth, or the one that explains the tabletop's outline."""
         return survey(reference, (table,)).plane.view
 
     def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
-        """Return catalogue sizes for words it knows, and measured sizes for the rest.
+        """Return catalogue sizes for known words, and measured sizes for others.
 
-        The table is as long as makes most known things their usual size, within what tables are.
-        Where depth shows a thing, its size is measured.
+        The table's length gives most known objects their usual size, within the limits of tables.
+        The size of an object that depth shows is measured.
         """
         known = survey(reference, instances)
         plane, solids = known.plane, known.solids
         stacking = stack(instances, _holds, solids)
         things = [instance for instance in instances if instance.name != TABLE]
         priors = {thing.name: _usual_size(reference, thing) for thing in things}
-        told = reference.plan is not None  # what a thing is like
-        unseen = [t for t in things if t.name not in solids and not (told and priors[t.name])]
+        planned = reference.plan is not None  # the plan states the expected shapes
+        unseen = [t for t in things if t.name not in solids and not (planned and priors[t.name])]
         seen = _proportions(reference, instances, unseen, plane)
         sizes: dict[str, SizePrior] = {}
         looks: list[tuple[float, float]] = []
@@ -81,7 +82,7 @@ class EmbeddedReasoner:
                 if (category := find_category(thing.label)) is not None:
                     solid = usual_solid(category.key)
                     looks.append(apparent_scale(whole_box(thing), solid, plane))
-        metric = told or reference.depth is not None
+        metric = planned or reference.depth is not None
         factor = 1.0 if metric else _table_factor(looks)
         for thing in things:
             if thing.name not in sizes:
@@ -96,33 +97,33 @@ class EmbeddedReasoner:
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
     ) -> tuple[tuple[str, int], ...]:
-        """Return no turn: the embedded modeler builds its meshes upright."""
+        """Return no rotation, because the embedded modeler builds its meshes upright."""
         return ()
 
     def stacking_order(
         self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
-        """Return what each thing stands on or in: by depth, or by the masks (``stacking``)."""
+        """Return the support of each object: from depth, or else from the masks (``stacking``)."""
         solids = survey(reference, instances).solids if reference.depth is not None else {}
         return stack(instances, _holds, solids)
 
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Return the yaw that each mask's long axis suggests, to 15 degrees (``guessing``)."""
+        """Return the yaw along each mask's long axis, to 15 degrees (``guessing``)."""
         return poses.guess_rotations(instances, sizes, view)
 
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return places read off the table's box, and usual sizes (``guessing``)."""
+        """Return positions read from the table's box, and usual sizes (``guessing``)."""
         return poses.guess_layout(instances, sizes, view)
 
 
 def _proportions(
     reference: Reference, instances: Instances, asked: Sequence[Instance], plane: TablePlane
 ) -> dict[str, Proportions]:
-    """Return what the eye makes of the shape of those ``asked`` about, by name."""
+    """Return the eye's estimates of the proportions of the objects in ``asked``, by name."""
     masks = [np.asarray(instance.mask) for instance in asked]
     tabletop = np.any([np.asarray(instance.mask) for instance in instances], axis=0).sum()
     clues = proportion_clues(
@@ -142,7 +143,7 @@ def _holds(label: str) -> bool:
 
 
 def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
-    """Return the size a text fixed or the catalogue knows; None for unknown words."""
+    """Return the size fixed by the text or known to the catalogue; None for unknown words."""
     planned = reference.plan.objects if reference.plan else ()
     asked = next((p for p in planned if p.noun == instance.label), None)
     found = find_category(asked.category if asked else instance.label)
@@ -153,11 +154,11 @@ def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
 
 
 def _table_factor(looks: list[tuple[float, float]]) -> float:
-    """Return by how much a usual table must grow so that known things have their usual size.
+    """Return the factor on a usual table for which known objects have their usual size.
 
-    ``looks`` are what ``apparent_scale`` returns on the usual table. The factor is the median,
-    weighed by how well shapes agree as in Eq. 6. The usual table counts as two things: its size
-    is known better than that of a thing whose name is a guess.
+    ``looks`` are the results of ``apparent_scale`` on the usual table. The factor is the median,
+    weighted by the agreement of the shapes as in Eq. 6. The usual table has the weight of two
+    objects, because its size is better known than that of an object whose name is a guess.
     """
     voices = np.array([*looks, (1.0, 0.0), (1.0, 0.0)])
     voices = voices[np.argsort(-voices[:, 0], kind="stable")]

@@ -1,4 +1,4 @@
-"""The embedded segmenter: the table, and everything on it, as the learned eye sees them."""
+"""The embedded segmenter: the table and everything on it, detected by the learned eye."""
 
 from __future__ import annotations
 
@@ -30,22 +30,23 @@ from .plane.tabletop import find_tabletop
 Named = list[tuple[EyeDetection, str]]
 
 GENERIC = "object"
-"""The label that asks for anything on the table."""
+"""The label that requests any object on the table."""
 
 SURE = 0.5
-"""Certainty from which a thing is told without having been asked for."""
+"""Minimum confidence of an object that was not requested."""
 
-_CARRIER = 0.6  # certainty of a carrier that its colour tells
-_ASKED = 0.15  # certainty that is enough if a word asks for it
-_MOST = 64  # things of a picture
-_LOOKED = 0.03  # probability from which a category's size and shape are compared
-_SMALLEST = 1.5e-4  # of the picture, a thing
-_BAND = 0.012  # of the picture's longer side: how far GrabCut may move a mask's rim
+_CARRIER = 0.6  # confidence of a carrier that is detected by its colour
+_ASKED = 0.15  # minimum confidence of a requested object
+_MOST = 64  # maximum number of objects per picture
+_LOOKED = 0.03  # minimum probability of a category whose size and shape are compared
+_SMALLEST = 1.5e-4  # minimum area of an object, as a fraction of the picture
+# width of GrabCut's band around a mask's boundary, relative to the picture's longer side
+_BAND = 0.012
 
 
 @dataclass(frozen=True)
 class EmbeddedSegmenter:
-    """Finds things with a small network of the project's own (``eye``)."""
+    """Detects objects with a small network of this project (``eye``)."""
 
     def segment(
         self,
@@ -54,14 +55,15 @@ class EmbeddedSegmenter:
         depth: Float[np.ndarray, "h w"] | None = None,
         intrinsics: Intrinsics | None = None,
     ) -> tuple[Detection, ...]:
-        """Return the table first, then the things, nearest to the viewer last.
+        """Return the table first, then the objects; the closest to the viewer comes last.
 
-        Labels may repeat: each stands for one expected thing. With no label beyond "table" and
-        "object", everything the eye is sure of is named as it looks. Depth confirms what it found.
+        Labels may repeat: each stands for one expected object. If "table" and "object" are the only
+        labels, all confident detections are returned under their own names. Depth confirms the
+        detections.
 
         Raises:
             BackendError: the eye's weights are missing or damaged.
-            SceneError: no tabletop in the picture, or more things on it than can be told apart.
+            SceneError: the picture contains no tabletop, or too many objects on it.
         """
         image = np.ascontiguousarray(image)
         return detect(image, see(image), labels, depth, intrinsics)
@@ -74,13 +76,13 @@ def detect(
     depth: Float[np.ndarray, "h w"] | None,
     intrinsics: Intrinsics | None,
 ) -> tuple[Detection, ...]:
-    """Return table and things as ``protocols.Segmenter`` says, from what was seen of a picture."""
+    """Return table and objects as in ``protocols.Segmenter``, from a reading of the picture."""
     wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
     things = _on_table(sight, _ASKED if wanted else SURE)
     things += _carriers(image, sight, things)
     if len(things) > _MOST:
         raise SceneError(
-            f"More than {_MOST} things on the table. Cut the picture into parts with fewer."
+            f"More than {_MOST} objects on the table. Cut the picture into parts with fewer."
         )
     table = table_of(image, sight)
     measured = None
@@ -104,12 +106,12 @@ def detect(
 
 
 def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels that show the table: what the eye takes for it, drawn onto the edges."""
+    """Return the pixels of the table: the eye's region, refined to the picture's edges."""
     return refine(image, main_parts(sight.shows("top", "legs")))
 
 
 def _on_table(sight: EyeReading, minimum: float) -> list[EyeDetection]:
-    """Return the things that stand on the table or on each other, not beside or under it."""
+    """Return the objects that stand on the table or on each other, not next to or under it."""
     stands = stand_on(sight, [thing.whole for thing in sight.things])
     return [
         thing
@@ -121,7 +123,7 @@ def _on_table(sight: EyeReading, minimum: float) -> list[EyeDetection]:
 def _carriers(
     image: UInt8[np.ndarray, "h w 3"], sight: EyeReading, things: Sequence[EyeDetection]
 ) -> list[EyeDetection]:
-    """Return the boards and mats beneath things that the eye takes for tabletop."""
+    """Return the boards and mats under objects that the eye mistakes for the tabletop."""
     top = sight.top > 0.5
     wholes = find_carriers(image, top, [t.visible for t in things if t.score >= SURE])
     if not wholes:
@@ -137,7 +139,7 @@ def _carriers(
 
 
 def stand_on(sight: EyeReading, masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[bool]:
-    """Tell of each mask whether its foot is on the tabletop, or where things hide it."""
+    """Return, per mask, whether its foot is on the tabletop or where objects hide the tabletop."""
     top = top_of(sight)
     near = dilate(top, max(top.shape) // 60 + 1)
     feet = map(foot_of, masks)
@@ -150,7 +152,7 @@ def _pick_wanted(
     wanted: tuple[str, ...],
     measured: TablePlane | None,
 ) -> Named:
-    """Return what was asked for, with its words; what the eye doubts must look like its word."""
+    """Return the requested objects with their words; uncertain ones must resemble their word."""
     if not things:
         return []
     plane = measured or find_tabletop(image)
@@ -163,7 +165,7 @@ def _pick_wanted(
 def _label(
     image: UInt8[np.ndarray, "h w 3"], things: Sequence[EyeDetection], measured: TablePlane | None
 ) -> Named:
-    """Return the things with their labels; ``measured`` is the plane in metres that depth shows."""
+    """Return the objects with their labels; ``measured`` is the metric plane if there is depth."""
     if not things:
         return []
     keys = load_weights().categories
@@ -176,7 +178,7 @@ def _label(
 def looks_of(
     things: Sequence[EyeDetection], plane: TablePlane, keys: Sequence[str]
 ) -> list[dict[int, tuple[float, float]] | None]:
-    """Return how large and how much alike a thing looks, by the index of each likely category."""
+    """Return the apparent sizes and shape differences of objects, by index of likely category."""
     looks: list[dict[int, tuple[float, float]] | None] = []
     for thing in things:
         likely = np.flatnonzero(thing.names[:-1] > _LOOKED).tolist()
@@ -194,9 +196,9 @@ def _shape(thing: EyeDetection) -> str:
 def refine(
     image: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Pull a mask's rim onto the picture's edges: GrabCut decides a band around it.
+    """Refine a mask's boundary to the picture's edges: GrabCut decides within a band around it.
 
-    The inside and the outside are given; a cut that would lose or win much is not taken.
+    The inside and the outside are fixed; a result that changes the area much is discarded.
     """
     if not mask.any():
         return mask

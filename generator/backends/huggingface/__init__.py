@@ -1,5 +1,5 @@
-"""Open models by ``transformers``, on this machine: the Segmenter and the Encoder of the paper.
+"""Open models by ``transformers`` on this machine: the paper's Segmenter and Encoder.
 
-``models.toml`` says which models at which commit; ``tabletopgen models`` fetches them. Answering
-never touches the network.
+``models.toml`` pins the models to commits; ``tabletopgen models`` downloads them. Inference never
+uses the network.
 """

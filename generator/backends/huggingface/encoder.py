@@ -1,4 +1,4 @@
-"""The Encoder by DINOv2 (M. Oquab et al., 2023): Phi of Eq. 4, as the paper has it."""
+"""The Encoder with DINOv2 (M. Oquab et al., 2023): Phi of Eq. 4, as in the paper."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ _KIND = "Dinov2Model"
 
 @dataclass(frozen=True)
 class HuggingFaceEncoder:
-    """DINOv2's tokens as Phi of Eq. 4: one map of the patches, one of the whole image.
+    """DINOv2's tokens as Phi of Eq. 4: one map of patches, and one for the whole image.
 
-    Each position's vector has length 1, so that squared distances are in [0, 4] as they are with
-    the embedded encoder, and lambda_a means the same.
+    Each position's vector has length 1, so squared distances are in [0, 4] as with the embedded
+    encoder, and lambda_a has the same meaning.
 
     Attributes:
-        weights: which model of the table.
-        side: shorter side that images are resized to, pixels; each patch is 14 of them.
-        batch: most images in the network at once.
-        exact: work in float32 on CUDA too, where bfloat16 is usual.
-        device: "cuda", "cpu" …; empty: "cuda" where there is one.
-        folder: where the model lies, see ``installing.models_folder``.
+        weights: name of the model.
+        side: shorter side of resized images in pixels; a patch is 14 pixels wide.
+        batch: maximum number of images per forward pass.
+        exact: use float32 on CUDA too, instead of bfloat16.
+        device: "cuda", "cpu" …; empty: "cuda" if available.
+        folder: folder of the models, see ``installing.models_folder``.
         revision: the model and its commit.
 
     Raises:
-        BackendError: there is no such model.
+        BackendError: the model does not exist.
         InputError: a number is out of range.
     """
 
@@ -59,16 +59,16 @@ class HuggingFaceEncoder:
     def features(self, images: Tensor) -> tuple[Tensor, ...]:
         """Map (b, 3, h, w) images in [0, 1] to (b, c, h', w') patches and a (b, c, 1, 1) whole.
 
-        Differentiable in ``images``; the maps are of their type, where they are.
+        The maps are differentiable in ``images`` and have their type and device.
 
         Raises:
-            BackendError: the images have another shape; the model is not there, damaged, or fails.
+            BackendError: the images have another shape, or the model is missing, damaged or fails.
         """
         import torch
 
         if images.ndim != 4 or images.shape[1] != 3:
             raise BackendError(
-                f"{_WHAT} images are (b, 3, h, w) in [0, 1], got {tuple(images.shape)}."
+                f"{_WHAT} images must be (b, 3, h, w) in [0, 1], got {tuple(images.shape)}."
             )
         with working(_WHAT):
             network = self._network()
@@ -79,7 +79,7 @@ class HuggingFaceEncoder:
     def _tokens(
         self, network: Any, images: Float[Tensor, "b 3 h w"]
     ) -> tuple[Float[Tensor, "b c i j"], Float[Tensor, "b c 1 1"]]:
-        """Return the maps of some images, computed where the network is."""
+        """Return the maps of images, computed on the network's device."""
         import torch
         from torch.nn import functional
 

@@ -1,4 +1,4 @@
-"""The Segmenter by open models: Grounding DINO and SAM 2, or SAM 3 alone (Sec. 3.1)."""
+"""The Segmenter with open models: Grounding DINO and SAM 2, or SAM 3 alone (Sec. 3.1)."""
 
 from __future__ import annotations
 
@@ -35,43 +35,43 @@ from .weights.loader import device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"
-"""The environment's name for the detector, where a segmenter is chosen by name."""
+"""Environment variable of the detector, for a segmenter that is selected by name."""
 
 GENERIC = "object"
-"""The label that asks for anything on the table."""
+"""The label that requests any object on the table."""
 
 _WHAT = "huggingface, segment:"
 _KINDS = ("GroundingDinoForObjectDetection", "Sam3Model")
-_SMALLEST = 1e-4  # of the picture, a thing
+_SMALLEST = 1e-4  # minimum area of an object, as a fraction of the picture
 
 
 def usual_detector() -> str:
-    """Return the environment's detector, else the larger Grounding DINO."""
+    """Return the detector set in the environment, or else the larger Grounding DINO."""
     return os.environ.get(DETECTOR) or "grounding-dino-base"
 
 
 @dataclass(frozen=True)
 class HuggingFaceSegmenter:
-    """Finds things by words, and masks them.
+    """Detects objects by words and segments them.
 
-    The picture is looked at as a whole and in parts. Of one thing found several times the surest
-    find stays. What stands beside the table is left out.
+    The picture is processed as a whole and in tiles. Of several detections of one object, the one
+    with the highest score is kept. Objects beside the table are removed.
 
     Attributes:
         detector: "grounding-dino-base", "grounding-dino-tiny", or "sam3", which needs no masker;
-            usually the environment's ``TABLETOPGEN_DETECTOR``.
+            defaults to the environment's ``TABLETOPGEN_DETECTOR``.
         masker: "sam2".
-        threshold: least score of a find.
-        tiles: parts along each side; 1 looks at the whole only.
-        overlap: share of a part's side that its neighbours see too.
-        side: shorter side at which Grounding DINO looks at each part, pixels.
-        words: most words that Grounding DINO is asked about at once.
-        device: "cuda", "cpu" …; empty: "cuda" where there is one.
-        folder: where the models lie, see ``installing.models_folder``.
+        threshold: minimum score of a detection.
+        tiles: number of tiles along each side; 1 uses the whole picture only.
+        overlap: fraction of a tile's side shared with its neighbours.
+        side: shorter side of a tile for Grounding DINO in pixels.
+        words: maximum number of words in a prompt for Grounding DINO.
+        device: "cuda", "cpu" …; empty: "cuda" if available.
+        folder: folder of the models, see ``installing.models_folder``.
         revisions: the models and their commits.
 
     Raises:
-        BackendError: there is no such model.
+        BackendError: a model does not exist.
         InputError: a number is out of range.
     """
 
@@ -109,14 +109,14 @@ class HuggingFaceSegmenter:
         depth: Float[np.ndarray, "h w"] | None = None,
         intrinsics: Intrinsics | None = None,
     ) -> tuple[Detection, ...]:
-        """Return the table first, then the things, nearest to the viewer last.
+        """Return the table first, then the objects; the closest to the viewer comes last.
 
-        Every instance of a label is told, however often the label was given. An "object" is called
-        as the catalogue's category that it looks like, if any. Depth is not used.
+        All instances of a label are returned, regardless of how often the label was given. An
+        "object" gets the name of the most similar catalogue category, if any. Depth is not used.
 
         Raises:
-            BackendError: a model is not there, damaged, or fails.
-            SceneError: no table in the picture.
+            BackendError: a model is missing, damaged or fails.
+            SceneError: the picture contains no table.
         """
         image = np.ascontiguousarray(image)
         words = tuple(dict.fromkeys((TABLE, *labels)))
@@ -129,7 +129,9 @@ class HuggingFaceSegmenter:
         for thing in things:
             table &= ~thing.mask
         if not table.any():
-            raise SceneError("The things found hide the whole table. Show more of the tabletop.")
+            raise SceneError(
+                "The detected objects hide the whole table. Show more of the tabletop."
+            )
         detections = [Detection(f.label, f.box, f.mask, min(f.score, 1.0)) for f in things]
         detections.sort(key=lambda d: (d.box[3], d.box[0]))
         return (Detection(TABLE, mask_box(table), table), *detections)
@@ -137,9 +139,9 @@ class HuggingFaceSegmenter:
     def _find(
         self, image: UInt8[np.ndarray, "h w 3"], words: tuple[str, ...], parts: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return one find for each box, generic ones named by a second look at the whole.
+        """Return one detection per box; generic ones are named by a second pass over the whole.
 
-        A table's box may be a thing's too: no other word for it takes the table away.
+        A table's box may also be an object's box; another word for it does not remove the table.
         """
         finder = self._finder()
         found = finder.find(image, words, parts)
@@ -170,7 +172,7 @@ class HuggingFaceSegmenter:
 def _table_and_things(
     detections: Sequence[BoxDetection],
 ) -> tuple[Bool[np.ndarray, "h w"], list[BoxDetection]]:
-    """Return the table's mask and the other finds that stand on it (SceneError: no table)."""
+    """Return the table's mask and the detections on it (SceneError: no table)."""
     tables = [f for f in detections if f.label == TABLE]
     if not tables:
         raise SceneError(

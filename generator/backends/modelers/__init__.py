@@ -1,6 +1,6 @@
-"""Image-to-3D models that the project only calls, and meshes that others made.
+"""Adapters of external image-to-3D models, and of existing meshes.
 
-``hunyuan3d`` asks a local server and ``tencent`` a cloud; ``trellis``, ``triposr`` and ``sam3d``
-run in this process where they are installed; ``folder`` takes your own files. What they give is a
-foreign mesh: ``normalising`` checks it and brings it to the project's ``Model``.
+``hunyuan3d`` calls a local server and ``tencent`` a cloud service; ``trellis``, ``triposr`` and
+``sam3d`` run in this process if they are installed; ``folder`` uses your own files. Their results
+are untrusted meshes: ``normalising`` checks them and converts them to the project's ``Model``.
 """

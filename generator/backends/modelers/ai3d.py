@@ -1,4 +1,4 @@
-"""Client of Tencent Cloud's service ai3d: signed calls that submit a job and poll it."""
+"""Client of Tencent Cloud's service ai3d: signed calls that submit and poll jobs."""
 
 from __future__ import annotations
 
@@ -28,37 +28,40 @@ if TYPE_CHECKING:
 
 
 SECRET_ID, SECRET_KEY = "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY"
-"""The environment's names for the two halves of the key."""
+"""Environment variables of the two halves of the key."""
 
 _VERSION = "2025-05-13"
 _SUBMIT, _QUERY = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob"
 _MODELS = {_SUBMIT: "hunyuan-3d-pro", _QUERY: "hunyuan-3d-query"}  # in ledgers
-_BUSY = "RequestLimitExceeded"  # too many calls, or too many jobs at once
-_EXPIRED = "AuthFailure.SignatureExpire"  # more than five minutes off the service's clock
-_GONE = ("NotFound", "NotExist", "Expire")  # in the code of a job that is kept no longer
+_BUSY = "RequestLimitExceeded"  # too many calls, or too many concurrent jobs
+_EXPIRED = "AuthFailure.SignatureExpire"  # the clocks differ by more than five minutes
+_GONE = ("NotFound", "NotExist", "Expire")  # in the error codes of jobs that are no longer stored
 
 
 class LostJob(Exception):
-    """A job submitted earlier of which nothing can be had any more."""
+    """The result of an earlier job is no longer available."""
 
 
 def read_keys(what: str) -> tuple[str, str]:
     """Return the two halves of the key from the environment.
 
     Raises:
-        BackendError: they are not there; ``what`` names who needs them.
+        BackendError: they are not set; ``what`` is the start of the message.
     """
     found = os.environ.get(SECRET_ID, ""), os.environ.get(SECRET_KEY, "")
     if not all(found):
-        raise BackendError(f"{what} no key. Set {SECRET_ID} and {SECRET_KEY} in the environment.")
+        raise BackendError(
+            f"{what} the key is missing. Set {SECRET_ID} and {SECRET_KEY} in the environment."
+        )
     return found
 
 
 @dataclass(frozen=True)
 class Service:
-    """The calls about one instance. ``what`` begins their messages, ``used`` notes the answers.
+    """The calls for one instance. ``what`` starts their messages; ``used`` records the answers.
 
-    While the service is busy it is asked again every ``interval`` seconds, for ``timeout`` seconds.
+    While the service is busy, a call is repeated every ``interval`` seconds, for up to ``timeout``
+    seconds.
     """
 
     client: httpx2.Client
@@ -72,25 +75,25 @@ class Service:
     used: Used
 
     def submit(self, body: Mapping[str, Any], memo: str) -> str:
-        """Return the id of a new job, or of the one that this body was submitted as before.
+        """Submit a job and return its id; an earlier job with the same body is reused.
 
-        ``memo`` "renew" submits it again whatever was before.
+        With ``memo`` "renew", a new job is always submitted.
 
         Raises:
-            BackendError: the service refuses, or names no job.
+            BackendError: the service refuses the job or returns no id.
         """
         job = self._call(_SUBMIT, body, memo).get("JobId")
         with self.used.dropped_on(BackendError):
             if not isinstance(job, str) or not job:
-                raise BackendError(f"{self.what} the submission was answered without a JobId.")
+                raise BackendError(f"{self.what} the response to the submission has no JobId.")
             return printable(job, f"{self.what} the JobId", BackendError)
 
     def look(self, job: str, memo: str) -> Mapping[str, Any]:
-        """Return the state of a job; with ``memo`` "yes" as it was seen last, if it ever was.
+        """Return the state of a job; with ``memo`` "yes", the last known state, if there is one.
 
         Raises:
             BackendError: the service refuses.
-            LostJob: the job is kept no longer.
+            LostJob: the job is no longer stored.
         """
         return self._call(_QUERY, {"JobId": job}, memo)
 
@@ -111,7 +114,7 @@ class Service:
         raise BackendError(f"{self.what} {action} was refused ({said}).{_hint(code)}")
 
     def _once(self, action: str, body: Mapping[str, Any], memo: str) -> Mapping[str, Any]:
-        """Send a call, which the client signs; returns its Response."""
+        """Send a call, which the client signs, and return its Response."""
         headers = {
             "Content-Type": KIND,
             "Host": split_url(self.endpoint, "tencent: its address", BackendError).netloc,
@@ -121,7 +124,8 @@ class Service:
             "x-tabletopgen-question": "model",
             "x-tabletopgen-model": _MODELS[action],
             "x-tabletopgen-memo": memo,
-            "x-tabletopgen-free": "yes" if action == _QUERY else "no",  # a job is paid for once
+            # only the submission of a job is billed
+            "x-tabletopgen-free": "yes" if action == _QUERY else "no",
         }
         answer = self.client.post("/", content=json.dumps(body).encode(), headers=headers)
         self.used.add(answer.headers)
@@ -132,16 +136,17 @@ class Service:
         if not isinstance(reply, Mapping):
             self.used.drop(last=True)
             raise BackendError(
-                f"{self.what} {action} was answered by {answer.status_code}, "
-                f"{excerpt(answer.content, 80, self.keys)!r}. Is {self.endpoint} Tencent's?"
+                f"{self.what} {action} returned status {answer.status_code}, "
+                f"{excerpt(answer.content, 80, self.keys)!r}. Check that {self.endpoint} is "
+                "Tencent's address."
             )
         return reply
 
 
 def _hint(code: str) -> str:
-    """Return what to do about a refusal."""
+    """Return advice on a refusal."""
     if code == _EXPIRED:
-        return " It was signed just now: set this machine's clock right."
+        return " The signature was new, so check this machine's clock."
     if code.startswith("AuthFailure"):
         return f" Check {SECRET_ID} and {SECRET_KEY}."
     return ""
@@ -159,8 +164,8 @@ def authorization(
 ) -> str:
     """Return the Authorization header of a POST to the root of ``host``.
 
-    The service is the host's first word. ``timestamp`` is in seconds of Unix time; the server
-    takes it for five minutes.
+    The service is the first label of the host. ``timestamp`` is Unix time in seconds; the server
+    accepts it for five minutes.
     """
     service = host.partition(".")[0]
     day = datetime.fromtimestamp(timestamp, UTC).strftime("%Y-%m-%d")
@@ -178,7 +183,7 @@ def authorization(
 
 
 def signature(request: httpx2.Request, secret_id: str, secret_key: str) -> Mapping[str, str]:
-    """Return the headers that sign a request, which names host and action in its own, as of now."""
+    """Return the headers that sign a request now; the request's headers name host and action."""
     timestamp = int(time.time())
     host, action = request.headers["host"], request.headers["x-tc-action"]
     signed = authorization(

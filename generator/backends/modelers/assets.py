@@ -1,4 +1,4 @@
-"""What a folder of meshes holds, by what the files model: flat, or a folder for each thing."""
+"""Meshes of a folder by the objects they show: flat files, or one folder per object."""
 
 from __future__ import annotations
 
@@ -10,36 +10,36 @@ from pathlib import Path
 from ...errors import BackendError
 
 FORMATS = (".glb", ".obj")
-"""Files that are read; the first is taken where a thing has both."""
+"""Supported file formats; the first is preferred if an object has both."""
 
-_DEPTH = 4  # folders within each other
-_MOST = 20_000  # files and folders that are looked at
+_DEPTH = 4  # maximum folder depth
+_MOST = 20_000  # maximum number of files and folders
 
 _MODEL_WORDS = frozenset(
     ["textured", "nontextured", "model", "mesh", "base", "visual", "object", "scene", "poisson",
      "google_16k", "google_64k", "google_512k", "tsdf", "meshes", "visuals", "mesh_simplified"]
 )  # fmt: skip
-"""Names of files and folders that say how a mesh was made, and nothing of what it shows."""
+"""Names of files and folders that describe the kind of mesh, not the object."""
 
 _WORSE = ("nontextured", "collision", "poisson", "simplified")
-"""Words in a path of a mesh that is taken only if there is no other."""
+"""Words in the path of a mesh that is used only if there is no other."""
 
 _NUMBER = re.compile(r"^\d+[-_ ]+(?=\D)")  # "025_mug"
 
 
 def plain(word: str) -> str:
-    """Return a word as things are called: lower case, underscores."""
+    """Return a word as a key: lower case, with underscores."""
     return "_".join(word.lower().replace("-", " ").replace("_", " ").split())
 
 
 def find_assets(home: Path) -> Mapping[str, Path]:
-    """Return the meshes of a folder by what they model: "mug" of "025_mug/textured.obj".
+    """Return the meshes of a folder by object: "mug" for "025_mug/textured.obj".
 
-    A file is called after itself, or after the nearest folder around it where its own name says
-    nothing ("textured.obj"); numbers in front do not count. Links are not followed.
+    An object is named after its file, or after the closest parent folder if the file's name is
+    generic ("textured.obj"); leading numbers are ignored. Links are not followed.
 
     Raises:
-        BackendError: the folder holds too much to look at, or cannot be read.
+        BackendError: the folder has too many files or is not readable.
     """
     ranked: dict[str, tuple[tuple[bool, int, int, str], Path]] = {}
     for file in _walk(home):
@@ -53,7 +53,7 @@ def find_assets(home: Path) -> Mapping[str, Path]:
 
 
 def _walk(home: Path) -> Iterator[Path]:
-    """Yield the meshes of a folder, sorted, within bounds."""
+    """Yield the meshes of a folder in sorted order, within limits."""
     left, count = [home], 0
     while left:
         folder = left.pop()
@@ -66,8 +66,8 @@ def _walk(home: Path) -> Iterator[Path]:
         count += len(entries)
         if count > _MOST:
             raise BackendError(
-                f"folder, model: {home} holds more than {_MOST:,} files. Name a folder with your "
-                "meshes alone."
+                f"folder, model: {home} contains more than {_MOST:,} files. Choose a folder "
+                "that contains only your meshes."
             )
         for entry in entries:
             path = Path(entry.path)
@@ -79,7 +79,7 @@ def _walk(home: Path) -> Iterator[Path]:
 
 
 def _name(inside: Path) -> str:
-    """Return what a mesh models by its path within the folder; "" if nothing tells it."""
+    """Return the object shown by a mesh, from its path within the folder; "" if unknown."""
     for part in (inside.stem, *reversed(inside.parts[:-1])):
         word = plain(_NUMBER.sub("", part))
         if word and word not in _MODEL_WORDS:

@@ -1,4 +1,4 @@
-"""The picture of one instance as image-to-3D models want it: alone, centred, in a square."""
+"""The picture of one instance as input for image-to-3D models: isolated, centred, square."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from ...errors import BackendError
 from ...geometry import mask_box
 from ...scene import Instance
 
-_SHARE = 0.85  # of the square's side that the thing fills
-_LEAST, _MOST = 256, 1024  # pixels of the square's side
+_SHARE = 0.85  # fraction of the square's side that the object fills
+_LEAST, _MOST = 256, 1024  # minimum and maximum side of the square in pixels
 
 Cutout = UInt8[np.ndarray, "_ _ 4"]
 
@@ -20,11 +20,11 @@ def cutout(instance: Instance, backend: str) -> Cutout:
     """Return an instance's crop as a square of 256 to 1024 pixels, transparent around it.
 
     Raises:
-        BackendError: the crop shows nothing.
+        BackendError: the crop is empty.
     """
     crop = instance.crop
     if not (crop[..., 3] > 127).any():
-        raise BackendError(f"{backend}, model of {instance.name!r}: its crop shows nothing.")
+        raise BackendError(f"{backend}, model of {instance.name!r}: its crop is empty.")
     x0, y0, x1, y1 = mask_box(crop[..., 3] > 0).astype(int)
     thing = np.where(crop[..., 3:] > 0, crop, 0).astype(np.uint8)[y0:y1, x0:x1]
     side = int(np.ceil(max(thing.shape[:2]) / _SHARE))
@@ -39,6 +39,6 @@ def cutout(instance: Instance, backend: str) -> Cutout:
 
 
 def on_grey(picture: Cutout) -> UInt8[np.ndarray, "s s 3"]:
-    """Return a cut-out over middle grey."""
+    """Return a cut-out on middle grey."""
     share = picture[..., 3:] / 255.0
     return np.round(picture[..., :3] * share + 127.5 * (1 - share)).astype(np.uint8)

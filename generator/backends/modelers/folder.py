@@ -1,4 +1,4 @@
-"""Your own assets: a folder of GLB and OBJ files, one for each instance name or category."""
+"""Your own assets: a folder of GLB and OBJ files, one per instance name or category."""
 
 from __future__ import annotations
 
@@ -29,34 +29,35 @@ from .assets import find_assets, plain
 _LOG = logging.getLogger(__name__)
 
 ASSETS = "TABLETOPGEN_ASSETS"
-"""The environment's name for the folder, where ``Folder.path`` is empty."""
+"""Environment variable of the folder, used if ``Folder.path`` is empty."""
 
 Units = Literal["usual", "m", "cm", "mm", "in"]
-"""What a file's numbers are: lengths in a unit, or without meaning ("usual")."""
+"""The unit of a file's coordinates; "usual" means that they have no unit."""
 
 _METRES: Mapping[str, float] = MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254})
-_CLEAR = 0.15  # mean logarithm of proportions by which one axis must fit better than the other
-_ODD = 4.0  # times the usual size, or a part of it, from which a file's own size is warned of
+_CLEAR = 0.15  # minimum advantage of one up axis over the other, as mean log ratio of proportions
+# ratio to the usual size above which (or below its inverse) a file's size is warned about
+_ODD = 4.0
 
 
 @dataclass(frozen=True)
 class Folder:
-    """Answers with your own files, by name ("mug_1.glb"), then by label or category ("mug.obj").
+    """Uses your own files, by name ("mug_1.glb"), then by label or category ("mug.obj").
 
-    Files may lie in folders of their own ("025_mug/textured.obj", see ``assets``). A texture that
-    all of a file's parts share stays, unless it repeats or the triangles are changed (see
-    ``normalising``); several are painted into one. The proportions are the file's own.
+    Files may be in their own folders ("025_mug/textured.obj", see ``assets``). A texture shared by
+    all parts of a file is kept, unless it repeats or the triangles are changed (see
+    ``normalising``); several textures are baked into one. The file's proportions are kept.
 
     Attributes:
-        path: the folder; empty: the one that the environment's ``TABLETOPGEN_ASSETS`` names.
-        up: which axis of the files is up; "auto": y of a GLB, as its format says, and of an OBJ
-            the one of y and z that suits the usual proportions better, y in doubt.
-        units: what the files' numbers are. "usual": nothing, the size is the prior's; else the size
-            is the file's own.
-        faces: most triangles of a mesh, see ``Normal``.
-        texture: side of a texture made again, texels.
-        fallback: who models what the folder has no file for; None: that is an error. Chosen by name
-            it is the embedded modeler.
+        path: the folder; empty: the one set by the environment's ``TABLETOPGEN_ASSETS``.
+        up: up axis of the files; "auto": y for GLB, as its format specifies, and for OBJ the one of
+            y and z that better matches the usual proportions, or y in case of doubt.
+        units: unit of the files' coordinates. "usual": none, the size is the prior's; otherwise the
+            file's own size is used.
+        faces: maximum number of triangles of a mesh, see ``Normal``.
+        texture: side of rebuilt textures in texels.
+        fallback: modeler for objects without a file; None raises an error instead. If the backend
+            is selected by name, it is the embedded modeler.
 
     Raises:
         InputError: an unknown axis or unit.
@@ -74,17 +75,17 @@ class Folder:
         require_known(self.units, get_args(Units), "Folder.units: unknown unit")
 
     def check(self) -> None:
-        """Raise BackendError if there is no folder, or no mesh in it."""
+        """Raise BackendError if the folder does not exist or contains no mesh."""
         if not self.files():
             raise BackendError(
-                f"folder, model: {self.home()} holds no GLB or OBJ file, also in folders within it."
+                f"folder, model: {self.home()} contains no GLB or OBJ file, not even in subfolders."
             )
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the file for one instance as a model; see ``protocols.Modeler``.
 
         Raises:
-            BackendError: no folder, no file for it, or one that cannot be used.
+            BackendError: there is no folder or no file for it, or the file is unusable.
         """
         files = self.files()
         category = known_category(instance, size)
@@ -94,7 +95,7 @@ class Folder:
             tried = " or ".join(dict.fromkeys(f"{plain(word)}.glb" for word in words))
             missing = f"folder, model of {instance.name!r}: {self.home()} has no {tried}."
             if self.fallback is not None:
-                _LOG.warning("%s %s makes it.", missing, type(self.fallback).__name__)
+                _LOG.warning("%s %s models it instead.", missing, type(self.fallback).__name__)
                 return self.fallback.model(instance, size, view)
             raise BackendError(missing + choices(plain(instance.name), files))
         what = f"folder, model of {instance.name!r}: {file.name}"
@@ -108,7 +109,7 @@ class Folder:
         return model if self.units == "usual" else self._own_size(model, mesh.vertices, what)
 
     def _up(self, surface: ColoredSurface, kind: str, size: SizePrior, what: str) -> Axis:
-        """Return the upward axis of a file."""
+        """Return the up axis of a file."""
         if self.up != "auto":
             return self.up
         if kind == "glb":
@@ -116,35 +117,39 @@ class Folder:
         sides = {axis: np.ptp(surface.upright(axis).vertices, axis=0) for axis in get_args(Axis)}
         gaps = {a: proportion_gap(np.maximum(s, 1e-9), size.extent) for a, s in sides.items()}
         if gaps["z"] + _CLEAR < gaps["y"]:
-            _LOG.warning("%s is taken to be z-up, by its proportions. Folder.up says it.", what)
+            _LOG.warning(
+                "%s is assumed to be z-up, based on its proportions. Set Folder.up to override "
+                "this.",
+                what,
+            )
             return "z"
         return "y"
 
     def _own_size(self, model: Model, vertices: Float[np.ndarray, "n 3"], what: str) -> Model:
-        """Return the model in the file's own size."""
+        """Return the model at the file's own size."""
         own = np.ptp(vertices, axis=0) * _METRES[self.units]
         times = float(own.max() / np.asarray(model.size).max())
         if not 1 / _ODD < times < _ODD:
-            _LOG.warning("%s is %.3g times its usual size in %s.", what, times, self.units)
+            _LOG.warning("%s has %.3g times its usual size in %s.", what, times, self.units)
         return replace(model, size=own)
 
     def home(self) -> Path:
         """Return the folder.
 
         Raises:
-            BackendError: no folder is named, or what is named is not a folder.
+            BackendError: no folder is set, or the path is not a folder.
         """
         named = self.path or os.environ.get(ASSETS, "")
         if not named:
             raise BackendError(
-                f"folder, model: no folder is named. Set {ASSETS} to a folder of GLB or OBJ "
+                f"folder, model: no folder is set. Set {ASSETS} to a folder of GLB or OBJ "
                 "files, or pass Folder(path)."
             )
         home = Path(named).expanduser()
         if not home.is_dir():
-            raise BackendError(f"folder, model: {home} is no folder. Set {ASSETS} to one.")
+            raise BackendError(f"folder, model: {home} is not a folder. Set {ASSETS} to a folder.")
         return home
 
     def files(self) -> Mapping[str, Path]:
-        """Return the folder's files by what they model; see ``assets.find_assets``."""
+        """Return the folder's files by object; see ``assets.find_assets``."""
         return find_assets(self.home())

@@ -1,4 +1,4 @@
-"""Hunyuan3D-2.x on a server of your own: its ``api_server.py``, 2.0 and 2.1."""
+"""Hunyuan3D-2.x on your own server: its ``api_server.py``, versions 2.0 and 2.1."""
 
 from __future__ import annotations
 
@@ -20,37 +20,38 @@ from ...scene import Instance, Model, SizePrior, View
 from .cutout import cutout
 
 ADDRESS = "TABLETOPGEN_HUNYUAN3D_URL"
-"""The environment's name for the server's address, where ``Hunyuan3D.url`` is empty."""
+"""Environment variable of the server's address, used if ``Hunyuan3D.url`` is empty."""
 
-_USUAL = "http://127.0.0.1:8081"  # where the server listens unless told otherwise
+_USUAL = "http://127.0.0.1:8081"  # the server's default address
 _MOST_BYTES = 128 * 2**20
 _HEALTH_SECONDS = 10.0
-_ROUTE = "generate"  # the only one that tells of failures
+_ROUTE = "generate"  # the only route that reports failures
 
 Version = Literal["2.0", "2.1"]
 
 
 @dataclass(frozen=True)
 class Hunyuan3D:
-    """Asks a local server of Hunyuan3D for one textured GLB per instance.
+    """Calls a local Hunyuan3D server for one textured GLB per instance.
 
-    The server works on one request at a time. 2.1's ignores seed, steps and resolution; 2.0's needs
-    ``--enable_tex`` for textures. Both get a cut-out, for 2.1's never removes a background.
+    The server processes one request at a time. Version 2.1 ignores seed, steps and resolution;
+    version 2.0 needs ``--enable_tex`` for textures. Both receive a cut-out, because 2.1 never
+    removes backgrounds.
 
     Attributes:
-        url: the server's address; empty: the environment's ``TABLETOPGEN_HUNYUAN3D_URL``, else
+        url: the server's address; empty: the environment's ``TABLETOPGEN_HUNYUAN3D_URL``, or else
             ``http://127.0.0.1:8081``.
-        version: which body the server reads.
-        textured: whether it paints the mesh.
-        seed: of its noise.
-        octree: resolution of its surface, 64 to 512.
-        steps: of its diffusion, 1 to 20.
-        guidance: how closely it follows the picture.
-        asked_faces: triangles that it is asked for.
-        timeout: seconds for one answer, those in which it works for others included.
-        faces: most triangles kept, see ``Normal``.
-        texture: side of a texture made again, texels.
-        session: what the calls of one generation share.
+        version: version of the request format.
+        textured: whether to texture the mesh.
+        seed: seed of the server's noise.
+        octree: resolution of the surface, 64 to 512.
+        steps: diffusion steps, 1 to 20.
+        guidance: guidance scale of the diffusion.
+        asked_faces: requested number of triangles.
+        timeout: seconds per answer, including the server's work for other clients.
+        faces: maximum number of triangles kept, see ``Normal``.
+        texture: side of rebuilt textures in texels.
+        session: shared state of the calls of one generation.
     """
 
     url: str = ""
@@ -81,7 +82,7 @@ class Hunyuan3D:
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the server's mesh of one instance; see ``protocols.Modeler``.
 
-        A damaged answer is asked for once more. One of which no model can be made is not kept.
+        A damaged answer is requested once more. An answer that cannot become a model is not stored.
 
         Raises:
             BackendError: no server, no answer, or no usable GLB.
@@ -100,7 +101,7 @@ class Hunyuan3D:
         return foreign_model(mesh, instance, size)
 
     def body(self, picture: bytes) -> Mapping[str, Any]:
-        """Return what is asked about a PNG, as the server's version reads it."""
+        """Return the request for a PNG in the format of the server's version."""
         return {
             "image": base64.b64encode(picture).decode(),
             "texture": self.textured,
@@ -113,10 +114,10 @@ class Hunyuan3D:
         }
 
     def health(self) -> str:
-        """Return what the server calls itself; it does not answer while it works.
+        """Return the server's worker id; a busy server does not respond.
 
         Raises:
-            BackendError: nothing answers, or 2.1's route is not there (2.0's server has none).
+            BackendError: no response, or 2.1's route does not exist (2.0's server has none).
         """
         headers = {"x-tabletopgen-question": "health", "x-tabletopgen-memo": "no"}
         with self.session.client("hunyuan3d", self._address(), timeout=_HEALTH_SECONDS) as client:
@@ -124,8 +125,8 @@ class Hunyuan3D:
         reply = _object(answer.content)
         if answer.status_code != 200 or reply.get("status") != "healthy":
             raise BackendError(
-                f"hunyuan3d, health: {self._address()} answers {answer.status_code}, "
-                f"{answer.content[:80]!r}. Is it Hunyuan3D-2.1's api_server.py?"
+                f"hunyuan3d, health: {self._address()} returned status {answer.status_code}, "
+                f"{answer.content[:80]!r}. Check that it is Hunyuan3D-2.1's api_server.py."
             )
         return str(reply.get("worker_id", ""))
 
@@ -150,22 +151,22 @@ class Hunyuan3D:
         raise BackendError(f"{what} {self._refusal(answer.status_code, answer.content)}")
 
     def _refusal(self, status: int, content: bytes) -> str:
-        """Return what an answer that is no mesh says: the server tells of failures by 404."""
+        """Return the error in an answer that is not a mesh; the server reports failures as 404."""
         reply = _object(content)
         if "error_code" in reply:
             hint = " (2.0 needs --enable_tex for textures)" if self.version == "2.0" else ""
             return (
-                f"the server failed ({status}, {str(reply.get('text', ''))[:200]!r}). Its own log "
-                f"has the reason: GPU memory, or no texture model{hint}."
+                f"the server failed ({status}, {str(reply.get('text', ''))[:200]!r}). Its own "
+                f"log states the reason, such as GPU memory or a missing texture model{hint}."
             )
         if status == 422:
             return (
-                f"the server does not take the request ({content[:300]!r}). Version {self.version} "
-                "was spoken; set Hunyuan3D.version to the server's."
+                f"the server rejected the request ({content[:300]!r}). The request used version "
+                f"{self.version}; set Hunyuan3D.version to the server's."
             )
         return (
-            f"{self._address()} answers {status}, {content[:80]!r}. Is it Hunyuan3D's "
-            f"api_server.py? Set {ADDRESS} to its address."
+            f"{self._address()} returned status {status}, {content[:80]!r}. Check that it is "
+            f"Hunyuan3D's api_server.py, or set {ADDRESS} to the correct address."
         )
 
 
@@ -176,7 +177,7 @@ _BODIES: Mapping[str, Mapping[str, Any]] = {
 
 
 def _object(content: bytes) -> Mapping[str, Any]:
-    """Return a JSON object, or an empty one where there is none."""
+    """Return a JSON object, or an empty one if the content is invalid."""
     try:
         return parse_object(content, "The answer", BackendError)
     except BackendError:

@@ -1,4 +1,4 @@
-"""Calls of models whose repository is installed, whatever its version."""
+"""Calls to models whose repositories are installed, in any version."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...scene import Instance, Model, SizePrior
 
 @dataclass(frozen=True)
 class Installed:
-    """A model in this process, which works on one instance at a time."""
+    """A model in this process, which processes one instance at a time."""
 
     _turn: threading.Lock = field(
         default_factory=threading.Lock, init=False, repr=False, compare=False
@@ -26,7 +26,7 @@ class Installed:
 
 
 def call(function: Callable[..., Any], backend: str, *given: Any, **named: Any) -> Any:
-    """Call a function of a model whose signature other versions may have changed.
+    """Call a function of a model whose signature may differ between versions.
 
     Raises:
         BackendError: the installed version takes other arguments.
@@ -36,8 +36,8 @@ def call(function: Callable[..., Any], backend: str, *given: Any, **named: Any) 
     except TypeError as error:
         name = getattr(function, "__qualname__", type(function).__name__)
         raise BackendError(
-            f"{backend}: the installed version has {name}{inspect.signature(function)}, and was to "
-            f"be called otherwise ({error}). Install the version that the documentation names."
+            f"{backend}: the installed version has {name}{inspect.signature(function)}, which "
+            f"does not accept the expected arguments ({error}). Install the documented version."
         ) from error
     return function(*given, **named)
 
@@ -45,11 +45,11 @@ def call(function: Callable[..., Any], backend: str, *given: Any, **named: Any) 
 def as_model(
     made: Any, what: str, instance: Instance, size: SizePrior, *, up: Axis, to: Normal
 ) -> Model:
-    """Return a model's answer about an instance; ``what`` begins the message of an error.
+    """Convert the output for an instance to a model; ``what`` is the start of error messages.
 
     Raises:
-        BackendError: it is no mesh, or one that cannot be used.
+        BackendError: the output is not a mesh, or is unusable.
     """
     if not isinstance(made, trimesh.Trimesh):
-        raise BackendError(f"{what} it made {type(made).__name__}, not a trimesh.Trimesh.")
+        raise BackendError(f"{what} the output is {type(made).__name__}, not a trimesh.Trimesh.")
     return foreign_model(normal_trimesh(made, what, up=up, to=to), instance, size)

@@ -1,4 +1,4 @@
-"""SAM 3D Objects of Meta in this process. Its weights are gated, under the SAM License."""
+"""Meta's SAM 3D Objects in this process. Its weights are gated, under the SAM License."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ from ..requirements import working
 from .installed import Installed, as_model, call
 
 HOME = "TABLETOPGEN_SAM3D"
-"""The environment's name for the checkout, where ``Sam3D.home`` is empty."""
+"""Environment variable of the checkout, used if ``Sam3D.home`` is empty."""
 
-_UNIT = 1e-2  # by how much a quaternion's length may miss 1
+_UNIT = 1e-2  # tolerance of a unit quaternion's norm
 
 
 @dataclass(frozen=True)
 class Sam3D(Installed):
-    """Runs SAM 3D Objects where it is installed, one instance at a time; needs 32 GB of CUDA.
+    """Runs a local installation of SAM 3D Objects; needs 32 GB of CUDA memory.
 
-    Of its answer the mesh is used, and the rotation as a hint to the rotation stage
-    (``Model.orientation``); translation and scale are not. Tried on a played model only, never on
-    the real weights: see ``orientation`` for where its convention comes from.
+    Its mesh is used, and its rotation serves as a hint to the rotation stage
+    (``Model.orientation``); translation and scale are ignored. It was tested with a simulated model
+    only, never with the real weights; ``orientation`` documents the source of its convention.
 
     Attributes:
-        home: the checkout of github.com/facebookresearch/sam-3d-objects; empty: the one that the
-            environment's ``TABLETOPGEN_SAM3D`` names.
-        config: its configuration, below the checkout.
-        seed: of its noise.
-        faces: most triangles kept, see ``Normal``.
-        texture: side of the texture that its vertex colours are painted into, texels.
+        home: the checkout of github.com/facebookresearch/sam-3d-objects; empty: the one set by the
+            environment's ``TABLETOPGEN_SAM3D``.
+        config: path of its configuration within the checkout.
+        seed: seed of its noise.
+        faces: maximum number of triangles kept, see ``Normal``.
+        texture: side in texels of the texture into which its vertex colours are baked.
     """
 
     home: str = ""
@@ -53,13 +53,13 @@ class Sam3D(Installed):
         """Return its mesh of one instance; see ``protocols.Modeler``.
 
         Raises:
-            BackendError: it is not installed, or fails.
+            BackendError: the model is not installed, or fails.
         """
         what = f"sam3d, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
         mask = instance.crop[..., 3] > 127
         if not mask.any():
-            raise BackendError(f"{what} its crop shows nothing.")
+            raise BackendError(f"{what} its crop is empty.")
         with self._turn, working(what):
             image = np.ascontiguousarray(instance.crop[..., :3])
             output = call(self._inference, "sam3d", image, mask, seed=self.seed)
@@ -74,8 +74,8 @@ class Sam3D(Installed):
         for needed in (script, config):
             if not needed.is_file():
                 raise BackendError(
-                    f"sam3d needs {needed}, which is not there. Check out "
-                    "github.com/facebookresearch/sam-3d-objects, get its weights, and set "
+                    f"sam3d needs {needed}, which is missing. Check out "
+                    "github.com/facebookresearch/sam-3d-objects, download its weights, and set "
                     f"{HOME} to its folder."
                 )
         spec = importlib.util.spec_from_file_location("sam3d_inference", script)
@@ -86,22 +86,22 @@ class Sam3D(Installed):
 
 
 def orientation(rotation: Any, view: View, what: str) -> Float[np.ndarray, "3 3"] | None:
-    """Return the rotation that turns a model's axes into the world's, by SAM 3D's own pose.
+    """Return the rotation from a model's axes to the world's, based on SAM 3D's own pose.
 
-    The model's maintainers say (issues 56, 100 and 103 of its repository): ``rotation`` is a wxyz
-    quaternion that takes the Gaussians' frame, which is z-up as a GLB turned upright is, to the
-    frame of PyTorch3D's cameras: x left, y up, z forward. PyTorch3D turns points as rows, so on
-    columns the transposed matrix acts. None of it was tried on real weights.
+    According to the model's maintainers (issues 56, 100 and 103 of its repository), ``rotation`` is
+    a wxyz quaternion from the Gaussians' frame, which is z-up like an upright GLB, to the frame of
+    PyTorch3D's cameras: x left, y up, z forward. PyTorch3D rotates points as rows, so the
+    transposed matrix applies to columns. This was not tested with real weights.
 
     Args:
-        rotation: four numbers, of whatever kind of array; None where the answer has none.
-        view: under which the picture that SAM 3D was shown sees the instance, along its own ray.
-        what: begins the warning about a rotation that is none; that is not used.
+        rotation: four numbers in any kind of array, or None if the output has none.
+        view: view of the instance in the input picture of SAM 3D, along its own ray.
+        what: start of the warning about an invalid rotation, which is ignored.
     """
     if rotation is None:
         return None
     try:
-        for step in ("detach", "cpu"):  # of a tensor
+        for step in ("detach", "cpu"):  # if it is a tensor
             rotation = getattr(rotation, step, lambda kept=rotation: kept)()
         quaternion = np.asarray(rotation, np.float64).reshape(4)
     except (TypeError, ValueError):
@@ -109,7 +109,7 @@ def orientation(rotation: Any, view: View, what: str) -> Float[np.ndarray, "3 3"
     if not abs(float(np.linalg.norm(quaternion)) - 1) <= _UNIT:
         output = " ".join(str(rotation).split())[:80]
         logging.getLogger(__name__).warning(
-            "%s its rotation is no unit quaternion (%s); it is not used.", what, output
+            "%s its rotation is not a unit quaternion (%s); it is ignored.", what, output
         )
         return None
     to_camera = np.diag([-1.0, -1.0, 1.0]) @ quaternion_matrix(quaternion).T

@@ -22,33 +22,33 @@ from .ai3d import LostJob, Service, read_keys, signature
 from .cutout import cutout
 
 HOSTS = (".myqcloud.com", ".tencentcos.cn", ".tencentcos.com")
-"""Where results may lie: Tencent's object storage."""
+"""Hosts of results: Tencent's object storage."""
 
 _MOST_BYTES = 256 * 2**20
-_MOST_FILES = 100  # of a result
+_MOST_FILES = 100  # maximum number of files in a result
 
 Style = Literal["Normal", "LowPoly", "Geometry", "Sketch"]
 
 
 @dataclass(frozen=True)
 class Tencent:
-    """Has Tencent's cloud make one GLB per instance, as the paper does.
+    """Uses Tencent's cloud to make one GLB per instance, as the paper does.
 
-    Keys are read from ``TENCENTCLOUD_SECRET_ID`` and ``TENCENTCLOUD_SECRET_KEY`` at each call. A
-    submission is remembered by its content: a run that goes on polls the job that it paid for.
+    Keys are read from ``TENCENTCLOUD_SECRET_ID`` and ``TENCENTCLOUD_SECRET_KEY`` at each call.
+    Submissions are stored by their content: a resumed run polls the job that it has paid for.
 
     Attributes:
         endpoint: the service's address.
-        region: where it runs.
-        style: what it makes: "Normal" is textured, "Geometry" is not.
-        pbr: whether it makes physically based materials; only their base colour is used.
-        asked_faces: triangles that it is asked for, 40,000 to 1,500,000.
-        interval: seconds between two looks at a job.
-        timeout: seconds that a job may take.
-        hosts: ends of the names of hosts that results may be downloaded from, over https.
-        faces: most triangles kept, see ``Normal``.
-        texture: side of a texture made again, texels.
-        session: what the calls of one generation share.
+        region: the service's region.
+        style: kind of result: "Normal" is textured, "Geometry" is not.
+        pbr: whether to request physically based materials; only their base colour is used.
+        asked_faces: requested number of triangles, 40,000 to 1,500,000.
+        interval: seconds between polls of a job.
+        timeout: maximum duration of a job in seconds.
+        hosts: suffixes of the hosts from which results may be downloaded over https.
+        faces: maximum number of triangles kept, see ``Normal``.
+        texture: side of rebuilt textures in texels.
+        session: shared state of the calls of one generation.
     """
 
     endpoint: str = "https://ai3d.tencentcloudapi.com"
@@ -66,7 +66,7 @@ class Tencent:
     def __post_init__(self) -> None:
         if self.style not in get_args(Style):
             raise BackendError(
-                f"tencent makes no {self.style!r}." + choices(self.style, get_args(Style))
+                f"tencent has no style {self.style!r}." + choices(self.style, get_args(Style))
             )
         require(self, "asked_faces", minimum=40_000, maximum=1_500_000, integer=True)
         require(self, "interval", "timeout", above=0)
@@ -74,11 +74,11 @@ class Tencent:
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the cloud's mesh of one instance; see ``protocols.Modeler``.
 
-        Of an earlier run's job that failed or is kept no longer, another is submitted, once. A job
-        whose result cannot be used is forgotten: the next run submits, and pays for, another.
+        If an earlier run's job failed or is no longer stored, one new job is submitted. A job whose
+        result is unusable is forgotten: the next run submits, and pays for, another one.
 
         Raises:
-            BackendError: no key, no answer, a job that fails, or no usable GLB.
+            BackendError: no key, no answer, a failed job, or no usable GLB.
         """
         what = f"tencent, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
@@ -108,10 +108,10 @@ class Tencent:
         return foreign_model(mesh, instance, size)
 
     def _result(self, service: Service, job: str) -> bytes:
-        """Return a job's GLB, once it is done; what is downloaded once needs no network again.
+        """Return a job's GLB when the job is done; a stored result needs no network.
 
         Raises:
-            LostJob: it was over before this look at it, and nothing can be had of it.
+            LostJob: an earlier run's job has failed, or its result is no longer available.
         """
         what, until = service.what, time.monotonic() + self.timeout
         reply = service.look(job, "yes")
@@ -119,8 +119,8 @@ class Tencent:
         while reply.get("Status") in ("WAIT", "RUN"):
             if time.monotonic() > until:
                 raise BackendError(
-                    f"{what} job {job} is not done after {self.timeout:g} s. It goes on there; "
-                    "run it again to look at it again."
+                    f"{what} job {job} is not done after {self.timeout:g} s. The job continues "
+                    "on the server; run it again to poll it again."
                 )
             self.session.pause(self.interval)
             reply = service.look(job, "renew")
@@ -130,38 +130,41 @@ class Tencent:
             reason = f"job {job} ended as {str(reply.get('Status'))[:40]!r} ({said})."
             if not new:
                 raise LostJob(reason)
-            raise BackendError(f"{what} {reason} Run it again to submit it anew.")
+            raise BackendError(f"{what} {reason} Run it again to submit a new job.")
         raw = self._download(reply, service)
-        if raw is None:  # its address has expired: another look gives another
+        if raw is None:  # its URL has expired; another poll returns a new one
             raw = self._download(service.look(job, "renew"), service)
         if raw is None and not new:
-            raise LostJob(f"the result of job {job} is kept no longer.")
+            raise LostJob(f"the result of job {job} is no longer stored.")
         if raw is None:
-            raise BackendError(f"{what} the result of job {job} cannot be fetched. Run it again.")
+            raise BackendError(
+                f"{what} the result of job {job} cannot be downloaded. Run it again."
+            )
         return raw
 
     def _download(self, reply: Mapping[str, Any], service: Service) -> bytes | None:
-        """Return the GLB that a job's answer names; None if its address has expired."""
+        """Return the GLB of a finished job, or None if its URL has expired."""
         what = service.what
         files = dict(_files(reply))
         if "GLB" not in files:
             service.used.drop()
-            raise BackendError(f"{what} the result has no GLB." + choices("GLB", files))
+            raise BackendError(f"{what} the result contains no GLB." + choices("GLB", files))
         url = files["GLB"]
         try:
             parts = check_link(url, f"{what} the result's address", BackendError)
         except BackendError:
-            service.used.drop(last=True)  # the job is paid for: the next run looks at it again
+            service.used.drop(last=True)  # the job is paid for; the next run polls it again
             raise
         if not self._trusted(parts.scheme, parts.hostname or ""):
             raise BackendError(
-                f"{what} the result lies at {parts.scheme}://{parts.hostname}, not below "
-                f"{', '.join(self.hosts)}. If that is right, add the host to Tencent.hosts."
+                f"{what} the result is at {parts.scheme}://{parts.hostname}, which is not a "
+                f"subdomain of {', '.join(self.hosts)}. If the host is trusted, add it to "
+                "Tencent.hosts."
             )
         with self.session.client(
             "tencent", f"{parts.scheme}://{parts.netloc}", most_bytes=_MOST_BYTES
         ) as client:
-            for memo in ("yes", "renew"):  # a kept answer that is damaged is fetched once more
+            for memo in ("yes", "renew"):  # a damaged stored answer is downloaded once more
                 headers = {"x-tabletopgen-question": "model", "x-tabletopgen-memo": memo}
                 answer = client.get(url, headers=headers)
                 service.used.add(answer.headers)
@@ -173,14 +176,14 @@ class Tencent:
         return answer.content if answer.status_code == 200 else None
 
     def _trusted(self, scheme: str, host: str) -> bool:
-        """Return whether results may be fetched from there; plain http only from this machine."""
+        """Return whether results may be downloaded from a host; http only from this machine."""
         ends = tuple("." + end.lstrip(".") for end in self.hosts)
         safe = scheme == "https" or (scheme == "http" and local(host))
         return safe and f".{host}".endswith(ends)
 
 
 def _files(reply: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Yield type and address of each file of a job's result that has both."""
+    """Yield type and URL of each file of a job's result that has both."""
     listed = reply.get("ResultFile3Ds")
     for entry in listed[:_MOST_FILES] if isinstance(listed, list) else ():
         kind, url = (entry.get("Type"), entry.get("Url")) if isinstance(entry, Mapping) else (0, 0)

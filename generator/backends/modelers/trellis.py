@@ -1,4 +1,4 @@
-"""TRELLIS and TRELLIS.2 of Microsoft in this process."""
+"""Microsoft's TRELLIS and TRELLIS.2 in this process."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ _WEIGHTS: Mapping[str, str] = {
     "1": "microsoft/TRELLIS-image-large",
     "2": "microsoft/TRELLIS.2-4B",
 }
-_MOST_FACES = 16_777_216  # that TRELLIS.2 can bake
+_MOST_FACES = 16_777_216  # the maximum that TRELLIS.2 can bake
 
 Version = Literal["1", "2"]
 
 
 @dataclass(frozen=True)
 class Trellis(Installed):
-    """Runs TRELLIS where it is installed, one instance at a time; needs CUDA.
+    """Runs a local installation of TRELLIS on one instance at a time; needs CUDA.
 
     Attributes:
         version: "1" is TRELLIS, "2" is TRELLIS.2.
-        weights: name or folder of the weights; empty: the version's usual ones.
-        seed: of its noise.
-        steps: of either sampler of TRELLIS.
-        faces: most triangles kept, see ``Normal``.
-        texture: side of its texture, texels.
+        weights: name or folder of the weights; empty: the version's default.
+        seed: seed of its noise.
+        steps: steps of each sampler of TRELLIS.
+        faces: maximum number of triangles kept, see ``Normal``.
+        texture: side of its texture in texels.
     """
 
     version: Version = "1"
@@ -58,7 +58,7 @@ class Trellis(Installed):
         """Return its mesh of one instance; see ``protocols.Modeler``.
 
         Raises:
-            BackendError: it is not installed, or fails.
+            BackendError: the model is not installed, or fails.
         """
         what = f"trellis, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)

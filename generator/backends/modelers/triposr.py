@@ -1,4 +1,4 @@
-"""TripoSR of VAST and Stability AI in this process; the smallest, it runs on a CPU, too."""
+"""TripoSR by VAST and Stability AI in this process; the smallest model, which also runs on CPUs."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from ..requirements import module, working
 from .cutout import cutout, on_grey
 from .installed import Installed, as_model, call
 
-_HOW = "Install github.com/VAST-AI-Research/TripoSR and put it on the path."
-_CHUNK = 8192  # points of its renderer worked on at once
+_HOW = "Install github.com/VAST-AI-Research/TripoSR and add it to the Python path."
+_CHUNK = 8192  # points per batch of its renderer
 
 
 @dataclass(frozen=True)
 class TripoSR(Installed):
-    """Runs TripoSR where it is installed, one instance at a time.
+    """Runs a local installation of TripoSR on one instance at a time.
 
     Attributes:
         weights: name or folder of the weights.
-        device: "cuda", "cpu" …; empty: "cuda" where there is one.
-        resolution: of its surface, cells along a side.
-        faces: most triangles kept, see ``Normal``.
-        texture: side of the texture that its vertex colours are painted into, texels.
+        device: "cuda", "cpu" …; empty: "cuda" if available.
+        resolution: cells along a side of its surface grid.
+        faces: maximum number of triangles kept, see ``Normal``.
+        texture: side in texels of the texture into which its vertex colours are baked.
     """
 
     weights: str = "stabilityai/TripoSR"
@@ -45,7 +45,7 @@ class TripoSR(Installed):
         """Return its mesh of one instance; see ``protocols.Modeler``.
 
         Raises:
-            BackendError: it is not installed, or fails.
+            BackendError: the model is not installed, or fails.
         """
         what = f"triposr, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
@@ -76,5 +76,5 @@ class TripoSR(Installed):
             codes = network([picture], device=self._device)
             extract = network.extract_mesh
             colored = "has_vertex_color" in inspect.signature(extract).parameters
-            named = {"has_vertex_color": True} if colored else {}  # newer versions ask for it
+            named = {"has_vertex_color": True} if colored else {}  # newer versions require it
             return call(extract, "triposr", codes, resolution=self.resolution, **named)[0]

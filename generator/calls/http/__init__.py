@@ -1,1 +1,1 @@
-"""One call over HTTP, within its deadline."""
+"""A single HTTP call that ends by its deadline."""

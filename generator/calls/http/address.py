@@ -1,4 +1,4 @@
-"""Addresses of servers: what is one, which are near, and that no password is part of them."""
+"""Validation of server addresses, without passwords, and detection of local hosts."""
 
 from __future__ import annotations
 
@@ -10,18 +10,19 @@ from ...errors import BackendError, TabletopError
 from ...io.bounded import MAX_URL_LENGTH, split_url
 
 _USER = re.compile(r"^([a-z]+://)?.*@", re.DOTALL)
-_NEAR = (".local", ".lan", ".internal", ".home.arpa")  # names that only a network of one's own has
+# suffixes of names that exist only in private networks
+_NEAR = (".local", ".lan", ".internal", ".home.arpa")
 
 
 def checked_address(url: str, what: str, hint: str = "") -> str:
-    """Return a server's address without a slash at its end.
+    """Return a server's address without a trailing slash.
 
-    ``what`` begins the message of an error ("cloud: the base URL"), ``hint`` ends it: where to
+    ``what`` is the start of error messages ("cloud: the base URL") and ``hint`` the end: where to
     correct the address, or where keys belong.
 
     Raises:
-        BackendError: it is no http(s) address, or holds a user name or a password, which would be
-            in every message, and in what is kept of a scene.
+        BackendError: the address is not http(s), or it contains a user name or a password, which
+            would then appear in all messages and in stored scenes.
     """
     try:
         parts = split_url(url, what, BackendError)
@@ -30,12 +31,12 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
         fine = named = False
     hint = f" {hint}" if hint else ""
     if not isinstance(url, str):
-        raise BackendError(f"{what} must be a text, not {type(url).__name__}.{hint}")
+        raise BackendError(f"{what} must be a string, not {type(url).__name__}.{hint}")
     shown = _USER.sub(r"\1[redacted]@", url[:MAX_URL_LENGTH])
     if named:
         raise BackendError(
-            f"{what} {shown!r} holds a user name or a password, which are not sent. Leave them "
-            f"out.{hint}"
+            f"{what} {shown!r} contains a user name or a password, which are not supported. "
+            f"Remove them.{hint}"
         )
     if not fine:
         raise BackendError(f"{what} must look like https://host/path, got {shown!r}.{hint}")
@@ -43,38 +44,39 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
 
 
 def check_link(url: object, what: str, error: type[TabletopError]) -> SplitResult:
-    """Check and split the address of a file that a server's answer names: http(s), without a user.
+    """Check and split the URL of a file in a server's answer: http(s), without a user name.
 
-    Whether the host may be asked is for the caller to say. ``what`` begins the message, which does
-    not repeat the address: it may be signed.
+    The caller decides whether the host may be contacted. ``what`` is the start of error messages,
+    which omit the URL because it may be signed.
 
     Raises:
-        TabletopError: ``error``, if it is not such an address.
+        TabletopError: ``error``, if it is not such a URL.
     """
     parts = split_url(url, what, error)
     if "@" in parts.netloc:
-        raise error(f"{what} holds a user name or a password.")
+        raise error(f"{what} contains a user name or a password.")
     if not _resolvable(str(url), parts.hostname):
-        raise error(f"{what} has a host that is no name.")
+        raise error(f"{what} has an invalid host name.")
     return parts
 
 
 def _resolvable(url: str, host: str | None) -> bool:
-    """Return whether the HTTP library, where it is installed, takes an address as one."""
+    """Return whether the HTTP library accepts an address; True if the library is not installed."""
     try:
         import httpx2
     except ImportError:
         return True
     try:
         found = httpx2.URL(url)
-        named = found.raw_host.decode() if found.host else ""  # the one it shows, one that is sent
+        # the host as displayed and the host as sent
+        named = found.raw_host.decode() if found.host else ""
         return named.lower() == host
     except (httpx2.InvalidURL, ValueError):
         return False
 
 
 def local(host: str) -> bool:
-    """Return whether a host is this machine."""
+    """Return whether a host name refers to this machine."""
     name = host.removesuffix(".")
     if name == "localhost" or name.endswith(".localhost"):
         return True
@@ -87,7 +89,7 @@ def local(host: str) -> bool:
 
 
 def near(host: str) -> bool:
-    """Return whether a host is this machine, or in a private network as far as its name tells."""
+    """Return whether a host name refers to this machine or to a private network."""
     try:
         return ipaddress.ip_address(host).is_private
     except ValueError:

@@ -1,4 +1,4 @@
-"""Connections on which every wait ends by a deadline: names, TCP, TLS, proxies, reads, writes."""
+"""Connections with one deadline for every wait: DNS, TCP, TLS, proxies, reads and writes."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ _PROXIES = ("http", "https", "socks5", "socks5h")
 
 
 class Dialer(httpcore2.NetworkBackend):
-    """Makes connections that are all shut down at a deadline, by ``time.monotonic``.
+    """Opens connections and shuts them all down at a deadline of ``time.monotonic``.
 
-    The time limits of an HTTP library hold for one read each, so that a server which sends a byte
-    now and then would be waited for without end.
+    The timeouts of HTTP libraries apply to single reads, so a server that sends a byte now and then
+    could block a call forever.
     """
 
     def __init__(self, until: float) -> None:
@@ -46,25 +46,25 @@ class Dialer(httpcore2.NetworkBackend):
         local_address: str | None = None,
         socket_options: Iterable[Any] | None = None,
     ) -> httpcore2.NetworkStream:
-        """Return a connection to the first of a host's addresses that takes it."""
+        """Return a connection to the first address of a host that accepts one."""
         now = time.monotonic()
         until = self._until if timeout is None else min(self._until, now + timeout)
         found = begin(lambda: socket.getaddrinfo(host, port, type=socket.SOCK_STREAM))
         if not wait([found], until - now).done:
-            raise httpcore2.ConnectTimeout("The address of the host was not found in time.")
+            raise httpcore2.ConnectTimeout("The host name was not resolved in time.")
         try:
             places = [str(place[4][0]) for place in found.result()]
-        except (OSError, ValueError) as error:  # ValueError: no such host name
+        except (OSError, ValueError) as error:  # ValueError: invalid host name
             raise httpcore2.ConnectError(str(error)) from error
         stream = connect_any(places, port, until)
-        # A copy, since the library's own is gone once it is encrypted.
+        # A duplicate, since TLS detaches the library's own socket.
         self._sockets.append(stream.get_extra_info("socket").dup())
         if time.monotonic() >= self._until:
             self._shut_down()
         return stream
 
     def close(self) -> None:
-        """Watch no longer."""
+        """Stop watching the deadline."""
         self._watch.cancel()
         for copy in self._sockets:
             copy.close()
@@ -76,13 +76,13 @@ class Dialer(httpcore2.NetworkBackend):
 
 
 def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.NetworkStream:
-    """Return a connection to the first of some addresses that takes it; each has its share of time.
+    """Return a connection to the first address that accepts one; all share the time equally.
 
     Raises:
-        httpcore2.ConnectTimeout: none did until then.
-        httpcore2.ConnectError: the last one refused.
+        httpcore2.ConnectTimeout: no address accepted before ``until``.
+        httpcore2.ConnectError: the last address refused.
     """
-    last: Exception = httpcore2.ConnectTimeout("The time of the call is over.")
+    last: Exception = httpcore2.ConnectTimeout("The deadline of the call has passed.")
     for k, place in enumerate(places):
         left = (until - time.monotonic()) / (len(places) - k)
         if left <= 0:
@@ -95,11 +95,11 @@ def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.Net
 
 
 class Wire(httpx2.BaseTransport):
-    """The connections of one call, redirects included, to be closed after it.
+    """The connections of one call, including its redirects; close them after the call.
 
     Args:
-        until: when all of it must be over, by ``time.monotonic``.
-        trust: the certificates that servers are held against.
+        until: deadline of the whole call, in seconds of ``time.monotonic``.
+        trust: the certificates that verify servers.
         proxy: the address of a proxy; see ``proxy_for``.
     """
 
@@ -111,7 +111,7 @@ class Wire(httpx2.BaseTransport):
         )  # fmt: skip
 
     def handle_request(self, request: httpx2.Request) -> httpx2.Response:
-        """Send a request; the answer's body is still to be read."""
+        """Send a request and return the response with its body unread."""
         url = request.url
         sent = httpcore2.Request(
             request.method,
@@ -125,13 +125,13 @@ class Wire(httpx2.BaseTransport):
         return httpx2.Response(answer.status, headers=answer.headers, stream=_Body(answer))
 
     def close(self) -> None:
-        """Hang up."""
+        """Close all connections."""
         self._pool.close()
         self._dialer.close()
 
 
 class _Body(httpx2.SyncByteStream):
-    """The body of an answer, its errors those of ``httpx2``."""
+    """The body of a response, with errors translated to those of ``httpx2``."""
 
     def __init__(self, answer: httpcore2.Response) -> None:
         self._answer = answer
@@ -145,10 +145,10 @@ class _Body(httpx2.SyncByteStream):
 
 
 def proxy_for(scheme: str, host: str) -> str | None:
-    """Return the proxy that the environment names for a host (HTTPS_PROXY and its like), or None.
+    """Return the proxy that the environment sets for a host (such as HTTPS_PROXY), or None.
 
     Raises:
-        BackendError: it is of a kind that is not spoken, or its address is invalid.
+        BackendError: the kind of proxy is not supported, or its address is invalid.
     """
     named = urllib.request.getproxies()
     proxy = named.get(scheme) or named.get("all")
@@ -158,20 +158,20 @@ def proxy_for(scheme: str, host: str) -> str | None:
     kind = proxy.partition("://")[0].lower()
     if kind not in _PROXIES:
         raise BackendError(
-            f"The environment names a proxy of the kind {kind[:20]!r}. Name one of "
+            f"The environment sets a proxy of the unsupported kind {kind[:20]!r}. Use one of "
             f"{', '.join(_PROXIES)}."
         )
     if kind.startswith("socks") and find_spec("socksio") is None:
         raise BackendError(
-            "The environment names a SOCKS proxy, which needs socksio. Run: pip install socksio"
+            "The environment sets a SOCKS proxy, which needs socksio. Run: pip install socksio"
         )
-    split_url("http" + proxy[len(kind) :], "The proxy that the environment names", BackendError)
+    split_url("http" + proxy[len(kind) :], "The proxy set by the environment", BackendError)
     return proxy
 
 
 def _proxy(address: str, trust: ssl.SSLContext) -> httpcore2.Proxy:
     kind, _, rest = address.partition("://")
-    parts = split_url(f"http://{rest}", "The proxy that the environment names", BackendError)
+    parts = split_url(f"http://{rest}", "The proxy set by the environment", BackendError)
     named = parts.username is not None
     auth = (unquote(parts.username or ""), unquote(parts.password or "")) if named else None
     kind, host = kind.lower(), (parts.hostname or "").encode()
@@ -182,7 +182,7 @@ def _proxy(address: str, trust: ssl.SSLContext) -> httpcore2.Proxy:
 
 @contextlib.contextmanager
 def _raise_as_httpx2() -> Iterator[None]:
-    """Raise errors of ``httpcore2`` as those of the same name of ``httpx2``."""
+    """Translate exceptions of ``httpcore2`` to those of the same name in ``httpx2``."""
     try:
         yield
     except (

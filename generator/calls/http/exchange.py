@@ -1,4 +1,4 @@
-"""One attempt: a request sent, and its answer read, bounded in size and time."""
+"""One attempt of a call: send a request and read its response, limited in size and time."""
 
 from __future__ import annotations
 
@@ -17,18 +17,19 @@ from .redaction import excerpt
 MOST_REDIRECTS = 3
 
 _AGAIN = frozenset({408, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 529})
-_LATE = frozenset({504, 524})  # a gateway waited in vain; behind it the call may be worked on
-_CHARGED = _LATE | {502, 520}  # the same of one whose answer broke off there
-_EXCERPT = 300  # characters of an answer that a message quotes
-_PIECE = 2**18  # bytes that are decompressed at once
+# the gateway timed out; the server behind it may still work on the call
+_LATE = frozenset({504, 524})
+_CHARGED = _LATE | {502, 520}  # likewise if the response of the server behind it broke off
+_EXCERPT = 300  # maximum characters of a response quoted in a message
+_PIECE = 2**18  # bytes decompressed at a time
 
 COMPRESSIONS = "gzip, deflate"
-"""How an answer's body may be compressed, as a request says it: once, or not at all."""
+"""Accepted compressions of a response, as the Accept-Encoding header lists them."""
 
 
 @dataclass(frozen=True)
 class Reply:
-    """A whole answer; ``payload`` is its JSON, None where it has none."""
+    """A complete response; ``payload`` is its parsed JSON, or None if it is not JSON."""
 
     status: int
     content_type: str
@@ -38,17 +39,17 @@ class Reply:
 
     @property
     def good(self) -> bool:
-        """Whether its status is 2xx."""
+        """Whether the status is 2xx."""
         return 200 <= self.status < 300
 
 
 @dataclass(frozen=True)
 class Trouble:
-    """Why there is no answer: a sentence.
+    """The reason for a failed attempt, as a sentence.
 
-    ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
-    server works, or says when it will. ``late``: it was waited for in vain. ``wait``: what its
-    Retry-After says. ``unusable``: it answered, with nothing of use.
+    ``again``: a retry may succeed. ``charged``: the attempt may have been billed. ``alive``: the
+    server works, or states when it will. ``late``: the attempt timed out. ``wait``: the Retry-After
+    header. ``unusable``: the server returned an unusable response.
     """
 
     reason: str
@@ -67,11 +68,12 @@ def exchange(
     most_bytes: int,
     secrets: tuple[str, ...] = (),
 ) -> Reply | Trouble:
-    """Send a request once and read its answer; what is quoted of it holds none of ``secrets``.
+    """Send a request once and read its response; quotes of the response omit ``secrets``.
 
-    ``dial`` gives the connections of one call, by when it must be over, by ``time.monotonic``.
-    All of it, redirects and body included, ends within ``timeout``. What servers and networks do
-    raises nothing: errors of the library hold the request, and with it the key.
+    ``dial`` opens the connections of one call, given its deadline in seconds of ``time.monotonic``.
+    The call, including redirects and the body, ends within ``timeout`` seconds. Server and network
+    failures raise nothing, because exceptions of the library contain the request and therefore the
+    key.
     """
     until = time.monotonic() + timeout
     paid = request.method not in ("GET", "HEAD")
@@ -79,25 +81,25 @@ def exchange(
         with dial(until) as wire:
             reply = _read(wire, request, until, most_bytes)
     except (httpx2.ConnectTimeout, httpx2.PoolTimeout, httpx2.ConnectError, httpx2.ProxyError) as e:
-        late = time.monotonic() >= until  # then the connection was shut down
+        late = time.monotonic() >= until  # the connection was shut down at the deadline
         if late or not isinstance(e, httpx2.ConnectError | httpx2.ProxyError):
             connect = request.extensions["timeout"]["connect"]
-            return Trouble(f"It did not take the call within {connect:g} s.", again=True)
+            return Trouble(f"It did not accept the connection within {connect:g} s.", again=True)
         again = "certificate" not in str(e).lower()
         return Trouble(f"It cannot be reached ({e}).", again=again)
     except (httpx2.TransportError, zlib.error, _TooSlow) as error:
         if isinstance(error, _TooSlow | httpx2.TimeoutException) or time.monotonic() >= until:
-            message = f"It did not answer within {timeout:g} s."
+            message = f"It did not respond within {timeout:g} s."
             return Trouble(message, again=True, charged=paid, late=True)
         if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
             return Trouble(f"The request cannot be sent ({error}).", again=False)
-        message = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
+        message = f"Its response broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
         return Trouble(message, again=True, charged=paid)
     return reply if isinstance(reply, Trouble) else _judge(reply, paid, secrets)
 
 
 class _TooSlow(Exception):
-    """The whole answer took too long, though each piece came in time."""
+    """The whole response took too long, although each piece arrived in time."""
 
 
 def _read(
@@ -115,8 +117,8 @@ def _read(
             return target
         if request.method not in ("GET", "HEAD") and response.status_code not in (307, 308):
             return Trouble(
-                f"It redirects a {request.method} with status {response.status_code}, which would "
-                "lose the question. Check the address.",
+                f"It redirects a {request.method} with status {response.status_code}, which "
+                "would drop the request's body. Check the address.",
                 again=False,
             )
         request = httpx2.Request(
@@ -127,7 +129,7 @@ def _read(
 
 
 def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
-    """Return where a redirect leads, or why it is not followed."""
+    """Return the target of a redirect, or the reason not to follow it."""
     try:
         target = url.join(location)
         origin, where = _origin(target), f"{target.scheme}://{target.netloc.decode()}"
@@ -136,20 +138,21 @@ def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
         return Trouble("It redirects to an invalid address.", again=False)
     if origin != _origin(url):
         return Trouble(
-            f"It redirects to another server, {where[:_EXCERPT]}, which was not followed: the key "
-            "would go there. If that is right, name that address.",
+            f"It redirects to another server, {where[:_EXCERPT]}, which was not followed "
+            "because it would receive the key. If that server is correct, configure its "
+            "address.",
             again=False,
         )
     if not bare:
-        return Trouble("It redirects to an address with a user name in it.", again=False)
+        return Trouble("It redirects to an address that contains a user name.", again=False)
     return target
 
 
 def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | Trouble:
-    """Read an answer piece by piece, so that no more is held than may be."""
+    """Read a response piece by piece, up to ``most_bytes`` bytes."""
     encoding = response.headers.get("content-encoding", "").strip().lower()
     if encoding not in ("", "identity", "gzip", "x-gzip", "deflate"):
-        message = f"Its answer is compressed with {encoding[:40]!r}, which was not asked for."
+        message = f"Its response uses the compression {encoding[:40]!r}, which was not requested."
         return Trouble(message, again=False, charged=response.is_success, alive=True, unusable=True)
     pieces, size = [], 0
     length = response.headers.get("content-length", "")
@@ -165,18 +168,18 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
             kind = response.headers.get("content-type", "")
             wait = response.headers.get("retry-after")
             return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
-    message = f"Its answer has more than the {most_bytes} bytes that are read."
+    message = f"Its response exceeds the limit of {most_bytes} bytes."
     return Trouble(message, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
 def _decompress(raw: Iterator[bytes], encoding: str) -> Iterator[bytes]:
-    """Yield a body's pieces decompressed, none of more than ``_PIECE`` bytes."""
+    """Yield the decompressed body in pieces of at most ``_PIECE`` bytes."""
     if encoding in ("", "identity"):
         yield from raw
         return
     decompressor = None
     for piece in raw:
-        if decompressor is None:  # "deflate" is sent with and without a header
+        if decompressor is None:  # servers send "deflate" both with and without a header
             bare = encoding == "deflate" and piece[:1] and piece[0] & 15 != 8
             decompressor = zlib.decompressobj(-zlib.MAX_WBITS if bare else zlib.MAX_WBITS | 32)
         while piece and not decompressor.eof:
@@ -185,18 +188,18 @@ def _decompress(raw: Iterator[bytes], encoding: str) -> Iterator[bytes]:
     if decompressor is not None:
         yield decompressor.flush()
         if not decompressor.eof:
-            raise zlib.error("the compressed body ends too early")
+            raise zlib.error("the compressed body is truncated")
 
 
 def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
-    """Return the answer with its JSON, or what is wrong with it."""
+    """Return the response with its JSON parsed, or the reason why it is unusable."""
     status, again = reply.status, reply.status in _AGAIN
     head = reply.body[:_EXCERPT].lstrip().lower()
     if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
         message = (
-            f"It answered with an HTML page (status {status}), not with JSON or a file: "
-            f"{_excerpt(reply.body, secrets)}. Check the address; a proxy or a web "
-            "site may answer there."
+            f"It returned an HTML page (status {status}) instead of JSON or a file: "
+            f"{_excerpt(reply.body, secrets)}. Check the address; a proxy or a web site may "
+            "have responded."
         )
         trouble = _trouble(reply, status, paid, secrets)
         alive = trouble.alive or not again
@@ -207,11 +210,13 @@ def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troubl
             payload = parse_json(reply.body, "It", UnusableError)
         except UnusableError:
             if reply.good:
-                message = f"Its answer is not whole JSON: {_excerpt(reply.body, secrets)}."
+                message = f"Its response is not valid JSON: {_excerpt(reply.body, secrets)}."
                 return Trouble(message, again=True, charged=paid)
     passed_on = _code(payload) if reply.good else None
     if passed_on in _AGAIN:
-        message = f"It passed on an error of code {passed_on}: {_excerpt(reply.body, secrets)}."
+        message = (
+            f"It returned an upstream error with code {passed_on}: {_excerpt(reply.body, secrets)}."
+        )
         return replace(_trouble(reply, passed_on, paid, secrets), reason=message)
     if again or status >= 500 or status < 200:
         spent = status == 429 and b"insufficient_quota" in reply.body
@@ -221,23 +226,23 @@ def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troubl
 
 
 def _trouble(reply: Reply, status: int, paid: bool, secrets: tuple[str, ...]) -> Trouble:
-    """Return what an answer of a status that is of no use means."""
+    """Return the failure that a response with an error status stands for."""
     return Trouble(
-        f"It answered with status {status}: {_excerpt(reply.body, secrets)}.",
+        f"It returned status {status}: {_excerpt(reply.body, secrets)}.",
         again=status in _AGAIN, charged=paid and status in _CHARGED, late=status in _LATE,
         alive=status == 429 or (status == 503 and reply.wait is not None), wait=reply.wait,
     )  # fmt: skip
 
 
 def _code(payload: Any) -> int | None:
-    """Return the status of the error that an answer tells of, as routers pass it on."""
+    """Return the status of an upstream error in a response, as routers report it."""
     error = payload.get("error") if isinstance(payload, dict) else None
     code = str(error.get("code")) if isinstance(error, dict) else ""
     return int(code) if code.isdecimal() and len(code) <= 3 else None
 
 
 def _excerpt(body: bytes, secrets: tuple[str, ...]) -> str:
-    """Return how an answer begins, in quotes."""
+    """Return the start of a response, in quotes."""
     text = " ".join(excerpt(body, _EXCERPT, secrets).split())
     return repr(text) if text else "nothing"
 

@@ -1,4 +1,4 @@
-"""A call in a thread of its own, so that whoever waits for it can be interrupted."""
+"""Calls in background threads, so that waiting for them can be interrupted."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ T = TypeVar("T")
 
 
 def begin(work: Callable[[], T]) -> Future[T]:
-    """Begin ``work`` and return its pending result; the end of the process does not wait for it."""
+    """Run ``work`` in a daemon thread and return its future; process exit does not wait for it."""
     pending: Future[T] = Future()
 
     def run() -> None:
@@ -25,12 +25,12 @@ def begin(work: Callable[[], T]) -> Future[T]:
 
 
 class Deadline:
-    """When those who wait for pending calls give up; any thread may bring it forward."""
+    """The time at which waiters of pending calls give up; any thread may move it earlier."""
 
     def __init__(self) -> None:
         self.until: float | None = None
-        """By the clock of ``time.monotonic``; None: never."""
+        """In seconds of ``time.monotonic``; None means no deadline."""
 
     def bring_forward(self, until: float) -> None:
-        """Give up at ``until``, or earlier if that was said."""
+        """Move the deadline to ``until``, unless it is already earlier."""
         self.until = until if self.until is None else min(until, self.until)

@@ -1,4 +1,4 @@
-"""How long to wait before a call is sent again, and when not to send at all."""
+"""Waits between retries, and a circuit breaker per server."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from ...errors import BackendError, require
 
 @dataclass(frozen=True)
 class RetryPolicy:
-    """How calls are tried again; all in seconds but ``factor`` and ``failures``.
+    """Settings of retries; times are in seconds.
 
-    The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
-    A Retry-After is obeyed up to ``obeyed``; a server that asks for more is not waited for. After
-    ``failures`` in a row, see ``FailureStreak``, a server is left alone for ``rest``; then one call
-    tries it.
+    The k-th wait is drawn uniformly between half of ``first * factor**k`` and all of it, at most
+    ``longest``. A Retry-After header is followed up to ``obeyed`` seconds; a longer one ends the
+    call. After ``failures`` consecutive failures (see ``FailureStreak``), no call is sent to the
+    server for ``rest`` seconds; then a single call tries it.
 
     Raises:
         InputError: a number is out of range.
@@ -40,19 +40,19 @@ class RetryPolicy:
         require(self, "failures", minimum=1, integer=True)
 
     def pause(self, k: int, share: float) -> float:
-        """Return the wait after the k-th failure, k from 0; ``share`` in [0, 1] is the draw."""
+        """Return the wait after the k-th failure (k >= 0); ``share`` in [0, 1] is a random draw."""
         longest = min(self.first * self.factor ** min(k, 64), self.longest)
         return longest * (0.5 + 0.5 * share)
 
     def draw(self, k: int) -> float:
-        """Return the wait after the k-th failure, drawn at random."""
+        """Return the wait after the k-th failure with a random draw."""
         return self.pause(k, random.random())
 
 
 def retry_after(text: str | None, now: datetime | None = None) -> float | None:
-    """Return the seconds that a Retry-After header asks for, by a number or a date.
+    """Return the seconds that a Retry-After header requests, as a number or a date.
 
-    None if it is absent, unreadable or infinite.
+    The result is None if the header is absent, unreadable or infinite.
     """
     if text is None:
         return None
@@ -69,9 +69,10 @@ def retry_after(text: str | None, now: datetime | None = None) -> float | None:
 
 @dataclass
 class FailureStreak:
-    """The failures in a row that one call stands at the end of: earlier calls' and its own.
+    """The consecutive failures before and during one call.
 
-    Calls at once have one each, so that a server's bad moment, which befalls all, counts once.
+    Each concurrent call has its own streak, so that one outage, which fails all of them at once,
+    counts once.
     """
 
     turn: int
@@ -79,7 +80,7 @@ class FailureStreak:
 
 
 class Breaker:
-    """Keeps the calls of all threads from one server that does not work; ``clock`` in seconds."""
+    """A circuit breaker, shared by all threads, for one server; ``clock`` is in seconds."""
 
     def __init__(
         self, server: str, policy: RetryPolicy, clock: Callable[[], float] = time.monotonic
@@ -89,15 +90,15 @@ class Breaker:
         self._clock = clock
         self._lock = threading.Lock()
         self._failures = 0
-        self._turn = 0  # grows as a call is answered
+        self._turn = 0  # number of successful calls
         self._reason = ""
-        self._closed_again = 0.0  # when the next call may try
+        self._closed_again = 0.0  # earliest time of the next trial call
 
     def check(self, what: str) -> None:
-        """Let a call through, or not; ``what`` names it in the message.
+        """Allow a call, or raise; ``what`` names the call in the message.
 
         Raises:
-            BackendError: the server failed too often in a row, and has not rested yet.
+            BackendError: the server failed too often in a row, and its rest period is not over.
         """
         with self._lock:
             if self._failures < self._policy.failures:
@@ -105,25 +106,26 @@ class Breaker:
             left = self._closed_again - self._clock()
             if left > 0:
                 raise BackendError(
-                    f"{what}: not sent. {self._server} failed {self._failures} times in a row, "
-                    f"last: {self._reason} It is left alone for {left:.0f} s more. "
-                    "See whether it runs, then try again."
+                    f"{what}: not sent. {self._server} failed {self._failures} times in a row; "
+                    f"last failure: {self._reason} It is not contacted for another {left:.0f} "
+                    "s. Check that it runs, then try again."
                 )
-            self._closed_again = self._clock() + self._policy.rest  # others wait for this one
+            # only one trial call; the others wait for its outcome
+            self._closed_again = self._clock() + self._policy.rest
 
     def line(self) -> FailureStreak:
-        """Return the line of a call that begins now."""
+        """Return the failure streak of a call that starts now."""
         with self._lock:
             return FailureStreak(self._turn, self._failures)
 
     def record_success(self) -> None:
-        """Hear that a call was answered."""
+        """Record that a call succeeded."""
         with self._lock:
             self._failures = 0
             self._turn += 1
 
     def record_failure(self, reason: str, line: FailureStreak) -> None:
-        """Hear that the call of a line was not; ``reason`` is a sentence for messages."""
+        """Record a failed call with the streak ``line``; ``reason`` is a sentence for messages."""
         with self._lock:
             if line.turn != self._turn:
                 line.turn, line.length = self._turn, 0

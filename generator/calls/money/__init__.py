@@ -1,1 +1,1 @@
-"""What calls cost: prices, budgets and what was spent."""
+"""Costs of calls: prices, budgets and the ledger."""

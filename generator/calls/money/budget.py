@@ -1,4 +1,4 @@
-"""A budget that several processes share, also in later runs."""
+"""A budget that several processes and later runs share."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from ...errors import BudgetError, InputError, StorageError
 from ...io.bounded import is_count, is_number, printable
 from .database import FILE, LOCAL, Keeper, NoDatabaseError, T, damage_error, is_alive
 
-_MAX_HELD = 10_000  # calls under way at once
+_MAX_HELD = 10_000  # calls in flight
 
 
 @dataclass(frozen=True)
 class Spent:
-    """What was spent of the budget ``mark``.
+    """Spending from the budget with the identifier ``mark``.
 
-    ``money`` is of the calls whose price is known, ``unpriced`` counts the others, and ``held`` is
-    the most that calls under way may cost.
+    ``money`` is the total of the calls with a known price, ``unpriced`` the number of the others,
+    and ``held`` the maximum cost of the calls in flight.
     """
 
     mark: str
@@ -34,13 +34,13 @@ class Spent:
 
 @dataclass(frozen=True)
 class SharedBudget:
-    """Names the budget of a folder; can be pickled and sent to the processes that spend from it.
+    """A reference to the budget of a folder, which can be pickled and sent to other processes.
 
     Attributes:
-        folder: where its database is; absolute.
-        mark: that of the budget there, see ``Spent``.
-        keeper: who works on the database.
-        owner: who reserves, see ``spending``.
+        folder: absolute path of the database's folder.
+        mark: identifier of the budget, see ``Spent``.
+        keeper: the process that accesses the database.
+        owner: the process that makes reservations, see ``spending``.
     """
 
     folder: Path
@@ -50,57 +50,57 @@ class SharedBudget:
 
     @classmethod
     def open(cls, folder: str | Path, currency: str) -> SharedBudget:
-        """Return the budget of a folder; a new one has nothing spent.
+        """Return the budget of a folder; a new one has no spending.
 
         Raises:
-            InputError: what was spent from it was in another currency.
-            StorageError: the folder cannot be written, or its database be read.
+            InputError: earlier spending was in another currency.
+            StorageError: the folder is not writable, or the database is not readable.
         """
         home = Path(folder).absolute()
         LOCAL.create(home)
         known = LOCAL.transact(home, _open, home, currency)
         if known.currency != currency:
             raise InputError(
-                f"{home / FILE} has what was spent in {known.currency}, and the price table is in "
-                f"{currency}. Use one in {known.currency}, or another folder."
+                f"{home / FILE} records spending in {known.currency}, but the price table is in "
+                f"{currency}. Use a price table in {known.currency}, or another folder."
             )
         return cls(home, known.mark)
 
     def total(self) -> Spent:
-        """Return what was spent; reservations of processes that have ended are.
+        """Return the spending, which includes reservations of processes that have ended.
 
         Raises:
-            StorageError: here the folder is not the one that the budget was opened in.
+            StorageError: on this machine, the folder is not the one in which the budget was opened.
         """
         return self._transact(_total)
 
     @contextlib.contextmanager
     def spending(self) -> Iterator[SharedBudget]:
-        """Yield it for one process, whose threads may reserve and settle at once.
+        """Yield the budget for one process, whose threads may reserve and settle concurrently.
 
         Raises:
-            StorageError: as of ``total``.
+            StorageError: as ``total``.
         """
         self.total()
         with self.keeper.owning(self.folder) as owner:
             yield replace(self, owner=owner)
 
     def reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:
-        """Set aside what a call may cost at most; return the number of the reservation.
+        """Reserve the maximum cost of a call and return the reservation's number.
 
-        None means: wait until other calls have ended. A call that is free gets the number 0.
+        The result is None if other calls must finish first, and 0 if the call is free.
 
-        ``maximum`` is None where nobody knows; ``budget`` is for all calls of all processes, None
-        for no limit; ``what`` names the call in the message.
+        ``maximum`` is None if the cost is unknown. ``budget`` applies to all calls of all
+        processes; None means no limit. ``what`` names the call in error messages.
 
         Raises:
-            BudgetError: it might exceed the budget.
+            BudgetError: the call might exceed the budget.
             StorageError: the database cannot be read or written.
         """
         return 0 if maximum == 0 else self._transact(_reserve, maximum, budget, what)
 
     def settle(self, number: int, money: float | None) -> None:
-        """Spend what a call cost, in place of its reservation; None: nobody knows.
+        """Replace a reservation by the actual cost of its call; None if the cost is unknown.
 
         Raises:
             StorageError: the database cannot be read or written.
@@ -116,7 +116,7 @@ class SharedBudget:
 
 
 def _open(database: sqlite3.Connection, folder: Path, currency: str) -> Spent:
-    """Return what was spent of a folder's budget, begun if there is none."""
+    """Return the spending of a folder's budget, creating the budget if necessary."""
     if database.execute("SELECT 1 FROM spent").fetchone() is None:
         new = (secrets.token_hex(8), currency)
         database.execute("INSERT INTO spent VALUES (?, ?, 0.0, 0)", new)
@@ -124,7 +124,7 @@ def _open(database: sqlite3.Connection, folder: Path, currency: str) -> Spent:
 
 
 def _total(database: sqlite3.Connection, shared: SharedBudget) -> Spent:
-    """Return what was spent, reservations of dead owners included."""
+    """Return the spending, including reservations of dead owners."""
     if _read(database, shared.folder).mark != shared.mark:
         raise _elsewhere(shared.folder)
     held = database.execute("SELECT * FROM held").fetchall()
@@ -146,15 +146,15 @@ def _reserve(
     spent, asked = _total(database, shared), maximum or 0.0
     if budget is not None and spent.unpriced:
         raise BudgetError(
-            f"{what}: not sent, for {spent.unpriced} calls of earlier runs into this folder have "
-            f"no known price, so the budget of {budget:g} cannot be kept. Use another folder "
-            "(what was answered is kept), or give no budget."
+            f"{what}: not sent. {spent.unpriced} calls of earlier runs in this folder have no "
+            f"known price, so the budget of {budget:g} cannot be enforced. Use another folder "
+            "(received answers are kept), or remove the budget."
         )
     if budget is not None and spent.money + asked > budget:
         raise BudgetError(
-            f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g} for all "
-            f"scenes, {spent.money:.4f} is spent. What was answered is kept; raise the budget to "
-            "resume."
+            f"{what}: not sent. It may cost {asked:.4f}, and {spent.money:.4f} of the budget of "
+            f"{budget:g} for all scenes is spent. Received answers are kept; raise the budget "
+            "to resume."
         )
     if budget is not None and spent.money + spent.held + asked > budget:
         return None
@@ -176,7 +176,7 @@ def _spend(database: sqlite3.Connection, call: int, money: float | None) -> None
 
 
 def _read(database: sqlite3.Connection, folder: Path) -> Spent:
-    """Return what a database says of its budget; StorageError if it was never written so."""
+    """Return the spending in a database; raise StorageError if its content is invalid."""
     rows = database.execute("SELECT * FROM spent LIMIT 2").fetchall()
     held = database.execute("SELECT owner, money FROM held LIMIT ?", (_MAX_HELD + 1,)).fetchall()
     if not rows:
@@ -185,12 +185,12 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
     amounts = [amount for _, amount in held if amount is not None]
     try:
         for text in (mark, currency):
-            printable(text, "A name in it", StorageError, max_length=64)
+            printable(text, "One of its names", StorageError, max_length=64)
         owned = all(isinstance(owner, str) for owner, _ in held)
         if not (owned and all(map(is_number, (money, *amounts))) and is_count(unpriced)):
-            raise StorageError("Its amounts have to be numbers from 0 on.")
+            raise StorageError("Its amounts must be non-negative numbers.")
         if len(rows) > 1 or len(held) > _MAX_HELD:
-            raise StorageError(f"It has {len(rows)} budgets and {len(held)} calls under way.")
+            raise StorageError(f"It has {len(rows)} budgets and {len(held)} calls in flight.")
     except StorageError as error:
         raise damage_error(folder / FILE, str(error)) from error
     return Spent(mark, currency, money, unpriced, sum(amounts))
@@ -198,6 +198,6 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
 
 def _elsewhere(folder: Path) -> StorageError:
     return StorageError(
-        f"{folder} is here not the folder that the batch was started with: its sum of money is "
-        "missing. Start it again on the machine that has the folder."
+        f"On this machine, {folder} is not the folder in which the batch was started: it has no "
+        "record of its budget. Restart the batch on the machine that has the folder."
     )

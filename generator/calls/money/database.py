@@ -1,11 +1,11 @@
-"""The SQLite database in which a folder keeps what calls cost: ``spending.sqlite3``.
+"""The SQLite database of a folder that records the costs of calls: ``spending.sqlite3``.
 
-Each change is one transaction, so that a process may be killed at any point. SQLite's locks hold on
-one machine: the file must never lie on a network disk that several machines write to. Over several
-machines one process owns it and works for the others: see ``Keeper`` and ``jobs.on_ray``.
+Each change is one transaction, so a process may be killed at any point. SQLite's locks work on one
+machine only: the file must not be on a network disk that several machines write to. In a cluster,
+one process owns the file and accesses it for the others; see ``Keeper`` and ``jobs.on_ray``.
 
-The file may be anybody's: it is opened only if it is a regular file of bounded size with exactly
-these tables, what it holds is checked, and it is never deleted or replaced.
+The file is untrusted: it is opened only if it is a regular file of bounded size with exactly these
+tables. Its content is checked, and it is never deleted or replaced.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from ...io.files import make_private, remove_file
 T = TypeVar("T")
 
 FILE = "spending.sqlite3"
-"""The database's name in its folder."""
+"""File name of the database in its folder."""
 
 TABLES = (
     "CREATE TABLE calls (call INTEGER PRIMARY KEY, scene TEXT, facts TEXT)",
@@ -36,48 +36,48 @@ TABLES = (
     "CREATE TABLE held (call INTEGER PRIMARY KEY, owner TEXT, money REAL)",
     "CREATE TABLE spent (mark TEXT, currency TEXT, money REAL, unpriced INTEGER)",
 )
-"""Calls of scenes; what calls under way may cost at most, by who makes them; what was spent."""
-_OLD = ("spent.json", "spending")  # where older versions kept it
-_OWNERS = "spenders"  # the folder with a locked file for each living owner
-_NAME = re.compile(r"[0-9a-f]{16,64}")  # of an owner
-_MAX_BYTES = 256 * 2**20  # of the file
+"""Calls of scenes; maximum costs of calls in flight, with their owners; total spending."""
+_OLD = ("spent.json", "spending")  # files of older versions
+_OWNERS = "spenders"  # folder with one locked file per live owner
+_NAME = re.compile(r"[0-9a-f]{16,64}")  # name of an owner
+_MAX_BYTES = 256 * 2**20  # maximum file size
 _MAX_VALUE_BYTES = 2**20
-_WAIT = 60.0  # seconds: nobody locks the file for long
+_WAIT = 60.0  # seconds; locks on the file are always short
 _SUPER_JOURNAL = b"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7"
-"""Ends a journal that names another file, which SQLite would delete; ours name none."""
+"""End of a journal that names another file, which SQLite would delete; ours name none."""
 
 
 class NoDatabaseError(StorageError):
-    """A folder has no database of what was spent."""
+    """The folder has no spending database."""
 
 
 class Keeper(Protocol):
-    """Works on databases: this process, or one that does so for several machines."""
+    """Access to databases, by this process or by one process for several machines."""
 
     def create(self, folder: Path) -> None:
-        """Make a folder's database, unless there is one."""
+        """Create a folder's database if it does not exist."""
         ...
 
     def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
-        """Return ``operation(connection, *args)``, done in one transaction.
+        """Return ``operation(connection, *args)``, run in one transaction.
 
-        The operation is a function of a module, so that it can be pickled.
+        The operation is a module-level function, so that it can be pickled.
         """
         ...
 
     def owning(self, folder: Path) -> contextlib.AbstractContextManager[str]:
-        """Name an owner of reservations, who is alive meanwhile."""
+        """Yield the name of a new owner of reservations, which is alive inside the block."""
         ...
 
 
 class LocalKeeper:
-    """This process, on databases of this machine."""
+    """Access by this process to databases of this machine."""
 
     def create(self, folder: Path) -> None:
-        """Publish an empty database in a folder, for its owner alone, unless there is one.
+        """Create an empty database in a folder, accessible only to its owner, if none exists.
 
         Raises:
-            StorageError: the folder cannot be written, or has what an older version kept.
+            StorageError: the folder is not writable, or contains files of an older version.
         """
         _refuse_old(folder)
         if os.path.lexists(folder / FILE):
@@ -90,7 +90,7 @@ class LocalKeeper:
                 with contextlib.closing(sqlite3.connect(new)) as database:
                     for table in TABLES:
                         database.execute(table)
-                with contextlib.suppress(FileExistsError):  # another process was faster
+                with contextlib.suppress(FileExistsError):  # another process created it meanwhile
                     os.link(new, folder / FILE)
             finally:
                 remove_file(folder, new.name)
@@ -98,11 +98,11 @@ class LocalKeeper:
             raise _refusal(folder / FILE, str(error)) from error
 
     def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
-        """Return ``operation(connection, *args)``, done in one transaction.
+        """Return ``operation(connection, *args)``, run in one transaction.
 
         Raises:
-            StorageError: the database is foreign, damaged or missing, or the disk refuses. It is
-                never taken for an empty one.
+            StorageError: the database is foreign, damaged or missing, or the disk fails. Such a
+                database never counts as empty.
         """
         path = folder / FILE
         try:
@@ -111,7 +111,7 @@ class LocalKeeper:
                 database.execute("COMMIT")
                 return result
         except (FileNotFoundError, NotADirectoryError) as error:
-            raise NoDatabaseError(f"There is no {path}, which says what was spent.") from error
+            raise NoDatabaseError(f"The spending database {path} does not exist.") from error
         except StorageError:
             raise
         except sqlite3.DatabaseError as error:
@@ -123,7 +123,7 @@ class LocalKeeper:
 
     @contextlib.contextmanager
     def owning(self, folder: Path, name: str | None = None) -> Iterator[str]:
-        """Name an owner of reservations, alive until the block or this process ends."""
+        """Yield the name of an owner of reservations, alive until the block or the process ends."""
         name, owners = name or secrets.token_hex(8), _owners_of(folder)
         owners.mkdir(exist_ok=True)
         try:
@@ -134,17 +134,20 @@ class LocalKeeper:
 
 
 LOCAL = LocalKeeper()
-"""The keeper of who asks no other."""
+"""The default keeper."""
 
 
 def is_alive(folder: Path, name: str) -> bool:
-    """Return whether an owner's process holds its lock; the file of a dead one is removed.
+    """Return whether an owner's process holds its lock; remove the lock file of a dead owner.
 
     Raises:
-        StorageError: the name, which a database holds, is no owner's.
+        StorageError: the name, read from a database, is not a valid owner name.
     """
     if not _NAME.fullmatch(name):
-        raise damage_error(folder / FILE, f"{name!r:.80} is no spender: they have 16 hex digits.")
+        raise damage_error(
+            folder / FILE,
+            f"{name!r:.80} is not a valid owner name, which has at least 16 hex digits.",
+        )
     lock = _owners_of(folder) / f"{name}.lock"
     with contextlib.suppress(Timeout):
         if lock.exists():
@@ -159,30 +162,33 @@ def _refuse_old(folder: Path) -> None:
     for old in _OLD:
         if os.path.lexists(folder / old):
             raise StorageError(
-                f"{folder / old} is from an older version: what was spent is no longer read from "
-                "there. Choose another folder, or remove it for that to count as nothing."
+                f"{folder / old} was written by an older version and is no longer supported. "
+                "Choose another folder, or remove the file, which discards its record of "
+                "spending."
             )
 
 
 def damage_error(path: Path, why: str) -> StorageError:
-    """Return the error of a database that does not say what was spent, and why."""
+    """Return the error for a database with invalid content, including the reason."""
     return StorageError(
-        f"{path} does not say what was spent: {why} It is left as it is. Restore it, choose "
-        "another folder, or remove it for what was spent to count as nothing."
+        f"{path} is not a valid spending database: {why} It was not changed. Restore it, choose "
+        "another folder, or remove it, which discards its record of spending."
     )
 
 
 def _refusal(path: Path, why: str) -> StorageError:
     return StorageError(
-        f"What was spent cannot be read or written ({path}: {why}). Free space there, see who uses "
-        "it, or choose another folder."
+        f"The spending database cannot be read or written ({path}: {why}). Free disk space, "
+        "check which processes use it, or choose another folder."
     )
 
 
 def _owners_of(folder: Path) -> Path:
     owners = folder / _OWNERS
     if owners.is_symlink():
-        raise StorageError(f"{owners} is a link; spenders are kept beside their database.")
+        raise StorageError(
+            f"{owners} is a link; the lock files must be in a real folder next to their database."
+        )
     return owners
 
 
@@ -190,7 +196,7 @@ def _owners_of(folder: Path) -> Path:
 def _transaction(path: Path) -> Iterator[sqlite3.Connection]:
     """Begin a transaction on a database; it is rolled back unless it is committed.
 
-    Nothing else may open and close the file: that would drop the locks that SQLite holds on it.
+    No other code may open and close the file, because that would drop SQLite's locks on it.
     """
     _refuse_old(path.parent)
     _check_file(path)
@@ -206,7 +212,7 @@ def _transaction(path: Path) -> Iterator[sqlite3.Connection]:
         database.execute("BEGIN IMMEDIATE")
         tables = [sql for (sql,) in database.execute("SELECT sql FROM sqlite_master LIMIT 9")]
         if sorted(map(str, tables)) != sorted(TABLES):
-            raise damage_error(path, f"It has other tables: {tables!r:.200}.")
+            raise damage_error(path, f"It has unexpected tables: {tables!r:.200}.")
         yield database
 
 
@@ -215,11 +221,11 @@ def _check_file(path: Path) -> None:
     if not stat.S_ISREG(status.st_mode):
         raise StorageError(f"{path} is not a regular file. Choose another folder.")
     if status.st_size > _MAX_BYTES:
-        raise damage_error(path, f"It has {status.st_size} bytes; at most {_MAX_BYTES} are read.")
+        raise damage_error(path, f"It has {status.st_size} bytes; the limit is {_MAX_BYTES}.")
 
 
 def _check_journal(path: Path) -> None:
-    """Refuse what a killed transaction cannot have left."""
+    """Raise an error for a journal that an interrupted transaction cannot have left."""
     with contextlib.suppress(FileNotFoundError):
         _check_file(path)
         with path.open("rb") as file:

@@ -1,4 +1,4 @@
-"""The lines of the ledger: what one call took, and sums of calls."""
+"""Entries of the ledger, and their sums."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ Outcome = Literal["answered", "cached", "failed"]
 
 @dataclass(frozen=True)
 class Entry:
-    """One call: an answer, an answer of the store, or an attempt that failed.
+    """One call: an answer, an answer from the store, or a failed attempt.
 
-    ``money`` is None where the price is not known. An attempt that broke off after it was sent
-    counts with the most that it can have cost. ``earlier`` tells the calls of earlier runs, ``at``
-    the server's host and port.
+    ``money`` is None if the price is unknown. An attempt that broke off after it was sent counts
+    with its maximum cost. ``earlier`` marks calls of earlier runs; ``at`` is the server's host and
+    port.
     """
 
     server: str
@@ -33,9 +33,9 @@ class Entry:
 
 @dataclass(frozen=True)
 class LedgerRow:
-    """All calls of one question to one model: sums of their entries.
+    """The sum of all calls with one question to one model.
 
-    ``money`` is of the calls whose price is known; ``unpriced`` counts the others.
+    ``money`` covers the calls with a known price; ``unpriced`` counts the others.
     """
 
     server: str
@@ -53,7 +53,7 @@ class LedgerRow:
 
 
 def rows_of(entries: Iterable[Entry]) -> tuple[LedgerRow, ...]:
-    """Return a row for each question, server and model, in the order first asked."""
+    """Return one row per question, server and model, in the order of their first calls."""
     groups: dict[tuple[str, str, str], list[Entry]] = {}
     for entry in entries:
         groups.setdefault((entry.server, entry.question, entry.model), []).append(entry)
@@ -61,7 +61,7 @@ def rows_of(entries: Iterable[Entry]) -> tuple[LedgerRow, ...]:
 
 
 def table(entries: Sequence[Entry], currency: str) -> str:
-    """Return the rows and their total as a table for people; "" if nothing was asked."""
+    """Return the rows and their total as a text table, or "" if there were no calls."""
     if not entries:
         return ""
     head = ("server", "question", "model", "calls", "cached", "failed", "seconds",

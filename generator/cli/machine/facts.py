@@ -1,4 +1,4 @@
-"""What this machine has: packages, extras, models, keys, caches."""
+"""Facts about this machine: packages, extras, models, keys, caches."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ KEYS = (
     "TABLETOPGEN_CLOUD_KEY", "TABLETOPGEN_CLOUD_IMAGE_KEY", "OPENAI_API_KEY", "OPENROUTER_API_KEY",
     "ARK_API_KEY", "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY", "HF_TOKEN",
 )  # fmt: skip
-"""Environment variables that hold secrets. Whether they are set is all that is ever told."""
+"""Environment variables with secrets; only their presence is ever reported."""
 
 EYE = ("eye.safetensors", "judge.safetensors")
 
@@ -34,7 +34,7 @@ _EXTRA = re.compile(r"extra\s*==\s*['\"]([A-Za-z0-9._-]+)['\"]")
 
 
 def facts() -> dict[str, Any]:
-    """Return what this machine can do, as JSON values."""
+    """Return the capabilities of this machine as JSON values."""
     needs = requirements()
     return {
         "python": {
@@ -52,9 +52,10 @@ def facts() -> dict[str, Any]:
 
 
 def requirements() -> dict[str, tuple[str, ...]]:
-    """Return the packages of each extra but ``dev``; "" has those that are always needed.
+    """Return the packages of each extra except ``dev``; "" lists the required packages.
 
-    A source checkout says so itself, for what is installed of it may be older.
+    In a source checkout they come from its pyproject.toml, because the installed metadata may be
+    older.
     """
     found: dict[str, tuple[str, ...]] = {}
     for extra, entry in _entries():
@@ -64,7 +65,7 @@ def requirements() -> dict[str, tuple[str, ...]]:
 
 
 def version(package: str) -> str | None:
-    """Return the installed version of a package, None if it is not installed."""
+    """Return the installed version of a package, or None if it is not installed."""
     try:
         return metadata.version(package)
     except metadata.PackageNotFoundError:
@@ -72,7 +73,7 @@ def version(package: str) -> str | None:
 
 
 def models() -> dict[str, Any]:
-    """Return which weights are there: of the embedded eye, and of the open models."""
+    """Return the availability of the weights of the embedded eye and of the open models."""
     folder, shipped = models_folder(), Path(eye.__file__).parent
     return {
         "embedded": {name: (shipped / name).is_file() for name in EYE},
@@ -85,7 +86,7 @@ def models() -> dict[str, Any]:
 
 
 def caches() -> dict[str, Any]:
-    """Return where the caches are, and how many bytes they take."""
+    """Return the locations of the caches and their sizes in bytes."""
     import assets_cache
 
     folders = {"scenes": assets_cache.user_root(), "calls": calls_folder(),
@@ -94,7 +95,7 @@ def caches() -> dict[str, Any]:
 
 
 def size(folder: Path) -> int:
-    """Return the bytes of all files in a folder; links are not followed, 0 if it is not there."""
+    """Return the size of all files in a folder in bytes, without following links; 0 if missing."""
     total = 0
     for place, _, names in os.walk(folder):
         for name in names:
@@ -109,7 +110,7 @@ def _extra(name: str, packages: tuple[str, ...]) -> dict[str, Any]:
 
 
 def _entries() -> list[tuple[str, str]]:
-    """Return all requirements, each after its extra."""
+    """Return all requirements as (extra, package) pairs."""
     if table := project():
         groups = {"": table.get("dependencies", ()), **table.get("optional-dependencies", {})}
         return [(extra, entry) for extra, entries in groups.items() for entry in entries]

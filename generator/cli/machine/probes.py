@@ -1,4 +1,4 @@
-"""Questions that may crash or hang a process, asked of one that is started for each."""
+"""Probes that may crash or hang; each runs in its own process."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import subprocess
 import sys
 from dataclasses import dataclass
 
-_LIMIT = 60.0  # seconds that a probe may take
+_LIMIT = 60.0  # time limit of a probe in seconds
 
 GL_BACKENDS = ("egl", "osmesa", "glfw")
-"""What ``MUJOCO_GL`` may name."""
+"""The possible values of ``MUJOCO_GL``."""
 
-_LONGEST = 200  # letters of what a probe says
+_LONGEST = 200  # maximum length of a probe's output in characters
 
 _DRAW = """
 import mujoco
@@ -39,26 +39,27 @@ print(torch.cuda.get_device_name(0))
 
 @dataclass(frozen=True)
 class Probe:
-    """Whether something works, and what it said: a device's name, or why not."""
+    """Whether a feature works, with the device's name or the reason of the failure."""
 
     works: bool
     said: str
 
 
 def draw(backend: str) -> Probe:
-    """Tell whether MuJoCo can draw a picture with one of ``GL_BACKENDS``."""
+    """Check whether MuJoCo can render with one of ``GL_BACKENDS``."""
     return run(_DRAW, _LIMIT, MUJOCO_GL=backend)
 
 
 def cuda() -> Probe:
-    """Tell whether torch can use a CUDA device."""
+    """Check whether torch can use a CUDA device."""
     return run(_CUDA, _LIMIT)
 
 
 def run(code: str, limit: float, **environment: str) -> Probe:
-    """Run Python code in a process of its own, which is killed after ``limit`` seconds.
+    """Run Python code in its own process, which is killed after ``limit`` seconds.
 
-    It says what it found in its last line; what fails says why in the last line of its errors.
+    The last line of standard output is the result, and that of standard error the reason of a
+    failure.
     """
     try:
         done = subprocess.run(

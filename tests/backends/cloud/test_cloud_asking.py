@@ -116,7 +116,7 @@ def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
         ({"message": {"content": "I will not."}, "finish_reason": "content_filter"},
          "the model refuses: .*I will not", 1),
         ("I'm sorry, I can't assist. I will not.", "the model refuses: .*I will not", 1),
-        ({"message": {"content": KINDS[:9]}, "finish_reason": "length"}, ".*limit of tokens", None),
+        ({"message": {"content": KINDS[:9]}, "finish_reason": "length"}, ".*token limit", None),
     ],
     ids=["after so many answers", "refused by field", "filtered", "refused in words", "cut off"],
 )  # fmt: skip
@@ -154,7 +154,7 @@ def test_what_passes_is_waited_for(
         (["429"] * 9, "status 429"),
         (["html"] * 9, "HTML"),
         (["words"], r"no JSON \('All is well\.'\)\. Is http.*the address of the API"),
-        (["list"], r"no JSON object: '\[1, 2\]'"),
+        (["list"], r"not a JSON object: '\[1, 2\]'"),
         (["empty"] * 9, "no chat completion"),
         (["error in 200"] * 9, "upstream is busy"),
     ],
@@ -185,7 +185,7 @@ def test_a_server_that_hangs_is_not_waited_for_for_ever(
     server.script.hang = 1.0
     server.script.failures.extend(["hang"] * 9)
     once = replace(reasoner, session=Session(attempts=1))
-    with pytest.raises(BackendError, match=r"list_objects.*did not answer within 0.3 s"):
+    with pytest.raises(BackendError, match=r"list_objects.*did not respond within 0.3 s"):
         once.list_objects(reference())
 
 
@@ -198,8 +198,8 @@ NO_CONNECTION = openai.APIConnectionError(request=REQUEST)
     [
         (NO_CONNECTION, BudgetError("over the budget of 1"), r"^over the budget of 1$"),
         (NO_CONNECTION, httpx2.ReadError(f"reset, {KEY}"),
-         r"no answer from http.*ReadError: reset, \[redacted\]"),
-        (NO_CONNECTION, None, "no answer from http.*Connection error"),
+         r"no response from http.*ReadError: reset, \[redacted\]"),
+        (NO_CONNECTION, None, "no response from http.*Connection error"),
         (openai.OpenAIError("the header is too long"), None,
          "list_objects failed: the header is too long"),
     ],
@@ -218,7 +218,9 @@ def test_what_the_sdk_finds_wrong_is_told(
 
 
 def test_an_unknown_model_is_named(server: Running, session: Session) -> None:
-    with pytest.raises(BackendError, match=r"have the model 'nosuch'\? Set TABLETOPGEN_CLOUD_CHAT"):
+    with pytest.raises(
+        BackendError, match=r"has the model 'nosuch', or set TABLETOPGEN_CLOUD_CHAT"
+    ):
         CloudReasoner(model="nosuch", session=session).list_objects(reference())
 
 

@@ -97,7 +97,7 @@ def test_a_missing_key_names_backend_and_question(setting) -> None:
 
 def test_what_cannot_be_selected_names_the_role(setting) -> None:
     setting(BASE, "http://127.0.0.1:11434/v1")
-    with pytest.raises(BackendError, match=r"^imager: cloud: no image model is named"):
+    with pytest.raises(BackendError, match=r"^imager: cloud: no image model is set"):
         Backends.select("embedded", imager="cloud")
 
 

@@ -147,7 +147,7 @@ def test_the_form_is_told_by_names(make_imager: Make, model: str, url: str, form
         (b"<html>busy</html>", "the picture is HTML"),
         (b"GIF89a....", "use PNG, JPEG or WebP"),
         (bomb(), "at most 40,000,000 are allowed"),
-        (b"", "holds no picture"),
+        (b"", "contains no picture"),
     ],
     ids=("html", "gif", "bomb", "nothing"),
 )
@@ -221,7 +221,9 @@ def test_an_address_at_another_host_is_not_fetched(
 ) -> None:
     imager = make_imager()
     for address in ("https://evil.example/a.png", "http://127.0.0.1:1/a.png"):
-        with pytest.raises(BackendError, match=r"none may be fetched.*TABLETOPGEN_CLOUD_IMAGE_H"):
+        with pytest.raises(
+            BackendError, match=r"downloads are not allowed.*TABLETOPGEN_CLOUD_IMAGE_H"
+        ):
             imager.painter._picture("draw", {"data": [{"url": address}]}, Used(None), "yes")
 
 
@@ -242,7 +244,7 @@ def test_what_is_no_address_is_told_once_and_stays_paid_for(
 
 @pytest.mark.parametrize("data", [[{"b64_json": 5}], [{"url": ["x"]}], [{"b64_json": {}}], [5], 7])
 def test_values_of_other_types_are_no_picture(make_imager: Make, data: Any) -> None:
-    with pytest.raises(Exception, match="holds no picture"):
+    with pytest.raises(Exception, match="contains no picture"):
         make_imager().painter._picture("draw", {"data": data}, Used(None), "yes")
 
 

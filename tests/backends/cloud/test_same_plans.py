@@ -138,7 +138,7 @@ def test_too_long_a_thing_is_shortened_and_said(server: Running, reasoner: Cloud
     answer(server, Expected("", {}, [thing(1, "ruler", size_cm=[600, 30, 3])]))
     plan = reasoner.plan_scene("a ruler of 6 m", 0)
     assert plan.objects[0].size == pytest.approx((0.6, 0.03, 0.003))
-    assert "A ruler of 6 m does not belong on a table; it is 0.6 m long." in plan.warnings
+    assert "A ruler of 6 m is too long for a table; it was scaled to 0.6 m." in plan.warnings
 
 
 def test_old_answers_without_groups_are_read(server: Running, reasoner: CloudReasoner) -> None:

@@ -169,7 +169,7 @@ def test_another_patch_size_is_the_model_s(tmp_path: Path) -> None:
 def test_what_is_no_batch_of_images_is_told(
     encoder: HuggingFaceEncoder, shape: tuple[int, ...]
 ) -> None:
-    with pytest.raises(BackendError, match=r"huggingface, features: images are \(b, 3, h, w\)"):
+    with pytest.raises(BackendError, match=r"huggingface, features: images must be \(b, 3, h, w\)"):
         encoder.features(torch.zeros(shape))
 
 
@@ -180,5 +180,7 @@ def test_a_network_that_fails_is_told(
         raise RuntimeError("out of memory")
 
     monkeypatch.setattr(type(encoder._network()), "forward", fail)
-    with pytest.raises(BackendError, match=r"huggingface, features: it failed \(RuntimeError"):
+    with pytest.raises(
+        BackendError, match=r"huggingface, features: the model failed \(RuntimeError"
+    ):
         encoder.features(pictures(1))

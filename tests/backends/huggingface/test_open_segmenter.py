@@ -161,7 +161,9 @@ def test_a_model_that_fails_names_backend_and_question(
 
     monkeypatch.setattr(type(players["finder"]), "__call__", fail)
     monkeypatch.setattr(type(players["finder"]), "tile", fail)
-    with pytest.raises(BackendError, match=r"huggingface, segment: it failed \(RuntimeError: CUDA"):
+    with pytest.raises(
+        BackendError, match=r"huggingface, segment: the model failed \(RuntimeError: CUDA"
+    ):
         segmenter.segment(noise(), (TABLE,))
 
 

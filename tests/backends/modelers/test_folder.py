@@ -235,7 +235,7 @@ def test_a_unit_makes_the_size_the_file_s_own(tmp_path, caplog):
 
 def test_an_empty_folder_is_refused_before_any_work(tmp_path):
     backends = Backends.select(modeler=Folder(str(tmp_path)))
-    with pytest.raises(BackendError, match="holds no GLB or OBJ file"):
+    with pytest.raises(BackendError, match="contains no GLB or OBJ file"):
         generate("a desk with a mug", backends)
 
 
@@ -252,7 +252,7 @@ def test_the_environment_names_the_folder(tmp_path, monkeypatch):
     monkeypatch.delenv("TABLETOPGEN_ASSETS")
     with pytest.raises(BackendError, match="Set TABLETOPGEN_ASSETS"):
         ask("")
-    with pytest.raises(BackendError, match="is no folder"):
+    with pytest.raises(BackendError, match="is not a folder"):
         ask(tmp_path / "nowhere")
 
 

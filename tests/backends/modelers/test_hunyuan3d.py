@@ -169,13 +169,13 @@ def test_meshes_that_would_do_harm_are_refused_and_not_kept(body, told, tmp_path
 def test_answers_of_another_kind_are_refused():
     page = Answer(body=b"<!DOCTYPE html><html>Welcome to nginx</html>", kind="text/html")
     assert "HTML page" in said(page)
-    assert "answers 404" in said(Answer.of({"detail": "Not Found"}, 404))
+    assert "returned status 404" in said(Answer.of({"detail": "Not Found"}, 404))
     assert "TABLETOPGEN_HUNYUAN3D_URL" in said(Answer.of({"detail": "Not Found"}, 404))
-    assert "does not take the request" in said(Answer.of({"detail": [{"loc": ["body"]}]}, 422))
+    assert "rejected the request" in said(Answer.of({"detail": [{"loc": ["body"]}]}, 422))
 
 
 def test_two_hundred_megabytes_are_not_read():
-    assert "bytes that are read" in said(Answer(length=200 * 2**20))
+    assert "exceeds the limit" in said(Answer(length=200 * 2**20))
 
 
 def test_an_answer_cut_off_is_tried_again():
@@ -197,7 +197,7 @@ def test_a_server_that_hangs_or_is_not_there_is_given_up():
 
 def test_a_dry_run_says_what_it_would_ask():
     with serving(lambda call: Answer(body=GOOD)) as served:
-        with pytest.raises(DryRunError, match=r"Would ask hunyuan3d, model \(hunyuan3d-2\.1\)"):
+        with pytest.raises(DryRunError, match=r"Would call hunyuan3d, model \(hunyuan3d-2\.1\)"):
             ask(served.url, session=Session(dry=True))
         assert not served.calls
 
@@ -219,7 +219,7 @@ def test_health():
         assert served.calls[0].method == "GET"
     with (
         serving(lambda call: Answer.of({"detail": "Not Found"}, 404)) as served,
-        pytest.raises(BackendError, match=r"hunyuan3d, health: .* answers 404"),
+        pytest.raises(BackendError, match=r"hunyuan3d, health: .* returned status 404"),
     ):
         Hunyuan3D(served.url, session=quick()).health()
 

@@ -106,11 +106,13 @@ def test_what_a_model_raises_or_makes_is_told(monkeypatch):
         raise RuntimeError("CUDA out of memory.\nTried to allocate 2 GiB")
 
     fake_trellis(monkeypatch, full)
-    said = r"^trellis, model of 'mug_1': it failed \(RuntimeError: CUDA out of memory\. Tried"
+    said = (
+        r"^trellis, model of 'mug_1': the model failed \(RuntimeError: CUDA out of memory\. Tried"
+    )
     with pytest.raises(BackendError, match=said):
         ask(Trellis())
     fake_trellis(monkeypatch, lambda *_, **__: "a path")
-    with pytest.raises(BackendError, match="it made str, not a trimesh"):
+    with pytest.raises(BackendError, match="the output is str, not a trimesh"):
         ask(Trellis())
 
 
@@ -226,7 +228,7 @@ def test_sam3d_is_loaded_from_its_checkout(monkeypatch, tmp_path):
     made = ask(Sam3D())
     np.testing.assert_allclose(made.size / made.size[0], [1, 1, 2], rtol=1e-5)
     assert sys.path == path
-    with pytest.raises(BackendError, match="it made NoneType"):
+    with pytest.raises(BackendError, match="the output is NoneType"):
         ask(Sam3D(seed=0))
 
 
@@ -304,7 +306,7 @@ def test_a_pose_of_sam3d_that_is_none_is_dropped_with_a_warning(tmp_path, caplog
     made = ask(checkout(tmp_path, wrong))
     assert made.orientation is None and made.size[2] > 0.1
     (record,) = caplog.records
-    assert "model of 'mug_1': its rotation is no unit quaternion" in record.getMessage()
+    assert "model of 'mug_1': its rotation is not a unit quaternion" in record.getMessage()
 
 
 def test_no_pose_of_sam3d_is_no_fault(tmp_path, caplog):
@@ -315,7 +317,7 @@ def test_no_pose_of_sam3d_is_no_fault(tmp_path, caplog):
 @pytest.mark.parametrize(
     ("modeler", "said"),
     [
-        (Trellis(), "trellis needs trellis.* which does not load .* Install github"),
+        (Trellis(), "trellis needs trellis.* which cannot be imported .* Install github"),
         (Trellis(version="2"), "trellis needs (trellis2|o_voxel)"),
         (TripoSR(device="cpu"), "triposr needs tsr.system"),
     ],

@@ -139,7 +139,7 @@ MENDED = {"loads": [Answer(body=GOOD)]}
     [
         ({"errors": FAILED}, "InternalError", {}, 1, [QUERY] * 3 + [LOAD]),
         ({"errors": FAILED}, "InternalError", {"errors": {QUERY: [GONE]}}, 2, None),
-        ({"loads": [EXPIRED]}, "cannot be fetched", {"loads": [EXPIRED, Answer(body=GOOD)]}, 1,
+        ({"loads": [EXPIRED]}, "cannot be downloaded", {"loads": [EXPIRED, Answer(body=GOOD)]}, 1,
          [LOAD, QUERY, LOAD]),
         ({"loads": [Answer(body=glb(SQUARE))]}, "tencent, model", MENDED, 2, None),
         ({"loads": [PAGE]}, "HTML page", MENDED, 1, None),
@@ -241,7 +241,7 @@ def test_a_busy_service_is_waited_for():
 
 def test_a_job_that_takes_too_long_is_left_to_go_on():
     said = refused(Cloud([{"Status": "RUN"}]), timeout=0.1)
-    assert "job job-1 is not done after 0.1 s. It goes on there" in said
+    assert "job job-1 is not done after 0.1 s. The job continues" in said
 
 
 @pytest.mark.parametrize(
@@ -256,7 +256,7 @@ def test_a_job_that_takes_too_long_is_left_to_go_on():
 def test_results_elsewhere_are_not_fetched(place):
     cloud = Cloud(place=place)
     said = refused(cloud, hosts=(*HOSTS, "127.0.0.1"))
-    assert "the result lies at" in said and "add the host to Tencent.hosts" in said
+    assert "the result is at" in said and "add it to Tencent.hosts" in said
     assert LOAD not in cloud.log
 
 
@@ -299,7 +299,7 @@ def test_a_result_of_other_types_has_no_glb(files):
         done = told(Status="DONE", ResultFile3Ds=files)
         return told(JobId="j") if call.headers["x-tc-action"] == SUBMIT else done
 
-    assert "has no GLB" in refused(answers)
+    assert "contains no GLB" in refused(answers)
 
 
 def test_a_wrong_key_is_told_without_the_key(monkeypatch):
@@ -325,7 +325,7 @@ def test_no_key_asks_nothing(monkeypatch):
     [
         ({"x": 1}, SUBMIT, None),
         ({"Response": {"RequestId": "1"}}, SUBMIT, None),
-        ({"x": 1}, QUERY, "Is http://127"),
+        ({"x": 1}, QUERY, "Check that http://127"),
     ],
 )
 def test_a_call_that_was_not_answered_is_made_again_and_loses_no_job(first, of, told, tmp_path):
@@ -350,9 +350,9 @@ def test_results_on_this_machine_may_come_over_plain_http():
 @pytest.mark.parametrize(
     ("answer", "what"),
     [
-        ([1, 2], "Is http://127.0.0.1"),
-        ({"Response": {"RequestId": "1"}}, "without a JobId"),
-        ({"Response": None}, "was answered by 200"),
+        ([1, 2], "Check that http://127.0.0.1"),
+        ({"Response": {"RequestId": "1"}}, "has no JobId"),
+        ({"Response": None}, "returned status 200"),
     ],
 )
 def test_answers_of_another_shape_are_refused(answer, what):
@@ -364,7 +364,7 @@ def test_a_result_without_glb_is_refused():
         answer = cloud(call)
         return dataclasses.replace(answer, body=answer.body.replace(b'"GLB"', b'"OBJ"'))
 
-    assert "the result has no GLB. Available: OBJ." in refused(strip)
+    assert "the result contains no GLB. Available: OBJ." in refused(strip)
 
 
 def test_settings_out_of_range_are_refused():

@@ -292,7 +292,7 @@ def test_a_killed_process_is_replaced(pool) -> None:
 @pytest.mark.parametrize(
     ("making", "reason"),
     [
-        ("crashing", "ended with code 7: memory was lost"),
+        ("crashing", "exited with code 7: memory was lost"),
         ("broken", "ZeroDivisionError: a bug"),
         ("failing", "SceneError: 3 attempts .* nothing stands"),
     ],
@@ -328,7 +328,7 @@ def test_pauses_grow_with_failures_in_a_row_and_a_job_has_its_time(tmp_path, mon
             now[0] += 0.5
     finally:
         background.close()
-    assert all("was given up after 0.2 s" in end.reason for end in ends) and len(ends) == 4
+    assert all("exceeded its limit of 0.2 s" in end.reason for end in ends) and len(ends) == 4
     assert list(np.diff(starts)) == [1.0, 2.0, 4.0]
 
 

@@ -111,7 +111,7 @@ def test_a_shard_that_is_killed_ends_all_with_one_error(when: str) -> None:
 @pytest.mark.slow
 def test_a_shard_that_exits_is_named_with_its_code() -> None:
     envs = made()
-    with pytest.raises(WorkerDied, match=r"shard 0 of 2 \(slots 0 to 1 .* ended with code 3\."):
+    with pytest.raises(WorkerDied, match=r"shard 0 of 2 \(slots 0 to 1 .* exited with code 3\."):
         envs.visit(shard_tasks.vanish, [0])
     assert envs.closed and gone(envs.pids)
 

@@ -1,1 +1,1 @@
-"""Image models: what is asked of them, and what is cut from their answers."""
+"""Requests to image models and the processing of their pictures."""

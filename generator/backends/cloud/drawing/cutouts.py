@@ -1,4 +1,4 @@
-"""One thing cut out of the picture, and its redrawing put back to where it was cut out."""
+"""Cut-outs of single objects from the picture, and the registration of their redrawn versions."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from ..server.json_text import Wrong
 from .pictures import RGBA, apart, thing_in
 
 SIDE = 1024
-"""Pixels of a cut-out's side."""
+"""Side length of a cut-out in pixels."""
 
-_ROOM = 1.4  # side of the cut-out, times the longer side of the thing's box
-_MARGIN = 0.04  # of a crop's longer side, around the thing
-_COARSE = 128  # pixels at which a redrawing is put in place
+_ROOM = 1.4  # side of the cut-out, relative to the longer side of the object's box
+_MARGIN = 0.04  # margin around the object, as a fraction of the crop's longer side
+_COARSE = 128  # resolution of the registration in pixels
 _SCALES = np.geomspace(0.8, 1.25, 11)
-_FINE = np.linspace(0.97, 1.03, 7)  # around the best of these, at twice the pixels
-_MOVED = 0.05  # what a change of size costs, so that none is made for nothing
-_COVERED = 0.6  # least share of what was seen that the redrawing covers
-_BEYOND = 0.6  # most that it covers beside, as a share of that
-_EDGE = 2.5  # reference pixels beside what was seen that are no hidden part yet
-_HIDDEN = 0.02  # share of what was seen from which a thing counts as hidden in part
+_FINE = np.linspace(0.97, 1.03, 7)  # scales around the best coarse one, at twice the resolution
+_MOVED = 0.05  # penalty on the scale, so that it changes only for a reason
+_COVERED = 0.6  # minimum fraction of the visible region that the redrawn object covers
+_BEYOND = 0.6  # maximum area covered outside of it, as a fraction of the visible region
+_EDGE = 2.5  # reference pixels around the visible region that do not count as a hidden part
+_HIDDEN = 0.02  # hidden area, as a fraction of the visible one, above which an object is occluded
 
 _GROUNDS = {"white": (255, 255, 255), "grey": (128, 128, 128), "pure green": (0, 220, 60),
             "magenta": (225, 0, 200)}  # fmt: skip
@@ -35,11 +35,11 @@ _GROUNDS = {"white": (255, 255, 255), "grey": (128, 128, 128), "pure green": (0,
 
 @dataclass(frozen=True, eq=False)
 class Cutout:
-    """A square of the picture with one thing on a plain ground.
+    """A square part of the picture with one object on a uniform background.
 
-    ``box`` is the square in reference pixels (it may leave the picture). ``seen`` is where the
-    thing shows, ``unknown`` where something hides it, if it is there, or the picture ends.
-    ``ground`` names the colour of everything else, one that the thing does not have.
+    ``box`` is the square in reference pixels (it may exceed the picture). ``seen`` is the visible
+    region of the object; ``unknown`` is where something may hide it or the picture ends. ``ground``
+    names the background colour, which the object does not have.
     """
 
     detection: Detection
@@ -51,7 +51,7 @@ class Cutout:
 
     @property
     def keep(self) -> UInt8[np.ndarray, "s s 4"]:
-        """The mask of an edit: opaque where the picture must stay, clear where it is drawn."""
+        """The mask of an edit: opaque where the picture stays, transparent where it is redrawn."""
         return np.dstack([self.picture, np.where(erode(self.seen, 5), 255, 0).astype(np.uint8)])
 
 
@@ -73,7 +73,8 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
     colors = cv2.warpAffine(image, warp, (SIDE, SIDE), flags=cv2.INTER_CUBIC)
     seen = move(np.asarray(detection.mask))
     everywhere = np.ones(image.shape[:2], bool)
-    hiders = (o.mask for o in others if o.label != TABLE)  # it hides nothing that stands on it
+    # objects on the table do not count as hiding the table
+    hiders = (o.mask for o in others if o.label != TABLE)
     unknown = move(np.any([~everywhere, *hiders], axis=0)) | ~move(everywhere)
     name = _ground(colors[seen])
     picture = np.where(seen[..., None], colors, np.array(_GROUNDS[name], np.uint8))
@@ -81,7 +82,7 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
 
 
 def _ground(colors: UInt8[np.ndarray, "n 3"]) -> str:
-    """Return the ground that is farthest from a thing's colours, nearly all of them."""
+    """Return the background colour that differs most from (nearly all of) an object's colours."""
 
     def off(name: str) -> float:
         return float(np.percentile(apart(colors, _GROUNDS[name]), 3)) if len(colors) else 0.0
@@ -90,13 +91,13 @@ def _ground(colors: UInt8[np.ndarray, "n 3"]) -> str:
 
 
 def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
-    """Return the instance of a redrawn cut-out: whole, clean, on nothing, where it was.
+    """Return a complete instance of a redrawn object, registered to its place in the picture.
 
-    Image models move and resize what they draw again; it is moved to cover what was seen of the
-    thing, and little that certainly is something else.
+    Image models move and scale the objects that they redraw. The object is registered so that it
+    covers its visible region, and little of the region that certainly shows something else.
 
     Raises:
-        Wrong: it is not drawn alone, or is not the thing that was cut out.
+        Wrong: the object is not drawn alone, or its shape differs from the cut-out's.
     """
     square = _square(redrawn)
     mask = thing_in(square)
@@ -108,7 +109,8 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
     high = np.clip(np.ceil(box[2:] + margin), 0, side).astype(int)
     window = np.s_[low[1] : high[1], low[0] : high[0]]
     crop = _clean(square[window], mask[window])
-    pixel = (cutout.box[2] - cutout.box[0]) / side  # reference pixels in one of the redrawing
+    # reference pixels per pixel of the redrawn picture
+    pixel = (cutout.box[2] - cutout.box[0]) / side
 
     def there(point: np.ndarray) -> np.ndarray:
         return cutout.box[:2] + (side / 2 + (point - side / 2) * scale + shift * side) * pixel
@@ -123,7 +125,7 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
 
 
 def _square(picture: RGBA) -> RGBA:
-    """Return a picture made square by stretching its own edges outward."""
+    """Return a picture padded to a square by replicating its edges."""
     height, width = picture.shape[:2]
     side = max(height, width)
     x, y = (side - width) // 2, (side - height) // 2
@@ -132,7 +134,7 @@ def _square(picture: RGBA) -> RGBA:
 
 
 def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]]:
-    """Return the size and the shift (shares of the side) that put a redrawing in place."""
+    """Return the scale and the shift (in fractions of the side) that register a redrawn object."""
     scale, _ = _best(mask, cutout, _SCALES, _COARSE)
     scale, shift = _best(mask, cutout, _FINE * scale, 2 * _COARSE)
     seen, worth = _worth(cutout, _COARSE)
@@ -150,7 +152,7 @@ def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]
 def _best(
     mask: Mask, cutout: Cutout, scales: Float[np.ndarray, "k"], side: int
 ) -> tuple[float, Float[np.ndarray, "2"]]:
-    """Return the scale of some, and the shift, that gain most at a resolution of ``side``."""
+    """Return the scale and the shift with the largest gain at a resolution of ``side`` pixels."""
     seen, worth = _worth(cutout, side)
     best = (-np.inf, 1.0, np.zeros(2))
     for scale in scales.tolist():
@@ -164,7 +166,7 @@ def _best(
 
 
 def _worth(cutout: Cutout, side: int) -> tuple[Mask, Float[np.ndarray, "s s"]]:
-    """Return where the thing is seen, and what covering a pixel gains: -1 where it is not."""
+    """Return the visible region, and the gain of covering a pixel: 1 inside, -1 or 0 outside."""
     seen = _small(cutout.seen, side)
     return seen, np.where(seen, 1.0, np.where(_small(cutout.unknown, side), 0.0, -1.0))
 
@@ -176,7 +178,7 @@ def _small(mask: Mask, side: int) -> Mask:
 def _place(
     mask: Mask, scale: float, shift: Float[np.ndarray, "2"], side: int
 ) -> Bool[np.ndarray, "c c"]:
-    """Return a mask at another resolution, resized about its middle and moved."""
+    """Return a mask at another resolution, scaled about its centre and shifted."""
     factor = side / mask.shape[0] * scale
     small = cv2.resize(
         mask.astype(np.float32), None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA
@@ -187,7 +189,7 @@ def _place(
 
 
 def _clean(picture: RGBA, mask: Mask) -> RGBA:
-    """Return a crop with a soft edge, and beyond it the colours of the thing, not the ground's."""
+    """Return a crop with a soft edge, whose outer pixels have the object's colours."""
     core = cv2.erode(mask.astype(np.uint8), np.ones((5, 5), np.uint8), borderValue=0) > 0
     core = core if core.sum() > 9 else mask
     colors = picture[..., :3][nearest_inside(core)]

@@ -1,8 +1,8 @@
-"""Pictures asked of an image model, in the two forms that servers have.
+"""Requests to image models, in the two forms that servers support.
 
-"openai": drawn by images/generations, edited by images/edits, a multipart form with the pictures
-and a mask; answered as base64. "seedream": both by images/generations, the pictures as ``data:``
-URIs in the field ``image``; answered as base64 or as an address.
+"openai": images/generations draws, images/edits edits, with a multipart form of the pictures and a
+mask; the answer is base64. "seedream": images/generations does both, with the pictures as ``data:``
+URIs in the field ``image``; the answer is base64 or a URL.
 """
 
 from __future__ import annotations
@@ -33,34 +33,36 @@ from .pictures import RGBA, decode_answer
 Form = Literal["openai", "seedream"]
 
 _SIZES = ((1024, 1024), (1536, 1024), (1024, 1536))
-"""What OpenAI's image models draw, width and height."""
+"""Sizes that OpenAI's image models support, as (width, height)."""
 
 RATIOS: dict[Form, tuple[float, float]] = {"openai": (2 / 3, 1.5), "seedream": (0.4, 2.5)}
-"""Least and greatest width over height that a picture may have."""
+"""Minimum and maximum aspect ratio (width over height) of a picture."""
 
 _SEEDREAM = {"response_format": "b64_json", "watermark": False,
              "sequential_image_generation": "disabled"}  # fmt: skip
-"""What Seedream is told beside text and size."""
+"""Options of Seedream besides text and size."""
 
 _FAITHFUL = re.compile(r"gpt-image-([2-9]|1-mini)")
-"""Models that reject ``input_fidelity``: from 2 on it is always high (checked on 2026-11-28)."""
+"""Models that reject ``input_fidelity``, which is always high from version 2 on (checked on
+2026-11-28).
+"""
 
 _OPAQUE = re.compile(r"gpt-image-[2-9]")
-"""Models that reject ``background``: from 2 on they draw no transparency (as above)."""
+"""Models that reject ``background``: from version 2 on they draw no transparency (as above)."""
 
-_LONG = 2048  # pixels of the longer side, in the form that takes any size
+_LONG = 2048  # pixels of the longer side, for servers that accept any size
 _BLOCKED = re.compile(
     r"moderation|content[_ ]policy|safety system|(?<!case)(?<!case[-_ ])(?<!in)sensitive"
 )
 
 
 class _Unusable(ValueError):
-    """An answer without a picture that can be used."""
+    """An answer without a usable picture."""
 
 
 @dataclass
 class Tolerated:
-    """Options that a server has been found not to know."""
+    """Options that a server has rejected as unknown."""
 
     unknown: set[str] = field(default_factory=set)
     lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
@@ -68,7 +70,7 @@ class Tolerated:
 
 @dataclass(frozen=True)
 class Painter:
-    """An image model, the form in which it is asked, and what its server does not know."""
+    """An image model, the form of its requests, and the options that its server rejects."""
 
     server: Server
     form: Form
@@ -87,14 +89,15 @@ class Painter:
     ) -> RGBA:
         """Return a drawn picture.
 
-        Errors and the account name ``question``. ``ratio`` is width over height; the nearest that
-        the server can draw is asked for. Of ``pictures`` the first is edited, and stays where
-        ``keep`` is opaque; where the server takes no mask, the text alone says so. ``clear`` asks
-        for nothing behind what is drawn; not all servers can. ``used`` are the answers so far where
-        several drawings answer the question; they are dropped with this one if it is of no use.
+        Errors and the ledger name ``question``. ``ratio`` is width over height; the closest ratio
+        that the server supports is requested. The first of ``pictures`` is edited and stays
+        unchanged where ``keep`` is opaque; if the server supports no mask, only the text expresses
+        this. ``clear`` requests a transparent background, which not all servers support. ``used``
+        collects the answers of several drawings for one question; they are removed with this one if
+        it is unusable.
 
         Raises:
-            UnusableError: the model refuses, or its answer is no picture.
+            UnusableError: the model refuses, or its answer is not a picture.
             BackendError: the call failed.
         """
         files = [encode_png(picture) for picture in pictures]
@@ -108,7 +111,8 @@ class Painter:
         meant, message = _meaning(text, options, files), ""
         used = used or Used(self.server.session.store)
         with used.dropped_on(UnusableError):
-            for memo in ("yes", "renew"):  # an address may have expired, or one answer be of no use
+            # the URL may have expired, or a single answer may be unusable
+            for memo in ("yes", "renew"):
                 data = self._tolerant(question, request, options, used, meant, memo)
                 try:
                     return self._picture(question, data, used, memo)
@@ -157,7 +161,7 @@ class Painter:
         meant: str,
         memo: str,
     ) -> dict[str, Any]:
-        """Make a call; options that the server rejects are left out, and not tried again."""
+        """Make a call; omit options that the server rejects, now and in later calls."""
         left = {k: v for k, v in options.items() if k not in self.tolerated.unknown}
         while True:
             try:
@@ -171,7 +175,7 @@ class Painter:
                 named = [k for k in left if k in said]
                 if not left:
                     raise
-                dropped = named or left  # where the server names none, all
+                dropped = named or left  # all of them if the server names none
                 left = {k: v for k, v in left.items() if k not in dropped}
                 continue
             with self.tolerated.lock:
@@ -191,18 +195,18 @@ class Painter:
             first = data["data"][0]
             coded, address = first.get("b64_json"), first.get("url")
         except (KeyError, IndexError, TypeError, AttributeError):
-            raise _Unusable("the answer holds no picture.") from None
+            raise _Unusable("the answer contains no picture.") from None
         if isinstance(address, str) and address.startswith("data:"):
             coded = coded or address.partition(",")[2]
         if not isinstance(coded, str | None) or not isinstance(address, str | None):
-            raise _Unusable("the answer holds no picture, but values of other types.")
+            raise _Unusable("the answer contains no picture, but values of other types.")
         if not coded and not address:
             message = self.server.quote(str(first.get("error") or "neither b64_json nor url"))
-            raise _Unusable(f"the answer holds no picture: {message}.")
+            raise _Unusable(f"the answer contains no picture: {message}.")
         try:
             whole = base64.b64decode(coded, validate=True) if coded else None
         except (binascii.Error, TypeError, ValueError):
-            raise _Unusable("the picture is no base64.") from None
+            raise _Unusable("the picture is not valid base64.") from None
         if whole is None:
             whole = self._fetch(question, str(address), used, memo)
         try:
@@ -211,21 +215,22 @@ class Painter:
             raise _Unusable(str(error)) from None
 
     def _fetch(self, question: str, address: str, used: Used, memo: str) -> bytes:
-        """Return what is at the address of a picture; the key is not sent there.
+        """Download a picture from its URL, without sending the key.
 
-        It is kept by the drawing that ``used`` noted last: a server may give each the same address.
+        It is stored under the drawing that ``used`` recorded last, because a server may give all
+        pictures the same URL.
         """
         server = self.server
         try:
             check_link(address, "the picture's address", UnusableError)
-        except UnusableError as error:  # not asked again at once: it would be paid for again
+        except UnusableError as error:  # no immediate retry, which would be billed again
             raise server.unusable(question, str(error)) from None
         host = configuration.host(address)
         if not configuration.may_fetch(address, server.base_url):
             raise server.failure(
                 question,
-                f"the picture is at {host or 'no host'!r}, where none may be fetched from. If that "
-                "host is trusted, add it to TABLETOPGEN_CLOUD_IMAGE_HOSTS.",
+                f"the picture is at {host or 'no host'!r}, from which downloads are not "
+                "allowed. If that host is trusted, add it to TABLETOPGEN_CLOUD_IMAGE_HOSTS.",
             )
         headers = server.headers(question, used.keys[-1], memo)
         with server.session.client(f"cloud/{server.name}", address, timeout=120.0) as http:
@@ -233,12 +238,14 @@ class Painter:
             status, data = response.status_code, response.content
         used.add(response.headers)
         if status != 200:
-            raise _Unusable(f"the picture did not come: {host} answered with status {status}.")
+            raise _Unusable(
+                f"the picture could not be downloaded: {host} returned status {status}."
+            )
         return data
 
 
 def _editing(model: str, keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
-    """Return the options of an edit by OpenAI's image models; see ``Painter.paint``."""
+    """Return the options of an edit with OpenAI's image models; see ``Painter.paint``."""
     options: dict[str, Any] = {} if _FAITHFUL.search(model) else {"input_fidelity": "high"}
     if clear and not _OPAQUE.search(model):
         options["background"] = "transparent"
@@ -248,7 +255,7 @@ def _editing(model: str, keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -
 
 
 def _meaning(text: str, options: Mapping[str, Any], pictures: Sequence[bytes]) -> str:
-    """Return a digest of what is to be drawn, whichever of the options the server knows."""
+    """Return a digest of the drawing, regardless of the options that the server supports."""
     files = [*pictures, *(value[1] for value in options.values() if isinstance(value, tuple))]
     words = {name: value for name, value in options.items() if not isinstance(value, tuple)}
     digests = [hashlib.sha256(file).hexdigest() for file in files]

@@ -1,4 +1,4 @@
-"""Pictures as image models answer with them: decoded with care, told from their background."""
+"""Safe decoding of pictures from image models, and separation of objects from backgrounds."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from ..server.json_text import Wrong
 LIMITS = PictureLimits(
     formats=("PNG", "JPEG", "WEBP"), max_bytes=128 * 2**20, max_pixels=40_000_000, min_side=64
 )
-"""Limits on the picture of an answer."""
+"""Limits on the picture in an answer."""
 
-_NEAR = 30  # grey levels by which a flat background may differ
-_FLAT = 0.7  # share of the picture's border that a flat background fills
-_LEAST, _MOST = 0.004, 0.97  # share of the picture that a thing drawn alone may fill
+_NEAR = 30  # grey levels by which a flat background may vary
+_FLAT = 0.7  # minimum fraction of the picture's border that a flat background fills
+_LEAST, _MOST = 0.004, 0.97  # fraction of the picture that an object drawn alone may fill
 
 RGBA = UInt8[np.ndarray, "_ _ 4"]
 
@@ -28,7 +28,7 @@ def decode_answer(data: bytes) -> RGBA:
     """Decode the picture of an answer in a child process.
 
     Raises:
-        UnusableError: it is not a PNG, JPEG or WebP, is damaged, or is over a limit.
+        UnusableError: it is not a PNG, JPEG or WebP, is damaged, or exceeds a limit.
     """
     if data.lstrip()[:1] == b"<":
         raise UnusableError(f"the picture is HTML ({len(data)} bytes).")
@@ -36,13 +36,13 @@ def decode_answer(data: bytes) -> RGBA:
 
 
 def on_white(picture: RGBA) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a picture with white behind what is transparent."""
+    """Return a picture composited on white."""
     alpha = picture[..., 3:].astype(np.float32) / 255
     return np.round(picture[..., :3] * alpha + 255 * (1 - alpha)).astype(np.uint8)
 
 
 def shrink(picture: UInt8[np.ndarray, "h w c"], maximum: int) -> UInt8[np.ndarray, "a b c"]:
-    """Return a picture with no side longer than ``maximum`` pixels."""
+    """Return a picture scaled down to at most ``maximum`` pixels per side."""
     height, width = picture.shape[:2]
     factor = maximum / max(width, height)
     if factor >= 1:
@@ -54,7 +54,7 @@ def shrink(picture: UInt8[np.ndarray, "h w c"], maximum: int) -> UInt8[np.ndarra
 def pad(
     picture: UInt8[np.ndarray, "h w 3"], minimum: float, maximum: float
 ) -> UInt8[np.ndarray, "a b 3"]:
-    """Return a picture with white at its sides, so that width over height is within limits."""
+    """Return a picture padded with white to an aspect ratio within limits."""
     height, width = picture.shape[:2]
     across = max(width, int(np.ceil(height * minimum)))
     down = max(height, int(np.ceil(width / maximum)))
@@ -65,10 +65,10 @@ def pad(
 
 
 def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
-    """Return where the thing is that was drawn alone, on nothing or on a flat background.
+    """Return the mask of an object drawn alone on a transparent or flat background.
 
     Raises:
-        Wrong: the background is not flat, or the thing fills next to nothing, or everything.
+        Wrong: the background is not flat, or the object fills too little or too much of it.
     """
     alpha = picture[..., 3]
     clear = _border(alpha < 128).mean()
@@ -81,7 +81,7 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
 
 
 def apart(colors: UInt8[np.ndarray, "*n 3"], color: ArrayLike) -> Float[np.ndarray, "*n"]:
-    """Return how far colours are from one, in grey levels of the channel that differs most."""
+    """Return the distances of colours from one colour: the maximum channel, in grey levels."""
     off = np.abs(colors.astype(np.float32) - np.asarray(color, np.float32))
     return np.maximum(np.maximum(off[..., 0], off[..., 1]), off[..., 2])
 
@@ -91,7 +91,7 @@ def _border(picture: np.ndarray) -> np.ndarray:
 
 
 def _flat_ground(picture: UInt8[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
-    """Return where the flat colour of the border reaches without a break."""
+    """Return the region of the border's flat colour that is connected to the border."""
     border = _border(picture)
     usual = np.median(border, axis=0)
     if (apart(border, usual) <= _NEAR).mean() < _FLAT:
@@ -101,5 +101,5 @@ def _flat_ground(picture: UInt8[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]
     numbers = np.asarray(found, np.intp)
     reached = np.zeros(count, bool)
     reached[_border(numbers)] = True
-    reached[0] = False  # what is not near
+    reached[0] = False  # the label of the pixels with other colours
     return reached[numbers]

@@ -1,4 +1,4 @@
-"""The questions in words: one file each, filled in with exactly the variables it names."""
+"""The prompts: one file each, whose variables must match the given values exactly."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from ....errors import BackendError, choices
 
 
 def prompt(name: str, **variables: str) -> str:
-    """Return the prompt ``name``, its ``$variables`` filled in (BackendError: they do not fit)."""
+    """Return the prompt ``name`` with its ``$variables`` replaced (BackendError: a mismatch)."""
     folder = files(__name__)
     stored = {f.name.removesuffix(".md"): f for f in folder.iterdir() if f.name.endswith(".md")}
     if name not in stored:
@@ -18,5 +18,5 @@ def prompt(name: str, **variables: str) -> str:
     wanted, given = set(template.get_identifiers()), set(variables)
     if wanted != given:
         missing, surplus = sorted(wanted - given), sorted(given - wanted)
-        raise BackendError(f"Prompt {name!r}: missing {missing}, not asked for {surplus}.")
+        raise BackendError(f"Prompt {name!r}: missing {missing}, unexpected {surplus}.")
     return template.substitute(variables).strip()

@@ -1,1 +1,1 @@
-"""The questions of the stages, asked of a chat model."""
+"""The stages' questions to a chat model."""

@@ -1,7 +1,7 @@
-"""Things by number: boxes drawn on the picture, a list of them in words, answers matched to them.
+"""Numbered objects: boxes on the picture, lists for prompts, and answers by number.
 
-Numbers, not names, are what a model is asked about and answers with: names that sound like several
-things, or alike, cannot be mixed up. 0 is the table, 1 and up the things in their order.
+Questions and answers use numbers instead of names, because names may be ambiguous or similar. The
+table is 0; objects are numbered from 1 in their order.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ from ....scene import TABLE, Instance
 from ..server.json_text import Wrong
 
 GRID = 1000
-"""Boxes are told and answered on a grid of this many steps in both directions."""
+"""Boxes in prompts and answers use a grid of this many steps in both directions."""
 
 
 class Numbered(Protocol):
-    """An answer about one thing."""
+    """An answer about one object."""
 
     @property
     def id(self) -> int:
-        """Its number."""
+        """The object's number."""
         ...
 
 
@@ -45,7 +45,7 @@ class Labelled:
     def of(
         cls, image: UInt8[np.ndarray, "h w 3"], instances: Sequence[Instance], *, table: bool = True
     ) -> Labelled:
-        """Number instances; ``table`` False leaves the table out."""
+        """Number instances; ``table=False`` omits the table."""
         tables = [i for i in instances if i.name == TABLE and table]
         things = [i for i in instances if i.name != TABLE]
         numbered = {0: tables[0]} if tables else {}
@@ -53,11 +53,11 @@ class Labelled:
 
     @property
     def numbers(self) -> Mapping[str, int]:
-        """Number of each name."""
+        """The number of each name."""
         return {i.name: number for number, i in self.by_number.items()}
 
     def picture(self) -> UInt8[np.ndarray, "h w 3"]:
-        """Return the picture with a box around each thing, its number above if there is room."""
+        """Return the picture with a box around each object and, if space permits, its number."""
         boxes = {str(k): np.asarray(i.box, float) for k, i in self.by_number.items()}
         picture = Image.fromarray(draw_boxes(self.image, boxes))
         draw, size = ImageDraw.Draw(picture), max(14, self.image.shape[1] // 50)
@@ -72,11 +72,11 @@ class Labelled:
         return np.asarray(picture, np.uint8)
 
     def pair(self) -> tuple[UInt8[np.ndarray, "h w 3"], UInt8[np.ndarray, "h w 3"]]:
-        """Return the picture as it is, and with its boxes."""
+        """Return the original picture and the picture with boxes."""
         return self.image, self.picture()
 
     def listing(self, facts: Callable[[Instance], str] | None = None) -> str:
-        """Return a line for each thing: number, label, ``facts`` if any, box on the grid."""
+        """Return a line per object: number, label, ``facts`` if any, and box on the grid."""
         lines = []
         for number, instance in self.by_number.items():
             note = f"; {facts(instance)}" if facts else ""
@@ -85,22 +85,22 @@ class Labelled:
         return "\n".join(lines)
 
     def names(self) -> str:
-        """Return a line for each thing but the table: number and label."""
+        """Return a line per object except the table: number and label."""
         return "\n".join(f"{n}: {i.label}" for n, i in self.by_number.items() if n)
 
     @property
     def count(self) -> int:
-        """How many things there are, the table not counted."""
+        """The number of objects without the table."""
         return sum(number > 0 for number in self.by_number)
 
     def on_grid(self, box: Float[np.ndarray, "4"]) -> tuple[int, ...]:
-        """Return a pixel box on the grid."""
+        """Return a pixel box in grid coordinates."""
         height, width = self.image.shape[:2]
         shares = np.asarray(box) / [width, height, width, height]
         return tuple(int(v) for v in np.clip(np.round(shares * GRID), 0, GRID))
 
     def match(self, answers: Sequence[N], without: Sequence[int] = ()) -> dict[str, N]:
-        """Return the answers by name, one for each number but ``without`` (Wrong: it is not so)."""
+        """Return the answers by name, one per number except ``without`` (otherwise Wrong)."""
         wanted = [n for n in self.by_number if n not in without]
         given = [a.id for a in answers if a.id not in without]
         wrong = {

@@ -1,4 +1,4 @@
-"""A model shown from six sides, and the quarter turns that follow from what was said of them."""
+"""A model seen from six sides, and the quarter turns that an answer about them implies."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from ....scene import Mesh
 from ..server.answers import OrientationAnswer
 from ..server.json_text import Wrong
 
-_SIDE = 224  # pixels of each view
-_DISTANCE = 12.0  # of the model's half diagonal: hardly any perspective
+_SIDE = 224  # pixels per view
+_DISTANCE = 12.0  # in half diagonals of the model, which gives hardly any perspective
 
 _UP: dict[str, tuple[tuple[str, int], ...]] = {
     "+z": (),
@@ -23,7 +23,7 @@ _UP: dict[str, tuple[tuple[str, int], ...]] = {
     "+y": (("x", 90),),
     "-y": (("x", -90),),
 }
-"""The turn about a fixed axis that brings each axis up."""
+"""The rotation about a fixed axis that turns each axis upward."""
 
 _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "+z": ((1, 0, 0), (0, 0, -1)),
@@ -33,11 +33,12 @@ _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "+y": ((-1, 0, 0), (0, -1, 0)),
     "-y": ((1, 0, 0), (0, 1, 0)),
 }
-"""By the axis towards the camera: what is right in the picture, and where the camera looks."""
+"""By the axis towards the camera: the axis to the right in the picture, and the camera's direction.
+"""
 
 
 def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a sheet of a mesh seen along each of its axes, named by the one towards the camera."""
+    """Return a sheet of a mesh seen along each axis, labelled by the axis towards the camera."""
     middle = (mesh.bounds[0] + mesh.bounds[1]) / 2
     radius = float(np.linalg.norm(mesh.extent)) / 2
     item = Item(mesh.vertices - middle, mesh.faces, mesh.uv, mesh.texture, 0, mesh.opacity)
@@ -52,7 +53,7 @@ def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
-    """Return the steps that turn ``up`` upward, then ``along`` to x (Wrong: they are one axis)."""
+    """Return the steps that turn ``up`` upward, then ``along`` to x (Wrong: both are one axis)."""
     if answer.up[1] == answer.along[1]:
         raise Wrong(f'"along" is {answer.along}, but {answer.up} is up: they must be two axes.')
     steps = _UP[answer.up]

@@ -1,4 +1,4 @@
-"""A planned scene out of its answer: numbers become names, words become catalogue keys."""
+"""Conversion of an answer to a scene plan: numbers become names, words become categories."""
 
 from __future__ import annotations
 
@@ -18,31 +18,31 @@ from ....stand_ins import GENERIC, stand_in_size
 from ..server.answers import GroupAnswer, PlanAnswer, RelationAnswer, ThingAnswer
 from ..server.json_text import Wrong
 
-_MOST = 2000  # characters of a text
-_LONGEST = 0.6  # metres: the longest thing on a table, as for the embedded planner
+_MOST = 2000  # characters per text
+_LONGEST = 0.6  # maximum length of an object in metres, as in the embedded planner
 
 
 def checked_text(text: object) -> str:
-    """Return a user's text without space around it (InputError: no text, empty, or too long)."""
+    """Return a user's text, stripped of spaces (InputError: not a string, empty, or too long)."""
     if not isinstance(text, str):
         raise InputError(f"A text or a ScenePlan is needed, got {type(text).__name__}.")
     if not any(c.isalpha() for c in text):
         raise InputError(
-            "The text holds no words. Describe a tabletop, for example 'a desk with a lamp'."
+            "The text contains no words. Describe a tabletop, for example 'a desk with a lamp'."
         )
     if len(text) > _MOST:
         raise InputError(
-            f"The text has {len(text)} characters; at most {_MOST} are read. Describe one table in "
+            f"The text has {len(text)} characters; the limit is {_MOST}. Describe one table in "
             "a few sentences."
         )
     return text.strip()
 
 
 def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
-    """Return the plan of an answer, as the embedded planner would give it.
+    """Return the plan of an answer, in the form that the embedded planner would return.
 
-    Things that carry others grow, relations that cannot be step aside, and warnings say what stands
-    in for what the catalogue lacks.
+    Carriers are enlarged for their contents, impossible relations are dropped, and warnings list
+    the stand-ins of objects that the catalogue lacks.
 
     Raises:
         Wrong, InputError: the answer contradicts itself.
@@ -66,7 +66,7 @@ def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
 
 
 def _names(answer: PlanAnswer) -> dict[int, str]:
-    """Return each number's name: "mug_1" for the first mug."""
+    """Return the name of each number, such as "mug_1" for the first mug."""
     names: dict[int, str] = {}
     stems: list[str] = []
     for thing in answer.things:
@@ -107,7 +107,7 @@ def _thing(thing: ThingAnswer, names: dict[int, str]) -> PlannedObject:
 
 
 def _shorten(thing: PlannedObject) -> PlannedObject:
-    """Return a thing no longer than what belongs on a table, in its proportions."""
+    """Return an object scaled down to the maximum length on a table."""
     if thing.size is None or max(thing.size) <= _LONGEST:
         return thing
     x, y, z = (float(v) for v in np.asarray(thing.size) * _LONGEST / max(thing.size))
@@ -116,7 +116,9 @@ def _shorten(thing: PlannedObject) -> PlannedObject:
 
 def _warn_of_length(thing: PlannedObject) -> str:
     longest = max(thing.size or (0.0,))
-    return f"A {thing.noun} of {longest:g} m does not belong on a table; it is {_LONGEST:g} m long."
+    return (
+        f"A {thing.noun} of {longest:g} m is too long for a table; it was scaled to {_LONGEST:g} m."
+    )
 
 
 def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str]) -> Relation:
@@ -136,7 +138,7 @@ def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str
 
 
 def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]:
-    """Yield the groups, each of two things or more (Wrong: they contradict the things)."""
+    """Yield the groups, each of at least two objects (Wrong: they contradict the objects)."""
     taken: set[int] = set()
     laid: set[int] = set()
     for group in answer.groups:
@@ -155,7 +157,7 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
 
 
 def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
-    """Raise Wrong where a group has what its kind does not; ``laid`` are the seats so far."""
+    """Raise Wrong if a group does not fit its kind; ``laid`` are the previous seats."""
     if group.around is not None and group.kind != "circle":
         raise Wrong(f"{where} is around a thing; only a circle is.")
     if (group.seat is not None) != (group.kind == "setting"):

@@ -1,4 +1,4 @@
-"""A plan in words, as an image model is told it."""
+"""A plan as text for an image model."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ....scene import TABLE, PlannedGroup, ScenePlan
 
 
 def in_words(plan: ScenePlan) -> tuple[str, str]:
-    """Return a plan's table, and its things line by line, as an image model is told them."""
+    """Return the descriptions of a plan's table and of its objects, one line per object."""
     table = plan.table
     length, width, height = (round(100 * v) for v in table.size)
     color = f"{table.color} " if table.color else ""
@@ -56,7 +56,7 @@ _ARRANGED: Mapping[str, str] = {
 
 
 def _arrangement(group: PlannedGroup, plan: ScenePlan) -> str:
-    """Return how the things of a group stand together, by their numbers in the list."""
+    """Return the arrangement of a group's objects, referred to by their numbers in the list."""
     numbers = {thing.name: n for n, thing in enumerate(plan.objects, start=1)}
     who = f"Things {', '.join(str(numbers[name]) for name in group.members)}"
     if group.seat is not None:
@@ -71,7 +71,7 @@ def _arrangement(group: PlannedGroup, plan: ScenePlan) -> str:
 
 
 def _descriptions(plan: ScenePlan) -> dict[str, str]:
-    """Return how each thing is called: with its looks, and its number where nouns repeat."""
+    """Return each object's description: its looks, and its number if its noun repeats."""
     nouns = [thing.noun for thing in plan.objects]
     called = {TABLE: "the table"}
     for thing in plan.objects:
@@ -79,7 +79,7 @@ def _descriptions(plan: ScenePlan) -> dict[str, str]:
         if "accent" in looks:
             looks["color"] = " and ".join(filter(None, (looks.get("color"), looks["accent"])))
         state, tail = looks.get("state", ""), ""
-        if state.startswith("with "):  # what it holds, unless its noun says so
+        if state.startswith("with "):  # the contents, unless the noun already names them
             tail = "" if f" of {state[5:]}" in thing.noun else f" {state}"
             del looks["state"]
         before = [looks[k] for k in ("size", "state", "color", "material") if k in looks]
@@ -92,5 +92,5 @@ def _descriptions(plan: ScenePlan) -> dict[str, str]:
 
 
 def in_cm(size: Sequence[float] | np.ndarray) -> str:
-    """Return a size, metres, in words."""
+    """Return a size in metres as text in centimetres."""
     return " by ".join(f"{100 * v:.3g}" for v in size) + " cm"

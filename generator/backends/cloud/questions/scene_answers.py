@@ -1,6 +1,6 @@
-"""What answers about a picture mean: kinds, supports and places, checked; what is known of sizes.
+"""Conversion and validation of answers about a picture: kinds, supports, positions and sizes.
 
-Each raises ``Wrong`` where an answer contradicts itself or the picture.
+Each function raises ``Wrong`` if an answer contradicts itself or the picture.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .plan_text import in_cm
 
 
 def kinds(answer: KindsAnswer) -> tuple[str, ...]:
-    """Return "table" and the noun of each kind, as often as it is there."""
+    """Return "table" and the noun of each kind, repeated by its count."""
     nouns = [" ".join(kind.noun.lower().split()) for kind in answer.kinds]
     twice = sorted({n for n in nouns if nouns.count(n) > 1})
     if twice:
@@ -30,7 +30,7 @@ def kinds(answer: KindsAnswer) -> tuple[str, ...]:
 
 
 def fixed_sizes(reference: Reference, instances: Instances) -> dict[str, np.ndarray]:
-    """Return the sizes, metres, that a text fixed; alike things of different sizes are left out."""
+    """Return the sizes in metres that a text fixes, except those of similar objects that differ."""
     found: dict[str, np.ndarray] = {}
     if reference.plan is None:
         return found
@@ -44,7 +44,7 @@ def fixed_sizes(reference: Reference, instances: Instances) -> dict[str, np.ndar
 
 
 def stacking(answer: RestsAnswer, shown: Labelled) -> dict[str, Stacking]:
-    """Return what each thing rests on or in; what it leans at carries nothing."""
+    """Return the support of each object; an object that others lean at carries nothing by that."""
     supports = {}
     for name, rest in shown.match(answer.things, without=(0,)).items():
         _check_rest(rest, shown)
@@ -76,7 +76,7 @@ def _layer(name: str, supports: Mapping[str, tuple[str, bool]]) -> int:
 def layout(
     answer: PlacesAnswer, shown: Labelled, length: float, width: float
 ) -> dict[str, LayoutBox]:
-    """Return places and sizes, metres, on a tabletop of so many centimetres."""
+    """Return positions and sizes in metres on a tabletop of the given size in centimetres."""
     by_name = shown.match(answer.places, without=(0,))
     beyond = [a.id for a in by_name.values() if abs(a.x) > length / 2 or abs(a.y) > width / 2]
     if beyond:
@@ -89,7 +89,7 @@ def layout(
 
 
 def pose_facts(shown: Labelled, sizes: Sizes, view: View) -> dict[str, str]:
-    """Return what questions about poses tell: things with their sizes, and the camera, degrees."""
+    """Return the facts for questions about poses: object sizes, and camera angles in degrees."""
     return {
         "listing": shown.listing(lambda i: in_cm(sizes[i.name].extent)),
         "elevation": f"{np.rad2deg(view.elevation):.0f}",

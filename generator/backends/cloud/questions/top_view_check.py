@@ -1,4 +1,4 @@
-"""A drawn top view held against its reference by the chat model: is each thing there, once?"""
+"""A check of a drawn top view by the chat model: is each object there exactly once?"""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from ..server.json_text import Wrong
 from ..server.typed_question import Chat
 from .labelled import GRID, Labelled
 
-_SAME = 0.85  # overlap from which two boxes are one place
+_SAME = 0.85  # overlap from which two boxes count as the same place
 
 
 def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> tuple[str, ...]:
-    """Return what is wrong with a drawn top view, in sentences (BackendError: no usable answer)."""
+    """Return the faults of a drawn top view as sentences (BackendError: no usable answer)."""
 
     def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
         seen = things.match(answer.things, without=(0,)).values()
@@ -35,7 +35,7 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
 
 
 def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
-    """Refuse boxes that are none, and one place given to two things (Wrong: which they are)."""
+    """Raise Wrong for invalid boxes, and for two objects in one place."""
     for number, (x0, y0, x1, y1) in places:
         if not (x0 < x1 and y0 < y1):
             raise Wrong(
@@ -49,7 +49,7 @@ def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
 
 
 def _overlap(a: np.ndarray, b: np.ndarray) -> float:
-    """Return the share of two boxes' union that both cover."""
+    """Return the intersection over union of two boxes."""
     low, high = np.maximum(a[:2], b[:2]), np.minimum(a[2:], b[2:])
     both = float(np.prod(np.maximum(high - low, 0)))
     return both / (float(np.prod(a[2:] - a[:2]) + np.prod(b[2:] - b[:2])) - both)

@@ -1,1 +1,1 @@
-"""Chat servers: settings, questions sent, answers read."""
+"""Chat servers: configuration, requests and answers."""

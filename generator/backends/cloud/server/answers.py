@@ -1,4 +1,4 @@
-"""What each question is answered with: types for pydantic, units in the names of the fields."""
+"""The type of each question's answer, for pydantic; field names include units."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from ....scene import GroupKind, OutlineKind, RelationKind
 
 Id = Annotated[int, Field(ge=0, le=999)]
 MOST_ANSWERED = 1000
-"""Things that an answer may tell of: it names no more than it was shown."""
+"""Maximum number of objects in an answer; it names no more than the question shows."""
 
 MOST_PLANNED = 40
-"""Things that a plan may hold, as many as the embedded planner's."""
+"""Maximum number of objects in a plan, as in the embedded planner."""
 
 MOST_SEATS = 12
-"""People that a table may be laid for."""
+"""Maximum number of place settings on a table."""
 
 
 def _check_printable(word: str) -> str:
@@ -33,13 +33,13 @@ Axis = Literal["+x", "-x", "+y", "-y", "+z", "-z"]
 
 
 class ModelAnswer(BaseModel):
-    """What a model answers: frozen, finite numbers only; keys that nobody asked for are passed."""
+    """A model's answer: frozen, with finite numbers only; unexpected keys are ignored."""
 
     model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
 
 
 class RelationAnswer(ModelAnswer):
-    """``target`` is a thing's number, 0 the table."""
+    """``target`` is an object's number, or 0 for the table."""
 
     kind: RelationKind
     target: Id
@@ -49,7 +49,7 @@ PlannedId = Annotated[int, Field(ge=1, le=200)]
 
 
 class ThingAnswer(ModelAnswer):
-    """One planned thing. ``contents`` is what it holds or shows that is no thing of its own."""
+    """One planned object. ``contents`` is a content or a motif that is not a separate object."""
 
     id: PlannedId
     noun: Word
@@ -65,14 +65,14 @@ class ThingAnswer(ModelAnswer):
 
 
 class SeatAnswer(ModelAnswer):
-    """The seat that is laid, counted from 1, and how many there are."""
+    """The seat of a place setting, counted from 1, and the total number of seats."""
 
     number: Annotated[int, Field(ge=1, le=MOST_SEATS)]
     count: Annotated[int, Field(ge=1, le=MOST_SEATS)]
 
 
 class GroupAnswer(ModelAnswer):
-    """Things arranged as one, in order; ``seat`` is of a "setting", ``around`` of a "circle"."""
+    """A group of objects, in order; a "setting" has a ``seat``, a "circle" may have ``around``."""
 
     kind: GroupKind
     things: Annotated[list[PlannedId], Field(min_length=1, max_length=MOST_PLANNED)]
@@ -102,7 +102,7 @@ class PlanAnswer(ModelAnswer):
 
 
 class KindAnswer(ModelAnswer):
-    """One kind of things."""
+    """One kind of object."""
 
     noun: Word
     count: Annotated[int, Field(ge=1, le=60)]
@@ -115,7 +115,7 @@ class KindsAnswer(ModelAnswer):
 
 
 class ViewAnswer(ModelAnswer):
-    """``estimate_view``, degrees."""
+    """``estimate_view``, in degrees."""
 
     elevation: Annotated[float, Field(ge=5, le=90)]
     azimuth: Annotated[float, Field(ge=-45, le=45)]
@@ -123,7 +123,7 @@ class ViewAnswer(ModelAnswer):
 
 
 class SizeAnswer(ModelAnswer):
-    """One thing's size, centimetres."""
+    """The size of one object in centimetres."""
 
     id: Id
     placement: Word
@@ -149,7 +149,7 @@ class OrientationAnswer(ModelAnswer):
 
 
 class RestAnswer(ModelAnswer):
-    """What carries one thing."""
+    """The support of one object."""
 
     id: Id
     how: Literal["on", "in"]
@@ -164,7 +164,7 @@ class RestsAnswer(ModelAnswer):
 
 
 class MarkAnswer(ModelAnswer):
-    """One criterion's mark."""
+    """The rating of one criterion."""
 
     criterion: Word
     why: Annotated[str, Field(max_length=4000)]
@@ -178,13 +178,13 @@ class MarksAnswer(ModelAnswer):
 
 
 class OrderAnswer(ModelAnswer):
-    """``rank``: letters, the best first."""
+    """``rank``: letters, best first."""
 
     order: Annotated[list[Word], Field(max_length=MOST_ANSWERED)]
 
 
 class TurnAnswer(ModelAnswer):
-    """One thing's yaw, degrees."""
+    """The yaw of one object in degrees."""
 
     id: Id
     yaw: Degrees
@@ -197,7 +197,7 @@ class TurnsAnswer(ModelAnswer):
 
 
 class PlaceAnswer(ModelAnswer):
-    """One thing's place and size, centimetres."""
+    """The position and size of one object in centimetres."""
 
     id: Id
     x: Annotated[float, Field(ge=-400, le=400)]
@@ -214,7 +214,7 @@ class PlacesAnswer(ModelAnswer):
 
 
 class SightAnswer(ModelAnswer):
-    """Where a thing is seen in a drawn top view: boxes (x0, y0, x1, y1) on the grid."""
+    """The positions of an object in a drawn top view: boxes (x0, y0, x1, y1) on the grid."""
 
     id: Id
     boxes: Annotated[list[GridBox], Field(max_length=20)]
@@ -234,10 +234,11 @@ _LIMITS = {"minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum", "minLen
 
 
 def strict_schema(answer: type[ModelAnswer]) -> dict[str, Any]:
-    """Return the JSON schema of an answer, as strict servers take it.
+    """Return the JSON schema of an answer in the form that strict servers accept.
 
-    Every key is required and none may be added. Limits on numbers and lengths are left out, as not
-    all servers know them: the prompts name them, and the answer is checked against them.
+    All keys are required and no others are allowed. Limits on numbers and lengths are omitted,
+    because not all servers support them: the prompts state them, and the answer is validated
+    against them.
     """
     return _strict(answer.model_json_schema(), properties=False)
 

@@ -1,4 +1,4 @@
-"""One call to a server through the ``openai`` package, and what may go wrong with it in words."""
+"""Calls to a server through the ``openai`` package, with explanations of their failures."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from . import configuration
 from .configuration import Purpose
 
 _TIMEOUT: Mapping[Purpose, float] = {"chat": 180.0, "image": 300.0}
-"""Seconds that an answer may take."""
+"""Time limit of an answer in seconds."""
 
-_SHOWN = 300  # characters of a server's own words in a message
+_SHOWN = 300  # maximum characters of a server's message that are quoted
 
 
 class Rejected(UnusableError):
-    """The server found fault with the request itself: asked otherwise, it may answer."""
+    """The server rejected the request itself; a modified request may succeed."""
 
 
 @dataclass(frozen=True)
 class Server:
-    """A model on a server, and how it is called. ``purpose`` chooses the key's variable."""
+    """A model on a server. ``purpose`` selects the environment variable of the key."""
 
     base_url: str
     model: str
@@ -48,19 +48,20 @@ class Server:
         meant: str,
         memo: str = "yes",
     ) -> dict[str, Any]:
-        """Return the JSON that a request is answered with.
+        """Return the JSON of the answer to a request.
 
-        Errors and the account name ``question``. ``request`` makes the call, given the client and
-        headers to send, and returns the raw response; ``used`` takes note of it. Two calls that
-        have the same meaning, ``meant``, have the same answer, unless ``memo`` is "renew".
+        Errors and the ledger name ``question``. ``request`` makes the call, given the client and
+        additional headers, and returns the raw response, which ``used`` records. Two calls with the
+        same meaning ``meant`` share a stored answer, unless ``memo`` is "renew".
 
         Raises:
             Rejected: status 400, 413 or 422.
-            UnusableError: the answer is no JSON object.
-            BackendError: no key, or the call failed.
+            UnusableError: the answer is not a JSON object.
+            BackendError: there is no key, or the call failed.
         """
         answer = self._send(question, request, used, meant, memo)
-        if isinstance(answer, TabletopError):  # raised where nothing that it leads to has a key
+        # raised here, so that no part of its traceback contains a key
+        if isinstance(answer, TabletopError):
             raise answer.with_traceback(None)
         return self._json(question, answer)
 
@@ -72,7 +73,7 @@ class Server:
         meant: str,
         memo: str,
     ) -> str | TabletopError:
-        """Return the text that a request is answered with, or why there is none."""
+        """Return the text of the answer to a request, or the error of the call."""
         asker = f"cloud ({self.model} at {self.name}): {question}"
         key = configuration.key(self.base_url, self.purpose, asker)
         headers = {"Authorization": f"Bearer {key}", **self.headers(question, meant, memo)}
@@ -97,22 +98,22 @@ class Server:
             return self.failure(question, str(error))
 
     def headers(self, question: str, meant: str, memo: str) -> dict[str, str]:
-        """Return the headers that tell the session about a call; see ``call``."""
+        """Return the internal headers that describe a call to the session; see ``call``."""
         return {
             "x-tabletopgen-question": question, "x-tabletopgen-model": self.model,
             "x-tabletopgen-memo": memo, "x-tabletopgen-meant": meant,
         }  # fmt: skip
 
     def unusable(self, question: str, what: str) -> UnusableError:
-        """Return the error that says who answered which question in a way that is of no use."""
+        """Return the error for an unusable answer, which names the server and the question."""
         return UnusableError(self._message(question, what))
 
     def failure(self, question: str, what: str) -> BackendError:
-        """Return the error that says who could not answer which question, and why."""
+        """Return the error for a failed call, which names the server and the question."""
         return BackendError(self._message(question, what))
 
     def quote(self, text: str, maximum: int = _SHOWN) -> str:
-        """Quote what a server said on one line of ``maximum`` characters, without keys."""
+        """Quote a server's text on one line of at most ``maximum`` characters, without keys."""
         keys = configuration.keys(self.base_url, self.purpose)
         text = " ".join(excerpt(text, 10 * maximum, keys).split())
         return repr(text if len(text) <= maximum else text[: maximum - 3] + "...")
@@ -128,13 +129,15 @@ class Server:
             kind = "HTML" if text.lstrip()[:1] == "<" else "no JSON"
             raise self.unusable(
                 question,
-                f"the answer is {kind} ({self.quote(text, 80)}). Is {self.base_url} the address "
-                "of the API (it often ends in /v1)?",
+                f"the answer is {kind} ({self.quote(text, 80)}). Check that {self.base_url} is "
+                "the address of the API (it often ends in /v1).",
             ) from None
         if not isinstance(found, dict):
-            raise self.unusable(question, f"the answer is no JSON object: {self.quote(text, 80)}.")
+            raise self.unusable(
+                question, f"the answer is not a JSON object: {self.quote(text, 80)}."
+            )
         if found.get("error"):
-            raise self.failure(question, f"the server says {self.quote(_error_message(found))}.")
+            raise self.failure(question, f"the server reports {self.quote(_error_message(found))}.")
         return found
 
     def _refusal(self, question: str, error: openai.APIStatusError) -> BackendError:
@@ -145,27 +148,28 @@ class Server:
         todo = ""
         if error.status_code in (401, 403):
             variables = configuration.key_variables(self.base_url, self.purpose)
-            todo = f" Check the key in {' or '.join(variables)} and what it may use."
+            todo = f" Check the key in {' or '.join(variables)} and its permissions."
         elif error.status_code == 404:
             variable = f"TABLETOPGEN_CLOUD_{self.purpose.upper()}_MODEL"
-            todo = f" Does {self.base_url} have the model {self.model!r}? Set {variable}."
+            todo = f" Check that {self.base_url} has the model {self.model!r}, or set {variable}."
         return self.failure(question, message + todo)
 
     def _connection_error(self, question: str, error: openai.APIConnectionError) -> TabletopError:
         first = cause = error.__cause__
         while cause is not None:
-            if isinstance(cause, TabletopError):  # the session's own, which says it all
+            if isinstance(cause, TabletopError):  # an error of the session is already complete
                 return cause
             cause = cause.__cause__
         message = str(error) if first is None else f"{type(first).__name__}: {first}"
         return self.failure(
             question,
-            f"no answer from {self.base_url} ({self.quote(message)}). Is the server there?",
+            f"no response from {self.base_url} ({self.quote(message)}). Check that the server "
+            "runs.",
         )
 
 
 def _error_message(body: object) -> str:
-    """Return the message in an error's body, wherever servers put it."""
+    """Return the message in an error's body, in any of the usual places."""
     while isinstance(body, dict):
         body = body.get("error") or body.get("message") or body.get("detail") or ""
     return "" if body is None else str(body)

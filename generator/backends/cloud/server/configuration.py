@@ -1,4 +1,4 @@
-"""Which server, models and keys the cloud backend uses: fields first, then the environment.
+"""Server, models and keys of the cloud backend: from fields, or else from the environment.
 
 ========================================  ==========================================================
 ``TABLETOPGEN_CLOUD_BASE_URL``            the chat server, default ``https://api.openai.com/v1``
@@ -11,9 +11,10 @@
 ``TABLETOPGEN_CLOUD_IMAGE_HOSTS``         more hosts that pictures may be fetched from, by commas
 ========================================  ==========================================================
 
-A key is read when a call is made, goes to its own host only, and is kept nowhere. A server on this
-machine (Ollama, vLLM) needs none. What else the ``openai`` package reads from the environment is
-not sent (``OPENAI_CUSTOM_HEADERS``), or to OpenAI alone (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``).
+A key is read when a call is made, sent to its own host only, and never stored. A server on this
+machine (Ollama, vLLM) needs none. Other settings that the ``openai`` package reads from the
+environment are not sent (``OPENAI_CUSTOM_HEADERS``), or only to OpenAI (``OPENAI_ORG_ID``,
+``OPENAI_PROJECT_ID``).
 """
 
 from __future__ import annotations
@@ -34,13 +35,13 @@ OPENAI = "https://api.openai.com/v1"
 DEFAULTS: Mapping[Purpose, str] = MappingProxyType(
     {"chat": "gpt-6-luna", "image": "gpt-image-2.6-sunburst"}
 )
-"""Models that OpenAI's own server is asked for, unless others are named.
+"""Default models on OpenAI's own server.
 
-Checked on 2026-11-28 against what developers.openai.com publishes (the pages of the models, their
-prices, and the deprecations), without a key. gpt-6-luna is the replacement that the deprecations
-name for gpt-4o and gpt-4.1, which end on 2027-01-14; it takes pictures and answers by schema.
-gpt-image-1 ended on 2026-10-23, gpt-image-1.5 and -mini end on 2026-12-01. Of the image models of
-2.6, sunburst is the one for edits; flare is faster, at the same prices.
+Checked on 2026-11-28 against the pages on developers.openai.com (models, prices, deprecations),
+without a key. gpt-6-luna is the official replacement for gpt-4o and gpt-4.1, which end on
+2027-01-14; it accepts pictures and answers by schema. gpt-image-1 ended on 2026-10-23;
+gpt-image-1.5 and -mini end on 2026-12-01. Of the 2.6 image models, sunburst is the one for edits;
+flare is faster at the same prices.
 """
 
 _PROVIDERS = {
@@ -49,32 +50,32 @@ _PROVIDERS = {
     "ark.cn-beijing.volces.com": ("ark", "ARK_API_KEY"),
     "ark.ap-southeast.bytepluses.com": ("ark", "ARK_API_KEY"),
 }
-"""Host to the provider's name and the variable of its key."""
+"""The provider's name and the variable of its key, by host."""
 
 _STORES = {
     "openai": (".blob.core.windows.net",),
     "ark": (".volces.com", ".bytepluses.com"),
 }
-"""Where a provider keeps the pictures whose addresses it answers with."""
+"""Hosts on which providers store the pictures that their answers link to."""
 
 
 def chat_base_url() -> str:
-    """Return the chat server of the environment."""
+    """Return the chat server set in the environment."""
     return os.environ.get("TABLETOPGEN_CLOUD_BASE_URL") or OPENAI
 
 
 def image_base_url() -> str:
-    """Return the image server of the environment."""
+    """Return the image server set in the environment."""
     return os.environ.get("TABLETOPGEN_CLOUD_IMAGE_BASE_URL") or chat_base_url()
 
 
 def chat_model() -> str:
-    """Return the chat model of the environment (BackendError: none, and not OpenAI's server)."""
+    """Return the chat model from the environment (BackendError: unset, and not OpenAI's server)."""
     return _model("chat", chat_base_url())
 
 
 def image_model() -> str:
-    """Return the image model of the environment; see ``chat_model``."""
+    """Return the image model from the environment; see ``chat_model``."""
     return _model("image", image_base_url())
 
 
@@ -85,28 +86,28 @@ def _model(purpose: Purpose, url: str) -> str:
     if host(url) == host(OPENAI):
         return DEFAULTS[purpose]
     raise BackendError(
-        f"cloud: no {purpose} model is named for {url}. Set {variable} to one the server has, or "
-        "pass model=... to the backend's class."
+        f"cloud: no {purpose} model is set for {url}. Set {variable} to a model of that server, "
+        "or pass model=... to the backend's class."
     )
 
 
 def checked_url(url: str) -> str:
-    """Return a base URL without a slash at its end (BackendError: no http(s), or with a secret)."""
+    """Return a base URL without a trailing slash (BackendError: not http(s), or with a secret)."""
     variables = "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
     url = checked_address(
         url, "cloud: the base URL",
-        f"Correct {variables}; keys belong into TABLETOPGEN_CLOUD_KEY.",
+        f"Correct {variables}; keys belong in TABLETOPGEN_CLOUD_KEY.",
     )  # fmt: skip
     if split_url(url, "cloud: the base URL", BackendError).query:
         raise BackendError(
-            f"cloud: the base URL of {host(url)} holds a query. Keys belong into "
+            f"cloud: the base URL of {host(url)} contains a query. Keys belong in "
             "TABLETOPGEN_CLOUD_KEY."
         )
     return url
 
 
 def host(url: str) -> str:
-    """Return a URL's host in lower case; "" if it has none, or is no URL."""
+    """Return a URL's host in lower case, or "" if it is missing or the URL is invalid."""
     try:
         return split_url(url, "It", BackendError).hostname or ""
     except BackendError:
@@ -120,28 +121,28 @@ def server_name(url: str) -> str:
 
 
 def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
-    """Return a server's key; ``what`` needs it (BackendError: none; it names the variables)."""
+    """Return a server's key, which ``what`` needs (BackendError: unset; it names the variables)."""
     if found := keys(url, purpose):
         return found[0]
     if local(host(url)):
         return "none-needed"
     raise BackendError(
         f"{what}: no key for {server_name(url)} ({url}). Set "
-        f"{' or '.join(key_variables(url, purpose))}; the key stays in the environment and is "
-        "written nowhere."
+        f"{' or '.join(key_variables(url, purpose))}; the key is read from the environment only "
+        "and never stored."
     )
 
 
 def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
-    """Return the keys that are set for a server: what no message may hold."""
+    """Return the keys that are set for a server, which messages must not contain."""
     values = (os.environ.get(v, "").strip() for v in key_variables(url, purpose))
     return tuple(value for value in values if value)
 
 
 def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
-    """Return the variables that may hold the key of a server; the first that is set counts.
+    """Return the variables that may contain a server's key; the first one that is set is used.
 
-    A provider's own key goes to its own hosts alone, and the chat server's to no other host.
+    A provider's own key is sent to its own hosts only, and the chat server's key to no other host.
     """
     names = ["TABLETOPGEN_CLOUD_IMAGE_KEY"] if purpose == "image" else []
     if purpose == "chat" or host(url) == host(chat_base_url()):
@@ -152,16 +153,16 @@ def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def own_headers(url: str) -> tuple[str, ...]:
-    """Return the headers that OpenAI alone is sent (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``)."""
+    """Return the headers for OpenAI only (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``)."""
     return ("openai-organization", "openai-project") if host(url) == host(OPENAI) else ()
 
 
 def may_fetch(address: str, server: str) -> bool:
-    """Tell whether a picture may be fetched from an address that the server ``server`` gave.
+    """Return whether a picture may be downloaded from a URL in an answer of ``server``.
 
-    Allowed is https at the server's own host, at its provider's stores, and at the hosts of
-    ``TABLETOPGEN_CLOUD_IMAGE_HOSTS``, where a leading dot means all below; http only at a server
-    that is itself spoken to by http.
+    Allowed are https URLs on the server's own host, on its provider's storage, and on the hosts of
+    ``TABLETOPGEN_CLOUD_IMAGE_HOSTS``, where a leading dot includes all subdomains. http is allowed
+    only for servers that are themselves called over http.
     """
     try:
         parts, here = split_url(address, "The picture's address", BackendError), host(address)

@@ -1,4 +1,4 @@
-"""JSON out of what a chat model wrote: as it is, out of a fence or out of prose, and mended."""
+"""Extraction of JSON from a chat model's text: verbatim, from fences or prose, and repaired."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from typing import Any
 from ....errors import UnusableError
 from ....io.bounded import parse_json
 
-# Each pattern takes time in proportion to the text, also where what it looks for has no end.
+# All patterns take linear time, even if the end of a match is missing.
 _THOUGHT = re.compile(r"<think(?:ing)?>", re.IGNORECASE)
 _THOUGHT_END = re.compile(r"</think(?:ing)?>", re.IGNORECASE)
 _FENCE = re.compile(r"```[a-zA-Z0-9]*+\s*+(.*?)```", re.DOTALL)
-_STRING = r'"[^"\\]*+(?:\\.[^"\\]*+)*+"?+'  # to the end of the text where it is not closed
+_STRING = r'"[^"\\]*+(?:\\.[^"\\]*+)*+"?+'  # up to the end of the text if the string is not closed
 _COMMENT = r"//[^\n]*|/\*.*?(?:\*/|\Z)"
 _COMMA = r",(?=\s*+[}\]])"
 _REFUSAL = re.compile(
@@ -23,20 +23,21 @@ _REFUSAL = re.compile(
     r"as an ai\b|unfortunately,? i)",
     re.IGNORECASE,
 )
-_LONGEST_LITERAL = 2**17  # characters of an answer in Python's own notation
+_LONGEST_LITERAL = 2**17  # maximum characters of an answer in Python notation
 _CURLY = str.maketrans({"“": '"', "”": '"', "„": '"', "‘": "'", "’": "'"})
 
 
 class Wrong(ValueError):
-    """An answer that cannot be used, in words that are fit to be shown to the model."""
+    """An unusable answer; the message is suitable for the model."""
 
 
 def read_object(text: str) -> dict[str, Any]:
     """Return the JSON object in an answer (Wrong: there is none).
 
-    Tried in this order: the whole text, fenced blocks (the last first), stretches in braces (the
-    last first); each as it is, then mended: no comments, no trailing commas, straight quotes,
-    Python's literals, open brackets closed. NaN and infinite numbers are no JSON.
+    The candidates are, in order: the whole text, fenced blocks (last first), and parts in braces
+    (last first). Each is parsed verbatim, then repaired: comments and trailing commas removed,
+    quotes straightened, Python literals converted, open brackets closed. NaN and infinite numbers
+    are rejected.
     """
     text = _without_thoughts(text).strip().lstrip("\ufeff")
     for piece in _pieces(text):
@@ -48,7 +49,7 @@ def read_object(text: str) -> dict[str, Any]:
 
 
 def is_refusal(text: str) -> bool:
-    """Tell whether an answer without JSON begins as refusals do."""
+    """Return whether an answer without JSON begins like a refusal."""
     return "{" not in text and bool(_REFUSAL.match(text.strip()))
 
 
@@ -64,9 +65,9 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return where the brace at ``start`` is closed, strings minded; the text's end if it is not.
+    """Return the end of the brace at ``start``, ignoring strings; the text's end if unclosed.
 
-    An apostrophe opens no string: JSON's are in double quotes.
+    An apostrophe does not open a string, because JSON strings use double quotes.
     """
     depth, inside, skip = 0, False, False
     for at in range(start, len(text)):
@@ -91,7 +92,7 @@ def _object(text: str) -> dict[str, Any] | None:
 
 
 def _without_thoughts(text: str) -> str:
-    """Return a text without what is marked as thoughts, from each mark to the next end of one."""
+    """Return a text without marked thoughts, each removed up to its next end mark."""
     kept, at = [], 0
     while (begin := _THOUGHT.search(text, at)) and (end := _THOUGHT_END.search(text, begin.end())):
         kept.append(text[at : begin.start()])
@@ -100,7 +101,7 @@ def _without_thoughts(text: str) -> str:
 
 
 def _literal(text: str) -> Any:
-    """Return what Python's own notation says, as some models answer; None if it is none."""
+    """Return the value of an answer in Python notation, which some models use, or None."""
     if not text.startswith("{") or len(text) > _LONGEST_LITERAL:
         return None
     words = {"true": "True", "false": "False", "null": "None"}
@@ -120,13 +121,13 @@ def _repair(text: str) -> str:
 
 
 def _outside_strings(text: str, pattern: str, by: str) -> str:
-    """Replace ``pattern`` wherever it is not in a double-quoted string."""
+    """Replace ``pattern`` everywhere except in double-quoted strings."""
     either = re.compile(rf"({_STRING})|(?:{pattern})", re.DOTALL)
     return either.sub(lambda m: m[1] if m[1] is not None else by, text)
 
 
 def _closing(text: str) -> str:
-    """Return the quote and brackets that a cut-off text lacks."""
+    """Return the quote and brackets missing at the end of a truncated text."""
     strings = re.compile(_STRING, re.DOTALL)
     missing = '"' * any(_is_open(found) for found in strings.findall(text))
     bare = strings.sub("", text)
@@ -140,7 +141,7 @@ def _closing(text: str) -> str:
 
 
 def _is_open(string: str) -> bool:
-    """Return whether a string is not closed: no quote at its end, or one that is escaped."""
+    """Return whether a string is not closed: its final quote is missing or escaped."""
     if len(string) < 2 or not string.endswith('"'):
         return True
     body = string[1:-1]

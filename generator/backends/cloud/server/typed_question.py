@@ -1,9 +1,9 @@
-"""A question to a chat model with a typed answer: schema, reading, checking, asking again.
+"""Questions to a chat model with typed answers: schema, parsing, validation and retries.
 
-A server is asked for an answer by schema (``json_schema``), then for any JSON (``json_object``),
-then by the prompt's own words; which of them it takes is learned from its first rejection and kept
-as long as the backend. Answers are kept by what was asked, whatever form the server took; those of
-a question that ends in an error for what they say are dropped.
+A server is called with a schema (``json_schema``), otherwise for any JSON (``json_object``),
+otherwise with the prompt alone; the supported form is learned from its first rejection and kept for
+the backend's lifetime. Answers are stored by question, regardless of the form; the answers to a
+question that fails because of their content are removed.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ from .client import Rejected, Server
 from .json_text import Wrong, is_refusal, read_object
 
 REASKS = 3
-"""How often at most a question is asked again with what was wrong with the answer."""
+"""Maximum number of retries of a question, each with the fault of the previous answer."""
 
 ANSWER = 16_384
-"""Tokens that an answer may have, thoughts included: a budget counts on it."""
+"""Maximum tokens of an answer, including thoughts; budgets rely on it."""
 
-_LONGEST = 2**20  # characters of an answer, whatever a server makes of that
+_LONGEST = 2**20  # maximum characters of an answer, regardless of the server
 
 _BOUNDS = ("max_completion_tokens", "max_tokens", "")
-"""How a request says that; older servers know only the second, small models allow neither."""
+"""Parameters for that limit; older servers know only the second, small models allow neither."""
 
 _FORMS = ("json_schema", "json_object", "words")
 
@@ -48,7 +48,7 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass
 class Manners:
-    """What a server has been found to take: the form of answers, and whether a seed."""
+    """Request options that a server has accepted: the form of answers, and a seed."""
 
     form: int = 0
     seed: bool = True
@@ -56,7 +56,7 @@ class Manners:
     lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
 
     def gentler(self, form: int, seed: bool, said: str) -> tuple[int, bool] | None:
-        """Return what to try after a rejection of ``form`` and ``seed``; None: nothing is left."""
+        """Return the next form and seed to try after a rejection, or None if nothing is left."""
         if seed and "seed" in said.lower():
             return form, False
         if form + 1 < len(_FORMS):
@@ -64,14 +64,14 @@ class Manners:
         return (form, False) if seed else None
 
     def learn(self, form: int, seed: bool) -> None:
-        """Keep what a server took."""
+        """Record the features that a server accepted."""
         with self.lock:
             self.form, self.seed = max(self.form, form), self.seed and seed
 
 
 @dataclass(frozen=True)
 class Chat:
-    """A chat model, and how its server likes to be asked."""
+    """A chat model, and the request features that its server accepts."""
 
     server: Server
     manners: Manners
@@ -85,14 +85,14 @@ class Chat:
         answer: type[A],
         accept: Callable[[A], T],
     ) -> T:
-        """Return what ``accept`` makes of the answer to a question about pictures.
+        """Return the result of ``accept`` for the answer to a question about pictures.
 
-        Errors and the account name ``question``; to ``text`` the schema of ``answer`` is added, and
-        pictures are shown after it, in their order. What ``accept`` raises as ``Wrong`` or
-        ``InputError`` goes back to the model.
+        Errors and the ledger name ``question``. The schema of ``answer`` is appended to ``text``,
+        and the pictures follow in their order. ``Wrong`` and ``InputError`` raised by ``accept``
+        are sent back to the model.
 
         Raises:
-            UnusableError: the model refuses, or no answer after ``REASKS`` more tries can be used.
+            UnusableError: the model refuses, or no answer is usable after ``REASKS`` retries.
             BackendError: the call failed.
         """
         schema = strict_schema(answer)
@@ -120,7 +120,7 @@ class Chat:
                 ]
             raise self.server.unusable(
                 question,
-                f"{1 + REASKS} answers could not be used. What was wrong with the last: {problem} "
+                f"{1 + REASKS} answers could not be used. Problem of the last one: {problem} "
                 "Try another model or seed.",
             )
 
@@ -132,7 +132,8 @@ class Chat:
             try:
                 data = self._send(question, messages, schema, form, seed, used)
             except Rejected as error:
-                said = str(error).replace(self.server.model, "")  # whose name may hold "seed"
+                # the model's name may contain "seed"
+                said = str(error).replace(self.server.model, "")
                 gentler = self.manners.gentler(form, seed, said)
                 if gentler is None:
                     raise
@@ -184,7 +185,7 @@ class Chat:
             return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
-        """Return the text of a chat completion (UnusableError: none, refused, or cut off)."""
+        """Return the text of a chat completion (UnusableError: missing, refused or truncated)."""
         try:
             choice = data["choices"][0]
             message = choice["message"]
@@ -195,7 +196,7 @@ class Chat:
         except (KeyError, IndexError, TypeError, AttributeError):
             raise self.server.unusable(
                 question,
-                f"the answer is no chat completion: {self.server.quote(json.dumps(data), 120)}.",
+                f"the answer is not a chat completion: {self.server.quote(json.dumps(data), 120)}.",
             ) from None
         if refusal or end == "content_filter":
             quoted = self.server.quote(str(refusal or content or "no reason given"))
@@ -203,13 +204,13 @@ class Chat:
         if end == "length":
             raise self.server.unusable(
                 question,
-                f"the answer was cut off at a limit of tokens: the server's own, or the {ANSWER} "
-                "that an answer may have. Use another model.",
+                f"the answer was truncated at a token limit: the server's own, or {ANSWER}, the "
+                "limit for an answer. Use another model.",
             )
         said = str(content)
         if len(said) > _LONGEST:
             raise self.server.unusable(
-                question, f"the answer has {len(said)} characters; at most {_LONGEST} are read."
+                question, f"the answer has {len(said)} characters; the limit is {_LONGEST}."
             )
         return said
 
@@ -225,7 +226,7 @@ def _picture_part(picture: Picture) -> dict[str, Any]:
 
 
 def _faults(error: ValidationError) -> str:
-    """Return what is wrong with an answer: at most six places, without a copy of its values."""
+    """Return the faults of an answer in at most six places, without its values."""
     found = [
         f"{'.'.join(str(part) for part in fault['loc']) or 'the answer'}: {fault['msg']}"
         for fault in error.errors(include_url=False, include_context=False, include_input=False)

@@ -1,1 +1,1 @@
-"""A depth map: the table's plane, the things on it, their sizes and places."""
+"""Depth maps: the table's plane, and the objects on it with their sizes and positions."""

@@ -1,4 +1,4 @@
-"""How large things are and where they stand, from the points of a depth map."""
+"""Sizes and positions of objects from the points of a depth map."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from ....geometry import Camera, rotation_z
 from ..plane.plane import TablePlane
 from .plane import smooth
 
-_FEW = 12  # points: fewer measure nothing
-_TAIL = 1.0  # percent of the points left out at each end
-_STRAY = 0.06  # metres of empty space that part a thing's points from stray ones
-_MOST = 4000  # points looked at per thing
-_LEVEL = 0.03  # metres between a support's top and what stands on it
-_NARROW = 0.85  # of its length: what a thing's top is less than if it tapers
-_HOLLOW = 0.025  # metres that the middle of a container lies below its rim
-_GROUND = 0.008  # metres: of what is clearly taller, nothing lower than this is counted
+_FEW = 12  # minimum number of points of a measurement
+_TAIL = 1.0  # percentage of the points excluded at each end
+_STRAY = 0.06  # gap in metres that separates an object's points from outliers
+_MOST = 4000  # maximum number of points per object
+_LEVEL = 0.03  # metres between the top of a support and the bottom of an object on it
+_NARROW = 0.85  # length ratio of an object's top to its base, below which it tapers
+_HOLLOW = 0.025  # depth in metres of a container's middle below its rim
+_GROUND = 0.008  # metres; lower points of a clearly taller object are ignored
 
 
 @dataclass(frozen=True, eq=False)
 class ObservedSolid:
-    """What the camera saw of one thing, in the table's frame (metres, z = 0 the tabletop).
+    """The visible part of one object, in the table's frame (metres, z = 0 is the tabletop).
 
-    ``center`` and ``yaw`` are those of its upright box, ``extent`` the box's (length, width) with
-    length >= width, ``bottom`` and ``top`` its lowest and highest point seen. ``points`` are a
-    sample of the points themselves.
+    ``center`` and ``yaw`` are those of its upright bounding box, ``extent`` is the box's (length,
+    width) with length >= width, and ``bottom`` and ``top`` are its lowest and highest visible
+    points. ``points`` are a sample of its points.
     """
 
     center: Float[np.ndarray, "2"]
@@ -40,7 +40,7 @@ class ObservedSolid:
 
     @property
     def tapers(self) -> bool:
-        """Whether it is clearly shorter at its top than below, and so may hide its own back."""
+        """Whether the top is clearly shorter than the base, so that the back may be hidden."""
         high = self.points[:, 2] > self.top - 0.2 * (self.top - self.bottom)
         along = self._own()[:, 0]
         if high.sum() < _FEW:
@@ -49,14 +49,14 @@ class ObservedSolid:
 
     @property
     def inner(self) -> float:
-        """How high its middle lies: the inside of a container."""
+        """The height of its middle: the inside of a container."""
         middle = self._within(0.3)
         heights = self.points[middle, 2] if middle.any() else self.points[:, 2]
         return float(np.percentile(heights, 20))
 
     @property
     def hollow(self) -> bool:
-        """Whether its middle lies well below a rim on all sides, as seen from above."""
+        """Whether its middle lies well below a rim on all sides, seen from above."""
         middle = self._within(0.3)
         turned = self._own()
         rims = [
@@ -70,7 +70,7 @@ class ObservedSolid:
         return bool(np.median(self.points[middle, 2]) < rim - _HOLLOW)
 
     def _own(self) -> Float[np.ndarray, "n 2"]:
-        """Return the points' places along the box's axes, as shares of half its sides."""
+        """Return the points' coordinates along the box's axes, as fractions of its half extents."""
         turned = (self.points[:, :2] - self.center) @ rotation_z(self.yaw)[:2, :2]
         return turned / (np.asarray(self.extent) / 2)
 
@@ -91,11 +91,11 @@ def table_points(depth: Float[np.ndarray, "h w"], camera: Camera) -> Float[np.nd
 def measure_solid(
     mask: Bool[np.ndarray, "h w"], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> ObservedSolid | None:
-    """Return the box of the points that ``mask`` shows; None if depth knows too few of them.
+    """Return the bounding box of the points under ``mask``, or None if depth has too few of them.
 
-    Points at jumps of depth, where a sensor mixes near and far, groups of points apart from the
-    rest, and the tabletop around the foot are left out. Seen from too low for its top to show, a
-    thing is as deep as it is wide.
+    Excluded are points at depth discontinuities, where sensors mix near and far surfaces, groups of
+    points apart from the rest, and the tabletop around the foot. An object whose top is not visible
+    because the camera is too low is assumed to be as deep as it is wide.
     """
     clean = mask & steady(depth)
     calm = cv2.medianBlur(np.ascontiguousarray(depth, np.float32), 5)
@@ -113,13 +113,13 @@ def measure_solid(
 
 
 def steady(depth: Float[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    """Return the known pixels of a depth map that are not on the far side of a jump."""
+    """Return the valid pixels of a depth map that are not behind a depth discontinuity."""
     z = np.where(depth > 0, depth, np.nan)
     return smooth(np.stack([z, z, z], -1))
 
 
 def _together(points: Float[np.ndarray, "n 3"], camera: Camera) -> Float[np.ndarray, "k 3"]:
-    """Return the largest group of points with no gap in their distance from the camera."""
+    """Return the largest group of points without a gap in their distances from the camera."""
     away = np.linalg.norm(points - camera.position, axis=1)
     order = np.argsort(away)
     groups = np.split(order, np.flatnonzero(np.diff(away[order]) > _STRAY) + 1)
@@ -127,7 +127,7 @@ def _together(points: Float[np.ndarray, "n 3"], camera: Camera) -> Float[np.ndar
 
 
 def _above_tabletop(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    """Return the points of a thing without those of the tabletop, unless it is as flat itself."""
+    """Return an object's points without those of the tabletop, unless the object itself is flat."""
     high = points[points[:, 2] > _GROUND]
     tall = len(high) > _FEW and float(np.percentile(points[:, 2], 90)) > 3 * _GROUND
     return high if tall else points
@@ -136,9 +136,10 @@ def _above_tabletop(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"
 def _box(
     places: Float[np.ndarray, "n 2"],
 ) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
-    """Return centre, yaw and (length, width) of the tightest box, stray points aside.
+    """Return centre, yaw and (length, width) of the tightest box, ignoring outliers.
 
-    What is about as tight from every side, as round things are, keeps to the table's axes.
+    Objects whose boxes are about equally tight at all angles, such as round ones, are aligned with
+    the table's axes.
     """
     angles = np.deg2rad(np.arange(0, 90, 2.0))
     axes = np.stack([np.stack([np.cos(angles), np.sin(angles)], -1),
@@ -161,7 +162,7 @@ def _box(
 def _deepen(
     center: Float[np.ndarray, "2"], yaw: float, extent: tuple[float, float], camera: Camera
 ) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
-    """Return the box of something whose top is out of sight: grown away from the camera."""
+    """Return the box of an object with a hidden top, extended away from the camera."""
     length, width = extent
     away = center - camera.position[:2]
     away /= np.linalg.norm(away)
@@ -171,7 +172,7 @@ def _deepen(
 
 
 def holds(below: ObservedSolid, thing: ObservedSolid) -> float:
-    """Return which share of ``thing`` is over ``below``, 0 if it does not reach its upper side."""
+    """Return the fraction of ``thing`` above ``below``, or 0 if it does not reach its top."""
     rise = max(below.top - below.bottom, 0.01)
     if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:
         return 0.0

@@ -1,4 +1,4 @@
-"""A model's place on the table from a depth map: what shows of it lies where depth saw it."""
+"""Placement of models by depth: the visible part of a model is moved to the observed points."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from ....scene import Model
 from ..plane.plane import TablePlane
 from .measure import ObservedSolid, table_points
 
-_ACROSS = 60.0  # pixels across a thing in the small renders
-_TIMES = 5  # how often it is moved at most
-_NEAR = 5e-4  # metres: moved by less, it is there
-_FEW = 20  # pixels: less of it tells nothing
+_ACROSS = 60.0  # width of an object in the small renders, in pixels
+_TIMES = 5  # maximum number of steps
+_NEAR = 5e-4  # metres; a smaller step ends the iteration
+_FEW = 20  # minimum number of visible pixels
 
 
 def seat(
@@ -29,11 +29,11 @@ def seat(
     others: Bool[np.ndarray, "h w"],
     plane: TablePlane,
 ) -> Body:
-    """Stand a model of its own size where the middle of what shows of it is where depth saw it.
+    """Place a model of fixed size so that the centroid of its visible part matches the depth map.
 
-    Both middles are of visible surface alone; what ``others`` cover is left out. (Within the
-    thing's own mask alone, a model a little too large would fit anywhere.) ``floor`` is the height
-    above the tabletop of what it stands on, metres.
+    Both centroids cover visible surface only; parts covered by ``others`` are excluded. (Within the
+    object's own mask alone, a model that is slightly too large would fit anywhere.) ``floor`` is
+    the height of the object's support above the tabletop in metres.
     """
     camera = plane.camera
     factor = max(1.0, _span(solid, plane) / _ACROSS)
@@ -59,6 +59,6 @@ def seat(
 
 
 def _span(solid: ObservedSolid, plane: TablePlane) -> float:
-    """Return about how many pixels a thing is across."""
+    """Return the approximate width of an object in pixels."""
     away = float(plane.camera.to_camera(solid.points).mean(0)[2])
     return float(np.hypot(solid.extent[0], solid.top - solid.bottom)) / away * plane.camera.focal

@@ -1,8 +1,8 @@
-"""The table plane of an RGB-D picture, in metres: found in its points, not in its colours.
+"""The table plane of an RGB-D picture in metres, found in its points rather than its colours.
 
 Planes are drawn from triples of neighbouring points (a seeded RANSAC: Fischler and Bolles, 1981),
-refined by least squares on their inliers, and judged: a tabletop faces up, lies low in the
-picture, carries things, and is what lies above a floor.
+refined by least squares on their inliers, and scored: a tabletop faces up, is low in the picture,
+carries objects, and lies above a floor.
 """
 
 from __future__ import annotations
@@ -21,18 +21,20 @@ from ..plane.cut_plane import plane_of_region
 from ..plane.plane import TablePlane
 
 TALLEST = 0.6
-"""Metres above the tabletop up to which something counts as standing on it."""
+"""Maximum height in metres above the tabletop at which something counts as standing on it."""
 
 _SEED = 0
-_SAMPLES = 14_000  # points that hypotheses are judged on
+_SAMPLES = 14_000  # points used for scoring hypotheses
 _TRIES = 500  # hypotheses per plane
-_PLANES = 5  # planes drawn one after the other
-_NEAR = 0.12  # of the longer side: how far apart the points of a triple are
-_WARP = 0.01  # metres: how far a depth map may bend where it still shows the tabletop
-_FINEST = 0.003  # metres: no depth map is trusted further
-_LOWEST, _TILT = np.deg2rad(6.0), np.deg2rad(40.0)  # least elevation, largest roll
-_SHARE, _AREA = 0.05, 0.04  # of the known points, and m²: the least of a tabletop
-_FLOOR_GAP, _FLOOR_AREA = 0.25, 0.1  # metres, m²: a tabletop this far above a plane makes it floor
+_PLANES = 5  # planes drawn in sequence
+_NEAR = 0.12  # distance between the points of a triple, as a fraction of the longer side
+_WARP = 0.01  # metres by which a depth map may deviate from the tabletop's plane
+_FINEST = 0.003  # metres; no depth map is assumed to be more precise
+_LOWEST, _TILT = np.deg2rad(6.0), np.deg2rad(40.0)  # minimum elevation, maximum roll
+# minimum fraction of the valid points, and minimum area in m², of a tabletop
+_SHARE, _AREA = 0.05, 0.04
+# a tabletop of this area (m²) at this height (m) above a plane makes that plane the floor
+_FLOOR_GAP, _FLOOR_AREA = 0.25, 0.1
 _PARALLEL = np.deg2rad(15.0)
 
 
@@ -40,8 +42,8 @@ _PARALLEL = np.deg2rad(15.0)
 class Level:
     """A plane in camera axes (x right, y down, z forward): unit ``normal`` towards the camera.
 
-    ``height`` is the camera's distance from the plane, metres. ``grain`` is the standard deviation
-    of its points over ``noise``: how coarse this depth map is.
+    ``height`` is the camera's distance from the plane in metres. ``grain`` is the standard
+    deviation of the plane's points relative to ``noise``: the coarseness of this depth map.
     """
 
     normal: tuple[float, float, float]
@@ -49,18 +51,18 @@ class Level:
     grain: float = 0.6
 
     def above(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
-        """Return how far points (camera axes) lie above the plane, metres."""
+        """Return the heights of points (camera axes) above the plane in metres."""
         return points @ np.array(self.normal) + self.height
 
     def spread(self, distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
-        """Return how far from the plane a point of the plane may be measured, metres."""
+        """Return the measurement error, in metres, of points of the plane at a distance."""
         return np.maximum(2.5 * self.grain * noise(distance), _FINEST)
 
 
 def camera_points(
     depth: Float[np.ndarray, "h w"], intrinsics: Intrinsics
 ) -> Float[np.ndarray, "h w 3"]:
-    """Return each pixel's point in camera axes, metres; NaN where depth is 0."""
+    """Return each pixel's point in camera axes, in metres; NaN where depth is 0."""
     h, w = depth.shape
     z = np.where(depth > 0, depth, np.nan).astype(np.float64)
     x = (np.arange(w) - intrinsics.cx) / intrinsics.fx
@@ -69,7 +71,7 @@ def camera_points(
 
 
 def noise(distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
-    """Return within how many metres a depth camera's point is known: it grows with distance."""
+    """Return the accuracy of a depth camera in metres, which degrades with distance."""
     return 0.004 + 0.004 * np.square(distance)
 
 
@@ -78,13 +80,13 @@ def find_depth_plane(
     intrinsics: Intrinsics,
     table: Bool[np.ndarray, "h w"] | None = None,
 ) -> TablePlane:
-    """Return the tabletop of an RGB-D picture: metric camera, and the visible part's outline.
+    """Return the tabletop of an RGB-D picture: a metric camera, and the visible part's outline.
 
-    ``depth`` is in metres along the optical axis, 0 where unknown. ``table`` are pixels that show
-    the table, if they are known; they only decide between planes.
+    ``depth`` is in metres along the optical axis, 0 where unknown. ``table`` marks pixels of the
+    table, if known, and is used only to choose between planes.
 
     Raises:
-        SceneError: no level plane that could be a tabletop.
+        SceneError: no level plane could be a tabletop.
     """
     frozen = np.ascontiguousarray(depth, np.float32)
     hint = None if table is None else np.packbits(table).tobytes()
@@ -95,7 +97,7 @@ def find_depth_plane(
 def _solve(
     data: bytes, height: int, width: int, intrinsics: Intrinsics, hint: bytes | None
 ) -> TablePlane:
-    """Several stages ask for the plane of one picture; the last few answers are kept."""
+    """Solve for the plane, with a cache, because several stages need the plane of one picture."""
     depth = np.frombuffer(data, np.float32).reshape(height, width)
     points = camera_points(depth, intrinsics)
     table = None
@@ -103,7 +105,7 @@ def _solve(
         bits = np.unpackbits(np.frombuffer(hint, np.uint8), count=height * width)
         table = bits.reshape(height, width) > 0
     level = _choose(points, table)
-    for _ in range(2):  # the region settles which points count, and they how coarse the map is
+    for _ in range(2):  # the region determines the points, and the points determine the coarseness
         level = _refine(level, points[top_region(points, level)[0]])
     region, carried = top_region(points, level)
     camera = level_camera(level, intrinsics, width, height)
@@ -113,10 +115,11 @@ def _solve(
 
 
 def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) -> Camera:
-    """Return the camera over its plane z = 0: origin below it, y along its sight, z up."""
+    """Return a camera above its plane z = 0: origin below the camera, y along its view, z up."""
     up = np.array(level.normal)
     ahead = np.array([0.0, 0.0, 1.0]) - up[2] * up
-    if np.linalg.norm(ahead) < 0.02:  # from straight above, the picture's top is away
+    # for a view from straight above, y points to the picture's top
+    if np.linalg.norm(ahead) < 0.02:
         ahead = np.array([0.0, -1.0, 0.0]) + up[1] * up
     ahead /= np.linalg.norm(ahead)
     rotation = np.column_stack([np.cross(ahead, up), ahead, up])
@@ -130,7 +133,7 @@ def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) 
 
 
 def smooth(points: Float[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
-    """Return the known pixels that are not on the far side of a jump of depth."""
+    """Return the valid pixels that are not behind a depth discontinuity."""
     z = points[..., 2]
     known = np.isfinite(z)
     low = cv2.erode(np.where(known, z, np.inf).astype(np.float32), np.ones((3, 3), np.uint8))
@@ -141,10 +144,10 @@ def smooth(points: Float[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
 def top_region(
     points: Float[np.ndarray, "h w 3"], level: Level
 ) -> tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
-    """Return the pixels of one tabletop, and of what stands on it.
+    """Return the pixels of a single tabletop, and of the objects standing on it.
 
-    The top is what lies on the plane and hangs together, on its own or through those things; a
-    second table at the same height, apart in depth, is left out.
+    The top consists of the pixels on the plane that are connected, directly or through those
+    objects; a second table at the same height but apart in depth is excluded.
     """
     above = level.above(points)
     spread = level.spread(points[..., 2])
@@ -163,7 +166,7 @@ def _open(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
 
 
 def _refine(level: Level, points: Float[np.ndarray, "n 3"]) -> Level:
-    """Return the plane of least squares through its inliers, three times over."""
+    """Return the least-squares plane through its inliers, iterated three times."""
     for _ in range(3):
         near = np.abs(level.above(points)) < level.spread(points[:, 2])
         if near.sum() < 50:
@@ -191,7 +194,7 @@ def _plane_through(point: Float[np.ndarray, "3"], normal: Float[np.ndarray, "3"]
 
 @dataclass(frozen=True, eq=False)
 class _Candidate:
-    """A plane with its inliers among the sampled points and how well it looks like a tabletop."""
+    """A plane with its inliers among the sampled points and its score as a tabletop."""
 
     level: Level
     inliers: Bool[np.ndarray, "n"]
@@ -200,7 +203,7 @@ class _Candidate:
 
 
 def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] | None) -> Level:
-    """Return the plane that looks most like a tabletop (SceneError: none does)."""
+    """Return the plane with the best score as a tabletop (SceneError: there is none)."""
     height, width = points.shape[:2]
     stride = max(1, int(np.sqrt(height * width / _SAMPLES)))
     grid = points[::stride, ::stride]
@@ -226,7 +229,7 @@ def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] |
 
 
 def _stands_over(top: _Candidate, low: _Candidate, cloud: Float[np.ndarray, "n 3"]) -> bool:
-    """Tell whether ``top`` is a tabletop above ``low``, which then is the floor."""
+    """Return whether ``top`` is a tabletop above ``low``, which is then the floor."""
     parallel = np.dot(top.level.normal, low.level.normal) > np.cos(_PARALLEL)
     gap = float(np.median(low.level.above(cloud[top.inliers])))
     return bool(parallel and gap > _FLOOR_GAP and top.area > _FLOOR_AREA)
@@ -238,7 +241,7 @@ def _candidates(
     side: int,
     hint: Bool[np.ndarray, "n"] | None,
 ) -> list[_Candidate]:
-    """Draw planes one after the other, each from the points that the earlier ones left."""
+    """Draw planes in sequence, each from the points that the previous ones left over."""
     rng = np.random.default_rng(_SEED)
     left = np.ones(len(cloud), bool)
     found: list[_Candidate] = []
@@ -262,7 +265,7 @@ def _draw(
     side: int,
     rng: np.random.Generator,
 ) -> Level | None:
-    """Return the level plane through three neighbouring points that most points lie on."""
+    """Return the level plane with the most inliers through three neighbouring points."""
     first = rng.integers(len(cloud), size=_TRIES)
     others = [_neighbours(pixels, first, _NEAR * side, rng) for _ in range(2)]
     a, b, c = (cloud[k] for k in (first, *others))
@@ -283,26 +286,26 @@ def _draw(
 def _neighbours(
     pixels: Int[np.ndarray, "n 2"], first: np.ndarray, reach: float, rng: np.random.Generator
 ) -> np.ndarray:
-    """Return, for each first point, one of the points known about ``reach`` pixels around it."""
+    """Return, for each first point, a random valid point within about ``reach`` pixels."""
     wanted = np.round(pixels[first] + rng.uniform(-reach, reach, (len(first), 2)))
     column, row = np.clip(wanted, 0, pixels.max(0)).T
     width = pixels[:, 0].max() + 1
-    keys = pixels[:, 1] * width + pixels[:, 0]  # ascending: rows, then columns
+    keys = pixels[:, 1] * width + pixels[:, 0]  # sorted by row, then column
     return np.minimum(np.searchsorted(keys, row * width + column), len(pixels) - 1)
 
 
 def _faces_up(normals: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
-    """Tell which planes a camera held about upright sees from above."""
+    """Return which planes a roughly upright camera sees from above."""
     elevation = np.arcsin(np.clip(-normals[:, 2], -1, 1))
     roll = np.arctan2(np.abs(normals[:, 0]), -normals[:, 1])
-    steep = elevation > np.deg2rad(75)  # from above, roll says little
+    steep = elevation > np.deg2rad(75)  # seen from above, roll is not meaningful
     return (elevation > _LOWEST) & ((roll < _TILT) | steep) & (normals[:, 1] < 0.1)
 
 
 def _one_piece(
     inliers: Bool[np.ndarray, "n"], pixels: Int[np.ndarray, "n 2"]
 ) -> Bool[np.ndarray, "n"]:
-    """Return the inliers that hang together in the picture, small gaps aside: the most of them."""
+    """Return the largest group of inliers that is connected in the picture, ignoring small gaps."""
     columns, rows = pixels.T
     image = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)
     image[rows[inliers], columns[inliers]] = 1
@@ -320,9 +323,9 @@ def _judge(
     pixels: Int[np.ndarray, "n 2"],
     side: int,
 ) -> _Candidate:
-    """Score a plane: large in the picture, low in it, with things on it and nothing towering."""
+    """Score a plane: large and low in the picture, with objects on it and nothing towering."""
     normal = np.array(level.normal)
-    flat = cloud - level.above(cloud)[:, None] * normal  # dropped onto the plane
+    flat = cloud - level.above(cloud)[:, None] * normal  # projected onto the plane
     east = np.cross(normal, [0.0, 0.0, 1.0]) if abs(normal[2]) < 0.9 else np.array([1.0, 0, 0])
     east /= np.linalg.norm(east)
     place = flat @ np.column_stack([east, np.cross(normal, east)])

@@ -1,7 +1,7 @@
-"""What stands on a table, as its depth map tells it: proposed, and held against what was seen.
+"""Objects on a table according to its depth map: proposals, and corrections of detections.
 
-An eye that looks at colours takes prints for things and parts of a thing for things. Depth tells
-what is flat, what belongs together, and what was missed.
+A detector that uses only colours confuses prints and parts with objects. Depth shows flat regions,
+regions that belong together, and missed objects.
 """
 
 from __future__ import annotations
@@ -21,37 +21,38 @@ from ..plane.plane import TablePlane, outline_distance
 from .measure import ObservedSolid, holds, measure_solid, steady, table_points
 from .plane import TALLEST, noise
 
-_BESIDE = 0.03  # metres: something may stick out over the table's edge so far
-_LEAST = 3e-4  # of the picture: the least that counts as a thing
-_WATERLINES = (0.1, 0.2, 0.3, 0.4)  # of a region's height, at which islands part it
-_LOW = 0.006  # metres: nothing lower than this counts as a thing
-_KNOWN = 0.3  # share of a thing's pixels that depth must know to judge it
-_FLAT = 0.15  # share of them that stand above the table, below which a thing is flat
-_SURE = 0.6  # certainty from which a flat thing is believed to be one
-_CERTAIN = 0.75  # certainty from which what seems to hover may be a thing with a hidden foot
-_KEPT = 0.6  # share of a mask that the tabletop around it must leave
-_GROWN = 4.0  # a mask grows by at most this factor
-_HOVER = 0.03  # metres above the table at which the foot of something standing on nothing hovers
-_HELD = 0.45  # share of a thing over another from which it may stand on that
-_BROAD = 0.6  # of a thing's width: the least of what it may stand on
-_JUMP = 0.03  # metres of depth that part two things which touch in the picture
-_BAND = 0.04  # of the picture's longer side: how far from a seam two surfaces are compared
-_LEVEL = 0.005  # metres: what lies nearer to a plane is in it
-_MISSED = 0.03  # metres: the least height of something the eye did not see
-_SHREDS = 0.014  # of the picture's longer side: a depth map's shreds at edges are narrower
-_GUESS = 0.5  # certainty of such a thing
-_FLOOR = (0.25, 1.3)  # metres: how far below a tabletop its floor is
-_FLOOR_AREA = 0.15  # m²: how much of it must show
-_CELL, _LAYER = 0.05, 0.02  # metres: sides of the cells that area is counted in, and their height
+_BESIDE = 0.03  # metres by which an object may extend over the table's edge
+_LEAST = 3e-4  # minimum area of an object, as a fraction of the picture
+# thresholds that separate islands, as fractions of a region's height
+_WATERLINES = (0.1, 0.2, 0.3, 0.4)
+_LOW = 0.006  # minimum height of an object in metres
+_KNOWN = 0.3  # minimum fraction of an object's pixels with valid depth
+_FLAT = 0.15  # an object is flat if a smaller fraction of these pixels stands above the table
+_SURE = 0.6  # minimum confidence of a flat object
+_CERTAIN = 0.75  # confidence above which a seemingly hovering object may have a hidden foot
+_KEPT = 0.6  # minimum fraction of a mask that remains without the surrounding tabletop
+_GROWN = 4.0  # maximum growth factor of a mask's area
+_HOVER = 0.03  # metres above the table at which the foot of an unsupported object hovers
+_HELD = 0.45  # minimum fraction of an object above its support
+_BROAD = 0.6  # minimum width of a support, relative to the object's width
+_JUMP = 0.03  # depth difference in metres that separates two touching objects
+_BAND = 0.04  # width of the band around a seam, as a fraction of the picture's longer side
+_LEVEL = 0.005  # metres; closer points belong to a plane
+_MISSED = 0.03  # minimum height in metres of an object that the eye missed
+_SHREDS = 0.014  # maximum width of edge artefacts, as a fraction of the picture's longer side
+_GUESS = 0.5  # confidence of such an object
+_FLOOR = (0.25, 1.3)  # depth in metres of the floor below a tabletop
+_FLOOR_AREA = 0.15  # m²; minimum visible area of the floor
+_CELL, _LAYER = 0.05, 0.02  # metres; side and height of the cells in which area is counted
 
 
 def heights_above(
     depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> tuple[Float[np.ndarray, "h w"], Mask, Mask]:
-    """Return heights above the tabletop (metres, NaN where unknown), what stands and what lies.
+    """Return heights above the tabletop (metres, NaN where unknown), and standing and lying pixels.
 
-    What lies is level with the table as far as this depth map can tell; both are within the
-    tabletop's outline.
+    Lying pixels are level with the table within this depth map's accuracy; both masks are limited
+    to the tabletop's outline.
     """
     points = table_points(depth, plane.camera)
     height = points[..., 2]
@@ -67,7 +68,7 @@ def heights_above(
 
 
 def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
-    """Return pieces parted at saddles well below both sides, a little grown, largest first."""
+    """Return the pieces split at saddles far below both sides, slightly grown, largest first."""
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
     masks = [part for piece in pieces for part in _part(piece, known, least)]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
@@ -75,7 +76,7 @@ def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[
 
 
 def _standing_pieces(depth: Float[np.ndarray, "h w"], standing: Mask) -> list[Mask]:
-    """Return the connected parts of what stands on the table, jumps of depth between them."""
+    """Return the connected parts of the standing pixels, split at depth discontinuities."""
     high = (standing & steady(depth)).astype(np.uint8)
     opened = cv2.morphologyEx(high, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)) > 0
     return _pieces(opened, int(_LEAST * depth.size))
@@ -90,7 +91,7 @@ def _pieces(mask: Mask, minimum: int) -> list[Mask]:
 
 
 def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[Mask]:
-    """Return a region cut where raising the waterline leaves islands; each pixel to the nearest."""
+    """Split a region where a rising threshold leaves islands; pixels join the nearest one."""
     tall = float(np.percentile(height[region], 98))
     for share in _WATERLINES:
         islands = _pieces(region & (height > share * tall), minimum)
@@ -102,18 +103,18 @@ def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[
     return [region]
 
 
-# ------------------------------------------------------------------------------ what was seen
+# ------------------------------------------------------------------------------ detections
 
 
 def confirm(
     found: Sequence[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Return the things an eye found, as depth confirms them.
+    """Return the detections of an eye, corrected by depth.
 
-    What is level with the table and uncertain is no thing; masks lose the tabletop around a thing;
-    upper parts that stand on nothing join what they are part of, or win what is below them; what
-    stands there and nobody saw is added. Rims are otherwise left to the eye: those of a depth map
-    are ragged.
+    Uncertain detections that are level with the table are removed, masks lose the tabletop around
+    their object, and unsupported upper parts are merged with the object to which they belong or
+    extended down to their base. Standing objects that nobody detected are added. Otherwise outlines
+    come from the eye, because those of depth maps are ragged.
     """
     height, standing, lying = heights_above(depth, plane)
     things = [t for d in found if (t := _judge(d, height, standing, lying)) is not None]
@@ -127,16 +128,17 @@ def confirm(
 def _judge(
     thing: Detection, height: Float[np.ndarray, "h w"], standing: Mask, lying: Mask
 ) -> Detection | None:
-    """Return a thing without the tabletop around it; None if it is nothing but tabletop."""
+    """Return a detection without the surrounding tabletop; None if nothing else is left."""
     mask = np.asarray(thing.mask)
     known = mask & np.isfinite(height)
     if known.sum() < _KNOWN * mask.sum():
         return thing
     if (standing & mask).sum() < _FLAT * known.sum():
         return thing if thing.score >= _SURE else None
-    foot = max(3, int(0.1 * np.sqrt(mask.sum())))  # pixels: the foot itself is level with the table
+    foot = max(3, int(0.1 * np.sqrt(mask.sum())))  # pixels; the foot itself is level with the table
     near = dilate(standing & mask, 2 * foot + 1)
-    spill = mask & lying & ~near & ~hull_of(standing & mask)  # a bowl's low inside is its own
+    # the low inside of a bowl belongs to it
+    spill = mask & lying & ~near & ~hull_of(standing & mask)
     kept = mask & ~spill
     if not spill.any() or kept.sum() < _KEPT * mask.sum():
         return thing
@@ -151,9 +153,10 @@ def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
 def _rejoin(
     things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Give upper parts that stand on nothing to the lower part that they touch, in depth too.
+    """Merge unsupported upper parts into the lower part that they touch, also in depth.
 
-    What is certain may have a hidden foot: it joins only what continues its flat side.
+    A confident detection may have a hidden foot: it is merged only if it continues the other's flat
+    side.
     """
     points = table_points(depth, plane.camera)
     solids = [measure_solid(np.asarray(t.mask), depth, plane) for t in things]
@@ -180,12 +183,12 @@ def _rejoin(
 
 
 def _carries(below: ObservedSolid, upper: ObservedSolid) -> bool:
-    """Tell whether a thing may stand on another: a front under it carries nothing."""
+    """Return whether an object may stand on another; a front panel below it carries nothing."""
     return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
 
 
 def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3"]) -> bool:
-    """Tell whether two things are one flat side around their seam, as a box and its print are."""
+    """Return whether two detections share a flat side at their seam, as a box and its print do."""
     a, b = np.asarray(one.mask), np.asarray(other.mask)
     side = 2 * round(_BAND * max(a.shape)) + 1
     known = np.isfinite(points).all(-1)
@@ -199,7 +202,7 @@ def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3
 
 
 def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) -> int:
-    """Return how many pixels of ``one`` touch ``other`` in the picture and in depth."""
+    """Return the number of pixels of ``one`` that touch ``other`` in the picture and in depth."""
     a, b = np.asarray(one.mask), np.asarray(other.mask)
     here, there = a & dilate(b, 9) & (depth > 0), b & dilate(a, 9) & (depth > 0)
     if here.sum() < np.sqrt(min(a.sum(), b.sum())) or not there.any():
@@ -209,7 +212,7 @@ def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) 
 
 
 def _union(one: Detection, other: Detection) -> Detection:
-    """Return two parts as one thing, called after the larger one."""
+    """Return the union of two parts, labelled like the larger one."""
     larger = max(one, other, key=lambda d: int(np.asarray(d.mask).sum()))
     mask = np.asarray(one.mask) | np.asarray(other.mask)
     full = np.any([mask, *(d.full for d in (one, other) if d.full is not None)], axis=0)
@@ -222,7 +225,7 @@ def _grow(
     depth: Float[np.ndarray, "h w"],
     plane: TablePlane,
 ) -> list[Detection]:
-    """Return the things, those that hover and have a region for themselves grown to it."""
+    """Return the detections; hovering ones grow into a region that touches no other detection."""
     taken = [np.asarray(t.mask) for t in things]
     grown = list(things)
     for region in regions:
@@ -241,7 +244,7 @@ def _grow(
 def _find_missed(
     things: Sequence[Detection], regions: Sequence[Mask], height: Float[np.ndarray, "h w"]
 ) -> list[Detection]:
-    """Return what stands on the table and is none of ``things``, named after its shape."""
+    """Return standing objects that are missing in ``things``, labelled by their shape."""
     seen = np.any([np.zeros(height.shape, bool), *(t.mask for t in things)], axis=0)
     added = []
     shred = max(3, round(_SHREDS * max(height.shape)))
@@ -262,9 +265,9 @@ def _find_missed(
 
 
 def height_above_floor(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> float | None:
-    """Return how high the tabletop is above the floor, metres; None if depth shows too little.
+    """Return the height of the tabletop above the floor in metres; None if depth shows too little.
 
-    The floor is the level below the table on which the largest area is seen.
+    The floor is the level below the table with the largest visible area.
     """
     points = table_points(depth, plane.camera)[::3, ::3].reshape(-1, 3)
     low = points[(points[:, 2] < -_FLOOR[0]) & (points[:, 2] > -_FLOOR[1])]
@@ -275,7 +278,8 @@ def height_above_floor(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> fl
     areas = np.bincount(layers, minlength=int(_FLOOR[1] / _LAYER) + 2) * _CELL**2
     areas = np.convolve(areas, np.ones(3), "same")
     best = int(areas.argmax())
-    upright = float(np.median(areas[int(_FLOOR[0] / _LAYER) :]))  # walls show alike in all layers
+    # walls contribute equally to all layers
+    upright = float(np.median(areas[int(_FLOOR[0] / _LAYER) :]))
     if areas[best] - upright < _FLOOR_AREA:
         return None
     return -float(np.median(low[np.abs(low[:, 2] + best * _LAYER) < 1.5 * _LAYER, 2]))

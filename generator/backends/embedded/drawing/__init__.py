@@ -1,1 +1,1 @@
-"""Pictures of a plan, of hidden parts and of the table from above."""
+"""Pictures of plans, of hidden parts, and of the table from above."""

@@ -1,4 +1,4 @@
-"""Complete one object of the reference image: hidden parts redrawn, clean soft outline."""
+"""Completion of one object of the reference image: hidden parts filled in, clean soft outline."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ from ....meshes.pixels import (
 )
 from ....scene import TABLE, Detection, Instance, Reference
 
-_LONG = 288  # least long side of a crop, pixels
+_LONG = 288  # minimum length of a crop's longer side in pixels
 _MOST = 640
 _MARGIN = 0.04
-_MIRRORED = 0.15  # least share of a symmetric outline that must be seen on both sides
-_SYMMETRIC = 0.93  # share of a symmetric outline that its mirror image covers
-_ALIKE = 20.0  # grey levels by which mirrored places of a symmetric object usually differ
+_MIRRORED = 0.15  # minimum fraction of a symmetric outline that is visible on both sides
+_SYMMETRIC = 0.93  # fraction of a symmetric outline that its mirror image covers
+_ALIKE = 20.0  # usual difference between mirrored pixels of a symmetric object, in grey levels
 
 
 def complete(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Instance:
-    """Return the instance of a detection, drawn whole on a transparent ground (Sec. 3.1).
+    """Return the instance of a detection, completed on a transparent background (Sec. 3.1).
 
-    The whole outline is the detection's full mask where another detection hides the object, if it
-    has one; else it is completed where another detection lies within it, or touches it at a dent or
-    cut. Pieces are joined. Hidden places take the colours of their mirror images if the object
-    looks symmetric, else those around are carried on.
+    Where another detection hides the object, the complete outline is the detection's full mask, if
+    there is one. Otherwise the outline is completed where another detection lies within it, or
+    touches it at a dent or cut. Separate pieces are joined. Hidden pixels get the colours of their
+    mirror images if the object looks symmetric, and otherwise those of their surroundings.
     """
     mask = detection.mask
     hider = np.any([np.zeros_like(mask), *(o.mask for o in others if o.label != TABLE)], axis=0)
@@ -56,9 +56,9 @@ def complete(reference: Reference, detection: Detection, others: tuple[Detection
 
 
 def complete_mask(mask: Mask, hider: Mask) -> Mask:
-    """Return ``mask`` grown into ``hider`` where the object probably goes on behind it.
+    """Return ``mask`` extended into ``hider`` where the object probably continues behind it.
 
-    That is within its mirror image about a vertical axis, if it has one, or its convex hull.
+    It is extended within its mirror image about a vertical axis, if it has one, or its convex hull.
     """
     x0, y0, x1, y1 = mask_box(mask).astype(int)
     reach = max(x1 - x0, y1 - y0)
@@ -77,9 +77,10 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
 
 
 def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
-    """Return the mask reflected about the vertical axis of its outline, or None if it has none.
+    """Return the mask reflected about its outline's vertical symmetry axis, or None without one.
 
-    There most of the free outline falls onto itself or behind the hider, and next to none astray.
+    At the axis, most of the unoccluded outline is mapped onto itself or behind the hider, and
+    almost none elsewhere.
     """
     brush = np.ones((3, 3), np.uint8)
     rim = mask & (cv2.erode(mask.astype(np.uint8), brush, borderValue=0) == 0)
@@ -109,9 +110,10 @@ def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
 def mirror_colors(
     image: UInt8[np.ndarray, "h w 3"], seen: Mask, full: Mask
 ) -> tuple[UInt8[np.ndarray, "h w 3"], Mask]:
-    """Colour hidden places like their mirror images; return the picture and what is known of it.
+    """Colour hidden pixels like their mirror images; return the picture and its known pixels.
 
-    That is ``seen`` alone if the outline has no upright axis, or what shows on both sides differs.
+    The known pixels are ``seen`` alone if the outline has no vertical axis, or if its two sides
+    differ.
     """
     x0, _, x1, _ = mask_box(full).astype(int)
     ys, xs = np.nonzero(full)
@@ -140,7 +142,7 @@ def mirror_colors(
 def carry_colors(
     image: UInt8[np.ndarray, "h w 3"], mask: Mask, full: Mask
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Return the image with the object's colours carried into ``full`` beyond ``mask``.
+    """Return the image with the object's colours extended from ``mask`` into ``full``.
 
     Rows are continued from the nearest visible pixel, then blended by Telea's inpainting.
     """
@@ -160,7 +162,7 @@ def carry_colors(
 
 
 def crop_box(box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
-    """Return the box with a small margin all around, in whole pixels."""
+    """Return the box, enlarged by a small margin and rounded to whole pixels."""
     margin = max(2.0, _MARGIN * float((box[2:] - box[:2]).max()))
     return np.array([*np.floor(box[:2] - margin), *np.ceil(box[2:] + margin)])
 
@@ -168,7 +170,7 @@ def crop_box(box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
 def cut_out(
     image: UInt8[np.ndarray, "h w 3"], mask: Mask, box: Float[np.ndarray, "4"]
 ) -> UInt8[np.ndarray, "ch cw 4"]:
-    """Cut a box (it may leave the image) out as RGBA with a soft edge, enlarged if small.
+    """Cut out a box (which may exceed the image) as RGBA with a soft edge, enlarged if small.
 
     Colours outside the mask are those of the nearest pixel inside, so that edges stay clean.
     """

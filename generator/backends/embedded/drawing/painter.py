@@ -1,7 +1,7 @@
-"""The reference image of a plan (Sec. 3, Fig. 8), painted from catalogue objects.
+"""The reference image of a plan (Sec. 3, Fig. 8), rendered from catalogue objects.
 
-Only pixels are the backend's answer (``draw``): what follows sees no more of the layout than of any
-picture. ``paint`` tells which pixels show what, to those who measure how well things are found.
+The backend returns only pixels (``draw``): later stages see no more of the layout than in any other
+picture. ``paint`` also returns the pixels of each object, for measuring the accuracy of detections.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ WIDTH, HEIGHT = 960, 720
 """Size of a painted picture in pixels."""
 
 ELEVATIONS = (50.0, 60.0)
-"""Lowest and highest camera elevation, degrees: what the paper's prompt asks for."""
+"""Minimum and maximum camera elevation in degrees, as in the paper's prompt."""
 
 
 def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
-    """Paint a plan: the whole table with its legs, centred on white, seen from the front above.
+    """Render a plan: the whole table with its legs, centred on white, from the front above.
 
     Raises:
         SceneError: the objects fit on no plausible table.
@@ -32,7 +32,7 @@ def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def paint(plan: ScenePlan, seed: int) -> tuple[Rendered, tuple[str, ...]]:
-    """Return what ``draw`` paints with its depths and ids, and the names of things.
+    """Return the rendering of ``draw`` with its depths and ids, and the names of the objects.
 
     The table has id 0, the first name id 1.
 
@@ -40,7 +40,8 @@ def paint(plan: ScenePlan, seed: int) -> tuple[Rendered, tuple[str, ...]]:
         SceneError: the objects fit on no plausible table.
     """
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 17])
-    models = build_models(plan, seed)  # the looks of what a text composes, in other places
+    # with the objects' looks as in a composed scene, but other positions
+    models = build_models(plan, seed)
     layout, table = lay_out(plan, models, seed + 1)
     center = np.array([0.0, 0.0, float(table.size[2]) / 2])
     upright = yaw_quaternion(0.0)
@@ -57,7 +58,7 @@ def paint(plan: ScenePlan, seed: int) -> tuple[Rendered, tuple[str, ...]]:
 
 
 def _light(rng: np.random.Generator) -> Light:
-    """Return a soft light that differs a little from picture to picture."""
+    """Return a soft light that varies slightly between pictures."""
     direction = np.array([rng.uniform(-0.5, 0.3), rng.uniform(-0.55, -0.25), 0.85])
     warm = rng.uniform(-0.015, 0.025)
     return Light(

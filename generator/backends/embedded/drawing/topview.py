@@ -1,4 +1,4 @@
-"""The table from straight above, by geometry: where models explain the masks they were cut from."""
+"""The table from straight above, rendered from models that are fitted to their masks."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from ..layout.survey import floor_of, survey
 from ..plane.measure import measured_extent, whole_box
 from ..plane.plane import TablePlane
 
-_PIXELS = 640  # along the table's longer side
-_MARGIN = 0.12  # of the longer side, around the table
+_PIXELS = 640  # length of the table's longer side
+_MARGIN = 0.12  # margin around the table, as a fraction of its longer side
 _GROUND = (226, 226, 224)
 
 
@@ -34,15 +34,15 @@ def top_view(
     rotations: Mapping[str, Rotation],
     view: View,
 ) -> TopView:
-    """Place every model so that it projects onto its instance's box, and look from above.
+    """Place every model so that it projects onto its instance's box, and render from above.
 
-    Instances without a model get the box that their mask measures on the plane. All boxes come
-    from geometry, so ``repaired`` is empty; the picture is drawn from the same placements. Where
-    depth shows a thing, its model keeps its size and is moved until what is seen of it lies where
-    depth has it. A picture without a text has the scale of the table.
+    Instances without a model get the box of their mask, projected onto the plane. All boxes come
+    from geometry, so ``repaired`` is empty; the picture is rendered from the same placements. If
+    depth shows an object, its model keeps its size and is moved until its visible part matches the
+    depth. For a picture without a text, the table sets the scale.
 
     Raises:
-        SceneError: no tabletop in the picture.
+        SceneError: the picture contains no tabletop.
     """
     length = float(models[TABLE].size[0]) if TABLE in models else None
     known = survey(reference, instances, length, view)
@@ -86,7 +86,7 @@ def _pixel_box(
 
 
 def _upper_side(below: Body, container: bool) -> float:
-    """Return how high above the tabletop things on ``below`` stand; in a container, lower."""
+    """Return the height above the tabletop of objects on ``below``; lower inside a container."""
     share = -0.3 if container else 0.5
     return float(below.position[2] + share * below.scale[2])
 
@@ -94,9 +94,9 @@ def _upper_side(below: Body, container: bool) -> float:
 def fit_model(
     instance: Instance, model: Model, yaw: float, plane: TablePlane, floor: float
 ) -> Body:
-    """Solve x, y and size so that the model's projection fills the instance's box.
+    """Solve for x, y and size so that the model's projection fills the instance's box.
 
-    ``floor`` is the height above the tabletop on which the model stands. Size may change by a
+    ``floor`` is the height of the model's support above the tabletop. The size may change by a
     factor; a weak prior keeps it near the model's own.
     """
     box = whole_box(instance)
@@ -129,7 +129,7 @@ def _draw(
     half: Float[np.ndarray, "2"],
     scale: float,
 ) -> UInt8[np.ndarray, "a b 3"]:
-    """Draw the rectified, emptied tabletop with the models on it, as a camera far above sees it."""
+    """Render the rectified, cleared tabletop with the models on it, from far above."""
     width, height = (round(float(v)) for v in 2 * half * scale)
     top = _bare_top(image, covered, plane, half, scale, (width, height))
     fov = TOP_DOWN.fov / 8
@@ -156,7 +156,7 @@ def _bare_top(
     scale: float,
     size: tuple[int, int],
 ) -> UInt8[np.ndarray, "a b 3"]:
-    """Return the tabletop seen from above with the things painted out, on a neutral ground."""
+    """Return the tabletop from above with the objects inpainted, on a neutral background."""
     cover = dilate(covered, 7).astype(np.uint8)
     corners = np.array([[-1, 1], [1, 1], [1, -1], [-1, -1]], float) * np.asarray(plane.size) / 2
     here = plane.to_pixels(corners).astype(np.float32)

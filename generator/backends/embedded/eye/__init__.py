@@ -1,1 +1,1 @@
-"""The learned eye of the embedded backend: network, weights, and what its maps mean."""
+"""The learned detector (eye) of the embedded backend: network, weights and decoding."""

@@ -1,4 +1,4 @@
-"""What a thing is named from: a look at it alone, which part of the look it is, and hints."""
+"""Inputs of the naming network: a close-up of an object, its mask in it, and hints."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from .frames import Frame
 from .network import CLOSE_ROOM, CLOSEUP, Eye, hints
 
 CELL = 4
-"""Pixels of the look that a cell of ``Closeup.visible`` covers."""
+"""Pixels of the close-up per cell of ``Closeup.visible``."""
 
-_LEAST = 12.0  # pixels of the picture that a look shows at least
+_LEAST = 12.0  # minimum size of a close-up in pixels of the picture
 
 
 @dataclass(frozen=True, eq=False)
 class Closeup:
-    """A look at one thing. ``visible`` in [0, 1]; ``hints`` are those of the network."""
+    """A close-up of one object. ``visible`` is in [0, 1]; ``hints`` are those of the network."""
 
     image: UInt8[np.ndarray, "s s 3"]
     visible: Float[np.ndarray, "c c"]
@@ -36,10 +36,11 @@ def closeup(
     tabletop: float,
     slip: Float[np.ndarray, "4"] | None = None,
 ) -> Closeup:
-    """Return the look at the thing visible under ``mask`` (an empty one: at the whole picture).
+    """Return the close-up of the object under ``mask``, or of the whole picture if it is empty.
 
-    ``tabletop`` are the pixels that the tabletop covers. ``slip`` moves the sides of the thing's
-    box (left, top, right, bottom) outwards, in shares of its longer side; what training varies.
+    ``tabletop`` is the number of pixels that the tabletop covers. ``slip`` moves the sides of the
+    object's box (left, top, right, bottom) outwards, in fractions of its longer side; training
+    varies it.
     """
     low, high = mask_box(mask if mask.any() else np.ones_like(mask)).reshape(2, 2)
     wide, tall = high - low
@@ -53,7 +54,7 @@ def closeup(
 
 
 def impressions(eye: Eye, looks: Sequence[Closeup]) -> Float[Tensor, "2 n f"]:
-    """Return the features of things seen close up, as they are and mirrored."""
+    """Return the features of close-ups, original and mirrored."""
     pictures = tensor(*[look.image for look in looks])
     visible = torch.from_numpy(np.stack([look.visible for look in looks]))
     clues = torch.tensor([look.hints for look in looks])

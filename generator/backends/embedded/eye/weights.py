@@ -1,4 +1,4 @@
-"""The eye's weights: where they lie, what comes with them, and how they are read."""
+"""The eye's weights: files, metadata and loading."""
 
 from __future__ import annotations
 
@@ -18,20 +18,19 @@ from .network import Eye
 from .proportions import ProportionNetwork
 
 PATH = Path(__file__).with_name("eye.safetensors")
-"""The weights the package ships, half precision, with categories and temperature beside them."""
+"""The shipped weights in half precision, with categories and temperature as metadata."""
 
 JUDGE_PATH = Path(__file__).with_name("judge.safetensors")
-"""The weights of the judge of what the eye finds, half precision."""
+"""The weights of the network that selects detections, in half precision."""
 
 PROPORTIONS_PATH = Path(__file__).with_name("proportions.safetensors")
-"""The weights of the network that tells things' proportions, half precision."""
+"""The weights of the network that estimates proportions, in half precision."""
 
-_MOST_NOTE = 2**16  # bytes of the list of categories
+_MOST_NOTE = 2**16  # maximum size of the category list in bytes
 
 _RESTORE = (
-    "Install the package again, restore the file from the repository "
-    "(git checkout -- generator/backends/embedded/eye), or train it: "
-    "python -m research.eye.{} --help"
+    "Reinstall the package, restore the file from the repository (git checkout -- "
+    "generator/backends/embedded/eye), or train it: python -m research.eye.{} --help"
 )
 
 Network = TypeVar("Network", bound=nn.Module)
@@ -39,7 +38,7 @@ Network = TypeVar("Network", bound=nn.Module)
 
 @dataclass(frozen=True, eq=False)
 class Weights:
-    """A network, the category keys of its names but the last, "unknown", and their temperature."""
+    """A network, its category keys without the last one, "unknown", and its temperature."""
 
     eye: Eye
     categories: tuple[str, ...]
@@ -48,7 +47,7 @@ class Weights:
 
 @cache
 def load_weights(path: Path = PATH) -> Weights:
-    """Read the eye's weights; the last read stay loaded.
+    """Load the eye's weights; the most recent ones are cached.
 
     Raises:
         BackendError: the file is missing, damaged or of another network.
@@ -69,18 +68,18 @@ def load_weights(path: Path = PATH) -> Weights:
 
 @cache
 def load_judge(path: Path = JUDGE_PATH) -> DetectionJudge:
-    """Read the judge's weights as ``load_weights`` does."""
+    """Load the weights of the selection network, as ``load_weights`` does."""
     return _load(DetectionJudge(), path, "judging")
 
 
 @cache
 def load_proportions(path: Path = PROPORTIONS_PATH) -> ProportionNetwork:
-    """Read the weights of the network of proportions as ``load_weights`` does."""
+    """Load the weights of the proportion network, as ``load_weights`` does."""
     return _load(ProportionNetwork(), path, "proportioning")
 
 
 def save_weights(path: Path, state: dict[str, torch.Tensor], notes: dict[str, str]) -> None:
-    """Write weights in half precision; an interrupted write leaves the old file."""
+    """Write weights in half precision; an interrupted write leaves the old file unchanged."""
     from safetensors.torch import save_file
 
     small = {
@@ -117,10 +116,10 @@ def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, 
 
 
 def _categories(text: str) -> tuple[str, ...]:
-    """Return the names that the eye knows, from the notes beside its weights."""
+    """Return the names that the eye knows, from the metadata of its weights."""
     names = parse_json(text, "its list of categories", BackendError, max_bytes=_MOST_NOTE)
     if not isinstance(names, list):
-        raise ValueError("its categories are no list")
+        raise ValueError("its category list is not a list ")
     return tuple(printable(name, "a category", BackendError) for name in names)
 
 

@@ -1,1 +1,1 @@
-"""What stands on what, where and how it is turned, as measured or guessed."""
+"""Supports, positions and yaws of objects, measured or estimated."""

@@ -1,8 +1,8 @@
-"""Poses guessed by a naive look at the picture: what stands in for DRO and TSA in an ablation.
+"""Poses estimated naively from the picture, which replace DRO and TSA in an ablation.
 
-The paper (Sec. 4.3) asks a multimodal language model. This is a plain reading of masks and boxes
-that knows the camera's direction but no perspective and no 3D models: its figures compare the
-stages of this project with one another, not with the paper's Table 3.
+The paper (Sec. 4.3) uses a multimodal language model. This module reads masks and boxes directly;
+it knows the camera's direction, but no perspective and no 3D models. Its results compare the stages
+of this project with one another, not with the paper's Table 3.
 """
 
 from __future__ import annotations
@@ -15,16 +15,16 @@ from ....geometry import rotated_extent, rotation_z, wrap
 from ....scene import TABLE, LayoutBox, View
 from ...protocols import Instances, Sizes
 
-_STEP = np.deg2rad(15.0)  # angles are told in such steps
-_LONG = 1.2  # ratio of a mask's axes from which it has a direction
+_STEP = np.deg2rad(15.0)  # angles are rounded to this step
+_LONG = 1.2  # ratio of a mask's axes above which it has a direction
 
 
 def guess_rotations(instances: Instances, sizes: Sizes, view: View) -> dict[str, float]:
-    """Return each thing's yaw, radians: of what lies, the direction of its mask's long axis.
+    """Return each object's yaw in radians; for a lying object, the direction of its mask.
 
-    The axis is read in the picture as if it were a plan, without foreshortening, and rounded to 15
-    degrees; which end is the front is not told. What is as tall as it is long, or shows no
-    direction, faces the camera.
+    The mask's long axis is read in the picture as if it were a plan, without foreshortening, and
+    rounded to 15 degrees; front and back are not distinguished. An object that is as tall as it is
+    long, or that shows no direction, faces the camera.
     """
     return {
         i.name: wrap(view.azimuth + _turn(np.asarray(i.mask), sizes[i.name].extent))
@@ -34,19 +34,21 @@ def guess_rotations(instances: Instances, sizes: Sizes, view: View) -> dict[str,
 
 
 def guess_layout(instances: Instances, sizes: Sizes, view: View) -> dict[str, LayoutBox]:
-    """Return each thing's place by linear interpolation in the table's box, and its usual size.
+    """Return positions by linear interpolation in the table's box, and typical sizes.
 
-    The far edge of the tabletop is the upper side of the table's box, its near edge where the
-    table's proportions and the camera's elevation put it. A thing's foot is the lower side of its
-    own box, and its middle half its usual width behind that. Nothing is put beyond the tabletop.
+    The far edge of the tabletop is the upper side of the table's box; its near edge follows from
+    the table's proportions and the camera's elevation. An object's foot is the lower side of its
+    own box, and its centre is half its typical width behind that. No object is placed beyond the
+    tabletop.
 
     Raises:
         InputError: no instance is the table.
     """
     table = next((np.asarray(i.box) for i in instances if i.name == TABLE), None)
     if table is None:
-        raise InputError("A layout is told on a table; the instances hold none.")
-    across = rotated_extent(sizes[TABLE].extent, -view.azimuth)  # as the camera sees it, metres
+        raise InputError("A layout needs a table, but the instances contain none.")
+    # extent seen from the camera, in metres
+    across = rotated_extent(sizes[TABLE].extent, -view.azimuth)
     scale = (table[2] - table[0]) / across[0]  # pixels per metre
     deep = min(scale * across[1] * np.sin(view.elevation), table[3] - table[1])
     half = sizes[TABLE].extent[:2] / 2
@@ -63,7 +65,7 @@ def guess_layout(instances: Instances, sizes: Sizes, view: View) -> dict[str, La
 
 
 def _turn(mask: Bool[np.ndarray, "h w"], extent: Float[np.ndarray, "3"]) -> float:
-    """Return the yaw against the camera's own right that a mask suggests, in (-pi/2, pi/2]."""
+    """Return the yaw relative to the camera that a mask suggests, in (-pi/2, pi/2]."""
     rows, columns = np.nonzero(mask)
     if extent[2] >= extent[:2].max() or len(rows) < 3:
         return 0.0

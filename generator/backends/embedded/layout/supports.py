@@ -1,9 +1,9 @@
-"""What stands on or in what: by depth, else from visible and whole masks (Fig. 25).
+"""Supports of objects: from depth, or else from visible and whole masks (Fig. 25).
 
-Where two masks overlap in the picture, the one on top shows. What stands *on* another shows with
-its foot inside the other's outline. What stands *in* another shows in part: its lower end is behind
-the front wall, its upper end before the back wall. What stands *behind* shows nowhere in the
-overlap, and what stands *in front* has its foot below the other's.
+Where two masks overlap in the picture, the object in front is visible. An object *on* another is
+visible with its foot inside the other's outline. An object *in* another is partly visible: its
+lower end is behind the front wall, and its upper end in front of the back wall. An object *behind*
+another is nowhere visible in the overlap, and an object *in front* has its foot below the other's.
 """
 
 from __future__ import annotations
@@ -19,18 +19,19 @@ from ...protocols import Instances
 from ..depth.measure import ObservedSolid, holds
 
 Supports = dict[str, tuple[str, bool]]
-"""By name: what a thing stands on, and whether it is inside of that."""
+"""The support of each object by name, and whether the object is inside it."""
 
-_HELD = 0.5  # share of a thing's footprint points over its support
-_FOOT = 0.2  # of a thing's height: its foot
-_ON = 0.6  # share of the foot within the other's outline
-_CLEAR = 0.06  # of the other's height, by which the foot lies above the other's lower edge
-_PART = 0.12  # share of the overlap from which somebody shows in it
-_LARGER = 0.6  # least area of a support, times the area of what it carries
+_HELD = 0.5  # minimum fraction of an object's footprint points above its support
+_FOOT = 0.2  # height of the foot, relative to the object's
+_ON = 0.6  # minimum fraction of the foot within the other's outline
+# minimum height of the foot above the other's lower edge, relative to the other's height
+_CLEAR = 0.06
+_PART = 0.12  # minimum fraction of the overlap in which an object counts as visible
+_LARGER = 0.6  # minimum area of a support, relative to the carried object
 
 
 def whole_mask(instance: Instance) -> Bool[np.ndarray, "h w"]:
-    """Return an instance's mask with its hidden parts, as its completed crop shows them."""
+    """Return an instance's mask including its hidden parts, from its completed crop."""
     visible = np.asarray(instance.mask)
     if not instance.occluded:
         return visible
@@ -49,9 +50,9 @@ def stack(
     container: Callable[[str], bool],
     solids: Mapping[str, ObservedSolid] | None = None,
 ) -> Mapping[str, Stacking]:
-    """Return what each instance stands on: by depth if it shows ``solids``, else by the masks.
+    """Return each instance's support: from ``solids`` if there are any, or else from the masks.
 
-    ``container`` tells whether a label holds things.
+    ``container`` returns whether objects with a label can contain others.
     """
     things = [i for i in instances if i.name != TABLE]
     containers = {i.name: container(i.label) for i in things}
@@ -60,9 +61,9 @@ def stack(
 
 
 def _by_solids(containers: Mapping[str, bool], solids: Mapping[str, ObservedSolid]) -> Supports:
-    """Return what is under each footprint and as high as its foot, and whether it is hollow.
+    """Return the support under each footprint at the height of the foot, and whether it is hollow.
 
-    A thing whose foot is hidden seems to hover; with nothing under it, it stands on the table.
+    An object with a hidden foot seems to hover; without anything below, it stands on the table.
     """
     found: Supports = {}
     for name in [n for n in containers if n in solids]:
@@ -95,7 +96,7 @@ def carries(
     below: Bool[np.ndarray, "h w"],
     holds: bool,
 ) -> tuple[float, bool]:
-    """Tell how surely one thing carries another (0: it does not), and whether inside of it."""
+    """Return the confidence that one object carries another (0: no), and whether it is inside."""
     rows = np.flatnonzero(full.any(1))
     edges = np.flatnonzero(below.any(1))
     if not len(rows) or not len(edges):
@@ -116,7 +117,7 @@ def carries(
 
 
 def _above(foot: Bool[np.ndarray, "h w"], below: Bool[np.ndarray, "h w"], margin: float) -> bool:
-    """Tell whether a foot ends above the other's lower edge, in most of its columns."""
+    """Return whether a foot ends above the other's lower edge in most of its columns."""
     columns = np.flatnonzero((foot & below).any(0))
     if not len(columns):
         return False
@@ -127,7 +128,7 @@ def _above(foot: Bool[np.ndarray, "h w"], below: Bool[np.ndarray, "h w"], margin
 
 
 def _order(names: list[str], found: Supports) -> Mapping[str, Stacking]:
-    """Number the layers from the table up; a circle of supports stands on the table."""
+    """Number the layers from the table up; objects in a cycle of supports stand on the table."""
     result = {TABLE: Stacking(1)}
     for name in names:
         chain = [name]

@@ -1,6 +1,6 @@
-"""What the stages' geometric questions rest on: the table plane, and solids where depth shows them.
+"""The geometry behind the stages' questions: the table plane, and solids if depth shows them.
 
-A reference with depth is measured; one without is explained by its tabletop's outline.
+A reference with depth is measured; without depth, the tabletop's outline gives the plane.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ from ..plane.plane import TablePlane
 from ..plane.tabletop import find_tabletop
 from .supports import whole_mask
 
-_THIN = 0.004  # metres: the least extent of anything
-_SHOWN = 0.85  # share of a thing that must show for its size to count as measured
-_ROUNDISH = 0.8  # width to length of a thing of unknown kind
-_BACK = 1.6  # how much wider than it shows a thing may be that hides its own back
+_THIN = 0.004  # minimum extent of any object in metres
+_SHOWN = 0.85  # minimum visible fraction of an object for a measured size
+_ROUNDISH = 0.8  # ratio of width to length of an unknown object
+_BACK = 1.6  # maximum ratio of an object's width to its visible width if it hides its own back
 
 
 @dataclass(frozen=True, eq=False)
 class Survey:
-    """The tabletop of a reference, and its things' solids (metres); without depth there is none.
+    """The tabletop of a reference, and its objects' solids (metres), which require depth.
 
-    ``height`` is how high the tabletop is above a floor that depth shows too; None if it does not.
+    ``height`` is the height of the tabletop above a floor, or None if depth does not show it.
     """
 
     plane: TablePlane
@@ -43,10 +43,10 @@ def survey(
     length: float | None = None,
     view: View | None = None,
 ) -> Survey:
-    """Return the tabletop's plane and the things' solids (SceneError: no tabletop).
+    """Return the tabletop's plane and the objects' solids (SceneError: no tabletop).
 
-    ``length`` and ``view`` are for references without depth, as in ``tabletop.find_tabletop``;
-    ``instances`` may hold the table alone.
+    ``length`` and ``view`` are for references without depth, as in ``tabletop.find_tabletop``.
+    ``instances`` may consist of the table alone.
     """
     if reference.depth is None or reference.intrinsics is None:
         plan = reference.plan.table if reference.plan else None
@@ -68,11 +68,11 @@ def solid_size(
     stacking: Mapping[str, Stacking],
     usual: SizePrior | None,
 ) -> SizePrior:
-    """Return a thing's measured extent, in the axes of its ``usual`` size if there is one.
+    """Return an object's measured extent, in the axes of its ``usual`` size if there is one.
 
-    Something narrower at its top hides its own back: its width is then what its usual proportions
-    make of its length, within reason. Of what other things hide nothing counts as measured: a known
-    thing keeps its usual proportions, at the scale of what shows.
+    An object with a narrower top hides its own back: its width is then derived from its length and
+    its usual proportions, within limits. An object hidden by others does not count as measured: it
+    keeps its usual proportions, if known, at the scale of its visible part.
     """
     solid = solids[instance.name]
     height = max(solid.top - floor_of(instance.name, solids, stacking), _THIN)
@@ -95,7 +95,7 @@ def solid_size(
 def floor_of(
     name: str, solids: Mapping[str, ObservedSolid], stacking: Mapping[str, Stacking]
 ) -> float:
-    """Return how high above the tabletop the surface lies that a thing stands on, metres."""
+    """Return the height above the tabletop of an object's support in metres."""
     below = stacking[name].on
     if below not in solids:
         return 0.0

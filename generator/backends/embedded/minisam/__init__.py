@@ -1,1 +1,1 @@
-"""Outlines by a prompted model that the user fetches; table, camera and names stay the eye's."""
+"""Outlines by a promptable model that the user downloads; the eye gives table, camera and names."""

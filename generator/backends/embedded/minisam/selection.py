@@ -1,7 +1,7 @@
-"""Which of the masks are things: of nested ones the whole, or its contents too; of equal ones one.
+"""Selection of the masks that are objects, among nested and duplicate ones.
 
-The names that the eye gives decide: what lies in or on a thing has a clear name of its own, or was
-found as a thing of its own by the eye; what has not is a part.
+The eye's names decide: an object in or on another has a clear name of its own, or was detected by
+the eye; any other nested mask is a part.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ from ..eye.judge import EyeDetection
 from .prompts import Proposal
 
 CLEAR = 0.6
-"""Probability of a name that makes a thing of what might be a part."""
+"""Name probability above which a possible part is a separate object."""
 
-_SAME = 0.65  # overlap (IoU) at which two masks are one thing
-_WITHIN = 0.85  # share of a mask that lies within another one, from which it is nested
-_PART = 0.9  # share of the outer one's area from which an inner mask is the same thing
-_FOUND = 0.5  # certainty of the eye's detection, and overlap with it, that do so too
-_ALONG = 0.2  # share of a part's rim along which it touches what it is a part of
-_UNITED = 0.8  # share of a mask that things found apart cover, from which it is those
-_SMALLEST = 1.5e-4  # of the picture, a thing
+_SAME = 0.65  # overlap (IoU) above which two masks show the same object
+_WITHIN = 0.85  # fraction of a mask within another one, above which it is nested
+_PART = 0.9  # relative area above which a nested mask shows the same object
+_FOUND = 0.5  # minimum confidence of, and overlap with, an eye's detection of a nested object
+_ALONG = 0.2  # minimum fraction of a part's boundary that touches its object
+_UNITED = 0.8  # coverage by separate detections above which a mask is their union
+_SMALLEST = 1.5e-4  # minimum area of an object, as a fraction of the picture
 
 
 def choose(
@@ -32,10 +32,10 @@ def choose(
     names: Sequence[Float[np.ndarray, "k"]],
     known: Sequence[EyeDetection],
 ) -> list[int]:
-    """Return which proposals are things.
+    """Return the indices of the proposals that are objects.
 
-    ``names`` are each one's probabilities over the eye's names, the last being "unknown"; ``known``
-    are the eye's own detections.
+    ``names`` are each proposal's probabilities over the eye's names, with "unknown" as the last;
+    ``known`` are the eye's own detections.
     """
     masks = [p.mask for p in proposals]
     areas = [int(m.sum()) for m in masks]
@@ -60,11 +60,11 @@ def choose(
 def join_parts(
     masks: Sequence[Bool[np.ndarray, "h w"]], stands: Sequence[bool], own: Sequence[bool]
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return masks in which parts are joined to what they touch most.
+    """Return the masks with parts merged into the mask that they touch most.
 
-    What stands on nothing is a part: a lamp's head is held by its arm. So is what is no thing of
-    its ``own`` by its name or by the eye, and touches along much of its rim. What touches nothing
-    stays as it is.
+    A mask that stands on nothing is a part: a lamp's head is held by its arm. So is a mask that is
+    not a separate object (``own``), by its name or the eye, and touches another along much of its
+    boundary. Masks that touch nothing are unchanged.
     """
     joined = list(masks)
     owner = list(range(len(masks)))
@@ -92,7 +92,7 @@ def foot_row(mask: Bool[np.ndarray, "h w"]) -> int:
 
 
 def find_own(masks: Sequence[Bool[np.ndarray, "h w"]], known: Sequence[EyeDetection]) -> list[bool]:
-    """Tell of each mask whether the eye has found it as a thing of its own."""
+    """Return which masks the eye has detected as separate objects."""
     overlap = _overlaps(masks, [d.visible for d in known])
     return [
         any(o >= _FOUND and d.score >= _FOUND for o, d in zip(row, known, strict=True))
@@ -103,10 +103,10 @@ def find_own(masks: Sequence[Bool[np.ndarray, "h w"]], known: Sequence[EyeDetect
 def is_one(
     whole: Float[np.ndarray, "k"], one: Float[np.ndarray, "k"], other: Float[np.ndarray, "k"]
 ) -> bool:
-    """Tell by their names whether two masks that were also outlined as one are one thing.
+    """Return whether two masks with a common outline show a single object, based on their names.
 
-    They are if they have the same name, or if the whole's is at least as clear as theirs. Two with
-    different clear names are two.
+    They do if they have the same name, or if the name of the whole is at least as clear as theirs.
+    Two masks with different clear names are separate.
     """
     best = [int(names[:-1].argmax()) for names in (whole, one, other)]
     sure = [float(names[:-1].max()) for names in (whole, one, other)]
@@ -116,7 +116,7 @@ def is_one(
 
 
 def _named_apart(inner: Float[np.ndarray, "k"], outer: Float[np.ndarray, "k"]) -> bool:
-    """Tell whether what is nested has a clear name, and another one than what is around it."""
+    """Return whether a nested mask has a clear name that differs from the surrounding one."""
     best = int(inner[:-1].argmax())
     return bool(inner[best] > CLEAR and best != int(outer[:-1].argmax()))
 
@@ -124,7 +124,7 @@ def _named_apart(inner: Float[np.ndarray, "k"], outer: Float[np.ndarray, "k"]) -
 def _without_copies(
     proposals: Sequence[Proposal], masks: Sequence[Bool[np.ndarray, "h w"]], areas: Sequence[int]
 ) -> list[int]:
-    """Return the best of masks that show the same."""
+    """Return the best of the masks that show the same object."""
     kept: list[int] = []
     for k in sorted(range(len(masks)), key=lambda k: -proposals[k].quality * proposals[k].seen):
         shared = [int((masks[k] & masks[j]).sum()) for j in kept]
@@ -135,7 +135,7 @@ def _without_copies(
 
 
 def _unites(mask: Bool[np.ndarray, "h w"], area: int, known: Sequence[EyeDetection]) -> bool:
-    """Tell whether a mask is several things that the eye has found apart, and none as a whole."""
+    """Return whether a mask is the union of separate detections of the eye, and not one of them."""
     inside = np.zeros(mask.shape, bool)
     count = 0
     for detection in known:

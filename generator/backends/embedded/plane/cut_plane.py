@@ -1,10 +1,11 @@
-"""The tabletop's outline when the frame cuts it: true edges where they show, else up to the frame.
+"""The outline of a tabletop cut by the frame: true edges where visible, or else the frame.
 
-The usual fit (``plane``) explains a whole outline and finds the camera with it. Seen close up, or
-cut by the frame, an outline says too little for that; here the camera is given (by a depth map or
-by an estimate), and only the top's place, turn and size on the plane are fitted. Each point of the
-region's hull is either a *true* edge, on which the outline must lie, or only *visible* (at the
-frame, beside a thing, where depth is unknown): the outline must hold it, and may go on behind it.
+The usual fit (``plane``) explains a complete outline and estimates the camera from it. In a
+close-up, or cut by the frame, an outline does not determine the camera. Here the camera is given
+(by a depth map or by an estimate), and only the top's position, yaw and size on the plane are
+fitted. Each point of the region's hull is either a *true* edge, on which the outline must lie, or
+only *visible* (at the frame, beside an object, or where depth is unknown): the outline must contain
+it and may extend further.
 """
 
 from __future__ import annotations
@@ -22,31 +23,32 @@ from ....scene import View
 from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance
 
 CUT_SHARE = 0.15
-"""A top whose outline lies on the frame for more than this share of its length is cut."""
+"""A top is cut if a larger fraction of its outline than this lies on the frame."""
 
 VISIBLE_LENGTH = 1.0
 """Longer side in metres of the visible part of a cut table of unknown size."""
 
 REACH = 7.0
-"""Camera heights: what lies farther off along the plane is left out."""
+"""Maximum distance along the plane, in camera heights; farther points are ignored."""
 
-_SMALLEST = 0.004  # of the picture: less is no tabletop
-_ISLAND = 0.05  # of the largest part: smaller ones are dropped
-_POINTS = 240  # sampled along the hull
-_FRAME, _BESIDE = 3, 5  # pixels of a 640-pixel picture: at the frame, beside something hidden
-_BRIDGE = 0.25  # weight of a hull point with no rim of the region near it
-_SHRINK = 0.6  # how strongly a side without evidence is drawn in
-_ROUND = 0.3  # of the shorter side: the largest corner radius
-_ARC = 0.45  # of the rim must be true to tell a curve from corners
-_OVERHANG = 0.015  # camera heights that things may stick out over the edge
-_RIVAL = 0.7  # an ellipse or triangle must beat the rectangle's error by this factor
+_SMALLEST = 0.004  # minimum area of a tabletop, as a fraction of the picture
+_ISLAND = 0.05  # minimum area of a part, as a fraction of the largest part
+_POINTS = 240  # number of samples along the hull
+# margin at the frame and beside hidden regions, in pixels of a 640-pixel picture
+_FRAME, _BESIDE = 3, 5
+_BRIDGE = 0.25  # weight of a hull point without a nearby boundary of the region
+_SHRINK = 0.6  # weight of shrinking a side without evidence
+_ROUND = 0.3  # maximum corner radius, relative to the shorter side
+_ARC = 0.45  # fraction of the boundary that must be true to distinguish curves from corners
+_OVERHANG = 0.015  # camera heights by which objects may extend over the edge
+_RIVAL = 0.7  # error ratio to the rectangle below which an ellipse or triangle is chosen
 
 
 @dataclass(frozen=True, eq=False)
 class _Rim:
-    """Points of a region's hull: ``places``, and ``pixel`` size there, in plane units.
+    """Points of a region's hull: ``places``, and the ``pixel`` size there, in plane units.
 
-    ``true`` tells the points of real edges; ``weights`` how far each counts.
+    ``true`` marks points on real edges; ``weights`` are their weights in the fit.
     """
 
     places: Float[np.ndarray, "n 2"]
@@ -56,13 +58,13 @@ class _Rim:
 
 
 def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
-    """Return which share of the outline (convex hull) of ``mask`` lies on the picture's frame."""
+    """Return the fraction of the outline (convex hull) of ``mask`` on the picture's frame."""
     points = _sample(hull_corners(_region(mask)), _POINTS)
     return float(_at_frame(points, mask.shape).mean())
 
 
 def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
-    """Tell whether the frame cuts a tabletop, so that its outline does not tell the camera."""
+    """Return whether the frame cuts a tabletop so much that its outline cannot give the camera."""
     return frame_share(mask) > CUT_SHARE
 
 
@@ -74,13 +76,14 @@ def plane_from_view(
     length: float | None = None,
     reach: float = REACH,
 ) -> TablePlane:
-    """Return the tabletop of a picture whose camera is known, whole or cut.
+    """Return the tabletop, complete or cut, of a picture with a known camera.
 
-    ``mask`` is the visible tabletop (the surface, without legs and apron; things on it may be part
-    of the mask or holes in it). Of ``view`` the azimuth is found anew from the edges. ``hidden``
-    pixels may hide more of the top: an edge of the mask beside them is not the table's. ``length``,
-    metres of the top's longer side, is ``VISIBLE_LENGTH`` by default if the frame cuts the top,
-    else ``TABLE_LENGTH``. ``reach`` is how far the camera sees, in its own heights above the plane.
+    ``mask`` is the visible tabletop (the surface, without legs and apron; objects on it may be part
+    of the mask or holes in it). The azimuth of ``view`` is estimated again from the edges.
+    ``hidden`` pixels may hide more of the top: an edge of the mask beside them is not the table's.
+    ``length`` is the longer side in metres; it defaults to ``VISIBLE_LENGTH`` if the frame cuts the
+    top, and to ``TABLE_LENGTH`` otherwise. ``reach`` is the maximum distance along the plane, in
+    camera heights.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
@@ -94,7 +97,7 @@ def plane_from_view(
 
 
 def scaled_plane(plane: TablePlane, factor: float) -> TablePlane:
-    """Return the same tabletop in the same picture, ``factor`` times as large and as far."""
+    """Return the same tabletop in the same picture, scaled in size and distance by ``factor``."""
     camera = replace(plane.camera, position=plane.camera.position * factor)
     size = (plane.size[0] * factor, plane.size[1] * factor)
     edge = None if plane.edge is None else plane.edge * factor
@@ -108,11 +111,12 @@ def plane_of_region(
     carried: Float[np.ndarray, "n 2"] | None = None,
     reach: float = REACH,
 ) -> TablePlane:
-    """Return the tabletop whose visible part is ``mask``, seen by a camera over the plane z = 0.
+    """Return the tabletop with visible part ``mask``, seen by a camera over the plane z = 0.
 
-    ``camera`` looks along +y of its own frame (metres, or any unit); the result's frame has its
-    origin at the top's centre, and its axes along the top's sides. ``carried`` are places (x, y in
-    the camera's frame) of what is known to stand on it; the outline holds them too.
+    ``camera`` looks along +y of its own frame (metres, or any unit). The result's frame has its
+    origin at the top's centre, and its axes along the top's sides. ``carried`` are positions (x, y
+    in the camera's frame) of objects that are known to stand on the top; the outline contains them
+    too.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
@@ -136,14 +140,14 @@ def _region(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
     region = main_parts(mask, _ISLAND)
     if region.sum() < _SMALLEST * mask.size:
         raise SceneError(
-            "The tabletop shows on less than "
-            f"{_SMALLEST:.1%} of the picture. Use a picture nearer to the table."
+            f"The tabletop covers less than {_SMALLEST:.1%} of the picture. Use a closer "
+            "picture of the table."
         )
     return region
 
 
 def _sample(polygon: Float[np.ndarray, "k 2"], count: int) -> Float[np.ndarray, "n 2"]:
-    """Return ``count`` points evenly along a closed polygon."""
+    """Return ``count`` evenly spaced points along a closed polygon."""
     closed = np.concatenate([polygon, polygon[:1]])
     along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
     at = (np.arange(count) + 0.5) * along[-1] / count
@@ -167,7 +171,7 @@ def _rim(
     y, x = np.mgrid[0:height, 0:width] + 0.5
     places = camera.on_plane(np.column_stack([x.ravel(), y.ravel()]), 0.0)[:, :2]
     seen = np.linalg.norm(places, axis=1) < reach * camera.position[2]
-    in_reach = seen.reshape(mask.shape)  # NaN, above the horizon, is out of reach
+    in_reach = seen.reshape(mask.shape)  # NaN, above the horizon, counts as out of reach
     far = dilate(~in_reach, 3)
     region = _region(region & in_reach & ~far)
     points = _sample(hull_corners(region), _POINTS)
@@ -183,7 +187,7 @@ def _rim(
 
 
 def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
-    """Return the rim with the outline of ``carried`` added as places that the top holds."""
+    """Return the rim extended by the outline of ``carried`` as visible points."""
     outline = _sample(convex_outline(carried), _POINTS // 4)
     middle = carried.mean(0)
     away = np.linalg.norm(outline - middle, axis=1, keepdims=True)
@@ -202,9 +206,9 @@ def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
 
 @dataclass(frozen=True, eq=False)
 class _Top:
-    """A fitted outline on the plane: turned by ``turn`` about ``center``.
+    """A fitted outline on the plane: rotated by ``turn`` about ``center``.
 
-    ``error`` is the robust root mean squared distance of true edge points, pixels.
+    ``error`` is the robust root mean squared distance of true edge points in pixels.
     """
 
     shape: OutlineShape
@@ -217,7 +221,7 @@ class _Top:
 
 
 def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
-    """Return the outline of one kind that holds all points and lies on the true ones."""
+    """Return the outline of one shape that contains all points and passes through the true ones."""
     found = []
     for turn in _turns(rim) if shape == "rectangle" else (_turns(rim)[0], 0.0):
         turned = rim.places @ rotation_z(turn)[:2, :2]
@@ -236,9 +240,9 @@ def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
 
 
 def _turns(rim: _Rim) -> list[float]:
-    """Return likely turns of the top: the commonest directions of its true edges, in [-45, 45).
+    """Return likely yaws of the top: the main directions of its true edges, in [-45, 45) degrees.
 
-    A top without any true edge lies straight before the viewer.
+    A top without any true edge is assumed to be aligned with the viewer.
     """
     ahead = np.roll(rim.places, -1, 0) - rim.places
     both = rim.true & np.roll(rim.true, -1)
@@ -247,7 +251,8 @@ def _turns(rim: _Rim) -> list[float]:
     angle = np.arctan2(ahead[:, 1], ahead[:, 0])[both]
     weight = (np.linalg.norm(ahead, axis=1) / rim.pixel * rim.weights)[both]
     tried = np.deg2rad(np.arange(-45, 45, 1.0))
-    near = np.cos(4 * (angle[None] - tried[:, None]))  # a quarter turn gives the same sides
+    # a rotation by 90 degrees gives the same sides
+    near = np.cos(4 * (angle[None] - tried[:, None]))
     score = (np.exp(20 * (near - 1)) * weight).sum(1)
     first = int(score.argmax())
     apart = np.abs((tried - tried[first] + np.pi / 4) % (np.pi / 2) - np.pi / 4) > np.deg2rad(8)
@@ -261,7 +266,7 @@ def _unpack(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], floa
 
 
 def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
-    """Return how far true points lie off the outline, and others outside of it, in pixels."""
+    """Return the distances, in pixels, of true points from the outline, and of others outside."""
     center, turn, size, radius = _unpack(p)
     places = (rim.places - center) @ rotation_z(turn)[:2, :2]
     off = outline_distance(places, shape, flipped, size, radius) / rim.pixel
@@ -280,7 +285,7 @@ def _residuals(
 
 
 def _as_plane(top: _Top, camera: Camera) -> TablePlane:
-    """Carry the camera into the frame of the fitted top, its sides along the nearest axes."""
+    """Transform the camera to the frame of the fitted top, whose sides follow the closest axes."""
     quarter = 0.0 if top.shape == "triangle" else np.round(top.turn / (np.pi / 2)) * np.pi / 2
     turn, size = top.turn - quarter, top.size
     if round(quarter / (np.pi / 2)) % 2:

@@ -1,4 +1,4 @@
-"""A tabletop that is no rectangle, ellipse or triangle: its outline is drawn as it was seen."""
+"""Tabletops that are not a rectangle, ellipse or triangle: their outline as detected."""
 
 from __future__ import annotations
 
@@ -11,24 +11,24 @@ from ....geometry import convex_outline
 from .outline import Outline
 from .plane import RADIUS, TablePlane
 
-_EXPLAINED = 0.975  # overlap seen from above from which a shape explains an outline
-_LIKELY, _CLOSE = 0.93, 2.0  # or from which it does if its edge is met within these pixels
-_GRID = 160  # points along each side that the overlap is counted with
+_EXPLAINED = 0.975  # overlap, seen from above, above which a shape explains an outline
+_LIKELY, _CLOSE = 0.93, 2.0  # a lower overlap suffices if the edge error is within this many pixels
+_GRID = 160  # grid points per side for the overlap
 _RAYS = 64  # corners of such an outline
-_BLUNT = 0.02  # of the length: radius of its sharpest corners
+_BLUNT = 0.02  # radius of its sharpest corners, relative to the length
 
 
 def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
-    """Return the tabletop with the outline that was seen if its shape is none of ours.
+    """Return the tabletop with its detected outline if no ideal shape explains the outline.
 
-    Frame and size are then the outline's, the length stays. What things hide says nothing about the
-    shape. ``factor`` is working pixels per picture pixel.
+    Frame and size then follow the outline; the length is unchanged. Regions hidden by objects are
+    ignored. ``factor`` is working pixels per picture pixel.
     """
     least = _LIKELY if plane.error * factor < _CLOSE else _EXPLAINED
     if _agreement(plane, outline, factor) > least:
         return plane
     seen = shapely.Polygon(convex_outline(plane.to_table(outline.hull / factor)))
-    blunt = _BLUNT * plane.size[0]  # takes off the spikes that single points make
+    blunt = _BLUNT * plane.size[0]  # removes spikes caused by single points
     rim = seen.buffer(-blunt).buffer(blunt).exterior
     along = np.linspace(0, 1, _RAYS, endpoint=False)
     points = shapely.line_interpolate_point(rim, along, normalized=True)
@@ -44,7 +44,7 @@ def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
 
 
 def _agreement(plane: TablePlane, outline: Outline, factor: float) -> float:
-    """Return the overlap, seen from above and in plain sight, of the patch with its ideal."""
+    """Return the overlap of the detected patch with its ideal shape, outside hidden regions."""
     ideal = shapely.Polygon(plane.top())
     hull = shapely.Polygon(plane.to_table(outline.hull / factor))
     x0, y0, x1, y1 = ideal.union(hull).bounds

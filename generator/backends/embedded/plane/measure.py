@@ -1,4 +1,4 @@
-"""How large a thing is, from its mask and the tabletop's plane."""
+"""Size of an object from its mask and the tabletop's plane."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from ....scene import Instance
 from .plane import TablePlane
 
 _TURNS = 24
-_HAND = 0.15  # metres: the size of a thing, before it is known
-_ROUNDS = 3  # how often a size is corrected: what is larger is nearer
+_HAND = 0.15  # initial size of an object in metres
+_ROUNDS = 3  # number of size corrections, since larger objects are closer
 _THINNEST = 0.003  # metres
 
 
 def _rounded_box() -> Float[np.ndarray, "32 3"]:
-    """Return the outer points of an upright box with its corners cut, of extent 1, on z = 0."""
+    """Return the outer points of an upright box with cut corners, of extent 1, on z = 0."""
     turn = np.arange(16) * np.pi / 8
     ring = np.clip(0.6 * np.column_stack([np.cos(turn), np.sin(turn)]), -0.5, 0.5)
     return np.vstack([np.column_stack([ring, np.full(16, z)]) for z in (0.0, 1.0)])
@@ -33,10 +33,10 @@ _ROUNDED = _rounded_box()
 def measured_extent(
     mask: Bool[np.ndarray, "h w"], plane: TablePlane
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "2"]]:
-    """Return a thing's extent (along world x, y, z) and its foot's centre on the table, metres.
+    """Return an object's extent (along world x, y, z) and its foot's centre in metres.
 
-    The mask is explained as an upright box: its width as x, the depth of its lower outline on the
-    plane as half its depth y, and what of its height the depth leaves as z.
+    The mask is explained as an upright box: its width is x, twice the depth of its lower outline on
+    the plane is y, and z is the part of its height that the depth does not explain.
     """
     x0, y0, x1, y1 = mask_box(mask)
     camera = plane.camera
@@ -58,7 +58,7 @@ def measured_extent(
 
 
 def _outline_depth(mask: Bool[np.ndarray, "h w"], plane: TablePlane) -> float:
-    """Return twice the depth that a mask's lower outline spans on the plane, metres."""
+    """Return twice the depth that a mask's lower outline spans on the plane, in metres."""
     columns = np.flatnonzero(mask.any(0))
     lowest = (mask.shape[0] - mask[::-1, columns].argmax(0)).astype(float)
     near = lowest.max() - lowest < 0.6 * np.ptp(np.flatnonzero(mask.any(1))) + 1
@@ -68,7 +68,7 @@ def _outline_depth(mask: Bool[np.ndarray, "h w"], plane: TablePlane) -> float:
 
 
 def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:
-    """Return the pixel box of the whole thing: of its completed crop where it was hidden."""
+    """Return the pixel box of the whole object, from its completed crop if it was occluded."""
     own = np.asarray(instance.box, float)
     alpha = instance.crop[..., 3] > 127
     if not instance.occluded or not alpha.any():
@@ -81,7 +81,7 @@ def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:
 
 @lru_cache(maxsize=256)
 def usual_solid(key: str) -> Float[np.ndarray, "n 3"]:
-    """Return the outer points of a category's usual thing, metres, standing on z = 0; read-only."""
+    """Return the outer points of a category's typical object in metres, on z = 0; read-only."""
     points = hull_points(build(key, 0).mesh.vertices.astype(float))
     solid = (points + np.array([0.0, 0.0, 0.5])) * CATEGORIES[key].size
     solid.flags.writeable = False
@@ -91,11 +91,12 @@ def usual_solid(key: str) -> Float[np.ndarray, "n 3"]:
 def apparent_scale(
     box: Float[np.ndarray, "4"], solid: Float[np.ndarray, "n 3"], plane: TablePlane
 ) -> tuple[float, float]:
-    """Return how many times its usual size a thing looks, and by how much its shape differs.
+    """Return an object's apparent size relative to its usual size, and its shape difference.
 
-    ``solid`` are points of the thing at its usual size, metres, upright on z = 0. It stands on the
-    table where the pixel ``box`` has its foot, and is turned until its own pixel box is most like
-    it in shape. The difference is that of the two logarithms of width over height.
+    ``solid`` are points of the object at its usual size in metres, upright on z = 0. The object is
+    placed on the table at the foot of the pixel ``box``, with the yaw for which its own pixel box
+    has the most similar aspect ratio. The difference is that of the logarithms of the two aspect
+    ratios (width over height).
     """
     near = plane.camera.on_plane(np.array([[(box[0] + box[2]) / 2, box[3]]]), 0.0)[0]
     best = (1.0, np.inf)
@@ -112,10 +113,10 @@ def apparent_scale(
 def sized_extent(
     box: Float[np.ndarray, "4"], proportions: Float[np.ndarray, "3"], plane: TablePlane
 ) -> Float[np.ndarray, "3"]:
-    """Return the extent, metres, that a thing has whose projection fills the pixel ``box``.
+    """Return the extent in metres of an object whose projection fills the pixel ``box``.
 
-    It stands on the table, turned as :func:`apparent_scale` says; ``proportions`` are of its
-    length, width and height.
+    The object stands on the table with the yaw of :func:`apparent_scale`; ``proportions`` are those
+    of its length, width and height.
     """
     extent = np.asarray(proportions) * (_HAND / np.max(proportions))
     for _ in range(_ROUNDS):

@@ -1,8 +1,8 @@
-"""The tabletop's outline in a picture: where the eye sees the top end, drawn onto the edges there.
+"""The tabletop's outline in a picture: the boundary of the eye's region, snapped to edges.
 
-The eye tells which pixels the whole upper side covers, things on it included. Every tabletop of
-the catalogue is convex, so the hull of that patch is its outline; where the surface itself shows
-beside it, the outline is moved onto the picture's edge.
+The eye returns the pixels of the whole top surface, including the objects on it. All tabletops of
+the catalogue are convex, so the hull of this region is the outline; where the surface itself is
+visible next to it, the outline is moved to the picture's edge.
 """
 
 from __future__ import annotations
@@ -18,25 +18,25 @@ from ....meshes.pixels import dilate, distance_to, hull_corners, main_parts, mas
 from ..eye.sight import EyeReading
 
 WORKING_SIZE = 640
-"""Longest side, in pixels, of the copy of the picture that is analysed."""
+"""Length in pixels of the longer side of the analysed copy of the picture."""
 
-_POINTS = 240  # along the outline
-_SMALLEST = 0.015  # of the picture: a smaller top is none
-_SURE, _FILLED = 0.8, 0.7  # a top's mean probability, and the share of its hull that it fills
-_AGREED = 0.75  # overlap of what shows of the top with the pixels that show a tabletop
-_REACH = 3.0  # pixels that a point may be moved to find an edge
-_NEAR = 1.5  # pixels: how soon a farther edge counts for less
-_AWAY = 4.0  # pixels within which the patch itself must end
-_RIM = 6  # pixels around a thing that count as hidden by it
-_LEAST = 0.35  # of the points: with fewer in plain sight, the hidden ones count as well
+_POINTS = 240  # number of points along the outline
+_SMALLEST = 0.015  # minimum area of a top, as a fraction of the picture
+_SURE, _FILLED = 0.8, 0.7  # minimum mean probability of a top, and minimum fill of its hull
+_AGREED = 0.75  # minimum overlap of the visible top with the pixels of a tabletop
+_REACH = 3.0  # maximum distance to an edge in pixels
+_NEAR = 1.5  # scale in pixels at which farther edges lose weight
+_AWAY = 4.0  # maximum distance in pixels to the boundary of the region itself
+_RIM = 6  # margin around an object that counts as hidden, in pixels
+_LEAST = 0.35  # minimum fraction of unhidden points; with fewer, hidden ones are used too
 
 
 @dataclass(frozen=True, eq=False)
 class Outline:
     """The outline of the whole top, counter-clockwise on screen, in working pixels.
 
-    ``hull`` closes it; ``points`` are those of its edge points that say where it is; ``hidden`` is
-    what things cover; ``top`` the patch itself, things on it included.
+    ``hull`` is the closed outline; ``points`` are the reliable edge points; ``hidden`` is the area
+    covered by objects; ``top`` is the region itself, including the objects on it.
     """
 
     hull: Float[np.ndarray, "k 2"]
@@ -77,10 +77,11 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> tuple[
 
 
 def top_of(sight: EyeReading) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of the whole tabletop, things on it included.
+    """Return the pixels of the whole tabletop, including the objects on it.
 
     Raises:
-        SceneError: the eye sees none: too small, ragged or doubtful a patch is no tabletop.
+        SceneError: no tabletop was detected; regions that are too small, ragged or uncertain do not
+            count.
     """
     top = main_parts(sight.top > 0.5)
     shown, bare = sight.shows("top"), top & ~sight.shows("thing")
@@ -91,13 +92,13 @@ def top_of(sight: EyeReading) -> Bool[np.ndarray, "h w"]:
         if top.sum() > _FILLED * hull.sum():
             return top
     raise SceneError(
-        "No table found in the picture. Show the table's upper side, lit well enough to tell it "
-        "from what is around it."
+        "No table found in the picture. Show the table's top surface, and light it well enough "
+        "to distinguish it from its surroundings."
     )
 
 
 def gradient(lab: Float[np.ndarray, "h w 3"]) -> Float[np.ndarray, "h w"]:
-    """Return the edge strength, CIELAB units per pixel, of the edge-preserving smoothed picture."""
+    """Return the edge strength, in CIELAB units per pixel, of the bilaterally smoothed picture."""
     smooth = cv2.bilateralFilter(lab.astype(np.float32), 7, 6, 4)
     strength = np.zeros(lab.shape[:2], np.float32)
     for c in range(3):
@@ -127,7 +128,7 @@ def snap(
     normals: Float[np.ndarray, "n 2"],
     strength: Float[np.ndarray, "h w"],
 ) -> Float[np.ndarray, "n 2"]:
-    """Move points along their normals onto the strongest near edge; nearer ones count for more."""
+    """Move points along their normals to the strongest edge, with more weight on close ones."""
     offsets = np.arange(-_REACH, _REACH + 0.25, 0.5)
     along = points[:, None] + offsets[None, :, None] * normals[:, None]
     near = np.exp(-((offsets / _NEAR) ** 2))
@@ -136,7 +137,7 @@ def snap(
 
 
 def _sample(field: Float[np.ndarray, "h w"], points: Float[np.ndarray, "n m 2"]) -> np.ndarray:
-    """Return a picture's values at pixel positions (centres at halves), bilinear, edges repeat."""
+    """Return bilinear values at pixel positions (centres at half-integers), edges repeated."""
     x, y = (np.ascontiguousarray(points[..., k] - 0.5, np.float32) for k in range(2))
     field = np.ascontiguousarray(field, np.float32)
     return np.asarray(cv2.remap(field, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE))

@@ -1,9 +1,10 @@
 """The tabletop as a plane: camera and size from the outline of the top surface.
 
-One least-squares problem serves every outline: choose camera (azimuth, elevation, field of view,
-position) and table (depth to length, corner radius) so that the outline's edge points, carried
-onto the plane, lie on a rounded rectangle, an ellipse or a triangle. Weak priors settle what a
-single view leaves open: a rectangle seen head-on does not tell field of view from depth.
+One least-squares problem serves every outline: find the camera (azimuth, elevation, field of view,
+position) and the table (ratio of depth to length, corner radius) for which the outline's edge
+points, projected onto the plane, lie on a rounded rectangle, an ellipse or a triangle. Weak priors
+determine what a single view leaves open: a rectangle seen head-on does not separate field of view
+from depth.
 """
 
 from __future__ import annotations
@@ -27,12 +28,12 @@ TABLE_LENGTH = 1.2
 """Length (x extent) in metres of a table of unknown size."""
 
 RADIUS = 0.3
-"""The largest corner radius, of the shorter side."""
+"""The maximum corner radius, relative to the shorter side."""
 
-_ELEVATION_SPREAD = np.deg2rad(3.5)  # of the usual error of the view that the eye expects
-_FOV_SPREAD = 0.25  # likewise, of the logarithm
-_EDGE = 1.2  # pixels: how well an edge point is known
-_TRUST = 12.0  # independent edge points that a whole outline counts for
+_ELEVATION_SPREAD = np.deg2rad(3.5)  # typical error of the eye's elevation
+_FOV_SPREAD = 0.25  # typical error of the logarithm of the eye's field of view
+_EDGE = 1.2  # accuracy of an edge point in pixels
+_TRUST = 12.0  # number of independent edge points that a complete outline is worth
 
 
 @dataclass(frozen=True)
@@ -60,12 +61,12 @@ _KINDS = (
 class TablePlane:
     """The tabletop of one picture.
 
-    ``camera`` is in metres with the *centre of the top surface* as origin (x right, y away, z
-    up); its scale rests on ``size``, the top's (length, width) in metres. ``shape`` tells the
-    outline's kind; ``flipped`` a triangle whose tip points to the viewer; ``radius`` the corner
-    radius in metres; ``error`` the median distance of the edge points from it, picture pixels.
-    ``edge`` is the outline as it was seen, metres, convex and counter-clockwise, where it is none
-    of those shapes; ``shape`` is then the likest.
+    ``camera`` is in metres with the *centre of the top surface* as origin (x right, y away, z up);
+    its scale follows from ``size``, the top's (length, width) in metres. ``shape`` is the outline's
+    kind; ``flipped`` is True for a triangle whose tip points to the viewer; ``radius`` is the
+    corner radius in metres; ``error`` is the median distance of the edge points from the outline in
+    picture pixels. ``edge`` is the detected outline in metres, convex and counter-clockwise, if it
+    matches none of those shapes; ``shape`` is then the most similar one.
     """
 
     view: View
@@ -85,11 +86,11 @@ class TablePlane:
         return np.asarray(shapely.orient_polygons(widened).exterior.coords)[:-1]
 
     def to_table(self, pixels: Float[np.ndarray, "n 2"], z: float = 0.0) -> np.ndarray:
-        """Return table x, y in metres of picture pixels, on the plane ``z`` above the top."""
+        """Return table x, y (metres) of picture pixels, on the plane ``z`` metres above the top."""
         return self.camera.on_plane(pixels, z)[:, :2]
 
     def elevation_at(self, box: Float[np.ndarray, "4"]) -> float:
-        """Return how many radians below the horizon the foot of a pixel box is seen."""
+        """Return the angle below the horizon, in radians, of the foot of a pixel box."""
         ray = self.camera.rays(np.array([[(box[0] + box[2]) / 2, box[3]]]))[0]
         return float(np.arcsin(np.clip(-ray[2] / np.linalg.norm(ray), -1.0, 1.0)))
 
@@ -129,10 +130,10 @@ def outline_distance(
     size: tuple[float, float],
     radius: float,
 ) -> Float[np.ndarray, "n"]:
-    """Return the signed distance of table points from an outline, positive outside, metres.
+    """Return the signed distance of table points from an outline in metres, positive outside.
 
-    The outline fills ``size`` exactly. For a rectangle and a triangle ``radius`` is that of the
-    corners; an ellipse grows towards a rectangle with it (a superellipse, as oval tables are).
+    The outline fills ``size`` exactly. For a rectangle and a triangle, ``radius`` is that of the
+    corners; an ellipse approaches a rectangle as it grows (a superellipse, like oval tables).
     """
     half = np.asarray(size) / 2
     if shape == "ellipse":
@@ -158,7 +159,7 @@ def outline_points(
     grow: float = 0.0,
     count: int = 128,
 ) -> Float[np.ndarray, "k 2"]:
-    """Return points on an outline, counter-clockwise, found along rays from its middle."""
+    """Return points on an outline, counter-clockwise, computed along rays from its centre."""
     angle = np.linspace(0, 2 * np.pi, count, endpoint=False)
     rays = np.column_stack([np.cos(angle), np.sin(angle)])
     middle = np.array([0.0, (size[1] / 6 if flipped else -size[1] / 6) * (shape == "triangle")])
@@ -175,10 +176,10 @@ def outline_points(
 
 @dataclass(frozen=True, eq=False)
 class _Fit:
-    """Camera and outline of unit length.
+    """A camera and an outline of unit length.
 
     ``parameters``: azimuth, elevation, log fov, target x, y, log distance, log aspect, and the
-    logit of the corner radius's share of the largest.
+    logit of the corner radius relative to its maximum.
     """
 
     parameters: Float[np.ndarray, "8"]
@@ -188,7 +189,7 @@ class _Fit:
 
 
 def _radius(parameters: Float[np.ndarray, "8"]) -> float:
-    """Return the corner radius over the length."""
+    """Return the corner radius relative to the length."""
     return float(RADIUS / (1 + np.exp(-parameters[7])) * min(1.0, np.exp(parameters[6])))
 
 
@@ -205,7 +206,7 @@ def _pixels_off(
     kind: _Kind,
     frame: tuple[int, int],
 ) -> Float[np.ndarray, "n"]:
-    """Return how far edge points are from the outline, in pixels (to first order)."""
+    """Return the distances of edge points from the outline in pixels (to first order)."""
     camera = _camera(parameters, *frame)
     on_plane = camera.on_plane(points, 0.0)
     seen = np.asarray(np.isfinite(on_plane).all(1))
@@ -227,8 +228,8 @@ def _residuals(
 ) -> Float[np.ndarray, "m"]:
     """Return robust edge distances and the priors' terms; their squares sum to the cost.
 
-    A stretch of the edge that was seen wrongly has many points, all astray to one side: beyond
-    what an edge point is known to, their loss grows with the distance only, not with its square.
+    A misdetected part of the edge has many points that are all displaced to one side: beyond the
+    accuracy of an edge point, their loss grows linearly with the distance instead of quadratically.
     """
     off = _pixels_off(parameters, points, kind, frame) / _EDGE
     robust = np.sign(off) * np.sqrt(2 * _TRUST / len(points) * (np.sqrt(1 + off**2) - 1))
@@ -249,7 +250,7 @@ def _view_parameters(view: View) -> Float[np.ndarray, "3"]:
 
 
 def _bounds(view: View | None) -> tuple[np.ndarray, np.ndarray]:
-    """Return the least and greatest parameters; a given view leaves its own no room."""
+    """Return the parameters' lower and upper bounds; a given view fixes its own parameters."""
     if view is None:
         return _LOWER, _UPPER
     given = _view_parameters(view)
@@ -272,7 +273,7 @@ def _fit(
     arguments = (points, kind, aspect, frame, _view_parameters(expected))
     low, high = _bounds(view)
     starts = _starts(outline.hull, frame, expected)
-    if kind.shape != "rectangle":  # seen turned, the others look much the same
+    if kind.shape != "rectangle":  # seen rotated, the other shapes look almost the same
         starts = starts[:1]
     starts = [np.clip(s, low, high) for s in starts]
     costs = [float((_residuals(s, *arguments) ** 2).sum()) for s in starts]
@@ -288,14 +289,14 @@ def _fit(
     return _Fit(best.x, kind, float(2 * best.cost), error)
 
 
-_PINNED = 1e-6  # radians and log: the freedom of a parameter that is given
-_STEP = np.array([0.1, 0.1, 0.1, 0.05, 0.05, 0.1, 0.1, 1.0])  # usual size of a change
+_PINNED = 1e-6  # radians and log; the range of a fixed parameter
+_STEP = np.array([0.1, 0.1, 0.1, 0.05, 0.05, 0.1, 0.1, 1.0])  # typical size of a change
 
 
 def _starts(
     hull: Float[np.ndarray, "k 2"], frame: tuple[int, int], expected: View
 ) -> list[np.ndarray]:
-    """Return first guesses from the outline's box: the expected view, ahead and turned."""
+    """Return initial guesses from the outline's box: the expected view, straight and rotated."""
     low, high = hull.min(0), hull.max(0)
     span = high[0] - low[0]
     elevation = max(expected.elevation, 0.15)
@@ -321,11 +322,12 @@ def fit_plane(
     length: float | None = None,
     view: View | None = None,
 ) -> TablePlane:
-    """Find the camera and the tabletop that explain the outline of a whole top, in working pixels.
+    """Estimate the camera and the tabletop from the outline of a complete top, in working pixels.
 
-    ``factor`` is working pixels per picture pixel, ``size`` the picture's width and height, pixels;
-    ``expected`` the elevation and field of view that the picture suggests. ``plan``, ``length`` and
-    ``view`` are as in ``tabletop.find_tabletop``; the usual length is ``TABLE_LENGTH``.
+    ``factor`` is working pixels per picture pixel, ``size`` the picture's width and height in
+    pixels, and ``expected`` the elevation and field of view that the picture suggests. ``plan``,
+    ``length`` and ``view`` are as in ``tabletop.find_tabletop``; the length defaults to
+    ``TABLE_LENGTH``.
     """
     frame = round(size[0] * factor), round(size[1] * factor)
     kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]

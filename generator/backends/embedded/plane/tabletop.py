@@ -1,4 +1,4 @@
-"""Find the tabletop of a picture and its camera, whole, cut by the frame or at eye level."""
+"""Detection of a picture's tabletop and camera: complete, cut by the frame, or at eye level."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ def find_tabletop(
     length: float | None = None,
     view: View | None = None,
 ) -> TablePlane:
-    """Find the tabletop in a picture and the camera that sees it.
+    """Find the tabletop in a picture, and the camera.
 
-    What a text said of the table, ``plan``, fixes its shape and proportions; its ``length``,
-    metres, is the plan's, else what is usual. ``view`` is kept to if given.
+    ``plan``, the table described by a text, fixes its shape and proportions. The ``length`` in
+    metres defaults to the plan's, or else to a typical one. ``view`` fixes the camera if given.
 
     Raises:
         BackendError: the eye's weights are missing or damaged.
@@ -51,7 +51,7 @@ def _find(
     length: float | None,
     view: View | None,
 ) -> TablePlane:
-    """Answer for :func:`find_tabletop`; stages ask for one picture's again and again."""
+    """Compute :func:`find_tabletop` with a cache, since several stages use the same picture."""
     image = np.frombuffer(pixels, np.uint8).reshape(*size, 3)
     sight = see(image)
     elevation, fov = fit_view(sight.latitude)
@@ -69,20 +69,21 @@ def _find(
     return plane if plan is not None else as_seen(plane, outline, factor)
 
 
-_BAND = 1.0  # height of the bare top over that of the things, of a picture from eye level
-_STEEP = float(np.deg2rad(30.0))  # a view that the eye reads steeper than this is not doubted
-_CERTAIN = 0.5  # certainty of the things that are compared
-_LEAST = 2  # of them, at least
-_ALL = 90.0  # percentile of the columns' heights that stands for the band's
-_ELEVATIONS = np.deg2rad([2.0, 3.5, 5.0, 6.5, 8.0, 9.5, 11.0])  # that are tried
-_USUAL = 0.55  # depth of a tabletop over its width
-_FAR = 40.0  # camera heights up to which such a picture shows the tabletop
+_BAND = 1.0  # maximum ratio of the bare top's height to the objects', for a picture from eye level
+_STEEP = float(np.deg2rad(30.0))  # elevation estimates above this are trusted
+_CERTAIN = 0.5  # minimum confidence of the compared objects
+_LEAST = 2  # minimum number of them
+_ALL = 90.0  # percentile of the columns' heights that represents the top
+_ELEVATIONS = np.deg2rad([2.0, 3.5, 5.0, 6.5, 8.0, 9.5, 11.0])  # candidates
+_USUAL = 0.55  # depth of a typical tabletop relative to its width
+_FAR = 40.0  # maximum visible distance in such a picture, in camera heights
 
 
 def is_from_eye_level(sight: EyeReading, top: Bool[np.ndarray, "h w"], elevation: float) -> bool:
-    """Tell whether a picture is taken from hardly above the tabletop.
+    """Return whether a picture was taken from little above the tabletop.
 
-    ``top`` is the tabletop with what is on it, ``elevation`` (radians) what the eye reads.
+    ``top`` is the tabletop including the objects on it; ``elevation`` (radians) is the eye's
+    estimate.
     """
     things = [t.whole for t in sight.things if t.score >= _CERTAIN and (t.whole & top).any()]
     heights = [int(np.ptp(np.flatnonzero(thing.any(1)))) + 1 for thing in things]
@@ -98,7 +99,7 @@ def plane_from_eye_level(
     hidden: Bool[np.ndarray, "h w"],
     length: float | None = None,
 ) -> TablePlane | None:
-    """Return the tabletop in the view in which it is most like a usual one; None if there is none.
+    """Return the tabletop for the elevation that makes its proportions most typical, or None.
 
     ``fov`` (radians) is vertical; ``hidden`` and ``length`` are those of ``plane_from_view``.
     """

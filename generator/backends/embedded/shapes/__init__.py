@@ -1,1 +1,1 @@
-"""Solids that look like a mask: boxes, extrusions, rounds, slices."""
+"""Solids fitted to masks: boxes, extrusions, solids of revolution, and slices."""

@@ -1,4 +1,4 @@
-"""Boxes of any yaw fitted to a silhouette, and what the silhouette leaves of them."""
+"""Boxes of any yaw fitted to a silhouette, and boxes carved by it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _box_at(
 def fit_box(
     mask: Mask, projection: Projection, expected: Float[np.ndarray, "3"] | None = None
 ) -> PosedSolid:
-    """Return the upright box most like ``mask``; ``expected`` proportions (l, w, h) break ties."""
+    """Return the upright box that best fits ``mask``; ``expected`` (l, w, h) ratios break ties."""
 
     def loss(parameters: np.ndarray) -> float:
         if not (-1.6 < parameters[1] < 3 and -4 < parameters[2] < 3):
@@ -57,9 +57,9 @@ def fit_box(
 def fit_carved(
     mask: Mask, projection: Projection, bounding: PosedSolid, cells: int = 26
 ) -> PosedSolid | None:
-    """Return what the silhouette leaves of a box when carved as columns from above.
+    """Return a box carved by the silhouette, as columns from above.
 
-    Mirrored halves of the box are made alike where the silhouette allows.
+    Mirrored halves of the box are made symmetric where the silhouette allows.
     """
     width, depth, height = np.ptp(bounding.solid.vertices, axis=0)
     along = np.linspace(-0.5, 0.5, cells)
@@ -89,7 +89,7 @@ def fit_carved(
 
 
 def recenter(posed: PosedSolid) -> PosedSolid:
-    """Move a solid's own origin to the middle of its base."""
+    """Move a solid's origin to the middle of its base."""
     low, high = posed.solid.vertices.min(0), posed.solid.vertices.max(0)
     shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     parts = tuple(ConvexPart(p.vertices - shift, p.kind, p.axis) for p in posed.solid.parts)

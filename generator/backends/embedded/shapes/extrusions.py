@@ -1,4 +1,4 @@
-"""Slabs lying on the table and profiles standing on it, cut out of a silhouette."""
+"""Slabs lying on the table and upright profiles, cut out of a silhouette."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ....meshes.pixels import Mask
 from ....meshes.projection import Projection
 from .solids import PosedSolid, largest_polygon, prism, upright
 
-_DRAWN_OUT = 5.0  # times as long as it looks: what an outline may be at most
+_DRAWN_OUT = 5.0  # maximum ratio of an outline's length to its apparent length
 
 
 def plane_outline(
@@ -23,11 +23,11 @@ def plane_outline(
     sweep: Float[np.ndarray, "k 3"],
     cells: int = 280,
 ) -> shapely.Polygon | None:
-    """Return the largest outline in a plane whose swept picture stays inside the mask.
+    """Return the largest outline in a plane whose extrusion projects inside the mask.
 
-    ``axes`` are the plane's two unit vectors (rows); ``sweep`` the shifts that an extruded point
-    goes through. Coordinates are lengths along the axes from ``origin``. None where the plane is
-    seen nearly from its edge.
+    ``axes`` are the plane's two unit vectors (rows); ``sweep`` are the shifts of an extruded point.
+    Coordinates are lengths along the axes from ``origin``. The result is None for a plane seen
+    almost edge-on.
     """
     ys, xs = np.nonzero(mask)
     normal = np.cross(axes[0], axes[1])
@@ -51,7 +51,7 @@ def plane_outline(
 
 
 def _trace(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
-    """Return the largest region of a grid as a simple polygon (cell units), large holes kept."""
+    """Return the largest region of a grid as a simple polygon (cell units), keeping large holes."""
     smooth = cv2.GaussianBlur(free.astype(np.float32), (0, 0), 0.7) > 0.42
     rings, tree = cv2.findContours(smooth.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
     areas = [cv2.contourArea(ring) for ring in rings]
@@ -73,7 +73,7 @@ def _trace(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
 
 
 def _longest_side(outline: shapely.Polygon) -> float:
-    """Return the direction of the longer side of the smallest rectangle around an outline."""
+    """Return the direction of the longer side of an outline's minimum bounding rectangle."""
     corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(outline))[:3]
     sides = np.diff(corners, axis=0)
     long = sides[int(np.linalg.norm(sides, axis=1).argmax())]
@@ -83,9 +83,10 @@ def _longest_side(outline: shapely.Polygon) -> float:
 def _swept_outline(
     mask: Mask, projection: Projection, axes: np.ndarray, sweep: np.ndarray, share: float
 ) -> tuple[shapely.Polygon, float] | None:
-    """Return the outline in a plane through the origin, and the length it is swept over.
+    """Return the outline in a plane through the origin, and its extrusion length.
 
-    That is ``share`` of its longer side; ``sweep`` are the shifts for a length of 1.
+    The length is ``share`` of the outline's longer side; ``sweep`` are the shifts for a length of
+    1.
     """
     rough = plane_outline(mask, projection, np.zeros(3), axes, np.zeros((1, 3)), 60)
     if rough is None:
@@ -97,7 +98,7 @@ def _swept_outline(
 
 
 def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSolid | None:
-    """Return the slab on the table that fills ``mask``, so thick relative to its longest side."""
+    """Return the slab on the table that fills ``mask``; thickness is relative to its length."""
     axes = np.array([[1.0, 0, 0], [0, 1.0, 0]])
     sweep = np.linspace(0, 1, 3)[:, None] * [0, 0, 1.0]
     found = _swept_outline(mask, projection, axes, sweep, thickness)
@@ -113,7 +114,7 @@ def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSoli
 
 
 def base_line(mask: Mask, projection: Projection) -> float | None:
-    """Return the yaw of the straight line on which an object's lowest pixels lie, or None."""
+    """Return the yaw of the straight line through an object's lowest pixels, or None."""
     columns = np.flatnonzero(mask.any(0))
     if len(columns) < 12:
         return None
@@ -131,10 +132,10 @@ def base_line(mask: Mask, projection: Projection) -> float | None:
 
 
 def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) -> PosedSolid | None:
-    """Return the standing profile in the vertical plane of ``yaw`` that fills ``mask``.
+    """Return the upright profile in the vertical plane of ``yaw`` that fills ``mask``.
 
-    ``depth`` of the extrusion is relative to the longest side of the profile. The bottom is cut
-    flat and, where it would tip, widened to a foot.
+    ``depth``, the extrusion's, is relative to the longest side of the profile. The bottom is cut
+    flat and, if the solid would tip over, widened to a foot.
     """
     axes = np.array([[np.cos(yaw), np.sin(yaw), 0.0], [0, 0, 1.0]])
     sweep = np.linspace(-0.5, 0.5, 3)[:, None] * [-np.sin(yaw), np.cos(yaw), 0.0]
@@ -150,7 +151,7 @@ def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) ->
 
 
 def _stand(outline: shapely.Polygon) -> shapely.Polygon:
-    """Give a standing profile (y up) a flat bottom under its centre of mass."""
+    """Give an upright profile (y up) a flat bottom under its centre of mass."""
     x0, y0, x1, y1 = outline.bounds
     tall = y1 - y0
     level = y0 + 0.015 * tall

@@ -1,4 +1,4 @@
-"""Fitting a shape's picture to a mask: scale and shift, a descent, how proportions compare."""
+"""Fits of a shape's projection to a mask: scale and shift, optimisation, and proportions."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ def _image_box(pixels: Float[np.ndarray, "n 2"]) -> tuple[np.ndarray, np.ndarray
 def frame_to_mask(
     vertices: Float[np.ndarray, "n 3"], projection: Projection, mask: Mask
 ) -> tuple[float, Float[np.ndarray, "3"]]:
-    """Return the scale and shift that make a shape's picture fill the mask's box as it can.
+    """Return the scale and shift for which a shape's projection best fills the mask's box.
 
-    The shift is parallel to the image plane, the scale makes the areas of the boxes agree.
+    The shift is parallel to the image plane; the scale makes the areas of the boxes equal.
     """
     wanted, size = _image_box(mask_box(mask).reshape(2, 2))
     scale = float(np.sqrt(mask.sum())) / max(float(np.ptp(vertices, axis=0).max()), 1e-9)
@@ -41,7 +41,7 @@ def frame_to_mask(
 
 
 def small_mask(instance: Instance, small: Projection) -> Mask:
-    """Return the crop's silhouette at the size of ``small``."""
+    """Return the crop's silhouette at the resolution of ``small``."""
     size = small.width, small.height
     return cv2.resize(instance.crop[..., 3], size, interpolation=cv2.INTER_AREA) > 127
 
@@ -53,9 +53,9 @@ def descend(
     tries: int,
     near: float = 1e-4,
 ) -> np.ndarray:
-    """Return where Nelder-Mead finds ``cost`` least: ``tries`` evaluations, to within ``near``.
+    """Return the Nelder-Mead minimum of ``cost`` after ``tries`` evaluations, or within ``near``.
 
-    Its first simplex has a step along each axis.
+    The initial simplex has one step along each axis.
     """
     simplex = np.concatenate([start[None], start + np.diag(steps)])
     options = {"initial_simplex": simplex, "maxfev": tries, "xatol": near}
@@ -63,5 +63,5 @@ def descend(
 
 
 def bounded_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
-    """Return how far two extents' proportions are apart (``proportion_gap``), at most 1.5."""
+    """Return the ``proportion_gap`` of two extents, at most 1.5."""
     return min(proportion_gap(a, b), 1.5)

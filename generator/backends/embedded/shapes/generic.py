@@ -1,4 +1,4 @@
-"""Which generic solid a silhouette shows: one of each family is tried, the likeliest kept."""
+"""Selection of the generic solid for a silhouette: one of each family is fitted and scored."""
 
 from __future__ import annotations
 
@@ -18,31 +18,31 @@ from .rounds import fit_revolution
 from .slices import fit_slices
 from .solids import PosedSolid
 
-_STRICT = 0.94  # a real box is met at least that well
+_STRICT = 0.94  # minimum overlap of a real box
 _LIKELY, _NAMED = 0.15, 0.1
-"""What proportions cost: unlike a thing's look, per expected error, and unlike its kind's."""
+"""Weights of proportions in units of the expected error: of the object's look, and its kind."""
 
-_FARTHEST = 4.0  # expected errors: what is farther off costs no more
+_FARTHEST = 4.0  # expected errors; larger deviations cost no more
 
 _STRAIGHT = float(np.cos(np.deg2rad(20)))
 _DRAWN_OUT = ([1.05, 1.5, 2.5, 4.0, 6.0], [0.0, 0.1, 0.15, 0.1, 0.02])
-"""How much longer than wide a lying outline is, towards the camera, and what that costs."""
+"""Cost of a lying outline by its ratio of length to width towards the camera."""
 
 _TOPPLING = ([3.5, 6.0, 10.0], [0.0, 0.12, 0.3])
-"""How much taller than its foot is wide a standing thing is, and what that costs."""
+"""Cost of an upright object by its ratio of height to foot width."""
 
 _SHEET = ([12.0, 30.0], [0.0, 0.06])
-"""How much taller than thick a standing outline is, and what that costs."""
+"""Cost of an upright outline by its ratio of height to thickness."""
 
-_ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
+_ACCIDENT = 0.08  # cost of an elongated object that points straight away from the camera
 
 
 _PRICES = {"box": 0.0, "revolution": -0.02, "prism": 0.14, "upright": 0.1, "slices": 0.03,
            "carved": 0.045}  # fmt: skip
-"""What each family costs against silhouette overlap."""
+"""Cost of each family, in units of silhouette overlap."""
 
 _REGULAR = {"prism": 0.05, "upright": 0.09}
-"""What extruded outlines cost that are regular: more things lie than stand on their edge."""
+"""Cost of regular extruded outlines; more objects lie than stand on their edge."""
 
 
 def candidates(
@@ -50,8 +50,8 @@ def candidates(
 ) -> tuple[PosedSolid, ...]:
     """Return the posed solids that fit the silhouette, one or two per family.
 
-    ``expected`` are the size prior's proportions (length, width, height); they decide what the
-    silhouette leaves open, such as how thick a slab is.
+    ``expected`` are the proportions of the size prior (length, width, height), which decide what
+    the silhouette leaves open, such as the thickness of a slab.
     """
     long, short, tall = *sorted(expected[:2], reverse=True), expected[2]
     bounding = fit_box(mask, small, expected)
@@ -72,7 +72,7 @@ def candidates(
 
 
 def stroke_share(mask: Mask) -> float:
-    """Return how wide a silhouette's strokes are over its longer side: nothing is made thicker."""
+    """Return the stroke width of a silhouette relative to its longer side, a limit on thickness."""
     inside = cv2.distanceTransform(np.pad(mask, 1).astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inside >= cv2.dilate(inside, np.ones((5, 5)))
     width = 2 * float(np.median(inside[ridge & (inside > 0)]))
@@ -80,7 +80,7 @@ def stroke_share(mask: Mask) -> float:
 
 
 def oddness(extent: Float[np.ndarray, "3"], size: SizePrior) -> float:
-    """Return what an extent costs whose proportions are not those of the size prior."""
+    """Return the cost of an extent whose proportions differ from the size prior."""
     if size.seen is None:
         return _NAMED * bounded_gap(extent, size.extent)
     return _LIKELY * min(size.seen.gap(extent), _FARTHEST)
@@ -94,10 +94,10 @@ def best_solid(mask: Mask, small: Projection, size: SizePrior) -> PosedSolid:
 
 
 def score(posed: PosedSolid, mask: Mask, small: Projection, size: SizePrior) -> float:
-    """Return how well a solid explains the picture: silhouette overlap less what it costs.
+    """Return how well a solid explains the picture: silhouette overlap minus its costs.
 
-    Any-outline families are cheap only where the outline is regular, a box must fit well, things
-    rarely point straight at the camera, and proportions should be the prior's.
+    Families with arbitrary outlines are cheap only if the outline is regular, a box must fit well,
+    objects rarely point straight at the camera, and proportions should match the prior.
     """
     overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
     cost = _REGULAR[posed.kind] if is_regular(posed) else _PRICES[posed.kind]
@@ -108,15 +108,16 @@ def score(posed: PosedSolid, mask: Mask, small: Projection, size: SizePrior) -> 
 
 
 def accident(posed: PosedSolid, small: Projection) -> float:
-    """Return the price of a low solid that happens to point at the camera, or of a tall, thin one.
+    """Return the cost of a low solid that points at the camera, or of a tall, thin one.
 
-    What stands looks drawn out in that direction if it is taken to lie, so the price of a lying
-    outline begins early and grows steeply; rectangles are often set straight and pay as boxes do.
+    An upright object that is modelled as lying seems elongated towards the camera, so the cost of a
+    lying outline begins early and grows steeply. Rectangles are often aligned with the camera and
+    cost as much as boxes.
     """
     long, wide, tall = np.ptp(posed.solid.vertices, axis=0)
     if posed.kind in ("revolution", "upright", "slices"):
         sheet = np.interp(tall / wide, *_SHEET) if posed.kind == "upright" else 0.0
-        base = max(np.sqrt(long * wide), long / 2)  # how deep it is, is hardly seen
+        base = max(np.sqrt(long * wide), long / 2)  # the depth is hardly visible
         return float(np.interp(tall / base, *_TOPPLING) + sheet)
     ratio = min(long / max(wide, tall), 3.0)
     along = abs(np.cos(posed.yaw) * small.away[0] + np.sin(posed.yaw) * small.away[1])
@@ -129,12 +130,12 @@ def accident(posed: PosedSolid, small: Projection) -> float:
 
 
 def _drawn_out(posed: PosedSolid) -> tuple[float, Float[np.ndarray, "2"]]:
-    """Return how much longer than wide a lying solid's top is, and its long direction."""
+    """Return the ratio of length to width of a lying solid's top, and its long direction."""
     triangles = posed.world[posed.solid.faces]
     weight = np.maximum(scaled_normals(triangles)[:, 2], 0.0)
     points = triangles[:, :, :2].mean(1)
     middle = weight @ points / weight.sum()
-    # The second moment of a triangle about its own middle is a twelfth of its corners'.
+    # The second moment of a triangle about its centroid is a twelfth of its corners'.
     corners = triangles[:, :, :2] - middle
     moment = np.einsum("t,tki,tkj->ij", weight, corners, corners)
     moment += 9 * np.einsum("t,ti,tj->ij", weight, points - middle, points - middle)
@@ -143,7 +144,7 @@ def _drawn_out(posed: PosedSolid) -> tuple[float, Float[np.ndarray, "2"]]:
 
 
 def _rectangular(posed: PosedSolid) -> bool:
-    """Tell whether a lying outline nearly fills the rectangle around it."""
+    """Return whether a lying outline nearly fills its bounding rectangle."""
     sides = np.ptp(posed.solid.vertices, axis=0)
     return _area(posed, 2) > 0.9 * sides[0] * sides[1]
 
@@ -156,9 +157,9 @@ def _area(posed: PosedSolid, sweep: int) -> float:
 
 
 def is_regular(posed: PosedSolid) -> bool:
-    """Tell whether an extruded outline looks made to lie or stand like that.
+    """Return whether an extruded outline has a regular shape.
 
-    Rectangles and ellipses do, and outlines with an arm or much longer than wide.
+    Rectangles and ellipses do, and so do outlines with an arm or much longer than wide.
     """
     if posed.kind not in ("prism", "upright"):
         return False

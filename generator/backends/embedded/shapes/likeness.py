@@ -1,9 +1,9 @@
-"""Fit a catalogue shape to one crop: variant, yaw, proportions and profile, by outline and colour.
+"""Fit of a catalogue shape to a crop: variant, yaw, proportions and profile.
 
-Candidates of several variants are searched over yaw by silhouette; those that stand out are
-judged by how well their coloured regions explain the crop's colours as well, and the best few are
-refined in yaw and proportions. A thing that stands may at last be narrowed or widened along its
-height (``Profile``). How the winner is painted is told in ``paint``.
+The yaw of several variants is searched by silhouette. The best poses are also scored by how well
+their coloured regions explain the crop's colours, and the best few are refined in yaw and
+proportions. An upright object may finally be narrowed or widened along its height (``Profile``).
+``paint`` paints the result.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ from .frames import descend, frame_to_mask
 from .paint import explained_colors
 
 VARIANTS, FEW = 6, 3
-"""How many seeds of a category are tried; and with half the effort."""
+"""Numbers of seeds tried per category: normally, and in quick mode."""
 
-_STRETCH = float(np.log(1.6))  # how far proportions may leave the variant's own
-_COLOR = 0.2  # weight of explained colours against silhouette overlap
+_STRETCH = float(np.log(1.6))  # maximum log deviation of proportions from the variant's own
+_COLOR = 0.2  # weight of explained colours relative to silhouette overlap
 _YAWS = 24
-_STANDS_OUT = 0.12  # overlap by which a yaw may be worse than the variant's best and be judged
+_STANDS_OUT = 0.12  # maximum loss of overlap, relative to the variant's best yaw, of a scored yaw
 _FINALISTS = 3
-_BENT = 0.3  # largest bend of a profile
-_WORTH = 0.01  # overlap that bending a profile must gain
-_STANDING = 0.7  # height over width from which a thing has a profile
+_BENT = 0.3  # maximum bend of a profile
+_WORTH = 0.01  # minimum gain of overlap from bending a profile
+_STANDING = 0.7  # minimum ratio of height to width of an object with a profile
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class Profile:
     belly: float = 0.0
 
     def bend(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
-        """Return points of the unit box with x and y scaled by height."""
+        """Return points of the unit box with x and y scaled according to their height."""
         z = 2 * points[:, 2:]
         factor = np.exp(self.taper * z + self.belly * (0.5 - z * z))
         return np.concatenate([points[:, :2] * factor, points[:, 2:]], 1)
@@ -65,11 +65,11 @@ class Profile:
 
 @dataclass(frozen=True, eq=False)
 class Likeness:
-    """A catalogue model posed to look like a crop.
+    """A catalogue model posed to resemble a crop.
 
     ``extent`` (scaled axes), ``yaw`` and ``position`` (of the box's centre) are in the object
-    frame; ``iou`` is the silhouettes' overlap, ``explained`` the share of the crop's colours that
-    the model's coloured regions account for.
+    frame. ``iou`` is the overlap of the silhouettes, ``explained`` the fraction of the crop's
+    colours that the model's coloured regions explain.
     """
 
     model: Model
@@ -86,7 +86,7 @@ class Likeness:
 
     @property
     def score(self) -> float:
-        """How well the crop is explained."""
+        """The overall score of the match with the crop."""
         return self.iou + _COLOR * self.explained
 
 
@@ -110,7 +110,7 @@ class _Search:
         return Likeness(self.model, shape * scale, float(yaw), shift, iou)
 
     def standing_out(self) -> list[Likeness]:
-        """Return the poses whose overlap is the best among their neighbours in yaw."""
+        """Return the poses whose overlap is a local maximum over yaw."""
         if self.round:
             return [self.pose(np.zeros(3))]
         poses = [self.pose(np.array([k * 2 * np.pi / _YAWS, 0.0, 0.0])) for k in range(_YAWS)]
@@ -120,14 +120,14 @@ class _Search:
         return [poses[k] for k in kept[np.argsort(-iou[kept], kind="stable")][:6]]
 
     def loss(self, parameters: np.ndarray) -> float:
-        """Return what the search minimises."""
+        """Return the loss of the search."""
         stretch = np.abs(parameters[1:])
         if stretch.max() > _STRETCH:
             return 2.0
         return 1 - self.pose(parameters).iou + 0.03 * float(stretch.sum())
 
     def refine(self, yaw: float, rigid: bool) -> Likeness:
-        """Return the best likeness near ``yaw``; a ``rigid`` one keeps its proportions."""
+        """Return the best likeness near ``yaw``; with ``rigid``, proportions are fixed."""
         if rigid:
             near = yaw + np.deg2rad([-5.0, 0.0, 5.0])
             return max((self.pose(np.array([y, 0.0, 0.0])) for y in near), key=lambda c: c.iou)
@@ -136,7 +136,7 @@ class _Search:
 
 @lru_cache(maxsize=64)
 def _build_variant(key: str, seed: int) -> Model:
-    """Return a catalogue model; kept, since a picture often shows several things of a kind."""
+    """Return a cached catalogue model; pictures often show several objects of a kind."""
     return build(key, seed)
 
 
@@ -149,10 +149,10 @@ def fit_likeness(
     occluded: bool,
     variants: int = VARIANTS,
 ) -> Likeness:
-    """Return the variant and pose of a category that look most like the crop.
+    """Return the variant and pose of a category that resemble the crop most.
 
-    ``mask`` is the crop's silhouette at the size of ``small``. Of an occluded object the
-    completed outline is a guess, so proportions stay the catalogue's.
+    ``mask`` is the crop's silhouette at the resolution of ``small``. The completed outline of an
+    occluded object is a guess, so its proportions are the catalogue's.
     """
     size = small.width, small.height
     image = cv2.resize(texture_bake.opaque_colors(crop)[0], size, interpolation=cv2.INTER_AREA)
@@ -173,7 +173,7 @@ def fit_likeness(
 
 
 def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: bool) -> Likeness:
-    """Return the likeness with the profile that fits the outline better, if one does."""
+    """Return the likeness with a profile if one fits the outline better."""
     if found.extent[2] < _STANDING * found.extent[:2].min() or found.iou > 0.975:
         return found
     plain = dataclasses.replace(found.model, size=found.extent)

@@ -1,4 +1,4 @@
-"""Paint a posed catalogue shape like its crop, and tell how well its colours explain the crop."""
+"""Painting of posed catalogue shapes from crops, and scoring of their colours."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from ....scene import Mesh
 from ....scene.triangles import face_normals
 
 PROJECT = 0.72
-"""Silhouette overlap from which pixels are projected; below, only colours are carried over."""
+"""Minimum silhouette overlap for projecting pixels; below, only colours are transferred."""
 
-_ALIKE = 30.0  # grey levels by which a texture's mirrored places differ at most
-_TWIN = 0.03  # distance, over the object's size, at which a mirrored place is on the surface
-_NOISE = 10.0  # grey levels of a plain surface's own unrest
+_ALIKE = 30.0  # maximum grey level difference between mirrored points of a texture
+_TWIN = 0.03  # maximum distance of a mirrored point from the surface, relative to the object's size
+_NOISE = 10.0  # typical grey level noise of a plain surface
 
 
 def explained_colors(
@@ -31,9 +31,9 @@ def explained_colors(
     mask: Bool[np.ndarray, "h w"],
     small: Projection,
 ) -> float:
-    """Return the share of the picture's colours that a posed mesh's coloured regions explain.
+    """Return the fraction of the picture's colours that a posed mesh's coloured regions explain.
 
-    Every region may take the colour that the picture has for it; light is taken out first.
+    Each region may take its colour from the picture; shading is removed first.
     """
     corners = small.corners(world, mesh.faces)
     owner, weights, _ = rasterise(corners, small.width, small.height)
@@ -54,7 +54,7 @@ def explained_colors(
 
 
 def base_colors(mesh: Mesh, atlas: Atlas) -> Float[np.ndarray, "t 3"]:
-    """Return the colours that a mesh's own texture gives the texels of its new atlas."""
+    """Return the colours of a mesh's own texture at the texels of its new atlas."""
     corners: Int[np.ndarray, "t 3"] = mesh.faces[atlas.face]
     uv = (mesh.uv[corners] * atlas.weights[:, :, None]).sum(1)
     return sample_texture(mesh.texture, uv) * 255.0
@@ -72,9 +72,9 @@ def paint(
 ) -> Mesh:
     """Return a canonical catalogue mesh, posed as given, with a texture made from the crop.
 
-    Every region of the catalogue's texture takes the crop's colour for it. With ``project``, what
-    the camera sees is painted with the crop's own pixels, and so is what mirrors it, as far as the
-    catalogue's texture is alike on both sides. Light is taken out of all of them.
+    Each region of the catalogue's texture takes its colour from the crop. With ``project``, visible
+    texels are painted with the crop's own pixels, and so are their mirror images, where the
+    catalogue's texture is symmetric. Shading is removed from all of them.
     """
     turn = rotation_z(yaw)
     world = mesh.vertices * extent @ turn.T + position
@@ -106,9 +106,10 @@ def _mirror(
     planes: list[Float[np.ndarray, "4"]],
     size: float,
 ) -> None:
-    """Give hidden texels, in place, the colours of their twins among the seen ones.
+    """Give hidden texels, in place, the colours of their visible counterparts.
 
-    A twin is nearest to the mirrored place, faces the mirrored way, and has the same base colour.
+    The counterpart is closest to the mirrored point, has the mirrored normal, and the same base
+    colour.
     """
     known = np.flatnonzero(seen)
     if len(known) < 100:

@@ -1,4 +1,4 @@
-"""Solids of revolution about a vertical axis, cut out of a silhouette, with what sticks out."""
+"""Solids of revolution about a vertical axis, cut out of a silhouette, with protruding parts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .extrusions import plane_outline
 from .slices import best_stack, largest_slices, longest_run, reach_of
 from .solids import ConvexSolid, PosedSolid, join, upright
 
-_LIMB = 0.015  # least share of the silhouette that a handle or a spout takes
+_LIMB = 0.015  # minimum area of a handle or a spout, as a fraction of the silhouette
 _LIMBS = 3
 
 
@@ -32,7 +32,7 @@ def fit_revolution(mask: Mask, projection: Projection) -> PosedSolid | None:
 
 
 def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedSolid:
-    """Add what sticks out of a round body, the largest few, as flat pieces that face the camera."""
+    """Add the largest few protruding parts of a round body as flat pieces facing the camera."""
     covered = projection.silhouette(body.world, body.solid.faces)
     rest = cv2.morphologyEx(
         (mask & ~covered).astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)
@@ -50,7 +50,7 @@ def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedS
 
 
 def _limb(piece: Mask, mask: Mask, body: PosedSolid, projection: Projection) -> ConvexSolid | None:
-    """Return a piece of the silhouette beside the body as a flat solid that reaches into it."""
+    """Return a part of the silhouette beside the body as a flat solid that reaches into it."""
     grown = dilate(piece, 7) & mask
     axes = np.array([projection.right, [0, 0, 1.0]])
     outline = plane_outline(grown, projection, body.position, axes, np.zeros((1, 3)))

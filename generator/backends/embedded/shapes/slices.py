@@ -1,7 +1,7 @@
-"""Standing things as stacks of level ellipses: each slice as wide as the silhouette lets it be.
+"""Upright objects as stacks of level ellipses, each as wide as the silhouette allows.
 
-A solid of revolution is the stack whose slices are circles about one axis. Where slices may move
-sideways and be shallower than wide, a stack is the inflated silhouette of anything that stands.
+A solid of revolution is the stack whose slices are circles about one axis. If slices may be shifted
+sideways and be shallower than wide, a stack is the inflated silhouette of any upright object.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from ....meshes.projection import Projection, fill_hull
 from .solids import PosedSolid, simplify_profile, stack_of_ellipses
 
 _ANGLES = np.arange(32) * np.pi / 16
-_FEW = slice(None, None, 3)  # of the angles, while slices are searched for
-_DEPTHS = (1.0, 0.6)  # depth over width of the slices that are tried
-_FLAT = 0.04  # what slices cost that are not round: how deep they are, is hardly seen
-_CUT = 0.006  # overlap that cutting an end may cost
+_FEW = slice(None, None, 3)  # subset of the angles, for the search of slices
+_DEPTHS = (1.0, 0.6)  # candidate ratios of depth to width of the slices
+_FLAT = 0.04  # cost of slices that are not round, because their depth is hardly visible
+_CUT = 0.006  # maximum loss of overlap from trimming an end
 
 
 @dataclass(frozen=True, eq=False)
 class EllipseStack:
-    """Ellipses at rising ``z``, their middles at ``x`` along ``right``, half as wide as ``r``.
+    """Ellipses at increasing ``z``, centred at ``x`` along ``right``, with half width ``r``.
 
-    Lengths are in the object frame, whose origin lies on the stack's plane; ``depth`` is the
-    ellipses' extent away from the camera over their width.
+    Lengths are in the object frame, whose origin lies on the stack's plane. ``depth`` is the ratio
+    of the ellipses' extent away from the camera to their width.
     """
 
     z: Float[np.ndarray, "k"]
@@ -37,12 +37,12 @@ class EllipseStack:
     depth: float = 1.0
 
     def cut(self, start: int, stop: int) -> EllipseStack:
-        """Return a run of the slices."""
+        """Return a range of the slices."""
         run = slice(start, stop)
         return EllipseStack(self.z[run], self.x[run], self.r[run], self.depth)
 
     def silhouette(self, projection: Projection) -> Mask:
-        """Return which pixels the stack covers."""
+        """Return the pixels that the stack covers."""
         canvas = np.zeros((projection.height, projection.width), np.uint8)
         rings = _rings(projection, self.z, self.x, self.r, self.depth)
         flat = projection.project(rings.reshape(-1, 3)).reshape(*rings.shape[:2], 2)
@@ -78,7 +78,7 @@ def _rings(
 
 
 def reach_of(mask: Mask, projection: Projection) -> tuple[float, float]:
-    """Return how far slices may reach sideways and upwards, in units of the object frame."""
+    """Return the range of slices sideways and upwards, in units of the object frame."""
     width = int(mask.any(0).sum()) * projection.pixel
     tall = int(mask.any(1).sum())
     tall = 1.3 * tall * projection.pixel / max(np.sqrt(1 - projection.sine**2), 0.25)
@@ -88,14 +88,14 @@ def reach_of(mask: Mask, projection: Projection) -> tuple[float, float]:
 def largest_slices(
     mask: Mask, projection: Projection, z: np.ndarray, x: np.ndarray, depth: float, count: int
 ) -> EllipseStack:
-    """Return at each height the widest ellipse inside the mask with its middle among ``x``."""
+    """Return, at each height, the widest ellipse inside the mask with its centre among ``x``."""
     width, _ = reach_of(mask, projection)
     radii = np.linspace(0, 0.62 * width, count + 1)[1:]
     points = _rings(projection, z[:, None, None], x[:, None], radii, depth, _FEW)
     fits = projection.inside(mask, points).mean(-1) > 0.9
     run = np.cumprod(fits, axis=2).sum(2)
     best = run.argmax(1)
-    # Of equally wide slices the middle one is taken.
+    # Among equally wide slices the middle one is chosen.
     tied = run == run.max(1, keepdims=True)
     middle = (tied * x).sum(1) / tied.sum(1)
     widest = run[np.arange(len(z)), best]
@@ -105,9 +105,9 @@ def largest_slices(
 
 
 def with_stems(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStack:
-    """Return the stack with slices where the mask is too thin for those that were tried.
+    """Return the stack with additional slices where the mask is too thin for the others.
 
-    Such a slice is as wide as the mask's widest stretch at its height.
+    Such a slice is as wide as the mask's widest run at its height.
     """
     unit = projection.pixel
     axis = projection.project(stack.z[:, None] * np.array([0, 0, 1.0]))
@@ -136,10 +136,10 @@ def _runs(flags: Bool[np.ndarray, "n"]) -> list[tuple[int, int]]:
 
 
 def trim(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStack:
-    """Cut a stack's ends as far as the silhouette does not notice.
+    """Trim a stack's ends as far as the silhouette does not change noticeably.
 
-    What a flat top or bottom hides is ambiguous, so the base is put as high and the top as low as
-    the silhouette allows.
+    Surfaces hidden by a flat top or bottom are ambiguous, so the base is placed as high and the top
+    as low as the silhouette allows.
     """
     whole = mask_iou(stack.silhouette(projection), mask)
 
@@ -158,9 +158,9 @@ def trim(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStac
 
 
 def refine(stack: EllipseStack, mask: Mask, projection: Projection, free: bool) -> EllipseStack:
-    """Move each slice's sides to where the mask's own sides are, as long as that helps.
+    """Move each slice's sides to the mask's own sides, as long as the overlap improves.
 
-    ``free`` slices move sideways as well.
+    With ``free``, slices also move sideways.
     """
     rows = np.arange(projection.height)
     best, reached = stack, mask_iou(stack.silhouette(projection), mask)
@@ -201,7 +201,7 @@ def _smooth(values: np.ndarray) -> np.ndarray:
 def best_stack(
     stacks: list[EllipseStack], mask: Mask, projection: Projection, free: bool
 ) -> EllipseStack | None:
-    """Trim and refine the most promising of some stacks; None if there is none."""
+    """Trim and refine the most promising stacks and return the best; None if there are none."""
     if not stacks:
         return None
     overlaps = [mask_iou(s.silhouette(projection), mask) - _FLAT * (1 - s.depth) for s in stacks]
@@ -211,7 +211,7 @@ def best_stack(
 
 
 def fit_slices(mask: Mask, projection: Projection) -> PosedSolid | None:
-    """Return the inflated silhouette of a standing thing, or None if nothing fits."""
+    """Return the inflated silhouette of an upright object, or None if nothing fits."""
     width, tall = reach_of(mask, projection)
     z = np.linspace(-tall, tall, 64)
     x = np.linspace(-0.4, 0.4, 17) * width

@@ -1,7 +1,7 @@
 """Generic solids: closed triangle meshes with their convex pieces, standing on z = 0.
 
-A solid lives in its own frame (z up, its long side along x) in any unit of length; ``PosedSolid``
-puts it into the object frame of ``projection``.
+A solid has its own frame (z up, long side along x) in any unit of length; ``PosedSolid`` transforms
+it to the object frame of ``projection``.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class ConvexSolid:
 
 @dataclass(frozen=True, eq=False)
 class PosedSolid:
-    """A solid turned by ``yaw`` and moved to ``position``; ``kind`` names how it was made."""
+    """A solid rotated by ``yaw`` and moved to ``position``; ``kind`` names its family."""
 
     kind: str
     solid: ConvexSolid
@@ -61,10 +61,10 @@ def stack_of_ellipses(
     depth: float,
     segments: int = 40,
 ) -> ConvexSolid:
-    """Return the solid through level ellipses at ``heights`` rising from 0.
+    """Return the solid through level ellipses at ``heights`` that start at 0.
 
-    Each has the half width ``radii`` > 0 along x, ``depth`` times that along y, and its middle at
-    x = ``shifts``.
+    Each ellipse has the half width ``radii`` > 0 along x, ``depth`` times that along y, and its
+    centre at x = ``shifts``.
     """
     angle = np.arange(segments) * 2 * np.pi / segments
     ring = np.column_stack([np.cos(angle), depth * np.sin(angle), np.zeros(segments)])
@@ -91,7 +91,7 @@ def _frusta(
     depth: float,
     maximum: int = 8,
 ) -> tuple[ConvexPart, ...]:
-    """Cut a stack into at most ``maximum`` pieces; straight round ones are cylinders."""
+    """Split a stack into at most ``maximum`` pieces; straight round ones become cylinders."""
     keep = simplify_profile(heights, np.column_stack([radii, shifts]), maximum + 1)
     angle = np.arange(16) * 2 * np.pi / 16
     ring = np.column_stack([np.cos(angle), depth * np.sin(angle), np.zeros(16)])
@@ -110,10 +110,10 @@ def simplify_profile(
     maximum: int,
     slack: float = 0.01,
 ) -> list[int]:
-    """Return the indices of at most ``maximum`` levels that keep a profile's shape.
+    """Return the indices of at most ``maximum`` levels that preserve a profile's shape.
 
-    ``profile`` gives several lengths per level. Levels are added where a polyline is farthest from
-    one of them, until the largest error is below ``slack`` of the largest length.
+    ``profile`` has several lengths per level. Levels are added where the polyline deviates most,
+    until the largest error is below ``slack`` times the largest length.
     """
     keep = [0, len(heights) - 1]
     columns = profile.T
@@ -129,7 +129,7 @@ def simplify_profile(
 
 
 def join(solids: list[ConvexSolid]) -> ConvexSolid:
-    """Return solids of one frame as one; each stays closed."""
+    """Merge solids of one frame into one; each stays closed."""
     counts = np.cumsum([0, *(len(s.vertices) for s in solids)])
     return ConvexSolid(
         np.concatenate([s.vertices for s in solids]),
@@ -163,10 +163,10 @@ def upright(outline: Polygon, depth: float) -> ConvexSolid:
 
 
 def convex_pieces(outline: Polygon, maximum: int = 8, slack: float = 0.03) -> list[Polygon]:
-    """Cut a polygon into at most ``maximum`` nearly convex pieces.
+    """Split a polygon into at most ``maximum`` nearly convex pieces.
 
-    The piece that lacks most of its convex hull is cut through its deepest dent until every piece
-    fills its hull but for ``slack`` of the whole area.
+    The piece with the largest deviation from its convex hull is split through its deepest dent,
+    until every piece fills its hull except for ``slack`` of the total area.
     """
     pieces = [outline]
     while len(pieces) < maximum:
@@ -182,7 +182,7 @@ def convex_pieces(outline: Polygon, maximum: int = 8, slack: float = 0.03) -> li
 
 
 def largest_polygon(shape: shapely.Geometry) -> Polygon:
-    """Return the largest polygon of a shape; an empty one if it has none."""
+    """Return the largest polygon of a geometry, or an empty one if it has none."""
     polygons = [g for g in shapely.get_parts(shape) if isinstance(g, Polygon)]
     return max(polygons, key=lambda g: g.area, default=Polygon())
 
@@ -193,7 +193,7 @@ def hull_ring(shape: Polygon) -> shapely.LinearRing:
 
 
 def _cut_at_dent(piece: Polygon) -> list[Polygon]:
-    """Cut a polygon through its largest hole or deepest dent, in the best of 12 directions."""
+    """Split a polygon through its largest hole or deepest dent, in the best of 12 directions."""
     ring = np.asarray(piece.exterior.coords)[:-1]
     hull = hull_ring(piece)
     depth = np.array([hull.distance(shapely.Point(p)) for p in ring])
@@ -207,7 +207,7 @@ def _cut_at_dent(piece: Polygon) -> list[Polygon]:
         cut = shapely.ops.split(piece, shapely.LineString([dent - step, dent + step]))
         halves = [g for g in cut.geoms if isinstance(g, Polygon) and g.area > 1e-3 * piece.area]
         lack = sum(h.convex_hull.area - h.area for h in halves)
-        # Every further piece costs, and so does one that is a sliver.
+        # Additional pieces and slivers add to the cost.
         cost = lack / piece.area + 0.02 * len(halves)
         if len(halves) >= 2 and cost < best[0]:
             best = (cost, halves)

@@ -1,4 +1,4 @@
-"""Fit a table to its silhouette: the known top first, then the legs that explain the rest."""
+"""Fit of a table to its silhouette: the known top first, then legs that explain the rest."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from ....meshes.projection import Projection, fill_hull
 from ..shapes.frames import descend
 from .form import LegStyle, TableForm, at_height, corners_of
 
-_TALL = (0.2, 1.4)  # metres: what a table's height may be
-_SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried
+_TALL = (0.2, 1.4)  # minimum and maximum height of a table in metres
+_SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # candidate thicknesses in metres
 _APRONS = (0.06, 0.1)
-_GAIN = 0.01  # overlap that a thickness or boards must gain
-_SHOWN = 0.1  # overlap of the legs below which none show
-_CLEAR = 0.002  # overlap of whole tables that another kind of legs must gain
-_EVEN = 0.03  # overlap worth a difference of one width between how far in legs stand
-_REACHING = 0.2  # overlap worth feet that end a whole silhouette's height too high or low
-_DEPTHS = (0.03, 0.06, 0.1, 0.15, 0.2)  # of the legs behind the rim, in widths of the top
-_STARTS, _TRIES = 3, 400  # searches for the measures of a table, and steps of each
+_GAIN = 0.01  # minimum gain of overlap from another thickness or from boards
+_SHOWN = 0.1  # overlap of the legs below which they count as not visible
+_CLEAR = 0.002  # minimum gain of overlap, for the whole table, from another kind of legs
+_EVEN = 0.03  # overlap that a difference of one width between the insets of the legs is worth
+_REACHING = 0.2  # overlap that feet one silhouette height too high or too low are worth
+_DEPTHS = (0.03, 0.06, 0.1, 0.15, 0.2)  # depths of the legs behind the rim, in widths of the top
+_STARTS, _TRIES = 3, 400  # number of searches for the table's dimensions, and steps of each
 
 
 @dataclass(frozen=True, eq=False)
 class Silhouette:
-    """A table's outline in a picture. ``shown`` are the pixels that the picture's frame holds."""
+    """A table's outline in a picture. ``shown`` are the pixels inside the picture's frame."""
 
     mask: Mask
     shown: Mask
@@ -43,17 +43,17 @@ class Silhouette:
 
     @cached_property
     def cut_below(self) -> bool:
-        """Whether the frame hides how far down the table goes."""
+        """Whether the frame cuts the lower end of the table."""
         return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].any()
 
     def overlap(self, drawn: Mask) -> float:
-        """Return the intersection over union with what is drawn, where the frame shows it."""
+        """Return the intersection over union with a drawn mask, within the frame."""
         return mask_iou(self.mask & self.shown, drawn & self.shown)
 
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
-    """A form under a picture: metres times ``scale`` plus ``shift``; ``overlap`` of silhouettes."""
+    """A form fitted to a picture: metres times ``scale`` plus ``shift``, and silhouette overlap."""
 
     form: TableForm
     scale: float
@@ -72,11 +72,11 @@ def fit_table(
     fine: Silhouette,
     quick: bool = False,
 ) -> Fitted:
-    """Return the table with a given top (metres) whose silhouette is nearest.
+    """Return the table with a given top (metres) and the closest silhouette.
 
-    ``height`` is the usual one; it stays where the picture does not tell it. ``fine`` is the same
-    silhouette with more pixels: what was found in ``seen`` is improved there; a ``quick`` fit
-    improves but the better kind of legs, from one start.
+    ``height`` is the default height, which is used if the picture does not show the height.
+    ``fine`` is the same silhouette at a higher resolution, at which the result is refined. A
+    ``quick`` fit refines only the better kind of legs, from one start.
     """
     scale, shift = place_top(outline, seen)
     usual = TableForm(outline, corners_of(outline), height)
@@ -99,15 +99,15 @@ def _settle(
     usual: float,
     searches: int = _STARTS,
 ) -> Fitted:
-    """Return the form and its place, both improved together.
+    """Return the form and its placement after joint optimisation.
 
-    Low legs near the rim look just like high ones further in: of those that agree as well, legs
-    stand as far in from the front as from the side.
+    Low legs near the rim look the same as high legs further in. Among equally good fits, the legs
+    have the same inset from the front as from the side.
     """
     width = float(min(form.size[:2]))
     steps = np.array([0.01, 1.0, 1.0, 0.02, 0.02, 0.02, 0.01, -0.01, 0.05])
     if seen.cut_below:
-        steps[-1] = 1e-6  # nothing tells the height
+        steps[-1] = 1e-6  # the height is not visible
     moved = _pixel_moves(seen.projection)
     tall_rows = float(np.ptp(np.flatnonzero(seen.mask.any(1))) + 1)
 
@@ -138,13 +138,13 @@ def _settle(
 
 
 def _leg_measures(form: TableForm) -> np.ndarray:
-    """Return inset along x and y, lean, upper and lower width of legs, in widths of the top."""
+    """Return the legs' inset along x and y, lean, upper and lower width, in widths of the top."""
     width = float(min(form.size[:2]))
     return np.array([*form.inset, form.lean, form.high, form.low]) / width
 
 
 def _with_legs(form: TableForm, measures: np.ndarray) -> TableForm:
-    """Return a form with the legs of ``_leg_measures``, as far as legs may be like that."""
+    """Return a form with the legs of ``_leg_measures``, clipped to valid values."""
     width = float(min(form.size[:2]))
     least = 0.012 / width
     most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.3)
@@ -156,16 +156,16 @@ def _with_legs(form: TableForm, measures: np.ndarray) -> TableForm:
 
 
 def _pixel_moves(view: Projection) -> Callable[[np.ndarray], Float[np.ndarray, "3"]]:
-    """Return what moves a point at the origin by so many pixels to the right and down."""
+    """Return a function that converts pixel shifts (right, down) at the origin to 3D shifts."""
     return lambda step: view.pixel * (step[0] * view.rotation[0] + step[1] * view.rotation[1])
 
 
 def place_top(
     outline: Float[np.ndarray, "k 2"], seen: Silhouette
 ) -> tuple[float, Float[np.ndarray, "3"]]:
-    """Return the scale and shift that lay a top under the upper part of a silhouette.
+    """Return the scale and shift that align a top with the upper part of a silhouette.
 
-    What the silhouette has straight below the top may be legs, and says nothing.
+    The part of the silhouette directly below the top may be legs and is ignored.
     """
     view, mask = seen.projection, seen.mask & seen.shown
     flat = np.column_stack([outline, np.zeros(len(outline))])
@@ -200,7 +200,7 @@ def _draw(pieces: Iterable[Float[np.ndarray, "_n 3"]], view: Projection) -> Mask
 
 
 class _Legs:
-    """Compares forms' legs and slab with what a silhouette shows below a placed top."""
+    """Compares forms' legs and slab with the silhouette below a placed top."""
 
     def __init__(
         self, form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette
@@ -210,7 +210,7 @@ class _Legs:
 
     @cached_property
     def _counted(self) -> Mask:
-        """What shows, beside the top."""
+        """The visible pixels outside the top."""
         return self.seen.shown & ~dilate(self.top, 3)
 
     @cached_property
@@ -236,9 +236,9 @@ class _Legs:
         return mask_iou(self.draw(form) & self._counted, self._wanted)
 
     def ground(self, form: TableForm, usual: float) -> TableForm:
-        """Return a form as high as brings its feet down to the silhouette's lowest row.
+        """Return a form whose height brings its feet down to the silhouette's lowest row.
 
-        Where the frame cuts the legs, it is at least as high as usual.
+        If the frame cuts the legs, the form has at least the default height.
         """
         low, high = _TALL
         feet = form.feet()
@@ -250,7 +250,7 @@ class _Legs:
         return replace(form, height=found)
 
     def fit(self, usual: float) -> tuple[tuple[TableForm, float], tuple[TableForm, float]]:
-        """Return the best form with posts and the best other, and their overlaps below the top."""
+        """Return the best form with posts and the best other form, with overlaps below the top."""
         kinds = ("posts", "sled", "trestle", "pedestal")
         firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
         rival = max(firsts[1:], key=lambda f: f[1])
@@ -258,7 +258,7 @@ class _Legs:
         return self._refine(self._add_boards(*best)[0], usual), rival
 
     def _add_boards(self, form: TableForm, overlap: float) -> tuple[TableForm, float]:
-        """Return the form with another slab, or boards under it, if that explains clearly more."""
+        """Return the form with another slab, or boards under it, if that fits clearly better."""
         aprons = (0.0, *_APRONS) if form.legs == "posts" else (0.0,)
         finer = self._best(replace(form, thickness=t, apron=a) for t, a in product(_SLABS, aprons))
         return finer if finer[1] > overlap + _GAIN else (form, overlap)
@@ -282,7 +282,7 @@ class _Legs:
             )
 
     def _refine(self, form: TableForm, usual: float) -> tuple[TableForm, float]:
-        """Return the form with its legs' measures improved, and its overlap below the top."""
+        """Return the form with refined leg dimensions, and its overlap below the top."""
 
         def make(p: np.ndarray) -> TableForm:
             return self.ground(_with_legs(form, p), usual)

@@ -1,7 +1,7 @@
-"""What tables are made of here: any convex top, and legs of a few kinds with free measures.
+"""Parametric tables: any convex top, and a few kinds of legs with free dimensions.
 
-All of it is convex pieces between two rings, so that a form's silhouette costs next to nothing:
-the modeler tries hundreds of forms against a picture.
+All parts are convex pieces between two rings, so a form's silhouette is very cheap to compute: the
+modeler compares hundreds of forms with a picture.
 """
 
 from __future__ import annotations
@@ -26,20 +26,20 @@ from ....scene import TABLE, Model, Physics
 LegStyle = Literal["posts", "sled", "trestle", "pedestal"]
 Ring = Float[np.ndarray, "2 _ 3"]
 
-_THREE = 0.56  # of the top's area within a triangle: it stands on three legs
+_THREE = 0.56  # fraction of the top's area within a triangle, above which it has three legs
 _SQUARE = rectangle(1, 1)
 _CIRCLE = ellipse(1, 1, 16)
 
 
 @dataclass(frozen=True, eq=False)
 class TableForm:
-    """A table in metres, the middle of its top's box at x = y = 0.
+    """A table in metres, with the centre of its top's box at x = y = 0.
 
-    ``outline`` is the top's, convex and counter-clockwise; ``corners`` are where legs belong on it
-    (``corners_of``). ``inset`` is how far they join inside the corners, along x and y; ``lean``
-    how far their feet stand out from there. ``high`` and ``low`` are a leg's widths under the top
-    and at the floor; of a pedestal, the column's and the base's diameter. ``apron`` is the height
-    of the boards between legs.
+    ``outline`` is the top's, convex and counter-clockwise; ``corners`` are the corners for its legs
+    (``corners_of``). ``inset`` is the distance of the joints inside the corners, along x and y;
+    ``lean`` is the outward distance of the feet from the joints. ``high`` and ``low`` are a leg's
+    widths under the top and at the floor; for a pedestal, the diameters of the column and the base.
+    ``apron`` is the height of the boards between legs.
     """
 
     outline: Float[np.ndarray, "k 2"]
@@ -59,7 +59,7 @@ class TableForm:
         return np.array([*np.ptp(self.outline, axis=0), self.height])
 
     def joints(self) -> Float[np.ndarray, "n 2"]:
-        """Return where the legs join the top: inside its corners."""
+        """Return the points where the legs join the top, inside its corners."""
         corners = self.corners
         if len(corners) == 3:
             middle = corners.mean(0)
@@ -82,7 +82,7 @@ class TableForm:
         return rings
 
     def feet(self) -> Float[np.ndarray, "n 2"]:
-        """Return the corners of what stands on the floor, which does not depend on the height."""
+        """Return the corners of the parts on the floor, which do not depend on the height."""
         return np.concatenate([ring[0, :, :2] for ring in self.pieces() if ring[0, 0, 2] == 0])
 
     def _posts(self, top: float) -> list[Ring]:
@@ -124,7 +124,7 @@ class TableForm:
         return [_piece(base, 0.0, 0.9 * base, thick), _piece(column, thick, column, top)]
 
     def build(self) -> Model:
-        """Return the canonical model, plain grey, with a convex part a piece."""
+        """Return the canonical model in plain grey, with one convex part per piece."""
         top = prism(self.outline, self.height - self.thickness, self.height)
         grey = surfaces.plain((200, 200, 200))
         solids, parts = [(top, grey)], [hull_part(_thin(self.outline, top.bounds[:, 2]))]
@@ -138,7 +138,7 @@ class TableForm:
 
 
 def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
-    """Return the three corners of a triangular top, or four, towards its box's corners."""
+    """Return the three corners of a triangular top, or four towards its box's corners."""
     polygon = shapely.Polygon(outline)
     rays = np.linspace(0, 2 * np.pi, 36, endpoint=False) + np.pi / 2
     middle = np.array(polygon.centroid.coords[0])
@@ -157,7 +157,7 @@ def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
 def _hits(
     polygon: shapely.Polygon, middle: Float[np.ndarray, "2"], rays: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n 2"]:
-    """Return where rays from a place inside a convex polygon leave it, or end within it."""
+    """Return the points where rays from inside a convex polygon leave it, or end within it."""
     ends = [polygon.intersection(shapely.LineString([middle, middle + ray])) for ray in rays]
     return np.stack([shapely.get_coordinates(end)[-1] for end in ends])
 
@@ -188,7 +188,7 @@ def _board(
 def _thin(
     outline: Float[np.ndarray, "k 2"], heights: Float[np.ndarray, "2"]
 ) -> Float[np.ndarray, "n 3"]:
-    """Return at most 16 corners of an outline, at both heights; its box is kept."""
+    """Return at most 16 corners of an outline at both heights, with the same bounding box."""
     at = np.linspace(0, 2 * np.pi, 12, endpoint=False) + np.pi / 12
     ways = np.column_stack([np.cos(at), np.sin(at)])
     ways = np.concatenate([ways, [[1, 0], [-1, 0], [0, 1], [0, -1]]])

@@ -1,7 +1,7 @@
-"""Model the table of a picture: its top as it was measured, legs by silhouette, colours by pixels.
+"""Modelling of a picture's table: measured top, legs by silhouette, colours from pixels.
 
-The top is painted as the picture shows it: a plain one stays plain, whatever shadows lie on it;
-a patterned one keeps its pattern.
+The top is painted as in the picture: a plain top stays plain despite shadows on it, and a patterned
+top keeps its pattern.
 """
 
 from __future__ import annotations
@@ -24,29 +24,29 @@ from ....scene import Instance, Mesh, Model, SizePrior, View
 from ..shapes.frames import small_mask
 from .fit import Fitted, Silhouette, fit_table
 
-_COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels
-_EDGE = 0.02  # of the length: how far from the edge of a top its colours are its own
-_PLAIN = 14.0  # grey levels of unrest within a hand's breadth, up to which a top is plain
-_BESIDE = 0.01  # of the crop's longer side: how near to a thing its halo lies
-_SHADE = 0.05  # likewise, its shadow
-_DARK = 0.8  # of the top's usual brightness: darker places there are shadow
-_SHADES = 20  # of each colour channel, that are told apart
-_RARE = 0.02  # of the top: a colour that covers less is rare
+_COARSE, _FINE = 240, 480  # longer side in pixels of the compared silhouettes
+_EDGE = 0.02  # distance from the top's edge to reliable colours, relative to the length
+_PLAIN = 14.0  # grey level noise within a hand's breadth, below which a top is plain
+_BESIDE = 0.01  # width of the halo around an object, relative to the crop's longer side
+_SHADE = 0.05  # likewise for its shadow
+_DARK = 0.8  # relative brightness of the top below which a point is in shadow
+_SHADES = 20  # number of levels per colour channel
+_RARE = 0.02  # fraction of the top below which a colour is rare
 _PATCH = (
     0.0007,
     0.03,
-)  # of the top: how large rare colours next to each other are at what lies there
-_CELLS = 192  # along the longer side of the top as it is filled in
+)  # minimum area of adjacent rare colours that are an object, as a fraction of the top
+_CELLS = 192  # cells along the longer side of the top for inpainting
 
 
 def model_table(
     instance: Instance, size: SizePrior, view: View, seed: int, texture: int, quick: bool = False
 ) -> Model:
-    """Return a table that looks like the picture's, yaw zero; a ``quick`` one by fewer searches.
+    """Return a table that resembles the picture's, with yaw zero; ``quick`` searches less.
 
-    The top has the prior's outline, or that of the usual ones whose silhouette agrees best. Legs
-    and height are those that explain the silhouette below it; the prior's height stays where the
-    picture does not show any.
+    The top has the prior's outline, or the common one whose silhouette fits best. Legs and height
+    are those that explain the silhouette below it; the prior's height is kept if the picture does
+    not show the height.
     """
     projection = Projection.of_instance(instance, view)
     small = [projection.resize(side) for side in (_COARSE, _FINE)]
@@ -66,7 +66,7 @@ def model_table(
 def _places(
     instance: Instance, width: int, height: int
 ) -> tuple[Int[np.ndarray, "h w"], Int[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
-    """Return each crop pixel's nearest row and column in the picture, and which the frame holds."""
+    """Return each crop pixel's closest row and column in the picture, and which are inside it."""
     x0, y0, x1, y1 = instance.crop_box
     columns = np.floor(x0 + (np.arange(width) + 0.5) * (x1 - x0) / width).astype(int)
     rows = np.floor(y0 + (np.arange(height) + 0.5) * (y1 - y0) / height).astype(int)
@@ -77,7 +77,7 @@ def _places(
 
 
 def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "_k 2"]]:
-    """Return the outlines that a top of these sides usually has."""
+    """Return the common outlines of a top with these sides."""
     corners = np.array([[-0.5, -0.5], [0.5, -0.5], [0.0, 0.5]]) * [length, width]
     triangle = rounded_polygon(corners, 0.1 * min(length, width), 4)
     triangle = triangle - (triangle.min(0) + triangle.max(0)) / 2
@@ -92,7 +92,7 @@ def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "_k 2"]]:
 def _paint(
     fit: Fitted, model: Model, instance: Instance, projection: Projection, size: int
 ) -> Mesh:
-    """Return the table's mesh in the picture's colours, top and legs each for themselves."""
+    """Return the table's mesh in the picture's colours, with top and legs painted separately."""
     mesh = model.mesh
     world = fit.world(np.asarray(mesh.vertices, float))
     image, mask = texture_bake.opaque_colors(instance.crop)
@@ -127,7 +127,7 @@ def _paint(
 def _within(
     points: Float[np.ndarray, "t 2"], on_top: Bool[np.ndarray, "t"]
 ) -> Bool[np.ndarray, "t"]:
-    """Tell which places are away from the top's edge, where the picture already shows its side."""
+    """Return which points are away from the top's edge, where the picture shows its side."""
     top = shapely.convex_hull(shapely.MultiPoint(points[on_top]))
     low, high = points[on_top].min(0), points[on_top].max(0)
     inner = top.buffer(-_EDGE * float((high - low).max()))
@@ -137,7 +137,7 @@ def _within(
 def _cover(
     instance: Instance, mask: Bool[np.ndarray, "h w"], reach: float
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the crop's pixels within ``reach`` (of its longer side) of what hides the table."""
+    """Return the crop's pixels within ``reach`` (of its longer side) of objects over the table."""
     rows, columns, held = _places(instance, mask.shape[1], mask.shape[0])
     hidden = mask & ~(instance.mask[rows, columns] & held)
     brush = 2 * max(1, round(reach * max(mask.shape))) + 1
@@ -148,10 +148,10 @@ def _cover(
 def top_colors(
     points: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"], clear: Bool[np.ndarray, "t"]
 ) -> Float[np.ndarray, "t 3"]:
-    """Return the colours of a top's places: one colour if it is plain, else the picture's own.
+    """Return the colours of a top's points: one colour if it is plain, or else the picture's.
 
-    ``clear`` tells the places that the picture shows bare. Elsewhere the colours around are
-    carried on, along the top's longer side first, as grain and boards run.
+    ``clear`` marks points where the picture shows the bare top. Elsewhere the surrounding colours
+    are extended, first along the top's longer side, like grain and boards.
     """
     middle = np.median(colors[clear], 0)
     if unrest(colors[clear], _cells(points[clear])) < _PLAIN:
@@ -166,7 +166,7 @@ def top_colors(
     clear = clear & ~strange[at[:, 1], at[:, 0]]
     total[strange], count[strange] = 0, 0
     filled = np.broadcast_to(middle, total.shape).astype(np.float32)
-    for spread in ((90.0, 12.0), (24.0, 2.5)):  # coarse first; near by counts for more
+    for spread in ((90.0, 12.0), (24.0, 2.5)):  # coarse first; closer colours have more weight
         weight = cv2.GaussianBlur(count, (0, 0), spread[0], sigmaY=spread[1])
         smooth = cv2.GaussianBlur(total, (0, 0), spread[0], sigmaY=spread[1])
         trust = (weight / (weight + 0.02))[..., None]
@@ -178,15 +178,15 @@ def top_colors(
 def find_strange(
     colors: Float[np.ndarray, "h w 3"], known: Bool[np.ndarray, "h w"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the cells of a top that show something else, which nobody has found on it.
+    """Return the cells of a top that show an undetected object.
 
-    Their colours are rare on the top, and next to each other: grain and speckles are rare too, but
-    all over it.
+    Their colours are rare on the top and adjacent to each other; grain and speckles are rare too,
+    but spread all over the top.
     """
     bins = np.minimum(colors / 256 * _SHADES, _SHADES - 1).astype(int)
     histogram = np.zeros((_SHADES,) * 3, np.float32)
     np.add.at(histogram, tuple(bins[known].T), 1.0)
-    for axis in range(3):  # neighbouring shades are one colour
+    for axis in range(3):  # neighbouring levels count as one colour
         histogram = ndimage.convolve1d(histogram, np.ones(3, np.float32), axis, mode="constant")
     usual = histogram[tuple(bins.reshape(-1, 3).T)].reshape(known.shape)
     rare = (known & (usual < _RARE * known.sum())).astype(np.uint8)
@@ -199,16 +199,16 @@ def find_strange(
 
 
 def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, "t"]:
-    """Number the squares of a grid over the table, ``count`` along its longest side."""
+    """Number the squares of a grid over the table, with ``count`` along its longest side."""
     flat = point[:, :2] - point[:, :2].min(0)
     index = np.minimum((flat / max(float(flat.max()), 1e-9) * count).astype(int), count - 1)
     return index[:, 0] * count + index[:, 1]
 
 
 def unrest(colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]) -> float:
-    """Return the usual spread of brightness within cells of the surface, in grey levels.
+    """Return the typical spread of brightness within cells of the surface, in grey levels.
 
-    Light that fades across the table is nearly the same within a cell and does not count.
+    Light that fades across the table is almost constant within a cell and has no effect.
     """
     brightness = colors.mean(1)
     spreads = []

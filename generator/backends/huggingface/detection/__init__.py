@@ -1,1 +1,1 @@
-"""Detections by open models: boxes by words, masks by boxes, merged."""
+"""Detection with open models: boxes from words, masks from boxes, and merging."""

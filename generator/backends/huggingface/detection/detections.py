@@ -1,4 +1,4 @@
-"""Detections of the open models: one per object, without duplicates, groups and parts."""
+"""Post-processing of detections: one per object, without duplicates, groups and parts."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from .tiles import Tile
 
 @dataclass(frozen=True, eq=False)
 class BoxDetection:
-    """A box (x0, y0, x1, y1) in the picture's pixels, called by a word that was asked for.
+    """A box (x0, y0, x1, y1) in picture pixels, labelled with one of the requested words.
 
-    ``score`` is in [0, 1]; ``mask`` is there once it was made.
+    ``score`` is in [0, 1]; ``mask`` is None until it is computed.
     """
 
     label: str
@@ -29,17 +29,17 @@ class BoxDetection:
 
 
 class Finder(Protocol):
-    """A model that finds things by words."""
+    """A model that detects objects by words."""
 
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return what each part of the picture shows of ``words``, but for what its border cuts."""
+        """Return the detections of ``words`` in each tile, except those cut by its border."""
         ...
 
 
 class Masker(Protocol):
-    """A model that masks the thing in a box."""
+    """A model that segments the object in a box."""
 
     def mask(
         self,
@@ -47,26 +47,26 @@ class Masker(Protocol):
         detections: Sequence[BoxDetection],
         tiles: Sequence[Tile],
     ) -> list[BoxDetection]:
-        """Return the finds with masks, in their order; without those whose mask is empty."""
+        """Return the detections with masks, in order; those with empty masks are removed."""
         ...
 
 
 SAME = 0.6
-"""Boxes of one word that overlap (intersection over union) by more are one thing."""
+"""Overlap (intersection over union) above which two boxes of one word show one object."""
 
 ALIKE = 0.8
-"""Boxes or masks of two words that overlap by more are one thing."""
+"""Overlap above which two boxes or masks of different words show one object."""
 
 HOLE = 0.02
-"""A hole below this share of its mask is filled; larger ones (a handle) are real."""
+"""A hole below this fraction of its mask is filled; larger ones (a handle) are real."""
 
-_NAMED = 0.5  # overlap from which a better word belongs to a find
-_WITHIN = 0.85  # share of a mask that lies within another: it is a part of that
-_LEFT = 0.3  # share of a mask that has to be left once smaller things have theirs
+_NAMED = 0.5  # overlap above which a better word applies to a detection
+_WITHIN = 0.85  # fraction of a mask within another, above which it is a part of it
+_LEFT = 0.3  # minimum fraction of a mask left after smaller objects have taken their pixels
 
 
 def distinct(detections: Sequence[BoxDetection]) -> list[BoxDetection]:
-    """Return the finds without those whose box a surer one has already, the surest first."""
+    """Return the detections by descending score, without lower-scored duplicates of a box."""
     kept: list[BoxDetection] = []
     for detection in sorted(detections, key=lambda f: -f.score):
         overlaps = overlap(detection.box, kept)
@@ -79,7 +79,7 @@ def distinct(detections: Sequence[BoxDetection]) -> list[BoxDetection]:
 def name_generic(
     detections: Sequence[BoxDetection], generic: str, better: Sequence[BoxDetection]
 ) -> list[BoxDetection]:
-    """Return the finds, those called ``generic`` by the surest better word for their box."""
+    """Return the detections; those labelled ``generic`` get the best better word for their box."""
     made = []
     for detection in detections:
         if detection.label == generic:
@@ -94,7 +94,7 @@ def name_generic(
 def overlap(
     box: Float[np.ndarray, "4"], detections: Sequence[BoxDetection]
 ) -> Float[np.ndarray, "n"]:
-    """Return the intersection over union of a box and each find's."""
+    """Return the intersection over union of a box with each detection's box."""
     others = np.array([f.box for f in detections]).reshape(-1, 4)
     sides = np.minimum(box[2:], others[:, 2:]) - np.maximum(box[:2], others[:, :2])
     shared = np.clip(sides, 0, None).prod(1)
@@ -103,17 +103,18 @@ def overlap(
 
 
 def clean(detection: BoxDetection) -> BoxDetection:
-    """Return a find whose mask has no specks and no small holes, its box tight about it."""
+    """Return a detection whose mask has no specks and no small holes, and a tight box."""
     mask = fill_holes(main_parts(detection.mask), HOLE)
     return dataclasses.replace(detection, mask=mask, box=mask_box(mask))
 
 
 def separate(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDetection]:
-    """Return each thing once, the surest first; no pixel belongs to two of them.
+    """Return each object once, by descending score, with disjoint masks.
 
-    Gone are masks that a surer one has already, masks of several things of one word together, and
-    parts of a thing of the same word. A pixel of several masks is the smallest one's, which stands
-    in front or inside. What keeps less than ``minimum`` pixels, or ``_LEFT`` of its mask, is gone.
+    Removed are duplicates of masks with a higher score, masks that combine several objects of one
+    word, and parts of an object of the same word. A pixel of several masks belongs to the smallest
+    one, which is in front or inside. A mask with fewer than ``minimum`` pixels, or less than
+    ``_LEFT`` of its area, is removed.
     """
     kept: list[BoxDetection] = []
     for detection in sorted(detections, key=lambda f: -f.score):
@@ -134,7 +135,7 @@ def separate(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDete
 
 
 def _is_group(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bool:
-    """Tell whether a mask is that of two or more smaller ones of the same word."""
+    """Return whether a mask combines two or more smaller ones of the same word."""
     inside = [f.mask for f in detections if _holds(detection, f)]
     if len(inside) < 2:
         return False
@@ -143,21 +144,21 @@ def _is_group(detection: BoxDetection, detections: Sequence[BoxDetection]) -> bo
 
 
 def _holds(outer: BoxDetection, part: BoxDetection) -> bool:
-    """Tell whether a mask lies in a larger one of the same word."""
+    """Return whether a mask lies in a larger one of the same word."""
     area = part.mask.sum()
     smaller = outer.label == part.label and area < outer.mask.sum()
     return bool(smaller and (outer.mask & part.mask).sum() > _WITHIN * area)
 
 
-_FOOT = 1 / 6  # of a mask's height: what it stands on
-_BELOW = 1 / 60  # of the picture's longer side: how far below a foot is looked
+_FOOT = 1 / 6  # height of an object's foot, relative to its mask
+_BELOW = 1 / 60  # search distance below a foot, relative to the picture's longer side
 
 
 def on_table(things: Sequence[BoxDetection], table: Bool[np.ndarray, "h w"]) -> list[BoxDetection]:
-    """Return the finds without those beside or below the table, in their order.
+    """Return the detections without those beside or below the table, in order.
 
-    Most of a thing's lowest part is over the table's outline, or has things that stand there right
-    below it: it stands on them, or behind them.
+    Most of the lowest part of an object on the table is over the table's outline, or directly above
+    other objects on the table: it stands on them or behind them.
     """
     ground, others = hull_of(table), np.zeros_like(table)
     standing: set[int] = set()

@@ -1,4 +1,4 @@
-"""Boxes by words: Grounding DINO (S. Liu et al., ECCV 2024)."""
+"""Boxes from words: Grounding DINO (S. Liu et al., ECCV 2024)."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from .phrases import PhraseQuestion, best_words, questions
 from .pixels import IMAGENET, bound_size, to_batch
 from .tiles import Tile
 
-_LONGEST = 1333 / 800  # of the shorter side: how long the longer side is at most
+_LONGEST = 1333 / 800  # maximum ratio of the longer to the shorter side
 
 
 @dataclass(frozen=True, eq=False)
 class GroundingDino:
-    """Grounding DINO's network and tokenizer, asked tile by tile.
+    """Grounding DINO's network and tokenizer, applied tile by tile.
 
-    ``threshold`` is the least score of a find, ``side`` the shorter side that a tile is resized to,
-    pixels, ``words`` the most words in one text.
+    ``threshold`` is the minimum score of a detection, ``side`` the shorter side of a resized tile
+    in pixels, and ``words`` the maximum number of words in one text.
     """
 
     network: Any
@@ -34,7 +34,7 @@ class GroundingDino:
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return what each tile shows of ``words``."""
+        """Return the detections of ``words`` in each tile."""
         asked = questions(words, self.tokenizer, self.words, self.network.config.max_text_len)
         return [f for tile in tiles for question in asked for f in self._ask(image, tile, question)]
 

@@ -1,8 +1,8 @@
-"""Words as Grounding DINO is asked about them, and its answer by word.
+"""Prompts for Grounding DINO, and the assignment of its outputs to words.
 
-Its answer gives each box a logit for each token of the text. Which tokens a word has is known
-from where it stands in the text, so an answer is always one of the words asked for, never a piece
-of one or two of them run together.
+The network outputs, for each box, a logit per token of the prompt. The tokens of each word follow
+from its position in the prompt, so each box gets one of the requested words, never a fragment or a
+combination of words.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class PhraseQuestion:
-    """One text that asks about some words; ``tokens`` has the positions of each word's tokens."""
+    """A prompt for some words; ``tokens`` are the positions of each word's tokens."""
 
     words: tuple[str, ...]
     text: str
@@ -32,10 +32,10 @@ class PhraseQuestion:
 def questions(
     words: Sequence[str], tokenizer: Any, most_words: int, most_tokens: int
 ) -> tuple[PhraseQuestion, ...]:
-    """Return texts that together ask about all words, each with at most so many words and tokens.
+    """Return prompts that cover all words, within the limits of words and tokens per prompt.
 
-    The words keep their order. One word that is longer than a text may be is asked about by as
-    much of it as fits; one without any letters is not asked about.
+    The words keep their order. A word that is longer than a prompt may be is truncated; words
+    without letters are skipped.
     """
     made: list[PhraseQuestion] = []
     for word in words:
@@ -53,10 +53,10 @@ def questions(
 def best_words(
     logits: Float[Tensor, "q t"], question: PhraseQuestion
 ) -> tuple[Float[np.ndarray, "q"], np.ndarray]:
-    """Return each box's score, and the index of the word it fits best.
+    """Return each box's score, and the index of its best word.
 
-    The word is the one whose tokens' probabilities are highest on average; the score is the
-    highest of its tokens'.
+    The best word has the highest mean probability of its tokens; the score is the highest
+    probability among them.
     """
     chances = logits.float().sigmoid().cpu().numpy()
     means = np.stack([chances[:, list(t)].mean(1) for t in question.tokens], 1)
@@ -66,7 +66,7 @@ def best_words(
 
 
 def plain(word: str) -> str:
-    """Return a word without what parts the words of a text: dots and question marks."""
+    """Return a word without dots and question marks, which separate the words of a prompt."""
     return " ".join(re.sub(r"[.?]+", " ", word.lower()).split())
 
 
@@ -85,7 +85,7 @@ def _question(words: tuple[str, ...], tokenizer: Any) -> PhraseQuestion:
 
 
 def _cut(question: PhraseQuestion, maximum: int) -> PhraseQuestion:
-    """Shorten a text to ``maximum`` tokens, its last token kept: it ends the text."""
+    """Shorten a prompt to ``maximum`` tokens, keeping the last one, which ends the prompt."""
     if len(question.ids) <= maximum:
         return question
     ids = (*question.ids[: maximum - 1], question.ids[-1])

@@ -1,4 +1,4 @@
-"""Masks by boxes: SAM 2 (N. Ravi et al., 2024)."""
+"""Masks from boxes: SAM 2 (N. Ravi et al., 2024)."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from .tiles import Tile, closest
 if TYPE_CHECKING:
     from torch import Tensor
 
-_BATCH = 32  # boxes masked at once
-_MARGIN = 0.25  # of a box's side: what has to be seen around it
+_BATCH = 32  # boxes per batch
+_MARGIN = 0.25  # required margin around a box, relative to its sides
 
 
 @dataclass(frozen=True, eq=False)
 class Sam2:
-    """SAM 2's network (a ``Sam2Model``); each box is masked in the smallest tile that holds it."""
+    """SAM 2's network (a ``Sam2Model``), applied to each box in the smallest tile around it."""
 
     network: Any
 
@@ -33,7 +33,7 @@ class Sam2:
         detections: Sequence[BoxDetection],
         tiles: Sequence[Tile],
     ) -> list[BoxDetection]:
-        """Return the finds with masks."""
+        """Return the detections with masks."""
         chosen = [closest(tiles, detection.box, _MARGIN) for detection in detections]
         made: dict[int, BoxDetection] = {}
         for tile in dict.fromkeys(chosen):
@@ -46,7 +46,7 @@ class Sam2:
     def _masks(
         self, image: UInt8[np.ndarray, "h w 3"], tile: Tile, boxes: Float[np.ndarray, "n 4"]
     ) -> list[Bool[np.ndarray, "th tw"]]:
-        """Return the masks of boxes in a tile, of its size; the tile is encoded once."""
+        """Return the masks of boxes in a tile, at the tile's size; the tile is encoded once."""
         import torch
 
         side = int(self.network.config.prompt_encoder_config.image_size)
@@ -67,7 +67,7 @@ class Sam2:
 def enlarge(
     logits: Float[Tensor, "n a b"], size: tuple[int, int], threshold: float
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return where maps, stretched to (width, height), are above a threshold."""
+    """Return the masks of maps above a threshold, resized to (width, height)."""
     from torch.nn import functional
 
     shape = size[::-1]

@@ -1,4 +1,4 @@
-"""Masks by words, one model for both: SAM 3 (2025)."""
+"""Boxes and masks from words with a single model: SAM 3 (2025)."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from .pixels import HALVES, to_batch
 from .sam2 import enlarge
 from .tiles import Tile
 
-_TOKENS = 32  # of a phrase, the longest that SAM 3 was trained with
+_TOKENS = 32  # maximum phrase length in SAM 3's training
 
 
 @dataclass(frozen=True, eq=False)
 class Sam3:
-    """SAM 3's network and tokenizer, asked about one word of one tile at a time.
+    """SAM 3's network and tokenizer, applied to one word and one tile at a time.
 
-    ``threshold`` is the least score of a find.
+    ``threshold`` is the minimum score of a detection.
     """
 
     network: Any
@@ -32,7 +32,7 @@ class Sam3:
     def find(
         self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return what each tile shows of ``words``, with masks."""
+        """Return the detections of ``words`` in each tile, with masks."""
         import torch
 
         found: list[BoxDetection] = []
@@ -51,7 +51,7 @@ class Sam3:
         detections: Sequence[BoxDetection],
         tiles: Sequence[Tile],
     ) -> list[BoxDetection]:
-        """Return the finds that have a mask: it came with the box."""
+        """Return the detections with a mask, which ``find`` has already computed."""
         return [detection for detection in detections if detection.mask.any()]
 
     def _ask(self, encoded: Any, tile: Tile, word: str) -> list[BoxDetection]:

@@ -1,4 +1,4 @@
-"""Parts of a picture that are looked at one by one, so that small things are seen large."""
+"""Tiles of a picture, processed one at a time so that small objects appear larger."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-_NEAR = 0.01  # of a tile's side: what comes as near to a cut goes on beyond it
+_NEAR = 0.01  # distance to a cut, relative to the tile's side, below which a box counts as cut
 
 
 @dataclass(frozen=True)
 class Tile:
-    """A part of a picture of ``width`` x ``height`` pixels; its right and bottom are exclusive."""
+    """A part of a picture of ``width`` x ``height`` pixels; right and bottom are exclusive."""
 
     x0: int
     y0: int
@@ -24,30 +24,30 @@ class Tile:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height of the part, pixels."""
+        """Width and height of the tile in pixels."""
         return self.x1 - self.x0, self.y1 - self.y0
 
     def cut(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "th tw 3"]:
-        """Return the part of a picture."""
+        """Return the tile's part of a picture."""
         return np.ascontiguousarray(image[self.y0 : self.y1, self.x0 : self.x1])
 
     def to_picture(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
-        """Return boxes given as shares of the part's sides in the picture's pixels, inside it."""
+        """Return boxes in fractions of the tile's sides as pixels of the picture, clipped to it."""
         low, high = [self.x0, self.y0] * 2, [self.x1, self.y1] * 2
         return np.clip(boxes * np.tile(self.size, 2) + low, low, high)
 
     def to_part(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
-        """Return boxes in the picture's pixels as shares of the part's sides."""
+        """Return boxes in picture pixels as fractions of the tile's sides."""
         return (boxes - [self.x0, self.y0] * 2) / np.tile(self.size, 2)
 
     def whole(self, mask: Bool[np.ndarray, "th tw"]) -> Bool[np.ndarray, "h w"]:
-        """Return a mask of the part as one of the picture."""
+        """Return a mask of the tile as a mask of the whole picture."""
         made = np.zeros((self.height, self.width), bool)
         made[self.y0 : self.y1, self.x0 : self.x1] = mask
         return made
 
     def cuts(self, boxes: Float[np.ndarray, "n 4"]) -> Bool[np.ndarray, "n"]:
-        """Tell which boxes touch a side of the part that is not one of the picture's."""
+        """Return which boxes touch a side of the tile that is not a side of the picture."""
         near = np.tile(self.size, 2) * _NEAR
         sides = np.array([self.x0, self.y0, self.x1, self.y1])
         inner = sides != [0, 0, self.width, self.height]
@@ -56,14 +56,14 @@ class Tile:
     def told_by(
         self, boxes: Float[np.ndarray, "n 4"], scores: Float[np.ndarray, "n"], threshold: float
     ) -> Bool[np.ndarray, "n"]:
-        """Tell which boxes are finds: sure enough, not cut by the part, of a pixel at least."""
+        """Return which boxes are valid: above the threshold, not cut, at least a pixel wide."""
         sized = (boxes[:, 2:] - boxes[:, :2] >= 1).all(1)
         return (scores >= threshold) & ~self.cuts(boxes) & sized
 
     def holds(self, box: Float[np.ndarray, "4"], margin: float) -> bool:
-        """Tell whether a box and ``margin`` times its sides around it lie within.
+        """Return whether a box with a margin of ``margin`` times its sides lies in the tile.
 
-        Beyond the picture's own frame nothing is asked for.
+        No margin is required beyond the picture's own frame.
         """
         wide, high = (box[2:] - box[:2]) * margin
         margins = np.array([-wide, -high, wide, high])
@@ -72,9 +72,9 @@ class Tile:
 
 
 def tiles_of(width: int, height: int, count: int, overlap: float) -> tuple[Tile, ...]:
-    """Return the whole picture, then ``count`` x ``count`` parts of its proportions.
+    """Return the whole picture, then ``count`` x ``count`` tiles of the same aspect ratio.
 
-    Neighbours share ``overlap`` of their side; a count of 1 adds no parts.
+    Neighbours share ``overlap`` of their side. A count of 1 adds no tiles.
     """
     whole = Tile(0, 0, width, height, width, height)
     if count == 1:
@@ -85,7 +85,7 @@ def tiles_of(width: int, height: int, count: int, overlap: float) -> tuple[Tile,
 
 
 def closest(tiles: Sequence[Tile], box: Float[np.ndarray, "4"], margin: float) -> Tile:
-    """Return the smallest part that holds a box with its margin; the first if none does."""
+    """Return the smallest tile that contains a box with its margin, or else the first one."""
     holding = [t for t in tiles if t.holds(box, margin)] or [tiles[0]]
     return min(holding, key=lambda t: t.size[0] * t.size[1])
 

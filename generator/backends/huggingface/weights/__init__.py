@@ -1,1 +1,1 @@
-"""Pinned models: where they lie, downloading and loading them."""
+"""Pinned models: location, download and loading."""

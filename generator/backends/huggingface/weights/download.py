@@ -1,4 +1,4 @@
-"""The download of a pinned model: in a process of its own, which is ended where it stands still."""
+"""Download of a pinned model in a separate process, which is ended if it stalls."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from .pins import Pin
 HOW = "Run: pip install 'tabletopgen[huggingface]'"
 
 _STILL_SECONDS, _STILL_BYTES = 120.0, 2**16
-"""A download that does not bring so much in so long stands still."""
+"""A download stalls if it receives fewer bytes than this in this many seconds."""
 
-_POLL = 0.2  # seconds between two looks at the process
-_MOST_SAID = 2**14  # bytes of the process's last word
+_POLL = 0.2  # seconds between checks of the process
+_MOST_SAID = 2**14  # maximum size of the process's final message in bytes
 _CHILD = "from generator.backends.huggingface.weights.download import main; main()"
 
 
 def download(model: Pin, folder: Path) -> None:
-    """Fetch what is missing of a model in this process, for as long as it takes.
+    """Download the missing files of a model in this process, without a time limit.
 
     Raises:
-        BackendError: huggingface_hub is not installed, or the server refuses or cannot be reached.
+        BackendError: huggingface_hub is not installed, or the server refuses or is unreachable.
         StorageError: the folder cannot be written.
     """
     what = f"huggingface, pull of {model.name}:"
@@ -43,28 +43,28 @@ def download(model: Pin, folder: Path) -> None:
         )  # fmt: skip
     except hub.errors.GatedRepoError as error:
         raise BackendError(
-            f"{what} its licence ({model.licence}) has to be accepted at "
-            f"https://huggingface.co/{model.repository} first; then set HF_TOKEN to a token of "
-            "that account."
+            f"{what} its licence ({model.licence}) must first be accepted at "
+            f"https://huggingface.co/{model.repository}; then set HF_TOKEN to a token of that "
+            "account."
         ) from error
-    except Exception as error:  # of huggingface_hub, its client, or the disk
+    except Exception as error:  # errors of huggingface_hub, its HTTP client, or the disk
         if _of_the_disk(error):
             raise StorageError(
-                f"{what} {folder} cannot be written: {error}. What was fetched is kept; make room, "
-                "or choose another --folder."
+                f"{what} {folder} cannot be written: {error}. Partial downloads are kept; free "
+                "disk space, or choose another --folder."
             ) from error
         said = escape(" ".join(str(error).split())[:300])
         raise BackendError(
-            f"{what} {model.repository} could not be fetched ({type(error).__name__}: {said}). "
-            "What was fetched is kept; run it again."
+            f"{what} {model.repository} could not be downloaded ({type(error).__name__}: "
+            f"{said}). Partial downloads are kept; run it again."
         ) from error
 
 
 def download_apart(model: Pin, folder: Path) -> None:
-    """Do what ``download`` does in a process of its own, by plain HTTP, and watch it.
+    """Run ``download`` in a separate process, over plain HTTP, and watch it.
 
-    Hugging Face's own transport (hf_xet) has no limits of time; it is left aside. Raises as
-    ``download``, and a BackendError where nothing comes any more.
+    Hugging Face's own transport (hf_xet) has no timeouts and is disabled. Raises the errors of
+    ``download``, and BackendError for a download that stalls.
     """
     command = [sys.executable, "-c", _CHILD, json.dumps(vars(model)), str(folder)]
     watch(command, folder / f"models--{model.repository.replace('/', '--')}", model.name)
@@ -80,13 +80,12 @@ def watch(
 ) -> None:
     """Run a download until it ends, or until its folder has not grown for too long.
 
-    The last word of ``command`` on its output is {"kind", "message"} of what went wrong. ``folder``
-    may be missing at first; it has to grow by ``minimum`` bytes within ``seconds``. ``name`` is the
-    model's.
+    The last line of the output of ``command`` is {"kind", "message"} of an error. ``folder`` may be
+    missing at first; it must grow by ``minimum`` bytes within ``seconds``. ``name`` is the model's.
 
     Raises:
-        BackendError: it stood still, or what the command said.
-        StorageError: what the command said.
+        BackendError: the download stalled, or the command reported it.
+        StorageError: the command reported it.
     """
     environment = os.environ | {
         "HF_HUB_DISABLE_XET": "1", "HF_HUB_DISABLE_TELEMETRY": "1",
@@ -100,8 +99,8 @@ def watch(
                     moved, size = time.monotonic(), now
                 if time.monotonic() - moved > seconds:
                     raise BackendError(
-                        f"huggingface, pull of {name}: less than {minimum} bytes came in "
-                        f"{seconds:g} s. What was fetched is kept; look after the network (or "
+                        f"huggingface, pull of {name}: less than {minimum} bytes received in "
+                        f"{seconds:g} s. Partial downloads are kept; check the network (or "
                         "HF_ENDPOINT, if it is set), and run it again."
                     )
             if process.returncode:
@@ -111,7 +110,7 @@ def watch(
 
 
 def main() -> None:
-    """Download the model that the arguments describe; say what went wrong, and exit."""
+    """Download the model described by the arguments; report errors and exit."""
     described, folder = sys.argv[1:]
     try:
         values = json.loads(described)
@@ -131,7 +130,7 @@ def _ended(process: subprocess.Popen[bytes]) -> bool:
 
 
 def _error_of(process: subprocess.Popen[bytes], name: str) -> TabletopError:
-    """Return the error that the process ended with."""
+    """Return the error that the process reported."""
     what = f"huggingface, pull of {name}:"
     assert process.stdout is not None
     try:
@@ -141,13 +140,13 @@ def _error_of(process: subprocess.Popen[bytes], name: str) -> TabletopError:
         return kind(str(said["message"]))
     except (BackendError, KeyError):
         return BackendError(
-            f"{what} its process ended (exit code {process.returncode}). What was fetched is kept; "
-            "run it again."
+            f"{what} its process exited with code {process.returncode}. Partial downloads are "
+            "kept; run it again."
         )
 
 
 def _size(folder: Path) -> int:
-    """Return how many bytes lie in a folder; links count nothing."""
+    """Return the total size of a folder's files in bytes, without links."""
     found = 0
     for here, _, names in os.walk(folder):
         for name in names:
@@ -158,6 +157,6 @@ def _size(folder: Path) -> int:
 
 
 def _of_the_disk(error: Exception) -> bool:
-    """Tell the disk's errors from the network's, some of which are OSErrors, too."""
+    """Return whether an error is one of the disk; some network errors are OSErrors too."""
     network = isinstance(error, ConnectionError | TimeoutError)
     return isinstance(error, OSError) and (error.errno or 0) > 0 and not network

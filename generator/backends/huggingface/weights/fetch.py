@@ -1,4 +1,4 @@
-"""Fetching pinned models from Hugging Face: their named files only, checked."""
+"""Downloads of pinned models from Hugging Face: listed files only, with verified hashes."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from .pins import PICKLES, WEIGHTS, Pin, missing, snapshot
 
 
 def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_apart) -> Path:
-    """Fetch what is missing of a model at its commit; return the folder it lies in.
+    """Download the missing files of a model at its commit; return their folder.
 
-    An interrupted download goes on where it stopped; one that stands still is ended.
-    ``HF_ENDPOINT`` names a mirror, ``HF_TOKEN`` is sent if it is set, as huggingface_hub does.
+    An interrupted download resumes where it stopped; a stalled one is ended. ``HF_ENDPOINT`` sets a
+    mirror, and ``HF_TOKEN`` is sent if set, as in huggingface_hub.
 
     Raises:
-        BackendError: huggingface_hub is not installed, the server refuses, cannot be reached
-            or stands still, or what it sent is not the pinned model.
+        BackendError: huggingface_hub is not installed; the server refuses, is unreachable or
+            stalls; or the downloaded files are not the pinned ones.
         StorageError: the folder cannot be written.
     """
     what = f"huggingface, pull of {pin.name}:"
     module("huggingface_hub", "huggingface", HOW)
     if any(Path(name).suffix in PICKLES for name in pin.files):
-        raise BackendError(f"{what} its files name a pickle; only safetensors are fetched.")
+        raise BackendError(f"{what} its files include a pickle; only safetensors are supported.")
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise StorageError(
-            f"{folder} cannot be made: {error.strerror or error}. Choose another --folder."
+            f"{folder} cannot be created: {error.strerror or error}. Choose another --folder."
         ) from error
     fetch(pin, folder)
     home = snapshot(pin, folder)
@@ -44,14 +44,14 @@ def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_a
 
 
 def _check(pin: Pin, home: Path, what: str) -> None:
-    """Hold the weights against the table; what is not the pinned file is removed."""
+    """Verify the downloaded weights; remove files that differ from the pinned ones."""
     file = home / WEIGHTS
     if pin.sha256:
         with file.open("rb") as opened:
             got = hashlib.file_digest(opened, "sha256").hexdigest()
         if got != pin.sha256:
             file.resolve().unlink()
-            file.unlink(missing_ok=True)  # where it was a link to what has just been removed
+            file.unlink(missing_ok=True)  # it may be a link to the file that was just removed
             raise BackendError(
                 f"{what} {WEIGHTS} has SHA-256 {got}, not {pin.sha256}; it was removed. Run it "
                 "again, without a mirror if one is set (HF_ENDPOINT)."
@@ -60,4 +60,4 @@ def _check(pin: Pin, home: Path, what: str) -> None:
         with safetensors.safe_open(file, framework="numpy"):
             pass
     except (OSError, safetensors.SafetensorError) as error:
-        raise BackendError(f"{what} {WEIGHTS} is no safetensors file ({error}).") from error
+        raise BackendError(f"{what} {WEIGHTS} is not a safetensors file ({error}).") from error

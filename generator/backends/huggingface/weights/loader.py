@@ -1,4 +1,4 @@
-"""Reading a pinned model from its folder: safetensors only, whole, and never from the network."""
+"""Loading of a pinned model from its folder: safetensors only, complete, without the network."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ _HOW = "Run: pip install 'tabletopgen[huggingface]'"
 
 
 def device_for(chosen: str) -> str:
-    """Return the device that was chosen; if none was, "cuda" where there is one."""
+    """Return the chosen device; by default "cuda" if available."""
     import torch
 
     return chosen or ("cuda" if torch.cuda.is_available() else "cpu")
 
 
 def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any:
-    """Read a model in float32, ready to answer; its weights take no gradients.
+    """Load a model in float32, in inference mode; its weights have no gradients.
 
-    ``what`` names backend and question, for the message of an error.
+    ``what`` names the backend and the question in error messages.
 
     Raises:
-        BackendError: transformers is not installed or too old; the model is not there, damaged,
-            or lacks weights.
+        BackendError: transformers is not installed or too old; or the model is missing, damaged or
+            incomplete.
     """
     import torch
 
@@ -46,7 +46,7 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
                 str(home), local_files_only=True, use_safetensors=True,
                 output_loading_info=True, dtype=torch.float32,
             )  # fmt: skip
-    except Exception as error:  # whatever transformers, safetensors and torch raise
+    except Exception as error:  # any error of transformers, safetensors and torch
         said = " ".join(str(error).split())[:300]
         raise BackendError(
             f"{what} model {pin.name} in {home} cannot be read ({type(error).__name__}: {said}). "
@@ -63,19 +63,19 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
 
 
 def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
-    """Read a model's tokenizer (BackendError: it is not there, or damaged)."""
+    """Load a model's tokenizer (BackendError: it is missing or damaged)."""
     transformers = module("transformers", "huggingface", _HOW)
     file = find_model(pin, folder, what) / "tokenizer.json"
     try:
         return transformers.PreTrainedTokenizerFast(tokenizer_file=str(file))
-    except Exception as error:  # tokenizers raises Exception itself
+    except Exception as error:  # tokenizers raises plain Exception
         raise BackendError(
             f"{what} {file} cannot be read ({error}). {_anew(pin, folder)}"
         ) from error
 
 
 def _anew(pin: Pin, folder: Path) -> str:
-    """Say how to fetch a damaged model anew: its files are links to others in the same folder."""
+    """Return how to download a damaged model again; its files are links within the same folder."""
     return (
         f"Delete {snapshot(pin, folder).parents[1]} and run: "
         f"tabletopgen models pull {pin.name} --folder {folder}"
@@ -84,7 +84,7 @@ def _anew(pin: Pin, folder: Path) -> str:
 
 @contextlib.contextmanager
 def _quiet(transformers: Any) -> Iterator[None]:
-    """Keep bars and reports of loading from standard error; what they tell is checked here."""
+    """Suppress progress bars and loading reports; this module checks their content instead."""
     log = transformers.utils.logging
     level, bars = log.get_verbosity(), log.is_progress_bar_enabled()
     log.set_verbosity_error()

@@ -1,4 +1,4 @@
-"""The models, each pinned to one commit (``models.toml``), and their folder on this machine."""
+"""The models, each pinned to one commit (``models.toml``), and their local folder."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ class Pin:
     """One model at one commit.
 
     Attributes:
-        name: what the project calls it.
-        repository: its id at Hugging Face.
+        name: name in this project.
+        repository: id on Hugging Face.
         revision: the commit, 40 hexadecimal digits.
-        kind: class of transformers that reads it.
-        licence: of the weights.
-        files: what is fetched, ``WEIGHTS`` among it.
-        bytes: size of the weights; 0 if not known.
-        sha256: of the weights; empty if not known.
-        gated: the licence has to be accepted at Hugging Face before it can be fetched.
+        kind: class of transformers that loads it.
+        licence: licence of the weights.
+        files: files to download, including ``WEIGHTS``.
+        bytes: size of the weights; 0 if unknown.
+        sha256: hash of the weights; empty if unknown.
+        gated: whether the licence must be accepted on Hugging Face before the download.
     """
 
     name: str
@@ -41,7 +41,7 @@ class Pin:
 
     @property
     def stamp(self) -> str:
-        """Name and commit as provenance records them."""
+        """Name and commit, as recorded in provenance."""
         return f"{self.name}@{self.revision[:12]}"
 
 
@@ -52,7 +52,7 @@ def pins() -> Mapping[str, Pin]:
 
 
 def pin(name: str, *kinds: str) -> Pin:
-    """Return a model by its name, of one of ``kinds`` if given (BackendError: there is none)."""
+    """Return a model by name, optionally of one of ``kinds`` (BackendError: there is none)."""
     known = {n: p for n, p in pins().items() if not kinds or p.kind in kinds}
     if name not in known:
         fitting = f" of kind {' or '.join(kinds)}" if kinds else ""
@@ -61,28 +61,28 @@ def pin(name: str, *kinds: str) -> Pin:
 
 
 PICKLES = (".bin", ".pt", ".pth", ".ckpt", ".pkl", ".pickle")
-"""How files end that may run code when they are read; none is ever opened."""
+"""Suffixes of files that may run code when loaded; such files are never opened."""
 
 
 def snapshot(pin: Pin, folder: Path) -> Path:
-    """Return where a model at its commit lies or would lie."""
+    """Return the location of a model at its commit; it need not exist."""
     name = f"models--{pin.repository.replace('/', '--')}"
     return folder / name / "snapshots" / pin.revision
 
 
 def missing(pin: Pin, folder: Path) -> tuple[str, ...]:
-    """Return the model's files that are not there."""
+    """Return the model's missing files."""
     home = snapshot(pin, folder)
     return tuple(name for name in pin.files if not (home / name).is_file())
 
 
 def find_model(pin: Pin, folder: Path, what: str) -> Path:
-    """Return the folder of a model all of whose files are there, within ``models_folder``'s.
+    """Return the folder of a complete model within the models' folder.
 
-    ``what`` names backend and question, for the message of an error.
+    ``what`` names the backend and the question in error messages.
 
     Raises:
-        BackendError: files are missing, or the weights are there as a pickle only.
+        BackendError: files are missing, or the weights exist only as a pickle.
     """
     home = snapshot(pin, folder)
     absent = missing(pin, folder)
@@ -92,11 +92,11 @@ def find_model(pin: Pin, folder: Path, what: str) -> Path:
     pickles = sorted(p.name for p in home.glob("*") if p.suffix in PICKLES)
     if WEIGHTS in absent and pickles:
         raise BackendError(
-            f"{what} {home} holds weights as a pickle ({', '.join(pickles)}), which may run code "
-            f"and is never read; {WEIGHTS} is needed. {get}"
+            f"{what} {home} contains weights as a pickle ({', '.join(pickles)}), which may run "
+            f"code and is never loaded; {WEIGHTS} is needed. {get}"
         )
     raise BackendError(
         f"{what} model {pin.name} ({pin.repository} at {pin.revision[:12]}) is not in {folder}: "
-        f"no {', '.join(absent)}. Nothing is fetched while answering. {get}, or name another "
-        f"folder with {MODELS}."
+        f"missing {', '.join(absent)}. Models are not downloaded automatically. {get}, or set "
+        f"{MODELS} to another folder."
     )
