@@ -1,4 +1,7 @@
-"""Yaw, boxes, the pinhole camera, rays, and pixel to metric conversion. Frames: see ``scene``."""
+"""Rotations about the vertical, boxes, the pinhole camera, rays and 2D outlines.
+
+``scene`` defines the frames.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +31,7 @@ def wrap(angle: float) -> float:
 
 
 def rotation_yaw(rotation: Float[np.ndarray, "3 3"]) -> float:
-    """Return the heading about +z of a rotation's x axis, radians in [-pi, pi]."""
+    """Return the angle of a rotation's x axis about +z, in radians in [-pi, pi]."""
     return float(np.arctan2(rotation[1, 0], rotation[0, 0]))
 
 
@@ -50,20 +53,20 @@ def quaternion_matrix(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "
 
 
 def quaternion_yaw(quaternion: Float[np.ndarray, "4"]) -> float:
-    """Return the yaw of a wxyz quaternion: the heading of the body's x axis about +z, radians."""
+    """Return the yaw of a wxyz quaternion: the angle of the body's x axis about +z, in radians."""
     w, x, y, z = quaternion
     return float(np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
 
 
 def turned_quaternion(quaternion: Float[np.ndarray, "4"], yaw: float) -> Float[np.ndarray, "4"]:
-    """Return a wxyz quaternion rotated about the vertical by ``yaw`` radians."""
+    """Return a wxyz quaternion rotated by ``yaw`` radians about the vertical."""
     w, x, y, z = quaternion
     c, s = np.cos(yaw / 2), np.sin(yaw / 2)
     return np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
 
 
 def rotated_extent(extent: Float[np.ndarray, "3"], yaw: float) -> Float[np.ndarray, "2"]:
-    """Return the world x, y extent of a box of ``extent`` rotated by ``yaw``."""
+    """Return the world x, y extent of a box of size ``extent`` rotated by ``yaw`` radians."""
     c, s = abs(np.cos(yaw)), abs(np.sin(yaw))
     return np.array([c * extent[0] + s * extent[1], s * extent[0] + c * extent[1]])
 
@@ -72,14 +75,14 @@ def rotated_extent(extent: Float[np.ndarray, "3"], yaw: float) -> Float[np.ndarr
 
 
 def mask_box(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "4"]:
-    """Return the tight box (x0, y0, x1, y1) of a mask, right and bottom exclusive.
+    """Return the tight bounding box (x0, y0, x1, y1) of a mask; x1 and y1 are exclusive.
 
     Raises:
         InputError: the mask is empty.
     """
     ys, xs = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     if not len(ys):
-        raise InputError("An empty mask has no box.")
+        raise InputError("An empty mask has no bounding box.")
     return np.array([xs[0], ys[0], xs[-1] + 1, ys[-1] + 1], float)
 
 
@@ -90,10 +93,10 @@ def mask_box(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "4"]:
 class Camera:
     """A pinhole camera with square pixels.
 
-    ``rotation`` maps world directions to camera axes (x right, y *down*, z forward); ``fov`` is
-    vertical, radians. Pixel (0, 0) is the top-left corner, so pixel centres are at halves.
-    ``offset`` is the offset of the principal point from the image centre to the right and down,
-    pixels.
+    ``rotation`` maps world directions to camera axes (x right, y *down*, z forward). ``fov`` is the
+    vertical field of view in radians. Pixel (0, 0) is the top-left corner, so pixel centres lie at
+    half-integers. ``offset`` is the position of the principal point relative to the image centre
+    (right, down), in pixels.
     """
 
     position: Float[np.ndarray, "3"]
@@ -115,7 +118,7 @@ class Camera:
 
     @property
     def center(self) -> Float[np.ndarray, "2"]:
-        """The principal point, pixels."""
+        """The principal point in pixels."""
         return np.array([self.width / 2, self.height / 2]) + self.offset
 
     @classmethod
@@ -127,16 +130,16 @@ class Camera:
         return cls(position, view_rotation(view), view.fov, width, height)
 
     def to_camera(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
-        """Return world points in camera axes; z is the depth in metres."""
+        """Return world points in camera coordinates; z is the depth in metres."""
         return (np.asarray(points, float) - self.position) @ self.rotation.T
 
     def project(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 2"]:
-        """Return the pixels of world points. Points behind the camera give meaningless pixels."""
+        """Return the pixel coordinates of world points; those behind the camera are meaningless."""
         p = self.to_camera(points)
         return p[:, :2] / p[:, 2:] * self.focal + self.center
 
     def rays(self, pixels: Real[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 3"]:
-        """Return unit world directions of the rays through ``pixels``."""
+        """Return the unit world directions of the rays through ``pixels``."""
         uv = np.atleast_2d(np.asarray(pixels, float))
         p = np.column_stack([(uv - self.center) / self.focal, np.ones(len(uv))])
         d = p @ self.rotation
@@ -145,7 +148,7 @@ class Camera:
         return d / length[:, None]
 
     def on_plane(self, pixels: Real[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "n 3"]:
-        """Return where the rays through ``pixels`` intersect the horizontal plane at height ``z``.
+        """Return the points where the rays through ``pixels`` meet the plane at height ``z``.
 
         Rays at or above the horizon give NaN.
         """
@@ -155,7 +158,7 @@ class Camera:
 
 
 def view_direction(view: View) -> Float[np.ndarray, "3"]:
-    """Return the unit vector from the target towards the camera of ``view``."""
+    """Return the unit vector from the target of ``view`` towards its camera."""
     c = np.cos(view.elevation)
     return np.array([c * np.sin(view.azimuth), -c * np.cos(view.azimuth), np.sin(view.elevation)])
 
@@ -170,10 +173,10 @@ def view_rotation(view: View) -> Float[np.ndarray, "3 3"]:
 
 
 def ray_view(view: View, pixel: Real[np.ndarray, "2"], width: int, height: int) -> View:
-    """Return the camera's view of an object at ``pixel``.
+    """Return the view along the ray through ``pixel``.
 
     An object away from the image centre is seen along its own ray, so its azimuth and elevation
-    differ from the camera's. ``fov`` and ``roll`` are kept.
+    differ from the camera's. ``fov`` and ``roll`` are unchanged.
     """
     camera = Camera(np.zeros(3), view_rotation(view), view.fov, width, height)
     x, y, z = camera.rays(np.asarray(pixel, float)[None])[0]
@@ -184,14 +187,14 @@ def ray_view(view: View, pixel: Real[np.ndarray, "2"], width: int, height: int) 
 def framing_camera(
     points: Float[np.ndarray, "n 3"], view: View, width: int, height: int, margin: float = 0.06
 ) -> Camera:
-    """Return the nearest camera along ``view`` that shows all ``points`` with a margin.
+    """Return the closest camera along ``view`` that shows all ``points`` with a margin.
 
-    ``margin`` is the free share of the picture on each side. The points are centred.
+    ``margin`` is the empty fraction of the picture on each side. The points are centred.
     """
     target = (points.min(0) + points.max(0)) / 2
     distance = 2.0 * float(np.linalg.norm(np.ptp(points, axis=0))) / np.tan(view.fov / 2)
     frame = np.array([width, height]) * (1 - 2 * margin)
-    for _ in range(12):  # alternate centring and approaching; converges geometrically
+    for _ in range(12):  # alternate between centring and approaching; this converges geometrically
         camera = Camera.looking_at(target, view, distance, width, height)
         low, high = _pixel_box(camera, points)
         shift = ((low + high) / 2 - [width / 2, height / 2]) * distance / camera.focal
@@ -203,7 +206,7 @@ def framing_camera(
 def _pixel_box(
     camera: Camera, points: Float[np.ndarray, "n 3"]
 ) -> tuple[Float[np.ndarray, "2"], Float[np.ndarray, "2"]]:
-    """Return the minimum and the maximum of the pixels of ``Camera.project``."""
+    """Return the minimum and maximum pixel coordinates of the projected points."""
     x, y, depth = camera.to_camera(points).T
     across, down = x / depth, y / depth
     low, high = (
@@ -217,7 +220,7 @@ def _pixel_box(
 
 
 def hull_points(points: Float[np.ndarray, "n d"]) -> Float[np.ndarray, "k d"]:
-    """Return the vertices of a convex hull; of a flat set, which has none, all distinct points."""
+    """Return the vertices of the points' convex hull, or all distinct points if the set is flat."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -234,7 +237,7 @@ def convex_outline(points: Real[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
     if len(unique) > len(_AROUND):
         unique = _leave_inner_out(unique)
 
-    path = unique.tolist()  # plain numbers: arrays of two are slow one by one
+    path = unique.tolist()  # plain floats: indexing two-element arrays one at a time is slow
     return np.array(_half_outline(path) + _half_outline(path[::-1]))
 
 
@@ -247,7 +250,7 @@ def _sort_distinct(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "m 2"]
 
 
 def _half_outline(ordered: list[list[float]]) -> list[list[float]]:
-    """Return the vertices of left turns along ``ordered``, except the last."""
+    """Return the left-turning corners of the path along ``ordered``, without the last one."""
     chain: list[list[float]] = []
     for x, y in ordered:
         while len(chain) > 1:
@@ -260,14 +263,15 @@ def _half_outline(ordered: list[list[float]]) -> list[list[float]]:
 
 
 _AROUND = 2 * np.pi * np.arange(32) / 32
-_WAYS = np.column_stack([np.cos(_AROUND), np.sin(_AROUND)]).reshape(4, 8, 2)  # a few at a time
+# in batches, which limits memory
+_WAYS = np.column_stack([np.cos(_AROUND), np.sin(_AROUND)]).reshape(4, 8, 2)
 
 
 def _leave_inner_out(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the points without those that cannot be vertices of their convex hull.
+    """Return the points without those that certainly lie inside their convex hull.
 
-    Those lie inside the polygon of the points that are farthest out in some directions (S. Akl and
-    G. Toussaint, "A fast convex hull algorithm", 1978).
+    The removed points lie inside the polygon of the extreme points in 32 directions (S. Akl and G.
+    Toussaint, "A fast convex hull algorithm", 1978).
     """
     far = np.concatenate([(points @ ways.T).argmax(0) for ways in _WAYS])
     corners = points[far[far != np.roll(far, 1)]]
@@ -290,7 +294,7 @@ def inside_margin(
 
 
 def proportion_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
-    """Return the difference of two extents' proportions: mean absolute log ratio.
+    """Return the mean absolute log ratio between the proportions of two extents.
 
     The two horizontal sides are compared in order of length; overall size does not count.
     """

@@ -18,9 +18,9 @@ from ..syntax.phrases.tree import (
 from ..vessel_sizes import holds_things, is_lit
 from . import contents
 from .links import link, topmost
+from .members import MemberReader
 from .references import Target
 from .relations import CUTLERY
-from .members import MemberReader
 
 _DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at", "beside", "aside")
 
