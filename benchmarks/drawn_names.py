@@ -38,7 +38,7 @@ class Count:
 
 def count(text: str, seed: int) -> Count:
     """Draw a text and count its detections; raises SceneError or InputError on failure."""
-    from generator.backends.embedded.drawing.painter import paint
+    from generator.backends.embedded.painter import paint
     from generator.backends.embedded.segmenter import EmbeddedSegmenter
     from generator.language.planner import plan_scene
     from generator.meshes.pixels import mask_iou

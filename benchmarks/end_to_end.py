@@ -77,7 +77,7 @@ def count_named(scene: Scene) -> int:
 
     Words are compared by their category; words without one are compared literally.
     """
-    from generator.language.parsing.lexicon import category_of
+    from generator.language.lexicon import category_of
 
     planned = scene.plan.objects if scene.plan else ()
     asked = Counter(p.noun if p.category == "generic" else p.category for p in planned)

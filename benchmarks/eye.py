@@ -35,12 +35,11 @@ import shapely
 from rich.progress import track
 from scipy.optimize import linear_sum_assignment
 
-from generator.backends.embedded.eye.horizon import fit_view
 from generator.backends.embedded.eye.network import REGIONS
 from generator.backends.embedded.eye.sight import EyeReading, see
 from generator.backends.embedded.eye.weights import load_weights
 from generator.backends.embedded.plane.plane import TablePlane
-from generator.backends.embedded.plane.tabletop import find_tabletop
+from generator.backends.embedded.plane.tabletop import find_tabletop, fit_view
 from generator.backends.embedded.segmenter import SURE, looks_of, table_of
 from generator.errors import SceneError
 from generator.geometry import Camera, view_rotation

@@ -21,7 +21,7 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from generator.backends.embedded.drawing.completion import complete
+from generator.backends.embedded.completion import complete
 from generator.backends.embedded.eye.proportions import proportion_clues
 from generator.backends.embedded.eye.weights import load_proportions, load_weights
 from generator.backends.embedded.modeler import EmbeddedModeler

@@ -11,9 +11,9 @@ from command import Shell
 from generator.backends.cloud.server import configuration
 from generator.backends.embedded.eye import weights
 from generator.backends.modelers import ai3d
-from generator.cli.machine import facts, probes
-from generator.cli.machine.command import describe
-from generator.cli.machine.probes import Probe
+from generator.cli import machine_facts as facts
+from generator.cli.doctor import describe
+from generator.cli.machine_facts import Probe
 
 PROJECT = tomllib.loads((Path(__file__).parents[1] / "pyproject.toml").read_text())["project"]
 SECRET = "sk-Zq7\x1b[31mvery-secret"
@@ -22,8 +22,10 @@ SECRET = "sk-Zq7\x1b[31mvery-secret"
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """Probes without processes, and caches in a temporary folder."""
-    monkeypatch.setattr(probes, "draw", lambda name: Probe(name == "egl", "llvm\x1b[2Jpipe"))
-    monkeypatch.setattr(probes, "cuda", lambda: Probe(False, "no device"))
+    monkeypatch.setattr(
+        facts, "probe_rendering", lambda name: Probe(name == "egl", "llvm\x1b[2Jpipe")
+    )
+    monkeypatch.setattr(facts, "probe_cuda", lambda: Probe(False, "no device"))
     for name in ("TABLETOPGEN_CACHE", "TABLETOPGEN_CALLS", "TABLETOPGEN_MODELS"):
         monkeypatch.setenv(name, str(tmp_path / f"{name}\x1b[2J"))
     for name in facts.KEYS:
@@ -115,13 +117,13 @@ def test_what_is_installed_says_the_same_as_the_checkout(monkeypatch: pytest.Mon
     ],
 )
 def test_a_probe_that_crashes_or_hangs_takes_nothing_down(code, works, said) -> None:
-    found = probes.run(code, 5.0 if "sleep" not in code else 0.5, MUJOCO_GL="osmesa")
+    found = facts.run(code, 5.0 if "sleep" not in code else 0.5, MUJOCO_GL="osmesa")
     assert found.works is works and said in found.said
 
 
 @pytest.mark.slow
 def test_the_probes_find_what_can_be_found() -> None:
-    drawn = [probes.draw(name) for name in probes.GL_BACKENDS]
-    assert all(probe.said for probe in (*drawn, probes.cuda()))
+    drawn = [facts.probe_rendering(name) for name in facts.GL_BACKENDS]
+    assert all(probe.said for probe in (*drawn, facts.probe_cuda()))
     found: dict[str, Any] = facts.facts()
     assert describe(found)

@@ -41,7 +41,7 @@ def test_the_environments_commands_are_declared() -> None:
     assert groups == {"bench", "study"} and all(
         callable(loaded[name]) for name in {*loaded} - groups
     )
-    assert str(plugins.summary_of(found["bench"])).startswith("Play fixed suites")
+    assert str(plugins.summary_of(found["bench"])).startswith("Run fixed suites")
 
 
 def test_summaries_are_first_paragraphs_of_docstrings() -> None:

@@ -1,6 +1,5 @@
 """Backends: the models behind the stages. See ``protocols``, ``select`` and ``mix``."""
 
-from .mix import Mix
-from .select import Backends
+from .select import Backends, Mix
 
 __all__ = ["Backends", "Mix"]

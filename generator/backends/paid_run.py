@@ -15,8 +15,7 @@ from ..calls.money.ledger import LEDGER
 from ..errors import DryRunError, InputError
 from ..io.bounded import read_regular
 from ..scene.provenance import plain
-from .mix import Mix
-from .select import Backends
+from .select import Backends, Mix
 
 VARIABLE = "TABLETOPGEN_CALLS"
 """Environment variable of the folder of cached responses."""

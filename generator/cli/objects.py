@@ -106,7 +106,7 @@ def export_objects(
     from tabletop_objects import build
 
     from ..exports import export_object
-    from ..objects.bodies import stand_on_floor
+    from ..objects.checks import stand_on_floor
     from ..objects.facts import require_category
 
     require_seed(seed)

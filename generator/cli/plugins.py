@@ -46,7 +46,7 @@ OWN: Mapping[str, EntryPoint] = MappingProxyType({
         "compare": "inspection:compare",
         "export": "inspection:export",
         "evaluate": "evaluate:evaluate",
-        "doctor": "machine.command:doctor",
+        "doctor": "doctor:doctor",
         "cache": "cache:app",
         "models": "models:app",
         "objects": "objects:app",

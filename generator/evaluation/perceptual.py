@@ -21,7 +21,7 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from ..backends.huggingface.detection.pixels import IMAGENET, Norm, normalise
+from ..backends.huggingface.detection.detections import IMAGENET, Norm, normalise
 from ..errors import BackendError, choices
 from .surfaces.sweep import Metric
 

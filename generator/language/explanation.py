@@ -12,7 +12,6 @@ import numpy as np
 from tabletop_objects import CATEGORIES
 
 from ..scene.plan import PlannedObject
-from .parsing.vocabulary import SIZES
 from .planner import plan_scene
 from .reader import NOT_UNDERSTOOD, read_text
 from .syntax.phrases.tree import (
@@ -26,6 +25,7 @@ from .syntax.phrases.tree import (
     Post,
     Zone,
 )
+from .vocabulary import SIZES
 
 Role = Literal[
     "thing", "count", "attribute", "relation", "arrangement", "place", "table", "style",

@@ -10,9 +10,17 @@ from functools import cache
 import numpy as np
 
 from ..errors import InputError
+from . import lexicon
 from .drafts import MAX_OBJECTS, Reading
-from .parsing import lexicon
-from .parsing.vocabulary import (
+from .semantics.interpreter import Interpreter
+from .syntax.clauses.parser import Parser
+from .syntax.phrases.tree import Sentence
+from .syntax.repairs.corrections import correct_course
+from .syntax.repairs.numbers import NumberUse, check_numbers
+from .syntax.repairs.talk import drop_talk
+from .syntax.text.tokens import list_skipped, small_words, tokens_of
+from .syntax.text.words import words_of
+from .vocabulary import (
     COLORS,
     DEFINITE,
     DRAWN,
@@ -26,14 +34,6 @@ from .parsing.vocabulary import (
     VAGUE,
     VERBS,
 )
-from .semantics.interpreter import Interpreter
-from .syntax.clauses.parser import Parser
-from .syntax.phrases.tree import Sentence
-from .syntax.repairs.corrections import correct_course
-from .syntax.repairs.numbers import NumberUse, check_numbers
-from .syntax.repairs.talk import drop_talk
-from .syntax.text.tokens import list_skipped, small_words, tokens_of
-from .syntax.text.words import words_of
 from .words.dictionary import is_english
 from .words.foreign import is_foreign
 from .words.spelling import correct

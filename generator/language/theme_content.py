@@ -14,10 +14,9 @@ from tabletop_objects.kit.surfaces import SIZE_FACTORS
 
 from ..errors import InputError, choices
 from ..scene import OutlineKind, PlannedGroup, PlannedObject, PlannedTable, Relation, RelationKind
-from . import relations
+from . import lexicon, relations
 from .drafts import MAX_OBJECTS, Reading
 from .furniture import plan_table
-from .parsing import lexicon
 from .themes import THEMES, Theme
 
 Thing = tuple[str | None, RelationKind | None, str | None]

@@ -13,10 +13,10 @@ from ..errors import SceneError
 from ..scene import TABLE, Model, Placement, PlannedGroup, PlannedObject, Relation, ScenePlan
 from .footprint import Footprint, footprint, margins
 from .furniture import outline_of
-from .groups.units import Unit, units_of
 from .orientation import natural_yaw
 from .rest import MARGIN, State, cover_with, put_on, stand_on_table, stand_unit, support_of
 from .scores import SIDES, Awaited, Neighbour, Request, violation
+from .units import Unit, units_of
 
 _TRIES = 12
 

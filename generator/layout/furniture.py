@@ -19,11 +19,9 @@ from ..geometry import convex_outline
 from ..scene import ConvexPart, Density, Model, PlannedObject, PlannedTable, ScenePlan
 from ..stand_ins import build_stand_in
 from ..tables import build_table
+from .cavities import find_cavity
 from .footprint import footprint
-from .orientation import pose, stand_up
-from .scores import SIDES
-from .vessels.cavities import find_cavity
-from .vessels.holders import (
+from .holders import (
     LIES,
     file_in_box,
     fill_vessel,
@@ -34,6 +32,8 @@ from .vessels.holders import (
     room_of,
     stand_in_holder,
 )
+from .orientation import pose, stand_up
+from .scores import SIDES
 
 _FILLING: Mapping[Density, float] = {"sparse": 0.25, "normal": 0.42, "dense": 0.62}
 """Maximum fraction of a tabletop covered by objects with their margins."""

@@ -33,8 +33,8 @@ from ..scene import (
 )
 from .footprint import rim_distance
 from .furniture import outline_of
-from .groups.seats import seats
 from .scores import SIDES, table_sides
+from .seats import seats
 
 NEAR = 0.15
 """Maximum gap between objects that are next to each other, metres."""

@@ -14,9 +14,9 @@ from ..geometry import rotation_z
 from ..scene import TABLE, Density, Model, Placement, PlannedObject, ScenePlan, Slot
 from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
-from .groups.seats import seat_center
-from .groups.units import Unit
 from .scores import Awaited, Neighbour, Request, proposals, score, violation
+from .seats import seat_center
+from .units import Unit
 
 MARGIN = 0.02
 """Minimum distance from a footprint to the table's edge, metres."""

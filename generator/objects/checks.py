@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import traceback
 from collections.abc import Iterable, Iterator, Mapping
@@ -15,6 +16,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 import numpy as np
+from jaxtyping import Float
 
 from tabletop_objects import CATEGORIES, Category
 from tabletop_objects.catalogue import INDEX, look_of, model_of
@@ -22,9 +24,11 @@ from tabletop_objects.index import row_of
 from tabletop_objects.kit.solids import signed_volume
 from tabletop_objects.kit.styles import STYLES
 
-from ..scene import Model
-from .looks import count_looks
-from .soundness import fingerprint, is_closed, mass_of
+from ..geometry import yaw_quaternion
+from ..physics.inertia import body_mass
+from ..physics.parts import body_parts, model_parts
+from ..scene import Mesh, Model, Object, Placement, Pose
+from ..scene.triangles import areas
 from .standing import drift
 
 VARIANTS = 10
@@ -275,3 +279,74 @@ def check_index(category: Category, source: Path, index: Path = INDEX) -> CheckR
 @cache
 def _rows(index: Path) -> Mapping[str, dict[str, object]]:
     return MappingProxyType(json.loads(index.read_bytes()))
+
+
+def stand_on_floor(model: Model) -> Object:
+    """Return a model as a body of its real size whose underside is at z = 0."""
+    middle = np.array([0.0, 0.0, model.size[2] / 2])
+    parts = body_parts(model, model.size)
+    weight = body_mass(model.mesh, model.size, model.physics, parts)
+    return Object(
+        model.name, model, Placement(model.name, 0.0, middle, model.size), parts,
+        weight.mass, weight.com, weight.inertia, model.physics.friction,
+        Pose(middle, yaw_quaternion(0.0)),
+    )  # fmt: skip
+
+
+_SIZE, _COLOR, _SPREAD = 0.05, 8.0, 6.0  # visible steps of log size and of colour values (0 to 255)
+
+
+def appearance(model: Model) -> Float[np.ndarray, "9"]:
+    """Return log size and the mean and spread of the surface's colours, in visible steps."""
+    mesh = model.mesh
+    area = areas(mesh.vertices.astype(float) * model.size, mesh.faces)
+    height, width = mesh.texture.shape[:2]
+    colors = []
+    for weights in np.array([(4, 1, 1), (1, 4, 1), (1, 1, 4), (2, 2, 2)]) / 6:
+        u, v = np.einsum("k,fkd->df", weights, mesh.uv[mesh.faces])
+        rows = np.clip(((1 - v) * height).astype(int), 0, height - 1)
+        colors.append(mesh.texture[rows, np.clip((u * width).astype(int), 0, width - 1)])
+    seen, share = np.concatenate(colors).astype(float), np.tile(area, 4) / area.sum() / 4
+    mean = share @ seen
+    spread = np.sqrt(share @ (seen - mean) ** 2)
+    return np.concatenate([np.log(model.size) / _SIZE, mean / _COLOR, spread / _SPREAD])
+
+
+def count_looks(models: Iterable[Model]) -> int:
+    """Count the models that differ by a visible step or more from all previously counted ones."""
+    looks: list[Float[np.ndarray, "9"]] = []
+    for model in models:
+        here = appearance(model)
+        if all(np.abs(here - other).max() > 1 for other in looks):
+            looks.append(here)
+    return len(looks)
+
+
+def is_closed(mesh: Mesh) -> bool:
+    """Return whether each edge is used equally often in both directions, after merging vertices.
+
+    Only vertices with bitwise equal positions are merged.
+    """
+    _, index = np.unique(mesh.vertices + np.float32(0), axis=0, return_inverse=True)
+    faces = index.reshape(-1)[mesh.faces].astype(np.int64)
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    count = len(mesh.vertices)
+    forwards = np.sort(edges[:, 0] * count + edges[:, 1])
+    backwards = np.sort(edges[:, 1] * count + edges[:, 0])
+    return bool((forwards == backwards).all())
+
+
+def mass_of(model: Model) -> float:
+    """Return the mass of a model at its nominal size, kg."""
+    return body_mass(model.mesh, model.size, model.physics, model_parts(model, model.size)).mass
+
+
+def fingerprint(model: Model) -> str:
+    """Return a digest of a model's visual and collision data."""
+    mesh = model.mesh
+    arrays = mesh.vertices, mesh.faces, mesh.uv, mesh.texture, model.size
+    digest = hashlib.sha256()
+    for array in (*arrays, *(part.vertices for part in model.parts)):
+        digest.update(str(array.shape).encode())
+        digest.update(np.ascontiguousarray(array).tobytes())
+    return digest.hexdigest()

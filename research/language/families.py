@@ -15,7 +15,7 @@ import gzip
 from collections.abc import Mapping
 from pathlib import Path
 
-from generator.language.parsing.lexicon import singular
+from generator.language.lexicon import singular
 from generator.language.syntax.text.function_words import NO_NOUNS
 from generator.language.syntax.text.tokens import small_words
 from tabletop_objects import CATEGORIES

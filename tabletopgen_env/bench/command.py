@@ -1,4 +1,4 @@
-"""The ``bench`` commands: run fixed suites, compare and check results, write the leaderboard."""
+"""Run fixed suites, compare and check results, and write the leaderboard."""
 
 from __future__ import annotations
 

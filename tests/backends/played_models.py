@@ -14,8 +14,8 @@ import torch
 import transformers
 from torch.nn import functional
 
+from generator.backends.huggingface.detection.detections import HALVES, IMAGENET, Norm, to_batch
 from generator.backends.huggingface.detection.grounding_dino import GroundingDino
-from generator.backends.huggingface.detection.pixels import HALVES, IMAGENET, Norm, to_batch
 from generator.backends.huggingface.detection.sam2 import Sam2
 from generator.backends.huggingface.detection.sam3 import Sam3
 from generator.backends.huggingface.detection.tiles import Tile, tiles_of

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from generator.backends.embedded.drawing.completion import complete
+from generator.backends.embedded.completion import complete
 from generator.errors import InputError
 from generator.geometry import mask_box
 from generator.meshes.pixels import mask_iou

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 import pytest
 
-from generator.backends.embedded.drawing import painter
+from generator.backends.embedded import painter
 from generator.backends.embedded.examples import compare_sizes, rate_words
 from generator.backends.embedded.eye.judge import EyeDetection
 from generator.backends.embedded.eye.weights import load_weights

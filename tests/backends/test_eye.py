@@ -6,9 +6,9 @@ import torch
 
 from generator.backends.embedded.eye import weights
 from generator.backends.embedded.eye.frames import Frame
-from generator.backends.embedded.eye.horizon import fit_view
 from generator.backends.embedded.eye.lite0 import CHANNELS, Lite0, fold
 from generator.backends.embedded.eye.network import HINTS, STRIDE, Eye
+from generator.backends.embedded.plane.tabletop import fit_view
 from generator.errors import BackendError
 from generator.geometry import Camera, view_rotation
 from generator.scene import View

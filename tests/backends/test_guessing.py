@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from generator.backends.embedded.layout.poses import guess_layout, guess_rotations
+from generator.backends.embedded.poses import guess_layout, guess_rotations
 from generator.backends.embedded.reasoner import EmbeddedReasoner
 from generator.backends.protocols import PoseGuesser
 from generator.errors import InputError

@@ -2,7 +2,7 @@
 
 import pytest
 
-from generator.language.parsing.lexicon import category_of
+from generator.language.lexicon import category_of
 
 
 @pytest.mark.parametrize(

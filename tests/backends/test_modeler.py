@@ -8,7 +8,7 @@ import pytest
 import shapely
 import trimesh
 
-from generator.backends.embedded.drawing.completion import complete
+from generator.backends.embedded.completion import complete
 from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.backends.embedded.shapes import generic as choosing
 from generator.backends.embedded.shapes import solids

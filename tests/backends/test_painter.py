@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from generator.backends.embedded.drawing import painter
+from generator.backends.embedded import painter
 from generator.language.planner import plan_scene
 
 TEXT = "a laptop, a red mug to the right of it and two books on a walnut desk"

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from generator.errors import InputError
 from generator.language import relations, themes
-from generator.language.parsing.lexicon import category_of, singular, tokens
-from generator.language.parsing.vocabulary import COLLECTIVES, SYNONYMS
+from generator.language.lexicon import category_of, singular, tokens
 from generator.language.planner import plan_scene
 from generator.language.reader import MAX_CHARACTERS
+from generator.language.vocabulary import COLLECTIVES, SYNONYMS
 from generator.scene import OutlineKind, PlannedObject, Relation, ScenePlan
 from tabletop_objects import CATEGORIES
 

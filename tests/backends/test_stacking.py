@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from generator.backends.embedded.layout.supports import stack, whole_mask
+from generator.backends.embedded.supports import stack, whole_mask
 from generator.geometry import mask_box
 from generator.scene import Instance
 

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 import shapely
 
-from generator.backends.embedded.drawing.completion import complete
+from generator.backends.embedded.completion import complete
 from generator.backends.embedded.plane.free_outline import as_seen
 from generator.backends.embedded.plane.outline import Outline, walk
 from generator.backends.embedded.plane.plane import TablePlane, fit_plane
-from generator.backends.embedded.tables.form import TableForm, corners_of
-from generator.backends.embedded.tables.likeness import find_strange, model_table, top_colors
+from generator.backends.embedded.table_form import TableForm, corners_of
+from generator.backends.embedded.table_likeness import find_strange, model_table, top_colors
 from generator.geometry import Camera, mask_box, ray_view, yaw_quaternion
 from generator.meshes.pixels import hull_corners, mask_iou
 from generator.render.raster import Rendered, place, render

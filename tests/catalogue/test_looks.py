@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from generator.objects.looks import count_looks
+from generator.objects.checks import count_looks
 from generator.scene import Model
 from tabletop_objects import build
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.objects.soundness import mass_of
+from generator.objects.checks import mass_of
 from tabletop_objects import CATEGORIES, build, get_category
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from generator.objects.soundness import is_closed
+from generator.objects.checks import is_closed
 from generator.scene import Mesh
 from tabletop_objects.kit import outlines, solids, surfaces
 from tabletop_objects.kit.shapes import mesh_of, pack, shape

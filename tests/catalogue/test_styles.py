@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.objects.soundness import fingerprint, mass_of
+from generator.objects.checks import fingerprint, mass_of
 from generator.scene import Model
 from tabletop_objects import CATEGORIES, build
 from tabletop_objects.kit.solids import signed_volume

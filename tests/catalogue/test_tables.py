@@ -7,7 +7,7 @@ import pytest
 
 from generator.errors import InputError
 from generator.geometry import inside_margin
-from generator.objects.soundness import fingerprint, is_closed
+from generator.objects.checks import fingerprint, is_closed
 from generator.scene import PlannedTable
 from generator.tables import LEGS, OUTLINES, build_table, outline_of
 

@@ -7,7 +7,7 @@ from imported import READERS
 
 from generator.errors import InputError, StorageError
 from generator.exports import WRITERS, export_object
-from generator.objects.bodies import stand_on_floor
+from generator.objects.checks import stand_on_floor
 from tabletop_objects import build
 
 

@@ -6,7 +6,7 @@ import pytest
 from generator.composition import compose
 from generator.layout.footprint import Footprint, footprint
 from generator.layout.furniture import build_models
-from generator.layout.groups.heaps import pile_heap, pile_pyramid
+from generator.layout.heaps import pile_heap, pile_pyramid
 from generator.scene import TABLE, PlannedObject, PlannedTable, Scene, ScenePlan
 
 

@@ -11,10 +11,10 @@ from generator.composition import compose
 from generator.language.planner import plan_scene
 from generator.language.vessel_sizes import cut_category, grow_carriers, open_category
 from generator.layout import build_models, lay_out
+from generator.layout.bunches import arrange_bunch, measure_stem
+from generator.layout.cavities import find_cavity
+from generator.layout.holders import file_away, head_up, stand_in_holder
 from generator.layout.orientation import stand_up
-from generator.layout.vessels.bunches import arrange_bunch, measure_stem
-from generator.layout.vessels.cavities import find_cavity
-from generator.layout.vessels.holders import file_away, head_up, stand_in_holder
 from generator.method.assembly import bring_to_rest
 from generator.physics.simulation import Simulation
 from generator.scene import PlannedObject, Provenance, Relation

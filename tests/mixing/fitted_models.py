@@ -17,8 +17,8 @@ import transformers
 from torch import Tensor
 from torch.nn import functional
 
+from generator.backends.huggingface.detection.detections import IMAGENET, bound_size, to_batch
 from generator.backends.huggingface.detection.phrases import questions
-from generator.backends.huggingface.detection.pixels import IMAGENET, bound_size, to_batch
 from generator.backends.huggingface.weights.pins import pins, snapshot
 from generator.geometry import mask_box
 

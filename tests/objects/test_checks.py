@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 
 from generator.objects import checks
-from generator.objects.checks import CheckResult, check_category
-from generator.objects.soundness import is_closed
+from generator.objects.checks import CheckResult, check_category, is_closed
 from generator.scene import ConvexPart, Mesh, Model
 from tabletop_objects import build, get_category
 from tabletop_objects.catalogue import find_source, load_category

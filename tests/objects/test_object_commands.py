@@ -16,7 +16,7 @@ from command import Shell
 from PIL import Image
 
 import tabletop_objects.catalogue as catalogue
-from generator.objects.soundness import mass_of
+from generator.objects.checks import mass_of
 from tabletop_objects import CATEGORIES, build
 
 ROOT = Path(__file__).parents[2]

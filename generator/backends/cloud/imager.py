@@ -28,8 +28,8 @@ from .drawing.picture_request import RATIOS, Form, Painter, Tolerated
 from .drawing.pictures import on_white, pad, shrink
 from .prompts import prompt
 from .questions import plan_text
+from .questions.checks import faults
 from .questions.labelled import Labelled
-from .questions.top_view_check import faults
 from .server import configuration
 from .server.client import Server
 from .server.json_text import Wrong

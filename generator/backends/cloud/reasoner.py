@@ -26,7 +26,7 @@ from ...scene import (
 from ..protocols import Instances, Sizes
 from .drawing.pictures import on_white
 from .prompts import prompt as worded
-from .questions import orientation, plan_answer, plan_text, scene_answers
+from .questions import checks, plan_answer, plan_text, scene_answers
 from .questions.labelled import Labelled
 from .server import answers, configuration
 from .server.client import Server
@@ -148,9 +148,9 @@ class CloudReasoner:
             length_axis=size.axes[0], width_axis=size.axes[1], height_axis=size.axes[2],
             length=length, width=width, height=height, x=x, y=y, z=z,
         )  # fmt: skip
-        pictures = (on_white(instance.crop), orientation.six_sides(mesh))
+        pictures = (on_white(instance.crop), checks.six_sides(mesh))
         return self.chat.ask(
-            "review_orientation", text, pictures, answers.OrientationAnswer, orientation.turns
+            "review_orientation", text, pictures, answers.OrientationAnswer, checks.turns
         )
 
     def stacking_order(

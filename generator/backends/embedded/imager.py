@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from .drawing import completion, painter, topview
+from . import completion, painter
+from . import top_view as topview
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from .shapes.generic import best_solid, oddness, score
 from .shapes.likeness import FEW, VARIANTS, Likeness, fit_likeness
 from .shapes.paint import PROJECT, paint
 from .shapes.solids import PosedSolid
-from .tables.likeness import model_table
+from .table_likeness import model_table
 
 _COARSE = 100  # likewise, during the search of catalogue shapes
 _WORKING = 200  # longer side in pixels of the compared silhouettes

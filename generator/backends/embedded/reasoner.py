@@ -23,14 +23,14 @@ from ...scene import (
     View,
 )
 from ..protocols import Instances, Sizes
+from . import poses
 from .eye.proportions import proportion_clues
 from .eye.weights import load_proportions, load_weights
-from .layout import poses
-from .layout.supports import stack
-from .layout.survey import Survey, solid_size, survey
 from .plane.measure import apparent_scale, sized_extent, usual_solid, whole_box
 from .plane.plane import TablePlane
 from .segmenter import GENERIC
+from .supports import stack
+from .survey import Survey, solid_size, survey
 
 _TAU = 0.25  # tolerance of proportions, as in the RMA-Score
 _HEIGHT = 0.74

@@ -9,7 +9,7 @@ from jaxtyping import Float
 
 from ...errors import BackendError, require
 from ..requirements import Once, models_folder, working
-from .detection.pixels import IMAGENET, normalise
+from .detection.detections import IMAGENET, normalise
 from .weights.loader import device_for, load_model
 from .weights.pins import pin
 

@@ -8,11 +8,11 @@ from dataclasses import replace
 from tabletop_objects import CATEGORIES
 
 from ..drafts import Draft, Group
-from ..parsing.lexicon import category_of, singular
-from ..parsing.vocabulary import PACKAGES, SUBSTANCES
+from ..lexicon import category_of, singular
 from ..relations import fits
 from ..syntax.phrases.tree import Noun
 from ..vessel_sizes import LOOSE, holds_things
+from ..vocabulary import PACKAGES, SUBSTANCES
 from .references import Target
 
 DEPICTIONS = frozenset({

@@ -11,8 +11,7 @@ from ..drafts import Draft, Group
 from ..syntax.phrases.tree import Arranged, Carry, Location, Noun, Zone
 from ..syntax.text import function_words as fw
 from .links import link
-from .orders import size_rank
-from .references import may_carry, pick
+from .references import may_carry, pick, size_rank
 from .things import ThingReader
 
 _TOPS = ("top", "upper", "topmost", "uppermost", "bottom")

@@ -11,7 +11,6 @@ import numpy as np
 from ...errors import InputError
 from ...scene import TABLE
 from ..drafts import Draft, Group, Grouping, Reading, assumed_relation
-from ..parsing.vocabulary import SUBSTANCES
 from ..syntax.phrases.tree import (
     Arranged,
     Lack,
@@ -20,9 +19,9 @@ from ..syntax.phrases.tree import (
     Span,
     Zone,
 )
+from ..vocabulary import SUBSTANCES
 from .links import flank, lies_flat, link, stack, unstack
-from .orders import put_in_order
-from .references import Context, Target
+from .references import Context, Target, put_in_order
 
 _ZONES = {-1: ("left_of", "in_front_of"), 1: ("right_of", "behind")}
 

@@ -9,8 +9,7 @@ from tabletop_objects import CATEGORIES
 
 from ...scene import TABLE
 from ..drafts import Draft, Group
-from ..parsing.lexicon import singular
-from ..parsing.vocabulary import MEANT_WITH
+from ..lexicon import singular
 from ..syntax.phrases.tree import (
     VARIED,
     Arranged,
@@ -21,6 +20,7 @@ from ..syntax.phrases.tree import (
 )
 from ..syntax.text import function_words as fw
 from ..vessel_sizes import LOOSE
+from ..vocabulary import MEANT_WITH
 from .counts import CountReader
 from .references import find_referred
 

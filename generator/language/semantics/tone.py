@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from ...scene import Density
-from ..parsing import lexicon
-from ..parsing.vocabulary import DRAWN, PEOPLE, STYLES
+from .. import lexicon
 from ..syntax.phrases.tree import Sentence, Span, find_denied, find_things
 from ..themes import THEMES
+from ..vocabulary import DRAWN, PEOPLE, STYLES
 from .contents import DEPICTIONS
 
 _REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")

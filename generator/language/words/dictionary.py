@@ -15,7 +15,7 @@ from types import MappingProxyType
 
 from ...scene import PlannedObject
 from ...stand_ins import GENERIC
-from ..parsing.lexicon import category_of, singular
+from ..lexicon import category_of, singular
 
 _TABLES = files("generator.language") / "words"
 

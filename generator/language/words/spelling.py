@@ -11,9 +11,9 @@ from rapidfuzz.distance import OSA
 
 from tabletop_objects import CATEGORIES
 
-from ..parsing import lexicon
-from ..parsing.vocabulary import COLORS, PLACES
+from .. import lexicon
 from ..syntax.text.words import Word
+from ..vocabulary import COLORS, PLACES
 from .dictionary import is_english
 
 _SHORTEST = 4

@@ -11,8 +11,8 @@ from desk import SIZES, THINGS, VIEW, instances, listed, reference
 from openai_server import Request, Running
 from toy import cube_mesh
 
+from generator.backends.cloud.questions.checks import six_sides, turns
 from generator.backends.cloud.questions.labelled import Labelled
-from generator.backends.cloud.questions.orientation import six_sides, turns
 from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.cloud.server.answers import OrientationAnswer
 from generator.backends.cloud.server.json_text import Wrong

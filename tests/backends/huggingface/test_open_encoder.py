@@ -10,7 +10,7 @@ import torch
 from torch.nn import functional
 
 from generator.backends.huggingface import encoder as module
-from generator.backends.huggingface.detection.pixels import IMAGENET
+from generator.backends.huggingface.detection.detections import IMAGENET
 from generator.backends.huggingface.encoder import HuggingFaceEncoder
 from generator.backends.huggingface.weights.loader import load_model
 from generator.backends.huggingface.weights.pins import pins, snapshot

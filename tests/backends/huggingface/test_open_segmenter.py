@@ -238,7 +238,7 @@ def test_a_box_s_mask_is_that_of_the_network_given_the_pixels(tiny_models: Path)
     network = load_model(pins()["sam2"], tiny_models, "who:")
     image, box = noise(64, 64), np.array([10.0, 12, 40, 50])
     (found,) = Sam2(network).mask(image, [BoxDetection("a", 1.0, box)], tiles_of(64, 64, 1, 0.25))
-    from generator.backends.huggingface.detection.pixels import IMAGENET, to_batch
+    from generator.backends.huggingface.detection.detections import IMAGENET, to_batch
 
     with torch.inference_mode():
         answer = network(

@@ -5,7 +5,7 @@ import pytest
 import torch
 import transformers
 
-from generator.backends.huggingface.detection.pixels import (
+from generator.backends.huggingface.detection.detections import (
     HALVES,
     IMAGENET,
     bound_size,

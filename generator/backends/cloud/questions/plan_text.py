@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ....layout.groups.seats import seats
+from ....layout.seats import seats
 from ....scene import TABLE, PlannedGroup, ScenePlan
 
 

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 from jaxtyping import UInt8
 
-from .detections import BoxDetection
+from .detections import IMAGENET, BoxDetection, bound_size, to_batch
 from .phrases import PhraseQuestion, best_words, questions
-from .pixels import IMAGENET, bound_size, to_batch
 from .tiles import Tile
 
 _LONGEST = 1333 / 800  # maximum ratio of the longer to the shorter side

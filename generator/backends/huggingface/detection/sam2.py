@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from .detections import BoxDetection
-from .pixels import IMAGENET, to_batch
+from .detections import IMAGENET, BoxDetection, to_batch
 from .tiles import Tile, closest
 
 if TYPE_CHECKING:

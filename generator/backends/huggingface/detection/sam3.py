@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 from jaxtyping import UInt8
 
-from .detections import BoxDetection
+from .detections import HALVES, BoxDetection, to_batch
 from .phrases import plain
-from .pixels import HALVES, to_batch
 from .sam2 import enlarge
 from .tiles import Tile
 

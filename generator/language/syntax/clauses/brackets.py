@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...parsing.vocabulary import COLORS
+from ...vocabulary import COLORS
 from ..phrases.nouns import read_noun
 from ..phrases.tree import Counted, Description, Noun, Post
 from ..phrases.zones import read_zone

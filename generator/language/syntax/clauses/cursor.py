@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 
-from ...parsing.vocabulary import TABLE_NOUNS
+from ...vocabulary import TABLE_NOUNS
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (
     Clause,

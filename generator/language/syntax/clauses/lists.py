@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from tabletop_objects import CATEGORIES
 
-from ...parsing.vocabulary import STYLES
 from ...relations import fits
 from ...vessel_sizes import open_category
+from ...vocabulary import STYLES
 from ...words.dictionary import is_finite
 from ..phrases.nouns import read_noun
 from ..phrases.tree import (

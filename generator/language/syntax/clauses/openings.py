@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from ...parsing.lexicon import singular
-from ...parsing.vocabulary import COLORS
+from ...lexicon import singular
+from ...vocabulary import COLORS
 from ...words.dictionary import is_verb
 from ..phrases.nouns import read_noun
 from ..phrases.tree import EVERYONE, Arranged, Clause, Description, Noun, Post, Zone

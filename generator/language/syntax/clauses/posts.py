@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from tabletop_objects import CATEGORIES
 
-from ...parsing.vocabulary import COLORS
+from ...vocabulary import COLORS
 from ...words.dictionary import is_verb
 from ..phrases.introductions import is_describing
 from ..phrases.nouns import read_noun

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...parsing import lexicon
-from ...parsing.vocabulary import COLORS, MATERIALS, TABLE_NOUNS
+from ... import lexicon
+from ...vocabulary import COLORS, MATERIALS, TABLE_NOUNS
 from ...words.dictionary import IRREGULAR, entry_of, is_finite, is_verb
 from ..text import function_words as fw
 from ..text.tokens import Token

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 
 from tabletop_objects import CATEGORIES
 
-from ...parsing import lexicon
-from ...parsing.vocabulary import (
+from ... import lexicon
+from ...vocabulary import (
     COLORS,
     LOOSE_NOUNS,
     MATERIALS,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from ...parsing.lexicon import category_of
-from ...parsing.vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
+from ...lexicon import category_of
+from ...vocabulary import COLORS, MATERIALS, SHADES, SIZES, STATES
 from ...words.dictionary import is_adjective
 from ..text import function_words as fw
 from ..text.numbers import SPELT

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ...parsing.vocabulary import TABLE_NOUNS
+from ...vocabulary import TABLE_NOUNS
 from ..text import function_words as fw
 from ..text.tokens import Token
 from .tree import Zone

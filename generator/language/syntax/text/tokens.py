@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from ...parsing import lexicon
+from ... import lexicon
 from . import function_words as fw
 from .words import Word
 

@@ -10,13 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....scene import TABLE, Instance, Reference, SizePrior, Stacking, View
-from ...protocols import Instances
-from ..depth.measure import ObservedSolid, measure_solid
-from ..depth.plane import find_depth_plane
-from ..depth.things import height_above_floor
-from ..plane.plane import TablePlane
-from ..plane.tabletop import find_tabletop
+from ...scene import TABLE, Instance, Reference, SizePrior, Stacking, View
+from ..protocols import Instances
+from .depth.measure import ObservedSolid, measure_solid
+from .depth.plane import find_depth_plane
+from .depth.things import height_above_floor
+from .plane.plane import TablePlane
+from .plane.tabletop import find_tabletop
 from .supports import whole_mask
 
 _THIN = 0.004  # minimum extent of any object in metres

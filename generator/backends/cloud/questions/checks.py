@@ -1,4 +1,4 @@
-"""A model seen from six sides, and the quarter turns that an answer about them implies."""
+"""A check of a drawn top view by the chat model: is each object there exactly once?"""
 
 from __future__ import annotations
 
@@ -9,8 +9,55 @@ from ....geometry import Camera
 from ....render.raster import Item, render
 from ....render.sheet import grid
 from ....scene import Mesh
-from ..server.answers import OrientationAnswer
+from ..prompts import prompt
+from ..server.answers import OrientationAnswer, TopViewAnswer
 from ..server.json_text import Wrong
+from ..server.typed_question import Chat
+from .labelled import GRID, Labelled
+
+_SAME = 0.85  # overlap from which two boxes count as the same place
+
+
+def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> tuple[str, ...]:
+    """Return the faults of a drawn top view as sentences (BackendError: no usable answer)."""
+
+    def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
+        seen = things.match(answer.things, without=(0,)).values()
+        _check_places([(a.id, np.array(box)) for a in seen for box in a.boxes])
+        found = [] if answer.from_above else ["It did not look straight down."]
+        for sight in seen:
+            called = f"The {things.by_number[sight.id].label} (number {sight.id})"
+            if not sight.boxes and not sight.covered:
+                found.append(f"{called} was missing.")
+            elif len(sight.boxes) > 1:
+                found.append(f"{called} was there {len(sight.boxes)} times.")
+        found += [f"There was a {word} that does not belong there." for word in answer.extra]
+        return tuple(found)
+
+    text = prompt("check_top_view", listing=things.names())
+    return chat.ask("top_view", text, (things.picture(), drawn), TopViewAnswer, sentences)
+
+
+def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
+    """Raise Wrong for invalid boxes, and for two objects in one place."""
+    for number, (x0, y0, x1, y1) in places:
+        if not (x0 < x1 and y0 < y1):
+            raise Wrong(
+                f"a box of number {number} is no box: it is [x0, y0, x1, y1] from 0 to {GRID}, "
+                "x0 < x1 and y0 < y1."
+            )
+    for k, (one, a) in enumerate(places):
+        for other, b in places[:k]:
+            if one != other and _overlap(a, b) > _SAME:
+                raise Wrong(f"numbers {other} and {one} are given the same place; look again.")
+
+
+def _overlap(a: np.ndarray, b: np.ndarray) -> float:
+    """Return the intersection over union of two boxes."""
+    low, high = np.maximum(a[:2], b[:2]), np.minimum(a[2:], b[2:])
+    both = float(np.prod(np.maximum(high - low, 0)))
+    return both / (float(np.prod(a[2:] - a[:2]) + np.prod(b[2:] - b[:2])) - both)
+
 
 _SIDE = 224  # pixels per view
 _DISTANCE = 12.0  # in half diagonals of the model, which gives hardly any perspective

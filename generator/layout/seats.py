@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
-from ..footprint import DIRECTIONS, Footprint
+from .footprint import DIRECTIONS, Footprint
 
 MARGIN = 0.025
 """Distance of a place setting from the table's edge, metres."""

@@ -16,13 +16,13 @@ from scipy import ndimage
 
 from tabletop_objects.kit.outlines import ellipse, rectangle, rounded_polygon
 
-from ....meshes import texture_bake
-from ....meshes.projection import Projection
-from ....meshes.shading import estimate_shading
-from ....meshes.unwrap import unwrap
-from ....scene import Instance, Mesh, Model, SizePrior, View
-from ..shapes.frames import small_mask
-from .fit import Fitted, Silhouette, fit_table
+from ...meshes import texture_bake
+from ...meshes.projection import Projection
+from ...meshes.shading import estimate_shading
+from ...meshes.unwrap import unwrap
+from ...scene import Instance, Mesh, Model, SizePrior, View
+from .shapes.frames import small_mask
+from .table_fit import Fitted, Silhouette, fit_table
 
 _COARSE, _FINE = 240, 480  # longer side in pixels of the compared silhouettes
 _EDGE = 0.02  # distance from the top's edge to reliable colours, relative to the length

@@ -10,10 +10,10 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ....errors import InputError
-from ....geometry import rotated_extent, rotation_z, wrap
-from ....scene import TABLE, LayoutBox, View
-from ...protocols import Instances, Sizes
+from ...errors import InputError
+from ...geometry import rotated_extent, rotation_z, wrap
+from ...scene import TABLE, LayoutBox, View
+from ..protocols import Instances, Sizes
 
 _STEP = np.deg2rad(15.0)  # angles are rounded to this step
 _LONG = 1.2  # ratio of a mask's axes above which it has a direction

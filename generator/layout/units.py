@@ -14,9 +14,9 @@ from jaxtyping import Float
 
 from tabletop_objects import CATEGORIES
 
-from ...geometry import convex_outline, rotation_z
-from ...scene import PlannedGroup, PlannedObject, PlannedTable, Relation
-from ..footprint import BACK, DIRECTIONS, FRONT, LEFT, RIGHT, Footprint
+from ..geometry import convex_outline, rotation_z
+from ..scene import PlannedGroup, PlannedObject, PlannedTable, Relation
+from .footprint import BACK, DIRECTIONS, FRONT, LEFT, RIGHT, Footprint
 from .heaps import Pile, pile_heap, pile_pyramid
 from .seats import Seat, seats
 

@@ -9,18 +9,18 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 from scipy.optimize import least_squares
 
-from ....geometry import Camera, hull_points, rotation_z, view_rotation, yaw_quaternion
-from ....meshes.pixels import dilate
-from ....render.contact import Body
-from ....render.raster import Item, place, render
-from ....render.sheet import TOP_DOWN
-from ....scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
-from ...protocols import Instances
-from ..depth.placement import seat
-from ..layout.supports import stack
-from ..layout.survey import floor_of, survey
-from ..plane.measure import measured_extent, whole_box
-from ..plane.plane import TablePlane
+from ...geometry import Camera, hull_points, rotation_z, view_rotation, yaw_quaternion
+from ...meshes.pixels import dilate
+from ...render.contact import Body
+from ...render.raster import Item, place, render
+from ...render.sheet import TOP_DOWN
+from ...scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
+from ..protocols import Instances
+from .depth.placement import seat
+from .plane.measure import measured_extent, whole_box
+from .plane.plane import TablePlane
+from .supports import stack
+from .survey import floor_of, survey
 
 _PIXELS = 640  # length of the table's longer side
 _MARGIN = 0.12  # margin around the table, as a fraction of its longer side

@@ -9,11 +9,11 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import UInt8
 
-from ....geometry import framing_camera, yaw_quaternion
-from ....layout import build_models, lay_out
-from ....render.raster import Rendered, place, render
-from ....render.shading import Light
-from ....scene import ScenePlan, View
+from ...geometry import framing_camera, yaw_quaternion
+from ...layout import build_models, lay_out
+from ...render.raster import Rendered, place, render
+from ...render.shading import Light
+from ...scene import ScenePlan, View
 
 WIDTH, HEIGHT = 960, 720
 """Size of a painted picture in pixels."""

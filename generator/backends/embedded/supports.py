@@ -14,9 +14,9 @@ import cv2
 import numpy as np
 from jaxtyping import Bool
 
-from ....scene import TABLE, Instance, Stacking
-from ...protocols import Instances
-from ..depth.measure import ObservedSolid, holds
+from ...scene import TABLE, Instance, Stacking
+from ..protocols import Instances
+from .depth.measure import ObservedSolid, holds
 
 Supports = dict[str, tuple[str, bool]]
 """The support of each object by name, and whether the object is inside it."""

@@ -10,11 +10,11 @@ from itertools import product
 import numpy as np
 from jaxtyping import Float
 
-from ....geometry import mask_box
-from ....meshes.pixels import Mask, dilate, mask_iou
-from ....meshes.projection import Projection, fill_hull
-from ..shapes.frames import descend
-from .form import LegStyle, TableForm, at_height, corners_of
+from ...geometry import mask_box
+from ...meshes.pixels import Mask, dilate, mask_iou
+from ...meshes.projection import Projection, fill_hull
+from .shapes.frames import descend
+from .table_form import LegStyle, TableForm, at_height, corners_of
 
 _TALL = (0.2, 1.4)  # minimum and maximum height of a table in metres
 _SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # candidate thicknesses in metres

@@ -21,7 +21,7 @@ from tabletop_objects.kit.shapes import mesh_of, shape
 from tabletop_objects.kit.solids import loft, prism
 from tabletop_objects.values import parts_to_unit_box, to_unit_box
 
-from ....scene import TABLE, Model, Physics
+from ...scene import TABLE, Model, Physics
 
 LegStyle = Literal["posts", "sled", "trestle", "pedestal"]
 Ring = Float[np.ndarray, "2 _ 3"]

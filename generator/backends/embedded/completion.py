@@ -7,8 +7,8 @@ import numpy as np
 from jaxtyping import Float, UInt8
 from scipy import ndimage
 
-from ....geometry import mask_box
-from ....meshes.pixels import (
+from ...geometry import mask_box
+from ...meshes.pixels import (
     Mask,
     dilate,
     erode,
@@ -17,7 +17,7 @@ from ....meshes.pixels import (
     largest_piece,
     nearest_inside,
 )
-from ....scene import TABLE, Detection, Instance, Reference
+from ...scene import TABLE, Detection, Instance, Reference
 
 _LONG = 288  # minimum length of a crop's longer side in pixels
 _MOST = 640

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ...physics.cover import outside
-from ...physics.parts import body_parts
-from ...scene import ConvexPart, Model
+from ..physics.cover import outside
+from ..physics.parts import body_parts
+from ..scene import ConvexPart, Model
 
 SECTORS = 24
 """Number of directions from a vessel's axis in which its wall is searched."""

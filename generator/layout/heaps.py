@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float
 
-from ..footprint import Footprint
+from .footprint import Footprint
 
 _GAP = 0.002  # gap between neighbours in a layer, metres
 _ROUND = 1.4  # maximum ratio of length to width for a lattice

@@ -10,9 +10,9 @@ from jaxtyping import Float
 
 from tabletop_objects.values import Extent, Holder, parts_to_unit_box, to_unit_box
 
-from ...physics.parts import body_parts
-from ...scene import ConvexPart, Mesh, Model, Slot
-from ...scene.quarter_turns import Steps, turn
+from ..physics.parts import body_parts
+from ..scene import ConvexPart, Mesh, Model, Slot
+from ..scene.quarter_turns import Steps, turn
 from .bunches import Stance, Stem, arrange_bunch, measure_stem
 from .cavities import SECTORS, Cavity, find_cavity
 

@@ -6,20 +6,21 @@ import contextlib
 import os
 import platform
 import re
-from dataclasses import asdict
+import subprocess
+import sys
+from dataclasses import asdict, dataclass
 from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-from ...backends.embedded import eye
-from ...backends.embedded.minisam import weights as minisam
-from ...backends.huggingface.weights.pins import missing, pins
-from ...backends.paid_run import calls_folder
-from ...backends.requirements import models_folder
-from ...physics.decomposition import hulls_folder
-from ...threads import cores
-from ..plugins import project
-from . import probes
+from ..backends.embedded import eye
+from ..backends.embedded.minisam import weights as minisam
+from ..backends.huggingface.weights.pins import missing, pins
+from ..backends.paid_run import calls_folder
+from ..backends.requirements import models_folder
+from ..physics.decomposition import hulls_folder
+from ..threads import cores
+from .plugins import project
 
 KEYS = (
     "TABLETOPGEN_CLOUD_KEY", "TABLETOPGEN_CLOUD_IMAGE_KEY", "OPENAI_API_KEY", "OPENROUTER_API_KEY",
@@ -42,8 +43,8 @@ def facts() -> dict[str, Any]:
             "cores": cores(),
         },
         "packages": {name: version(name) for name in ("tabletopgen", *needs.get("", ()))},
-        "rendering": {name: asdict(probes.draw(name)) for name in probes.GL_BACKENDS},
-        "cuda": asdict(probes.cuda()),
+        "rendering": {name: asdict(probe_rendering(name)) for name in GL_BACKENDS},
+        "cuda": asdict(probe_cuda()),
         "extras": {name: _extra(name, needs[name]) for name in sorted(needs) if name},
         "models": models(),
         "keys": {name: bool(os.environ.get(name, "").strip()) for name in KEYS},
@@ -119,3 +120,72 @@ def _entries() -> list[tuple[str, str]]:
     except metadata.PackageNotFoundError:
         return []
     return [(m[1] if (m := _EXTRA.search(entry)) else "", entry) for entry in entries]
+
+
+_LIMIT = 60.0  # time limit of a probe in seconds
+
+GL_BACKENDS = ("egl", "osmesa", "glfw")
+"""The possible values of ``MUJOCO_GL``."""
+
+_LONGEST = 200  # maximum length of a probe's output in characters
+
+_DRAW = """
+import mujoco
+from OpenGL import GL
+model = mujoco.MjModel.from_xml_string('<mujoco><worldbody><geom size="1"/></worldbody></mujoco>')
+data = mujoco.MjData(model)
+mujoco.mj_forward(model, data)
+with mujoco.Renderer(model, 32, 32) as renderer:
+    renderer.update_scene(data)
+    if not renderer.render().any():
+        raise SystemExit("the picture is black")
+    print(GL.glGetString(GL.GL_RENDERER).decode())
+"""
+
+_CUDA = """
+import torch
+if torch.version.cuda is None:
+    raise SystemExit(f"torch {torch.__version__} is built without CUDA")
+if not torch.cuda.is_available():
+    raise SystemExit("torch finds no usable device")
+print(torch.cuda.get_device_name(0))
+"""
+
+
+@dataclass(frozen=True)
+class Probe:
+    """Whether a feature works, with the device's name or the reason of the failure."""
+
+    works: bool
+    said: str
+
+
+def probe_rendering(backend: str) -> Probe:
+    """Check whether MuJoCo can render with one of ``GL_BACKENDS``."""
+    return run(_DRAW, _LIMIT, MUJOCO_GL=backend)
+
+
+def probe_cuda() -> Probe:
+    """Check whether torch can use a CUDA device."""
+    return run(_CUDA, _LIMIT)
+
+
+def run(code: str, limit: float, **environment: str) -> Probe:
+    """Run Python code in its own process, which is killed after ``limit`` seconds.
+
+    The last line of standard output is the result, and that of standard error the reason of a
+    failure.
+    """
+    try:
+        done = subprocess.run(
+            [sys.executable, "-P", "-c", code], stdin=subprocess.DEVNULL, capture_output=True,
+            text=True, errors="replace", timeout=limit, env={**os.environ, **environment},
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return Probe(False, f"no result within {limit:g} s")
+    except OSError as error:
+        return Probe(False, f"no process could be started: {error.strerror}")
+    if done.returncode < 0:
+        return Probe(False, f"the process crashed with signal {-done.returncode}")
+    lines = (done.stderr if done.returncode else done.stdout).strip().splitlines()
+    return Probe(not done.returncode, lines[-1][:_LONGEST] if lines else "")

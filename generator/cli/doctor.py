@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ..output import emit
+from .output import emit
 
 
 def doctor(*, json: bool = False) -> int:
@@ -16,7 +16,7 @@ def doctor(*, json: bool = False) -> int:
     Args:
         json: Print a JSON object instead of text.
     """
-    from .facts import facts
+    from .machine_facts import facts
 
     found = facts()
     emit(found, json, lambda: describe(found))

@@ -14,9 +14,9 @@ import numpy as np
 from jaxtyping import Bool, Float
 from scipy.spatial import ConvexHull, QhullError
 
-from ...geometry import rotation_z
-from ...physics.parts import body_parts
-from ...scene import Model
+from ..geometry import rotation_z
+from ..physics.parts import body_parts
+from ..scene import Model
 from .cavities import Cavity
 
 _SLICES = 18

@@ -1,1 +1,0 @@
-"""Pictures of plans, of hidden parts, and of the table from above."""

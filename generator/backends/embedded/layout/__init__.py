@@ -1,1 +1,0 @@
-"""Supports, positions and yaws of objects, measured or estimated."""

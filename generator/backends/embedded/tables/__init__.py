@@ -1,1 +1,0 @@
-"""The table as a solid, fitted to its picture."""

@@ -1,1 +1,0 @@
-"""``tabletopgen doctor``: the capabilities of this machine."""

@@ -1,1 +1,0 @@
-"""Vocabulary and lexicon of tabletop descriptions."""

@@ -1,1 +1,0 @@
-"""Groups: rows, circles, heaps, pyramids, and place settings at seats."""

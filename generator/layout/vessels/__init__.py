@@ -1,1 +1,0 @@
-"""Objects in vessels and racks: the available room, and how each object stands in its place."""
