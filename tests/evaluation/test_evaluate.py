@@ -238,7 +238,7 @@ def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
     assert set(told) == {*EMBEDDED, *PUBLISHED}
     assert {scene["perceptual"][name]["elevation_deg"] for name in EMBEDDED} == {50}
     bare = saved(taken.scene.replace(name="bare"), store)
-    assert "contains no picture" in shell("evaluate", bare, "--sweep").out
+    assert "keeps no picture" in shell("evaluate", bare, "--sweep").out
 
 
 @pytest.mark.slow
@@ -275,7 +275,7 @@ def test_the_command_asks_a_judge_for_marks_and_a_ranking(
     assert (marks["judge"], marks["VF"], marks["IA"], marks["PP"]) == ("Judging", 3, 4, 5)
     assert told["ranking"] == sorted([one, two], reverse=True)
     assert "marks (Judging): VF 3" in (shown := shell("evaluate", one, *words).out)
-    assert "ranked" not in shown
+    assert "ranking" not in shown
     assert "reference picture" in shell("evaluate", one, "--judge", "strict", code=2).err
 
 
@@ -310,7 +310,7 @@ def test_what_a_judge_answered_is_kept_and_counted(paid: tuple[Served, Shell]) -
     assert [c["outcome"] for c in again["ledger"]["calls"]] == ["answered"] * 3 + ["cached"] * 3
     assert {**again, "ledger": 0} == {**first, "ledger": 0}
     shown = evaluate().out
-    assert "ranked by paid" in shown and shown.splitlines()[-2].split()[0] == "total"
+    assert "ranking by paid" in shown and shown.splitlines()[-2].split()[0] == "total"
 
 
 @pytest.mark.slow
@@ -333,7 +333,7 @@ def test_a_dry_run_asks_no_judge(paid: tuple[Served, Shell]) -> None:
     assert [line.split(",")[1] for line in calls] == [" rate (m)"] * 2
     assert server.asked == []
     evaluate()
-    assert "No server would be asked" in evaluate("--dry-run").out
+    assert "No server would be called" in evaluate("--dry-run").out
 
 
 @pytest.mark.parametrize("words", [("--budget", "1"), ("--dry-run",), ("--calls", "x")])
