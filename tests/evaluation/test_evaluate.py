@@ -274,7 +274,7 @@ def test_the_command_asks_a_judge_for_marks_and_a_ranking(
     marks = told["scenes"][0]["marks"]
     assert (marks["judge"], marks["VF"], marks["IA"], marks["PP"]) == ("Judging", 3, 4, 5)
     assert told["ranking"] == sorted([one, two], reverse=True)
-    assert "marks (Judging): VF 3" in (shown := shell("evaluate", one, *words).out)
+    assert "ratings (Judging): VF 3" in (shown := shell("evaluate", one, *words).out)
     assert "ranking" not in shown
     assert "reference picture" in shell("evaluate", one, "--judge", "strict", code=2).err
 
