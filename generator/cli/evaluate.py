@@ -172,7 +172,7 @@ def _lines(facts: dict[str, Any]) -> list[str]:
             "support_accuracy": "support accuracy {:.2f}",
         }
         shown = [text.format(true[k]) for k, text in names.items() if true[k] is not None]
-        lines.append(f"compared with the truth, {true['matched']} matched:" + ", ".join(shown))
+        lines.append(f"compared with the truth, {true['matched']} matched: " + ", ".join(shown))
     marks = [f"{k} {facts['marks'][k]}" for k in ("VF", "IA", "PP") if facts["marks"][k]]
-    lines.append(f"ratings ({facts['marks']['judge']}):" + ", ".join(marks))
+    lines.append(f"ratings ({facts['marks']['judge']}): " + ", ".join(marks))
     return lines + [f"note: {note}" for note in facts["notes"]]

@@ -99,7 +99,7 @@ def test_a_handshake_byte_by_byte_is_left_in_time() -> None:
 
     with raw_server(talk) as url:
         began = time.monotonic()
-        with pytest.raises(BackendError, match="did not take the call"):
+        with pytest.raises(BackendError, match="did not accept the connection"):
             ask(session(attempts=1), url.replace("http:", "https:"), timeout=TIMEOUT)
         assert time.monotonic() - began < TIMEOUT + SPARE
 
@@ -116,7 +116,7 @@ def test_a_name_that_is_looked_up_for_ever_is_left_in_time(monkeypatch: pytest.M
     monkeypatch.setattr("socket.getaddrinfo", lookup)
     began = time.monotonic()
     try:
-        with pytest.raises(BackendError, match="did not take the call"):
+        with pytest.raises(BackendError, match="did not accept the connection"):
             ask(session(attempts=1), "http://127.0.0.1:9", timeout=TIMEOUT)
     finally:
         done.set()

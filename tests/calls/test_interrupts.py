@@ -80,7 +80,7 @@ def test_stop_gives_up_what_is_under_way() -> None:
     with hanging() as (server, _):
         threading.Timer(0.2, shared.stop.set).start()
         began = time.monotonic()
-        with pytest.raises(StoppedError, match="under way"):
+        with pytest.raises(StoppedError, match="in flight"):
             one(shared, server.url)
         assert time.monotonic() - began < HUNG / 2
 

@@ -86,7 +86,7 @@ def test_what_the_expert_did_not_do_is_found(
     counted = {"failures": [], "replayed": 3, "seed": 1}
     assert json.loads(verify("--json").out) == {bundle.name: counted}
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 0, 1))
-    assert "sound, 1 episodes replayed" in verify().out, "it claims less than holds"
+    assert "valid, 1 episodes replayed" in verify().out, "it claims less than holds"
     with_instances(bundle, TaskInstance("Lift", "cube_1", None, 3, 3))
     with monkeypatch.context() as failing:
         failing.setattr(replaying, "has_solved", lambda *_: False)
@@ -103,7 +103,7 @@ def test_what_the_expert_did_not_do_is_found(
 def test_a_bundle_without_a_certificate_has_nothing_to_play(tmp_path: Path, shell: Shell) -> None:
     made = toy_scene()
     path = save(made.replace(report=judge(made)), tmp_path)
-    assert "sound, 0 episodes replayed" in shell("verify", str(path), "--replay", "2").out
+    assert "valid, 0 episodes replayed" in shell("verify", str(path), "--replay", "2").out
     assert "episodes" not in shell("verify", str(path)).out
     assert "--replay" in shell("verify", str(path), "--replay", "-1", code=2).err
 
@@ -116,4 +116,4 @@ def test_where_nothing_plays_certificates_it_is_said(
     monkeypatch.setattr(plugins, "project", dict)
     monkeypatch.setattr(plugins, "entry_points", lambda group: ())
     said = shell("verify", str(path), "--replay", "1", code=2).err
-    assert "plays certificates again" in said
+    assert "can replay certificates" in said

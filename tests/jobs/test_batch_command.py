@@ -30,7 +30,7 @@ def test_a_batch_makes_what_compose_makes(tmp_path: Path, shell: Shell) -> None:
 
     prompts.write_text(TEXT)
     shown = shell(*args)
-    assert "0 made, 1 there already, 0 failed" in shown.out
+    assert "0 made, 1 already done, 0 failed" in shown.out
     assert "penetration_mm" in shown.out
 
 

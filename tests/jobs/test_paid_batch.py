@@ -36,7 +36,10 @@ def test_processes_spend_one_sum_and_go_on_with_a_larger_one(tmp_path: Path) -> 
         assert sorted(o.state for o in first.outcomes[:3]) == ["made", "made", "unpaid"]
         assert [o.state for o in first.outcomes[3:]] == ["made", "failed"]
         (left,) = first.unpaid
-        assert left.kind == "BudgetError" and "for all scenes, 0.0420 is spent" in str(left.error)
+        assert (
+            left.kind == "BudgetError"
+            and "0.0420 of the budget of 0.07 for all scenes is spent" in str(left.error)
+        )
         assert first.counts() == {"made": 3, "there": 0, "failed": 1, "unpaid": 1}
         assert len(server.asked) == 2
 
@@ -53,9 +56,7 @@ def test_a_folder_that_the_workers_do_not_share_ends_the_batch(tmp_path: Path) -
     budget = batch.shared_budget(tmp_path / "theirs")
     shutil.rmtree(tmp_path / "theirs")
     make = ToyMaker(str(tmp_path / "log"), "http://127.0.0.1:9", budget, 1.0)
-    with pytest.raises(
-        StorageError, match="is here not the folder that the batch was started with"
-    ):
+    with pytest.raises(StorageError, match="is not the folder in which the batch was started"):
         batch.run(["paid one"], tmp_path / "out", make)
 
 

@@ -352,7 +352,7 @@ def test_a_lost_temporary_folder_is_made_good(pool, tmp_path) -> None:
 def test_a_process_that_cannot_start_is_a_failure_like_any_other(pool, monkeypatch) -> None:
     monkeypatch.setattr("generator.jobs.workers.sys.executable", "/no/python")
     source, rng = pool(), np.random.default_rng(0)
-    with pytest.warns(RuntimeWarning, match="no process could be started"):
+    with pytest.warns(RuntimeWarning, match="process could not be started"):
         draw_until(source, rng, lambda r: r.key.startswith("scene:") and source.failures > 0)
 
 

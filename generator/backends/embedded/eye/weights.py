@@ -119,7 +119,7 @@ def _categories(text: str) -> tuple[str, ...]:
     """Return the names that the eye knows, from the metadata of its weights."""
     names = parse_json(text, "its list of categories", BackendError, max_bytes=_MOST_NOTE)
     if not isinstance(names, list):
-        raise ValueError("its category list is not a list ")
+        raise ValueError("its category list is not a list")
     return tuple(printable(name, "a category", BackendError) for name in names)
 
 
