@@ -439,5 +439,5 @@ def test_the_table_is_left_out_and_a_missing_model_named():
 
 def test_an_empty_crop_is_refused():
     model, instance = shown("mug", 0.3, (300, 200), seed=1)
-    with pytest.raises(InputError, match="empty crop"):
+    with pytest.raises(InputError, match="fully transparent crop"):
         optimised(model, dataclasses.replace(instance, crop=np.zeros((8, 8, 4), np.uint8)))
