@@ -21,14 +21,15 @@ index   meaning                                                        range    
 32-33   left, right finger touches the target                          {0, 1}
 34-36   target minus tool centre point                                 [-3, 3]     m
 37-39   table top: height, half length and half width of its outline   [-3, 3]     m
-40-267  twelve object slots of 19 entries, see below; slot 0 is the target, slot 1 the object
-        that carries the goal region, if any; the others are sorted by distance from the target
-        at the activation of its goal
+40-267  twelve object slots of 19 entries, see below; slot 0 is the
+        target, slot 1 the object that carries the goal region, if
+        any; the others are sorted by distance from the target at
+        the activation of its goal
 268     an object carries the goal region                              {0, 1}
 269-271 centre of the goal region                                      [-3, 3]     m
 272-275 its semi-axes x', y', its yaw, its semi-axis z                 [-4, 4]     m, rad
 276-278 centre of the goal region minus target                         [-3, 3]     m
-279-286 with ``grasp_hint``: where to grasp or release the target, see ``grasp_hint``
+279-286 with ``grasp_hint``: where to grasp or release the target
 ======  =============================================================  ==========  ========
 
 An object slot: 0-2 centre of its box [m], 3-8 rotation, 9-11 half its extent [m], 12-14 linear

@@ -219,7 +219,7 @@ def test_actions_that_are_not_finite_are_refused_and_change_nothing(ready, bad, 
     "action", [np.zeros(5, complex), [1j] * 5, ["0"] * 5, np.zeros(5, "datetime64[s]")]
 )
 def test_what_is_no_number_is_refused(action) -> None:
-    with pytest.raises(InputError, match="An action must be 5 real numbers, got"):
+    with pytest.raises(InputError, match="An action must have 5 real numbers, got"):
         check_action(action, ActionConfig().controller().space)
 
 

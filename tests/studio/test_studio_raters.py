@@ -219,7 +219,7 @@ def test_the_command_refuses_other_files(serving: list, tmp_path: Path, shell: S
     file = str(tmp_path / "study.html")
     studio = shell.of("studio", "--folder", str(tmp_path / "own"), "--study")
     assert "each study once" in studio(file, file, code=2).err
-    assert "at most 16" in studio(*[file] * 17, code=2).err
+    assert "maximum is 16" in studio(*[file] * 17, code=2).err
     (tmp_path / "other.html").write_text("<script>evil()</script>")
     assert "study new" in studio(file, str(tmp_path / "other.html"), code=2).err
     assert "cannot be read" in studio(str(tmp_path / "none.html"), code=2).err

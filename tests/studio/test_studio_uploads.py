@@ -71,10 +71,10 @@ def test_a_large_picture_is_shown_as_it_is_worked_at(client: TestClient) -> None
 
 
 @pytest.mark.parametrize(("data", "status", "says"), [
-    (b"<!doctype html><script>alert(1)</script>", 415, "no PNG"),
-    (b"<svg xmlns='http://www.w3.org/2000/svg'/>", 415, "no PNG"),
-    (b"%!PS-Adobe-3.0", 415, "no PNG"),
-    (b"", 415, "no PNG"),
+    (b"<!doctype html><script>alert(1)</script>", 415, "not a PNG"),
+    (b"<svg xmlns='http://www.w3.org/2000/svg'/>", 415, "not a PNG"),
+    (b"%!PS-Adobe-3.0", 415, "not a PNG"),
+    (b"", 415, "not a PNG"),
     (b"\x89PNG\r\n\x1a\n<html>", 422, "picture"),
     (b"GIF89a" + b"\0" * 50, 422, "picture"),
     (bomb(100_000, 100_000), 422, "pixels"),

@@ -40,7 +40,7 @@ def test_a_table_is_made_mended_by_mouse_saved_and_opened_in_the_environment(
     page.wait_for_timeout(500)
     drag(page, "plate_1", -20, -10)
     page.get_by_role("button", name="Save to the store").click()
-    page.get_by_text("is in your store now").wait_for()
+    page.get_by_text("is now in your store").wait_for()
     page.get_by_role("button", name="Saved").wait_for()
     scene = page.url.rpartition("/")[2]
     assert verify(studio.store / scene) == []

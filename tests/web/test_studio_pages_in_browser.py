@@ -160,7 +160,7 @@ def test_an_edit_is_followed_after_a_reload_and_from_another_tab(
     page.locator(".working").wait_for()
     page.reload()
     for each in (page, other):
-        each.get_by_text("done; the table was settled").wait_for(timeout=120_000)
+        each.get_by_text("done; the table has settled").wait_for(timeout=120_000)
         assert each.url != where
     assert page.url == other.url
     wait_for_scenes(page)
@@ -224,7 +224,7 @@ def test_a_picture_that_is_too_large_is_not_sent(browser: Browser, studio: Studi
           field.dispatchEvent(new Event('change', { bubbles: true }));
         }"""
     )
-    assert "larger than 20 MiB" in page.get_by_role("alert").inner_text()
+    assert "limit of 20 MiB" in page.get_by_role("alert").inner_text()
     assert not [url for url in sent if "pictures" in url]
 
 

@@ -29,8 +29,8 @@ GRACE = 10.0
 """Seconds between the cancellation of a job and the kill of its process."""
 
 _MAX_LINE = 2**20  # maximum size of a message, bytes
-_MAX_TOLD = 500  # maximum length of a log line, characters
-_MAX_LINES = 400  # maximum log of one run
+_MAX_CHARACTERS = 500  # maximum length of a log line, characters
+_MAX_LINES = 400  # maximum number of log lines of one run
 _PIECE = 8192
 _AFTER = 5.0  # seconds that pipes may stay open after the process has ended
 
@@ -158,7 +158,7 @@ class JobProcess:
         self._log(process, rest, count)
 
     def _log(self, process: asyncio.subprocess.Process, line: bytes, count: int) -> bool:
-        text = escape(redact(line.decode("utf-8", "replace"), _secrets())).strip()[:_MAX_TOLD]
+        text = escape(redact(line.decode("utf-8", "replace"), _secrets())).strip()[:_MAX_CHARACTERS]
         if not text or count > _MAX_LINES:
             return False
         if count == _MAX_LINES:
