@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from generator.objects.standing import floor_spec, stand
+from generator.objects.checks import floor_spec, stand
 from tabletop_objects import CATEGORIES, build
 
 HOLLOW = (

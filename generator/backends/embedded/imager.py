@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from . import completion, painter
-from . import top_view as topview
+from . import completion, painter, top_view
 
 
 @dataclass(frozen=True)
@@ -20,4 +19,4 @@ class EmbeddedImager:
 
     draw = staticmethod(painter.draw)
     complete = staticmethod(completion.complete)
-    top_view = staticmethod(topview.top_view)
+    top_view = staticmethod(top_view.top_view)
