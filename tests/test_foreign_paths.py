@@ -94,7 +94,7 @@ def test_a_folder_is_checked_before_the_work(tmp_path: Path) -> None:
         with pytest.raises(StorageError, match=r"--out .*cannot be written.*not a folder"):
             check_folder(wrong)
     for wrong in (tmp_path, tmp_path / "pipe"):
-        with pytest.raises(StorageError, match=r"--sheet .*not a file"):
+        with pytest.raises(StorageError, match=r"--sheet .*not a regular file"):
             check_target(wrong, "--sheet")
     with pytest.raises(StorageError, match="not a folder"):
         check_target(tmp_path / "file" / "picture.png")

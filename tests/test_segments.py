@@ -52,7 +52,7 @@ def test_more_colours_than_names_are_refused(segments: Segments) -> None:
     entries, raw = encode_segments(segments)
     with pytest.raises(BundleError, match="do not match"):
         decode_segments(entries[:2], raw)
-    with pytest.raises(BundleError, match="must be a text"):
+    with pytest.raises(BundleError, match="must be a string"):
         decode_segments([{"name": 3, "label": "x"}], raw)
     with pytest.raises(BundleError, match="PNG"):
         decode_segments(entries, raw[:40])

@@ -207,7 +207,7 @@ def test_a_function_whose_module_changed_is_another_policy(
 
 
 @pytest.mark.parametrize(("policy", "why"), [
-    ("Loud", "the policy's digest must be a text"),
+    ("Loud", "the policy's digest must be a string"),
     ("Nobody", "does not create a policy"),
     ("number", "without predict"),
     ("Deaf", "acts at 10 Hz"),

@@ -201,7 +201,7 @@ def test_kinds_of_nothing_are_refused(path: Path, change: Callable[[dict[str, An
 
 
 def test_names_of_objects_are_printable() -> None:
-    with pytest.raises(InputError, match="called"):
+    with pytest.raises(InputError, match="cannot be printed"):
         toy_scene((toy_object(ESCAPE, (0.05, 0.05, 0.05), (0, 0)),))
 
 

@@ -334,7 +334,7 @@ def test_a_dry_run_asks_no_judge(paid: tuple[Served, Shell]) -> None:
     assert [line.split(",")[1] for line in calls] == [" rate (m)"] * 2
     assert server.asked == []
     evaluate()
-    assert "No server would be asked" in evaluate("--dry-run").out
+    assert "No server would be called" in evaluate("--dry-run").out
 
 
 @pytest.mark.parametrize("words", [("--budget", "1"), ("--dry-run",), ("--calls", "x")])

@@ -164,7 +164,7 @@ def test_a_card_that_is_not_sound_is_refused(policy, tmp_path: Path, changes, wh
         ({KEY: json.dumps({"format": FORMAT})}, "has unexpected keys"),
         ({KEY: "[" * 5000}, "not a valid policy"),
         ({KEY: "[NaN]"}, "NaN"),
-        ({KEY: "[1]"}, "one JSON object"),
+        ({KEY: "[1]"}, "must be a JSON object"),
         ({KEY: " " * 10**5}, "more than"),
     ],
 )

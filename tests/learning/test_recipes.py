@@ -130,7 +130,7 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
     path.write_text("task = 'Push'\nalgorithm = 'ppo'\nnetwork = {layers = [8]}\n")
     assert (recipe(str(path)).name, recipe(str(path)).network.layers) == ("mine", (8,))
     for text, why in (
-        ("task = ", "no TOML"), ("steps = inf", "not a finite number"), ("", "needs 'task'"),
+        ("task = ", "not valid TOML"), ("steps = inf", "not a finite number"), ("", "needs 'task'"),
         ("options = {a = [2026-01-01]}", "2026-01-01 is a date"),
         ("env = {a = 07:32:00}", "a time"),
     ):  # fmt: skip

@@ -155,7 +155,7 @@ def test_what_passes_is_waited_for(
         (["html"] * 9, "HTML"),
         (["words"], r"no JSON \('All is well\.'\)\. Is http.*the address of the API"),
         (["list"], r"not a JSON object: '\[1, 2\]'"),
-        (["empty"] * 9, "no chat completion"),
+        (["empty"] * 9, "not a chat completion"),
         (["error in 200"] * 9, "upstream is busy"),
     ],
 )

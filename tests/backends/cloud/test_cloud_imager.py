@@ -500,5 +500,8 @@ def test_geometry_stands_in_with_a_warning(server: Running, make_imager: Make) -
     assert set(top.boxes) == {"book_1", "mug_1", "pen_1"}
     assert set(top.repaired) == set(top.boxes)
     (warning,) = top.warnings
-    assert "made by geometry" in warning and "3 top views drawn by brush-1 were wrong." in warning
+    assert (
+        "rendered from geometry" in warning
+        and "3 top views drawn by brush-1 were wrong." in warning
+    )
     assert "The pen (number 3) was missing." in warning

@@ -271,7 +271,7 @@ def test_geometry_stands_in_for_a_top_view_that_cannot_be_had(
     server.script.chat = lambda request: check
     server.script.failures.extend([failure] if failure else [])
     (warning,) = top_view(keeping(tmp_path))
-    assert "made by geometry" in warning and why in warning
+    assert "rendered from geometry" in warning and why in warning
     server.script.paint, server.script.chat = unfit, lambda request: VIEWED
     assert top_view(keeping(tmp_path)) == ()  # and the next run has another try
 

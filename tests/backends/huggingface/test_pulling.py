@@ -162,7 +162,7 @@ def test_no_server_at_all(model: Pin, tmp_path: Path, monkeypatch: pytest.Monkey
 
 def test_a_pin_of_a_pickle_is_refused(hub: Hub, model: Pin, tmp_path: Path) -> None:
     bad = dataclasses.replace(model, files=("config.json", "pytorch_model.bin"))
-    with pytest.raises(BackendError, match="a pickle; only safetensors are fetched"):
+    with pytest.raises(BackendError, match="a pickle; only safetensors are supported"):
         pull(bad, tmp_path)
     assert hub.asked == []
 
