@@ -237,8 +237,8 @@ def test_a_download_that_goes_on_is_waited_for(tmp_path: Path) -> None:
          StorageError, "disk full"),
         ("print('noise')\nprint(json.dumps({'kind': 'x', 'message': 'no'}))\nsys.exit(1)",
          BackendError, "no"),
-        ("print('[' * 9000)\nsys.exit(1)", BackendError, "exit code 1"),
-        ("os.kill(os.getpid(), 9)", BackendError, "exit code -9"),
+        ("print('[' * 9000)\nsys.exit(1)", BackendError, "exited with code 1"),
+        ("os.kill(os.getpid(), 9)", BackendError, "exited with code -9"),
     ],
 )  # fmt: skip
 def test_what_a_download_ends_with_is_told(
