@@ -274,8 +274,8 @@ def test_the_command_asks_a_judge_for_marks_and_a_ranking(
     marks = told["scenes"][0]["marks"]
     assert (marks["judge"], marks["VF"], marks["IA"], marks["PP"]) == ("Judging", 3, 4, 5)
     assert told["ranking"] == sorted([one, two], reverse=True)
-    assert "marks (Judging): VF 3" in (shown := shell("evaluate", one, *words).out)
-    assert "ranked" not in shown
+    assert "ratings (Judging): VF 3" in (shown := shell("evaluate", one, *words).out)
+    assert "ranking" not in shown
     assert "reference picture" in shell("evaluate", one, "--judge", "strict", code=2).err
 
 
@@ -311,7 +311,7 @@ def test_what_a_judge_answered_is_kept_and_counted(paid: tuple[Served, Shell]) -
     assert [c["outcome"] for c in again["ledger"]["calls"]] == ["answered"] * 3 + ["cached"] * 3
     assert {**again, "ledger": 0} == {**first, "ledger": 0}
     shown = evaluate().out
-    assert "ranked by paid" in shown and shown.splitlines()[-2].split()[0] == "total"
+    assert "ranking by paid" in shown and shown.splitlines()[-2].split()[0] == "total"
 
 
 @pytest.mark.slow

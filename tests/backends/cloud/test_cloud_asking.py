@@ -153,7 +153,7 @@ def test_what_passes_is_waited_for(
         (["500"] * 9, "status 500"),
         (["429"] * 9, "status 429"),
         (["html"] * 9, "HTML"),
-        (["words"], r"no JSON \('All is well\.'\)\. Is http.*the address of the API"),
+        (["words"], r"no JSON \('All is well\.'\)\. Check that http.*the address of the API"),
         (["list"], r"not a JSON object: '\[1, 2\]'"),
         (["empty"] * 9, "not a chat completion"),
         (["error in 200"] * 9, "upstream is busy"),

@@ -270,7 +270,7 @@ def test_list_tells_what_is_pinned_and_what_is_here(
     }  # fmt: skip
     lines = shell("models", "list", "--folder", str(tmp_path)).out.splitlines()
     assert len(lines) == len(pins()) + 2
-    assert all(line.endswith("not here") for line in lines[:-1])
+    assert all(line.endswith("not available") for line in lines[:-1])
     assert next(line for line in lines if line.startswith("sam3")).split()[3] == "unknown"
     assert lines[-1] == f"folder: {tmp_path}"
 
