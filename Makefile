@@ -9,7 +9,7 @@ PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 # Modules are compiled once, not anew by each process that the tests start.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo check test test-fast test-catalogue lint format types web docs build clean
+.PHONY: demo check test test-fast test-quick test-catalogue lint format types web docs build clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -36,8 +36,8 @@ web: tabletopgen_web/static/study.html  ## the web pages, from TypeScript, with 
 demo: $(VENV)/.installed  ## a text and a picture to bundles, the Panda moves an object on each
 	$(BIN)/python examples/demo.py --out out
 
-check: $(VENV)/.installed-dev  ## lint, types and the fast tests, side by side
-	$(MAKE) --jobs=3 --output-sync=target lint types test-fast
+check: $(VENV)/.installed-dev  ## lint, types and the quick tests, side by side
+	$(MAKE) --jobs=3 --output-sync=target lint types test-quick
 
 test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of arrays are checked in its fast part
 	$(MAKE) test-fast
@@ -45,6 +45,9 @@ test: $(VENV)/.installed-dev  ## the whole test suite; shapes and types of array
 
 test-fast: $(VENV)/.installed-dev $(if $(shell command -v npm),web)
 	TABLETOPGEN_CHECK_ARRAYS=1 $(PYTEST) -m "not slow"
+
+test-quick: $(VENV)/.installed-dev  ## tests of less than a second each (tests/quick.py)
+	$(PYTEST) -m "not slow" --quick
 
 test-catalogue: $(VENV)/.installed-dev  ## checks of every category; TABLETOPGEN_RECORD_PROOFS=1 records what passes
 	TABLETOPGEN_EVERY_CATEGORY=1 $(PYTEST) tests/catalogue

@@ -17,6 +17,8 @@ for name in ("MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
 # Tests must not use the files and settings of the user who runs them.
 os.environ["TABLETOPGEN_CACHE"] = str(Path(tempfile.gettempdir()) / f"no-store-{os.getpid()}")
 
+pytest_plugins = ("quick",)
+
 if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
     import typechecking
 

@@ -17,6 +17,7 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 import numpy as np
 from jaxtyping import UInt8
@@ -108,8 +109,13 @@ def small_study(
     template: str = TEMPLATE,
     **options: Any,
 ) -> StudyFiles:
-    """Return a study of plain pictures; by default each rater sees all scenes."""
-    found, ignored = collect(write_pictures(folder, methods, names), folder / "inputs", Drawing())
+    """Return a study of plain pictures; by default each rater sees all scenes.
+
+    The pictures are decoded in this process: a child per picture takes most of a test's time.
+    """
+    results = write_pictures(folder, methods, names)
+    with mock.patch("generator.sandbox.runner.is_inside", return_value=True):
+        found, ignored = collect(results, folder / "inputs", Drawing())
     assert ignored == []
     chosen = StudyOptions(**{"scenes": len(names), "min_seconds": 0, **options})
     return make_study(found, methods, chosen, template)

@@ -12,6 +12,11 @@ def _skip(missing: str) -> None:
     pytest.skip(missing)
 
 
+@pytest.fixture(autouse=True)
+def _inline(inline: None) -> None:
+    """Decode pictures in this process: a child per picture takes most of a test's time."""
+
+
 @pytest.fixture(scope="session")
 def template() -> str:
     """The built page."""
