@@ -126,13 +126,19 @@ class Digests:
 
 
 def code_of(tree: ast.AST) -> bytes:
-    """Return code without docstrings, comments and layout."""
+    """Return code without docstrings, those of constants included, comments and layout."""
     for node in ast.walk(tree):
-        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and (
-            ast.get_docstring(node, clean=False) is not None
-        ):
-            node.body = node.body[1:]
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef):
+            node.body = [each for each in node.body if not _is_docstring(each)]
     return ast.dump(tree).encode()
+
+
+def _is_docstring(node: ast.stmt) -> bool:
+    return (
+        isinstance(node, ast.Expr)
+        and isinstance(node.value, ast.Constant)
+        and isinstance(node.value.value, str)
+    )
 
 
 def _digest(content: bytes) -> str:

@@ -62,6 +62,11 @@ def test_comments_docstrings_and_layout_do_not_count(tree: Path) -> None:
     assert find_changes(tree, "kit/solids.py", code) == set()
 
 
+def test_docstrings_of_constants_do_not_count(tree: Path) -> None:
+    code = "THICK = 2\n'''Thickness of a wall, metres.'''\n"
+    assert find_changes(tree, "kit/styles.py", code) == set()
+
+
 def test_known_modules_are_not_parsed(tree: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     first = Digests({}, tree)
     digest = first.of("cups", "objects.cups")
