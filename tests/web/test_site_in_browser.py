@@ -180,4 +180,4 @@ def test_two_scenes_beside_each_other_on_a_phone(browser: Browser, site: str) ->
 def test_a_scene_that_is_not_there_is_said(browser: Browser, site: str) -> None:
     page = opened(browser).page
     page.goto(f"{site}#/scene/no-such-table")
-    assert "no scene called no-such-table" in page.get_by_role("alert").inner_text()
+    assert "There is no scene no-such-table" in page.get_by_role("alert").inner_text()
