@@ -18,7 +18,7 @@ from ..errors import BackendError
 T = TypeVar("T")
 
 MODELS = "TABLETOPGEN_MODELS"
-"""Environment variable of the models' folder, which may be a Hugging Face cache (``hub``)."""
+"""Environment variable that sets the models' folder; a Hugging Face cache (``hub``) will do."""
 
 
 def module(name: str, backend: str, how: str) -> ModuleType:

@@ -47,8 +47,8 @@ class SessionState:
     def check_price(self, model: str, base_url: str, what: str) -> None:
         """Check that a budget can be enforced for a model: its price is known, or it runs locally.
 
-        If the store has answers, it may answer all calls; then the first call that must be paid for
-        is refused instead.
+        If the store holds answers, it may be able to answer every call, so no error is raised here;
+        the first call that must be paid for is refused instead.
 
         Raises:
             BudgetError: the price is unknown; the message starts with ``what`` and explains how to

@@ -1,4 +1,4 @@
-"""Scenes of other programs converted to scenes of this one: MJCF, and GLB files.
+"""Import of scenes from other programs: MJCF and GLB files.
 
     from generator.imports import import_scene
 

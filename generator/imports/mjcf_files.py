@@ -72,7 +72,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
 
 @dataclass
 class _Reader:
-    """Reads files of one folder; ``base`` is the model's folder, ``files`` go to MuJoCo."""
+    """Reads files of one folder; ``base`` is the model's folder, ``files`` are passed to MuJoCo."""
 
     folder: Path
     base: PurePosixPath

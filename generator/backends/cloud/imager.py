@@ -121,7 +121,7 @@ class CloudImager:
         """Redraw one object completely, without occlusion, and register it to the picture.
 
         Raises:
-            BackendError: none of ``REDRAWS`` more drawings shows it either; also see ``draw``.
+            BackendError: even after ``REDRAWS`` redraws, no drawing shows it; see also ``draw``.
         """
         cutout = cutouts.cut(reference, detection, others)
         place = Labelled.of(
@@ -208,7 +208,7 @@ class CloudImager:
         )
 
     def _take(self, seed: int, take: int) -> str:
-        """Return words that make the requests for different drawings different."""
+        """Return words that distinguish the requests for different drawings."""
         number = 1 + take + (1 + REDRAWS) * (self.seed + seed)
         return f"Version {number}. Do not write this number."
 

@@ -35,7 +35,7 @@ from .weights.loader import device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"
-"""Environment variable of the detector, for a segmenter that is selected by name."""
+"""Environment variable that selects the detector when the segmenter is selected by name."""
 
 GENERIC = "object"
 """The label that requests any object on the table."""
@@ -139,7 +139,7 @@ class HuggingFaceSegmenter:
     def _find(
         self, image: UInt8[np.ndarray, "h w 3"], words: tuple[str, ...], parts: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return one detection per box; generic ones are named by a second pass over the whole.
+        """Return one detection per box; generic ones are named in a second pass.
 
         A table's box may also be an object's box; another word for it does not remove the table.
         """

@@ -25,7 +25,7 @@ _PROXIES = ("http", "https", "socks5", "socks5h")
 
 
 class Dialer(httpcore2.NetworkBackend):
-    """Opens connections and shuts them all down at a deadline of ``time.monotonic``.
+    """Opens connections and shuts them all down at a deadline, in terms of ``time.monotonic``.
 
     The timeouts of HTTP libraries apply to single reads, so a server that sends a byte now and then
     could block a call forever.

@@ -2,7 +2,8 @@
 
 Each change is one transaction, so a process may be killed at any point. SQLite's locks work on one
 machine only: the file must not be on a network disk that several machines write to. In a cluster,
-one process owns the file and accesses it for the others; see ``Keeper`` and ``jobs.on_ray``.
+one process owns the file and accesses it on behalf of the others; see ``Keeper`` and
+``jobs.on_ray``.
 
 The file is untrusted: it is opened only if it is a regular file of bounded size with exactly these
 tables. Its content is checked, and it is never deleted or replaced.

@@ -80,7 +80,7 @@ _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "+y": ((-1, 0, 0), (0, -1, 0)),
     "-y": ((1, 0, 0), (0, 1, 0)),
 }
-"""By the axis towards the camera: the axis to the right in the picture, and the camera's direction.
+"""For each axis towards the camera: the axis that points right, and the camera's direction.
 """
 
 
@@ -100,7 +100,7 @@ def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
-    """Return the steps that turn ``up`` upward, then ``along`` to x (Wrong: both are one axis)."""
+    """Return the steps that turn ``up`` upward, then ``along`` to x (Wrong: on one axis)."""
     if answer.up[1] == answer.along[1]:
         raise Wrong(f'"along" is {answer.along}, but {answer.up} is up: they must be two axes.')
     steps = _UP[answer.up]

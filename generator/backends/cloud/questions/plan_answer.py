@@ -42,7 +42,7 @@ def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
     """Return the plan of an answer, in the form that the embedded planner would return.
 
     Carriers are enlarged for their contents, impossible relations are dropped, and warnings list
-    the stand-ins of objects that the catalogue lacks.
+    the stand-ins for objects that the catalogue lacks.
 
     Raises:
         Wrong, InputError: the answer contradicts itself.
@@ -157,7 +157,7 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
 
 
 def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
-    """Raise Wrong if a group does not fit its kind; ``laid`` are the previous seats."""
+    """Raise Wrong if a group does not fit its kind; ``laid`` holds the seats already laid."""
     if group.around is not None and group.kind != "circle":
         raise Wrong(f"{where} is around a thing; only a circle is.")
     if (group.seat is not None) != (group.kind == "setting"):

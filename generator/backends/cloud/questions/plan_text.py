@@ -71,7 +71,7 @@ def _arrangement(group: PlannedGroup, plan: ScenePlan) -> str:
 
 
 def _descriptions(plan: ScenePlan) -> dict[str, str]:
-    """Return each object's description: its looks, and its number if its noun repeats."""
+    """Return each object's description: its appearance, and its number if its noun is repeated."""
     nouns = [thing.noun for thing in plan.objects]
     called = {TABLE: "the table"}
     for thing in plan.objects:

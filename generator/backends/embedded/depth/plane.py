@@ -1,4 +1,4 @@
-"""The table plane of an RGB-D picture in metres, found in its points rather than its colours.
+"""The table plane of an RGB-D picture in metres, found from its points, not its colours.
 
 Planes are drawn from triples of neighbouring points (a seeded RANSAC: Fischler and Bolles, 1981),
 refined by least squares on their inliers, and scored: a tabletop faces up, is low in the picture,
@@ -55,7 +55,7 @@ class Level:
         return points @ np.array(self.normal) + self.height
 
     def spread(self, distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
-        """Return the measurement error, in metres, of points of the plane at a distance."""
+        """Return the measurement error of points on the plane at a given distance, in metres."""
         return np.maximum(2.5 * self.grain * noise(distance), _FINEST)
 
 
@@ -97,7 +97,7 @@ def find_depth_plane(
 def _solve(
     data: bytes, height: int, width: int, intrinsics: Intrinsics, hint: bytes | None
 ) -> TablePlane:
-    """Solve for the plane, with a cache, because several stages need the plane of one picture."""
+    """Solve for the plane; the result is cached, because several stages need it."""
     depth = np.frombuffer(data, np.float32).reshape(height, width)
     points = camera_points(depth, intrinsics)
     table = None
@@ -241,7 +241,7 @@ def _candidates(
     side: int,
     hint: Bool[np.ndarray, "n"] | None,
 ) -> list[_Candidate]:
-    """Draw planes in sequence, each from the points that the previous ones left over."""
+    """Draw planes in sequence, each from the points that the previous ones left."""
     rng = np.random.default_rng(_SEED)
     left = np.ones(len(cloud), bool)
     found: list[_Candidate] = []

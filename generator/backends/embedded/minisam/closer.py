@@ -82,8 +82,8 @@ def complete(
 ) -> list[Bool[np.ndarray, "h w"]]:
     """Return the outlines, each with the parts that belong to it; pieces of an object are merged.
 
-    ``clear`` marks outlines that are certainly separate objects; only their own whole can make them
-    pieces. ``may_be_thing`` rejects wholes that are the table or the background.
+    ``clear`` marks outlines that are certainly separate objects; only their own close-ups can show
+    that they are pieces. ``may_be_thing`` rejects wholes that are the table or the background.
     """
     seen = [c if c.whole is None or may_be_thing(c.whole) else replace(c, whole=None) for c in seen]
     areas = [int(c.mask.sum()) for c in seen]

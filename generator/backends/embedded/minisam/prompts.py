@@ -1,7 +1,7 @@
-"""Prompts: boxes at the eye's detections, then points where objects are not yet covered.
+"""Prompts: boxes around detected objects, then points where objects are not yet covered.
 
-A grid of points over the whole picture would find the same objects as the eye's object map, at ten
-times the cost. Uncertain points come last.
+A grid of points over the whole picture would find the same objects as the detector's object map, at
+ten times the cost. Uncertain points come last.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Proposal:
     """A mask that may be an object.
 
     ``quality`` is the model's own quality estimate times the mask's stability; ``seen`` is the
-    eye's mean object probability under the mask.
+    detector's mean object probability under the mask.
     """
 
     mask: Bool[np.ndarray, "h w"]
@@ -107,7 +107,7 @@ def may_be_thing(
     things: Float[np.ndarray, "h w"],
     top: Bool[np.ndarray, "h w"],
 ) -> bool:
-    """Return whether a mask is neither table nor background, according to the eye's map."""
+    """Return whether a mask is neither table nor background, according to the detector."""
     if not mask.any() or mask.sum() > _LARGEST * mask.size:
         return False
     if (mask & top).sum() > _TABLE * top.sum():

@@ -1,7 +1,7 @@
-"""The tabletop's outline in a picture: the boundary of the eye's region, snapped to edges.
+"""The tabletop's outline in a picture: the detected region's boundary, snapped to edges.
 
-The eye returns the pixels of the whole top surface, including the objects on it. All tabletops of
-the catalogue are convex, so the hull of this region is the outline; where the surface itself is
+The detector returns the pixels of the whole top surface, including the objects on it. All tabletops
+of the catalogue are convex, so the hull of this region is the outline; where the surface itself is
 visible next to it, the outline is moved to the picture's edge.
 """
 

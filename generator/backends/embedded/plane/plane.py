@@ -3,8 +3,8 @@
 One least-squares problem serves every outline: find the camera (azimuth, elevation, field of view,
 position) and the table (ratio of depth to length, corner radius) for which the outline's edge
 points, projected onto the plane, lie on a rounded rectangle, an ellipse or a triangle. Weak priors
-determine what a single view leaves open: a rectangle seen head-on does not separate field of view
-from depth.
+determine what a single view leaves open: for example, the field of view and the depth of a
+rectangle seen head-on.
 """
 
 from __future__ import annotations

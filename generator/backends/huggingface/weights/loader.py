@@ -75,7 +75,7 @@ def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
 
 
 def _anew(pin: Pin, folder: Path) -> str:
-    """Return how to download a damaged model again; its files are links within the same folder."""
+    """Return advice for downloading a damaged model again; its files are links in its folder."""
     return (
         f"Delete {snapshot(pin, folder).parents[1]} and run: "
         f"tabletopgen models pull {pin.name} --folder {folder}"

@@ -21,7 +21,7 @@ class Pin:
         name: name in this project.
         repository: id on Hugging Face.
         revision: the commit, 40 hexadecimal digits.
-        kind: class of transformers that loads it.
+        kind: the class in ``transformers`` that loads it.
         licence: licence of the weights.
         files: files to download, including ``WEIGHTS``.
         bytes: size of the weights; 0 if unknown.
