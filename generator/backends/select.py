@@ -179,7 +179,7 @@ class Backends:
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def for_text(self) -> Backends:
-        """Return the backends for pictures drawn from a text, for which a modeler may be faster."""
+        """Return the backends for pictures drawn from a text; their modeler may be a faster one."""
         quick = getattr(self.modeler, "for_text", None)
         return self if quick is None else dataclasses.replace(self, modeler=quick())
 

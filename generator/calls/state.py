@@ -62,11 +62,11 @@ class SessionState:
             raise unknown_price(what, self.budget, model or f"@{at.netloc}")
 
     def wait_for(self, call: Future[Any]) -> BaseException | None:
-        """Wait for a pending call; return an interrupt that arrived meanwhile, to be raised later.
+        """Wait for a pending call; return any interrupt during the wait, to be raised later.
 
         Raises:
             StoppedError: the session stopped, and the call did not end within ``grace`` seconds.
-            KeyboardInterrupt: likewise in the main thread, or a second interrupt arrived.
+            KeyboardInterrupt: the same happened in the main thread, or a second interrupt arrived.
         """
         own = Deadline()
         interrupt: BaseException | None = None

@@ -52,7 +52,7 @@ class EngineFriction:
 
 
 def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, EngineFriction]:
-    """Return the coefficients of each body by name; the floor has those of the ``table``."""
+    """Return the coefficients of each body by name; the floor's equal those of the ``table``."""
     wanted = {body.name: max(body.friction, table) for body in bodies}  # on the table, in MuJoCo
     most = max(wanted.values())
     middle = max(table, _REACH * most)

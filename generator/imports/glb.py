@@ -329,7 +329,7 @@ def _collision_of(
 def _shells(
     header: Header, place: _Place, meshes: Sequence[trimesh.Trimesh] | BackendError, what: str
 ) -> Iterator[ConvexPart]:
-    """Yield the convex parts of one place of the scene "collision", in the frame of its body."""
+    """Yield the convex parts at one place in the scene "collision", in its body's frame."""
     if isinstance(meshes, BackendError):
         raise meshes
     kind = str(_extras(header["nodes"][place.node]).get("kind"))

@@ -43,8 +43,8 @@ def import_scene(
     on a plain one. Objects that cannot be imported are refused without affecting the others;
     ``list_outcomes`` gives the outcome of each. The same source gives the same scene.
 
-    ``config`` replaces the settings of the assembly, including the gate's lean, which is otherwise
-    that of the options.
+    ``config`` replaces the settings of the assembly, including the gate's lean, which otherwise
+    comes from the options.
 
     Raises:
         InputError: the source cannot be read, or has no usable object, no table or too many

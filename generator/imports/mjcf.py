@@ -410,7 +410,7 @@ class GeomLooks:
         return model.mat_rgba[material].astype(np.float64)
 
     def repeat(self, geom: int) -> Float[np.ndarray, "2"]:
-        """Return the number of repetitions of a geom's texture along each of its sides."""
+        """Return how often a geom's texture repeats along each of its sides."""
         material = int(self._model.geom_matid[geom])
         if material < 0:
             return np.ones(2)

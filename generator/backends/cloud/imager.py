@@ -54,7 +54,7 @@ class CloudImager:
         chat_base_url: the chat server.
         chat_model: the chat model, which checks top views.
         seed: different seeds give different drawings.
-        session: shared state of the calls of one generation; not part of the identity.
+        session: state that all calls of one generation share; not part of the identity.
         fallback: the imager for top views if the model draws no usable one; ``Backends.select``
             passes the embedded imager. None raises the error instead.
     """

@@ -44,7 +44,7 @@ class CloudReasoner:
         base_url: an OpenAI-compatible server whose chat/completions endpoint accepts pictures.
         model: the model's id on that server.
         seed: sent with every question to servers that accept a seed.
-        session: shared state of the calls of one generation; not part of the identity.
+        session: state that all calls of one generation share; not part of the identity.
     """
 
     base_url: str = field(default_factory=configuration.chat_base_url)

@@ -25,7 +25,7 @@ _FLAT = 0.02, 0.4  # fraction of the tabletop that a carrier covers
 _FILLED = 0.9  # minimum fraction of its hull that the carrier and the objects on it fill
 _BARE = 0.2  # minimum fraction of its hull where the carrier itself is visible
 _STANDS = 0.6  # fraction of an object's foot within the hull, for objects on the carrier
-_KNOWN = 0.4  # overlap (IoU) with a detection of the eye, above which the carrier is already known
+_KNOWN = 0.4  # overlap (IoU) with a detection, above which the carrier is already known
 _OWN = 0.85  # fraction of nearby pixels of its colour that lie within the carrier
 
 

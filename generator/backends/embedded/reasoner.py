@@ -41,8 +41,8 @@ _HEIGHT = 0.74
 class EmbeddedReasoner:
     """Answers the six questions without any model; answers about pictures use the table plane.
 
-    The two questions of ``PoseGuesser`` are answered by a naive reading of the picture
-    (``guessing``).
+    The two questions of ``PoseGuesser`` are answered by a naive reading of the picture (see
+    ``poses``).
     """
 
     plan_scene = staticmethod(plan_scene)
@@ -103,20 +103,20 @@ class EmbeddedReasoner:
     def stacking_order(
         self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
-        """Return the support of each object: from depth, or else from the masks (``stacking``)."""
+        """Return the support of each object: from depth, or else from the masks (``supports``)."""
         solids = survey(reference, instances).solids if reference.depth is not None else {}
         return stack(instances, _holds, solids)
 
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Return the yaw along each mask's long axis, to 15 degrees (``guessing``)."""
+        """Return the yaw along each mask's long axis, to 15 degrees (see ``poses``)."""
         return poses.guess_rotations(instances, sizes, view)
 
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return positions read from the table's box, and usual sizes (``guessing``)."""
+        """Return positions read from the table's box, and usual sizes (see ``poses``)."""
         return poses.guess_layout(instances, sizes, view)
 
 

@@ -51,7 +51,7 @@ class Hunyuan3D:
         timeout: seconds per answer, including the server's work for other clients.
         faces: maximum number of triangles kept, see ``Normal``.
         texture: side of rebuilt textures in texels.
-        session: shared state of the calls of one generation.
+        session: state that all calls of one generation share.
     """
 
     url: str = ""

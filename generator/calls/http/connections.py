@@ -131,7 +131,7 @@ class Wire(httpx2.BaseTransport):
 
 
 class _Body(httpx2.SyncByteStream):
-    """The body of a response, with errors translated to those of ``httpx2``."""
+    """The body of a response, with errors translated to ``httpx2`` errors."""
 
     def __init__(self, answer: httpcore2.Response) -> None:
         self._answer = answer
@@ -182,7 +182,7 @@ def _proxy(address: str, trust: ssl.SSLContext) -> httpcore2.Proxy:
 
 @contextlib.contextmanager
 def _raise_as_httpx2() -> Iterator[None]:
-    """Translate exceptions of ``httpcore2`` to those of the same name in ``httpx2``."""
+    """Translate ``httpcore2`` exceptions to the ``httpx2`` exceptions with the same names."""
     try:
         yield
     except (

@@ -56,7 +56,7 @@ _STORES = {
     "openai": (".blob.core.windows.net",),
     "ark": (".volces.com", ".bytepluses.com"),
 }
-"""Hosts on which providers store the pictures that their answers link to."""
+"""Hosts where providers store the pictures that their answers link to."""
 
 
 def chat_base_url() -> str:
@@ -121,7 +121,7 @@ def server_name(url: str) -> str:
 
 
 def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
-    """Return the server key that ``what`` needs (BackendError, naming the variables: unset)."""
+    """Return the server key that ``what`` needs; if unset, a BackendError names the variables."""
     if found := keys(url, purpose):
         return found[0]
     if local(host(url)):

@@ -26,8 +26,8 @@ _GROUND = 0.008  # metres; lower points of a clearly taller object are ignored
 class ObservedSolid:
     """The visible part of one object, in the table's frame (metres, z = 0 is the tabletop).
 
-    ``center`` and ``yaw`` are those of its upright bounding box, ``extent`` is the box's (length,
-    width) with length >= width, and ``bottom`` and ``top`` are its lowest and highest visible
+    ``center``, ``yaw`` and ``extent`` describe its upright bounding box, where ``extent`` is
+    (length, width) with length >= width; ``bottom`` and ``top`` are its lowest and highest visible
     points. ``points`` are a sample of its points.
     """
 
@@ -127,7 +127,7 @@ def _together(points: Float[np.ndarray, "n 3"], camera: Camera) -> Float[np.ndar
 
 
 def _above_tabletop(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    """Return an object's points without those of the tabletop, unless the object itself is flat."""
+    """Return an object's points, excluding tabletop points unless the object itself is flat."""
     high = points[points[:, 2] > _GROUND]
     tall = len(high) > _FEW and float(np.percentile(points[:, 2], 90)) > 3 * _GROUND
     return high if tall else points

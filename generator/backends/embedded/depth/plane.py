@@ -21,7 +21,7 @@ from ..plane.cut_plane import plane_of_region
 from ..plane.plane import TablePlane
 
 TALLEST = 0.6
-"""Maximum height in metres above the tabletop at which something counts as standing on it."""
+"""Maximum height above the tabletop, in metres, of anything that counts as standing on it."""
 
 _SEED = 0
 _SAMPLES = 14_000  # points used for scoring hypotheses
@@ -323,7 +323,7 @@ def _judge(
     pixels: Int[np.ndarray, "n 2"],
     side: int,
 ) -> _Candidate:
-    """Score a plane: large and low in the picture, with objects on it and nothing towering."""
+    """Score a plane; it should be large and low in the picture, and carry objects but no towers."""
     normal = np.array(level.normal)
     flat = cloud - level.above(cloud)[:, None] * normal  # projected onto the plane
     east = np.cross(normal, [0.0, 0.0, 1.0]) if abs(normal[2]) < 0.9 else np.array([1.0, 0, 0])

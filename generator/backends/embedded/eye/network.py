@@ -34,7 +34,7 @@ HINTS = 3
 """Number of additional inputs of the namer; see :func:`hints`."""
 
 IMPRESSION = SUMMARY + CHANNELS[2] + HINTS
-"""Number of features of a close-up from which an object is named."""
+"""Number of close-up features that are used to name an object."""
 
 _WIDTH = 96
 _OUTLINE = 48  # channels of the outliner

@@ -20,8 +20,8 @@ from .network import PromptedPicture
 
 _FAINT = 0.15  # minimum confidence of a detection used as a prompt
 _GOOD, _STABLE = 0.7, 0.8  # minimum quality and stability of a mask
-_FAIR = 0.55  # minimum quality for a box prompt, which the eye supports
-_THING, _DOUBT = 0.5, 0.15  # object probability in the eye's map: certain, possible
+_FAIR = 0.55  # minimum quality for a box prompt, which a detection supports
+_THING, _DOUBT = 0.5, 0.15  # object probability in the detector's map: certain, possible
 _SEEN = 0.5  # minimum mean object probability under a mask
 _POINTS = 60  # maximum number of point prompts
 _SMALLEST = 0.004  # minimum radius of uncovered regions, as a fraction of the picture's longer side
@@ -44,7 +44,7 @@ class Proposal:
 
 
 def propose(look: PromptedPicture, sight: EyeReading) -> list[Proposal]:
-    """Return the masks of all prompts, without those of the table and the background."""
+    """Return the masks for all prompts, except masks of the table and the background."""
     things = sight.region[REGIONS.index("thing")]
     top = sight.top > 0.5
     found: list[Proposal] = []

@@ -23,10 +23,10 @@ from ....scene import View
 from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance
 
 CUT_SHARE = 0.15
-"""A top is cut if a larger fraction of its outline than this lies on the frame."""
+"""A top counts as cut if more than this fraction of its outline lies on the frame."""
 
 VISIBLE_LENGTH = 1.0
-"""Longer side in metres of the visible part of a cut table of unknown size."""
+"""Assumed length, in metres, of the longer visible side of a cut table of unknown size."""
 
 REACH = 7.0
 """Maximum distance along the plane, in camera heights; farther points are ignored."""

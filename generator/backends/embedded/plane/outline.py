@@ -18,7 +18,7 @@ from ....meshes.pixels import dilate, distance_to, hull_corners, main_parts, mas
 from ..eye.sight import EyeReading
 
 WORKING_SIZE = 640
-"""Length in pixels of the longer side of the analysed copy of the picture."""
+"""Longer side, in pixels, of the copy of the picture that is analysed."""
 
 _POINTS = 240  # number of points along the outline
 _SMALLEST = 0.015  # minimum area of a top, as a fraction of the picture

@@ -101,7 +101,7 @@ def plane_from_eye_level(
 ) -> TablePlane | None:
     """Return the tabletop for the elevation that makes its proportions most typical, or None.
 
-    ``fov`` (radians) is vertical; ``hidden`` and ``length`` are those of ``plane_from_view``.
+    ``fov`` (radians) is vertical; ``hidden`` and ``length`` are as in ``plane_from_view``.
     """
     best, least = None, np.inf
     for elevation in _ELEVATIONS:

@@ -225,7 +225,7 @@ def to_batch(
 def bound_size(width: int, height: int, shorter: int, longer: int) -> tuple[int, int]:
     """Return a size of the same aspect ratio with the given shorter side, and a limited longer one.
 
-    The rounding is that of Grounding DINO's processor.
+    Sizes are rounded as in Grounding DINO's processor.
     """
     low, high = sorted((width, height))
     near = longer * low / high if high / low * shorter > longer else float(shorter)
