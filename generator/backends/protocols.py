@@ -135,7 +135,7 @@ class PoseGuesser(Protocol):
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return each instance's position on the table and its size in metres, without the table.
+        """Return the position on the table and the size, in metres, of each instance but the table.
 
         The tabletop has the size in ``sizes``.
         """

@@ -22,7 +22,11 @@ MODELS = "TABLETOPGEN_MODELS"
 
 
 def module(name: str, backend: str, how: str) -> ModuleType:
-    """Import a package for a backend (BackendError: the import fails; ``how`` gives advice)."""
+    """Import a package for a backend.
+
+    Raises:
+        BackendError: the import fails; ``how`` is advice for the message.
+    """
     try:
         return importlib.import_module(name)
     except ImportError as error:

@@ -267,5 +267,9 @@ class Mix:
         return {"backend": self.default, **({"roles": others} if others else {})}
 
     def select(self, session: Session | None = None) -> Backends:
-        """Return the backends (BackendError: a name is unknown, or a role has no backend)."""
+        """Return the backends.
+
+        Raises:
+            BackendError: a name is unknown, or a role has no backend.
+        """
         return Backends.select(self.default, session=session, **self.roles())

@@ -106,7 +106,7 @@ class CloudImager:
         """Draw the plan's reference image, at most 1280 pixels wide or high.
 
         Raises:
-            BackendError: the server returned no usable picture; this applies to all questions.
+            BackendError: the server returned no usable picture; the other questions raise this too.
         """
         table, things = plan_text.in_words(plan)
         text = prompt(
@@ -158,7 +158,7 @@ class CloudImager:
         rotations: Mapping[str, Rotation],
         view: View,
     ) -> TopView:
-        """Draw the table from above; its boxes are left to the segmenter.
+        """Draw the table from above; the segmenter later finds the boxes in the drawing.
 
         The chat model checks that the view shows each object exactly once and nothing else. If a
         model refuses, or ``REDRAWS`` more drawings fail, ``fallback`` renders the view from

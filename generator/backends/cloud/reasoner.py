@@ -76,7 +76,7 @@ class CloudReasoner:
 
         Raises:
             InputError: the text is empty or too long.
-            BackendError: no usable answer; this applies to all questions.
+            BackendError: the answer is not usable; the other questions raise this too.
         """
         text = worded("plan_scene", text=plan_answer.checked_text(prompt), seed=str(seed))
 

@@ -90,7 +90,7 @@ def compare_sizes(
 def scales_of(
     thing: EyeDetection, keys: Sequence[str], plane: TablePlane
 ) -> dict[str, tuple[float, float]] | None:
-    """Return the ``apparent_scale`` of an object per category, or None if the frame cuts it."""
+    """Return an object's ``apparent_scale`` for each category; None if the frame cuts it off."""
     box = mask_box(thing.whole)
     height, width = thing.whole.shape
     if min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width):

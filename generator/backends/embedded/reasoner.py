@@ -48,7 +48,7 @@ class EmbeddedReasoner:
     plan_scene = staticmethod(plan_scene)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Return the plan's nouns, one per expected object, or "object" without a plan."""
+        """Return the plan's nouns, one per expected object, or "object" if there is no plan."""
         if reference.plan is None:
             return (TABLE, GENERIC)
         return (TABLE, *(thing.noun for thing in reference.plan.objects))

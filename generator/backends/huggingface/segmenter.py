@@ -66,7 +66,7 @@ class HuggingFaceSegmenter:
         overlap: fraction of a tile's side shared with its neighbours.
         side: shorter side of a tile for Grounding DINO in pixels.
         words: maximum number of words in a prompt for Grounding DINO.
-        device: "cuda", "cpu" …; empty: "cuda" if available.
+        device: "cuda", "cpu" …; if empty, "cuda" is used if available.
         folder: folder of the models, see ``installing.models_folder``.
         revisions: the models and their commits.
 
@@ -172,7 +172,11 @@ class HuggingFaceSegmenter:
 def _table_and_things(
     detections: Sequence[BoxDetection],
 ) -> tuple[Bool[np.ndarray, "h w"], list[BoxDetection]]:
-    """Return the table's mask and the detections on it (SceneError: no table)."""
+    """Return the table's mask and the detections on it.
+
+    Raises:
+        SceneError: the picture contains no table.
+    """
     tables = [f for f in detections if f.label == TABLE]
     if not tables:
         raise SceneError(

@@ -51,7 +51,7 @@ class Sam3D(Installed):
     texture: int = Normal.texture
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
-        """Return its mesh of one instance; see ``protocols.Modeler``.
+        """Return the model's mesh of one instance; see ``protocols.Modeler``.
 
         Raises:
             BackendError: the model is not installed, or fails.

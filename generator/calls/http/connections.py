@@ -76,7 +76,7 @@ class Dialer(httpcore2.NetworkBackend):
 
 
 def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.NetworkStream:
-    """Return a connection to the first address that accepts one; all share the time equally.
+    """Return a connection to the first address that accepts one; they share the time equally.
 
     Raises:
         httpcore2.ConnectTimeout: no address accepted before ``until``.

@@ -37,7 +37,7 @@ TABLES = (
     "CREATE TABLE held (call INTEGER PRIMARY KEY, owner TEXT, money REAL)",
     "CREATE TABLE spent (mark TEXT, currency TEXT, money REAL, unpriced INTEGER)",
 )
-"""Calls of scenes; maximum costs of calls in flight, with their owners; total spending."""
+"""Tables: the calls of scenes; the owners and maximum costs of calls in flight; the totals."""
 _OLD = ("spent.json", "spending")  # files of older versions
 _OWNERS = "spenders"  # folder with one locked file per live owner
 _NAME = re.compile(r"[0-9a-f]{16,64}")  # name of an owner
@@ -45,7 +45,7 @@ _MAX_BYTES = 256 * 2**20  # maximum file size
 _MAX_VALUE_BYTES = 2**20
 _WAIT = 60.0  # seconds; locks on the file are always short
 _SUPER_JOURNAL = b"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7"
-"""End of a journal that names another file, which SQLite would delete; ours name none."""
+"""End of a journal that names another file for SQLite to delete, which ours never do."""
 
 
 class NoDatabaseError(StorageError):

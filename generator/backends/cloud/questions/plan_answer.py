@@ -23,7 +23,11 @@ _LONGEST = 0.6  # maximum length of an object in metres, as in the embedded plan
 
 
 def checked_text(text: object) -> str:
-    """Return a user's text, stripped of spaces (InputError: not a string, empty, or too long)."""
+    """Return a user's text, stripped of spaces.
+
+    Raises:
+        InputError: it is not a string, is empty, or is too long.
+    """
     if not isinstance(text, str):
         raise InputError(f"A text or a ScenePlan is needed, got {type(text).__name__}.")
     if not any(c.isalpha() for c in text):
@@ -138,7 +142,11 @@ def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str
 
 
 def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]:
-    """Yield the groups, each of at least two objects (Wrong: they contradict the objects)."""
+    """Yield the groups, each of at least two objects.
+
+    Raises:
+        Wrong: the groups contradict the objects.
+    """
     taken: set[int] = set()
     laid: set[int] = set()
     for group in answer.groups:

@@ -56,7 +56,7 @@ _ARRANGED: Mapping[str, str] = {
 
 
 def _arrangement(group: PlannedGroup, plan: ScenePlan) -> str:
-    """Return the arrangement of a group's objects, referred to by their numbers in the list."""
+    """Describe the arrangement of a group's objects, using their numbers in the list."""
     numbers = {thing.name: n for n, thing in enumerate(plan.objects, start=1)}
     who = f"Things {', '.join(str(numbers[name]) for name in group.members)}"
     if group.seat is not None:

@@ -70,7 +70,11 @@ def image_base_url() -> str:
 
 
 def chat_model() -> str:
-    """Return the chat model from the environment (BackendError: unset, and not OpenAI's server)."""
+    """Return the chat model from the environment.
+
+    Raises:
+        BackendError: no model is set, and the server is not OpenAI's.
+    """
     return _model("chat", chat_base_url())
 
 
@@ -92,7 +96,11 @@ def _model(purpose: Purpose, url: str) -> str:
 
 
 def checked_url(url: str) -> str:
-    """Return a base URL without a trailing slash (BackendError: not http(s), or with a secret)."""
+    """Return a base URL without a trailing slash.
+
+    Raises:
+        BackendError: the URL is not http(s), or it contains a secret.
+    """
     variables = "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
     url = checked_address(
         url, "cloud: the base URL",

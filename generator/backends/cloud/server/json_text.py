@@ -32,12 +32,15 @@ class Wrong(ValueError):
 
 
 def read_object(text: str) -> dict[str, Any]:
-    """Return the JSON object in an answer (Wrong: there is none).
+    """Return the JSON object in an answer.
 
     The candidates are, in order: the whole text, fenced blocks (last first), and parts in braces
     (last first). Each is parsed verbatim, then repaired: comments and trailing commas removed,
     quotes straightened, Python literals converted, open brackets closed. NaN and infinite numbers
     are rejected.
+
+    Raises:
+        Wrong: there is no such object.
     """
     text = _without_thoughts(text).strip().lstrip("\ufeff")
     for piece in _pieces(text):
@@ -101,7 +104,7 @@ def _without_thoughts(text: str) -> str:
 
 
 def _literal(text: str) -> Any:
-    """Return the value of an answer in Python notation, which some models use, or None."""
+    """Parse an answer in Python notation, which some models use; return None if that fails."""
     if not text.startswith("{") or len(text) > _LONGEST_LITERAL:
         return None
     words = {"true": "True", "false": "False", "null": "None"}

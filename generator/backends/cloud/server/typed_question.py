@@ -185,7 +185,11 @@ class Chat:
             return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
-        """Return the text of a chat completion (UnusableError: missing, refused or truncated)."""
+        """Return the text of a chat completion.
+
+        Raises:
+            UnusableError: the text is missing or truncated, or the model refused.
+        """
         try:
             choice = data["choices"][0]
             message = choice["message"]

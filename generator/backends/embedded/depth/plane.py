@@ -203,7 +203,11 @@ class _Candidate:
 
 
 def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] | None) -> Level:
-    """Return the plane with the best score as a tabletop (SceneError: there is none)."""
+    """Return the plane with the best score as a tabletop.
+
+    Raises:
+        SceneError: no plane can be a tabletop.
+    """
     height, width = points.shape[:2]
     stride = max(1, int(np.sqrt(height * width / _SAMPLES)))
     grid = points[::stride, ::stride]
@@ -323,7 +327,10 @@ def _judge(
     pixels: Int[np.ndarray, "n 2"],
     side: int,
 ) -> _Candidate:
-    """Score a plane; it should be large and low in the picture, and carry objects but no towers."""
+    """Score a plane as a tabletop.
+
+    The best ones are large and low in the picture, and have objects on them, but nothing tall.
+    """
     normal = np.array(level.normal)
     flat = cloud - level.above(cloud)[:, None] * normal  # projected onto the plane
     east = np.cross(normal, [0.0, 0.0, 1.0]) if abs(normal[2]) < 0.9 else np.array([1.0, 0, 0])

@@ -273,7 +273,8 @@ def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[f
     """Return properties that a close-up does not show: aspect ratio, and size on the table.
 
     ``size`` is the width and height of the object's box. ``tabletop`` is the number of pixels that
-    the tabletop covers, 0 if it is not visible; ``picture`` is the number of all pixels.
+    the tabletop covers, 0 if it is not visible; ``picture`` is the number of pixels of the whole
+    picture.
     """
     wide, tall = (max(float(s), 1.0) for s in size)
     share = max(tabletop, 0.02 * picture)

@@ -1,9 +1,9 @@
 """Close-up segmentation of each object: a finer outline, and parts that belong to it.
 
-A point prompt at the middle of an outline selects the object without its extent. The parts of the
-resulting mask beyond the outline belong to the object, unless they are another object whose own
-middle gives a different mask: two pieces of one object give the same whole, whereas a tomato in
-front of an orange does not.
+A point prompt at the middle of an outline selects the object without prescribing its extent. The
+parts of the resulting mask beyond the outline belong to the object, unless they are another object
+whose own middle gives a different mask: two pieces of one object give the same whole, whereas a
+tomato in front of an orange does not.
 """
 
 from __future__ import annotations

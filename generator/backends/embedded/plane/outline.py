@@ -55,7 +55,11 @@ def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "
 
 
 def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> tuple[Outline, float]:
-    """Return the top's outline and working pixels per picture pixel (SceneError: no tabletop)."""
+    """Return the top's outline and working pixels per picture pixel.
+
+    Raises:
+        SceneError: no tabletop was detected.
+    """
     lab, factor = working_copy(image)
     height, width = lab.shape[:2]
     top = cv2.resize(top_of(sight).astype(np.float32), (width, height)) > 0.5

@@ -63,7 +63,11 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
 
 
 def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
-    """Load a model's tokenizer (BackendError: it is missing or damaged)."""
+    """Load a model's tokenizer.
+
+    Raises:
+        BackendError: the tokenizer is missing or damaged.
+    """
     transformers = module("transformers", "huggingface", _HOW)
     file = find_model(pin, folder, what) / "tokenizer.json"
     try:
