@@ -33,7 +33,7 @@ def import_scene(
 
 
 def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
-    """Return the import outcome of each object of a scene; see ``building.list_outcomes``.
+    """Return the import outcome of each object of a scene; see ``scene.list_outcomes``.
 
     Raises:
         BundleError: the entry in the scene's provenance has another format.
