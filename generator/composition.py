@@ -1,6 +1,6 @@
-"""The direct route: text to plan to layout to scene, without a picture.
+"""The direct route from a text to a plan, a layout and a scene, without a picture.
 
-Fast; objects are placed without overlap.
+This route is fast, and it places objects without overlap.
 """
 
 from __future__ import annotations
@@ -35,13 +35,14 @@ def compose(
     density: Density | None = None,
     config: AssemblyConfig | None = None,
 ) -> Scene:
-    """Compose a scene straight from a text (or a plan) with catalogue objects.
+    """Compose a scene directly from a text (or a plan) with catalogue objects.
 
-    The same text and seed give the same scene. A layout whose objects do not come to rest soundly
-    is replaced by another one, and so is one at rest in which not every relation of the plan holds;
-    of those the one with most is judged first, and taken with a warning for each that does not
-    hold. What each thing stands on is what it rests on. ``density`` says how full the table is
-    ("sparse", "normal", "dense"); None takes it from the text.
+    The same text and seed give the same scene. If the objects of a layout do not come to rest
+    properly, or if some relation of the plan does not hold once they are at rest, another layout is
+    tried. If every layout violates a relation, the one that satisfies the most relations is checked
+    first, and is returned with a warning for each relation that does not hold. The recorded support
+    of each object is the one that it rests on. ``density`` is how full the table is ("sparse",
+    "normal", "dense"); None takes it from the text.
 
     Raises:
         InputError: the text cannot be planned, or the seed is not a whole number in range.
@@ -74,7 +75,7 @@ def compose(
 
 
 def _judge(rested: Rested, seen: Rest, config: AssemblyConfig | None) -> Scene:
-    """Return the scene with the gate's report, and in it the relations if it passed."""
+    """Return the scene with the gate's report, which includes the relations if it passed."""
     scene = finish(rested, config)
     assert scene.report is not None
     if not scene.report.passed:
@@ -90,7 +91,7 @@ def _rest_layout(
     name: str | None,
     config: AssemblyConfig | None,
 ) -> Rested:
-    """Return one layout of a plan at rest, not judged yet."""
+    """Return one layout of a plan at rest, not yet checked by the gate."""
     layout, table = lay_out(plan, models, layout_seed)
     provenance = Provenance(
         "compose", seed, plan.prompt, backends={"planner": "embedded"}, versions=versions(),

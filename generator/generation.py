@@ -1,4 +1,4 @@
-"""What a generation is made with, and what comes of it."""
+"""The settings of a generation, and its results."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ class Config:
     """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
 
     Attributes:
-        rotation: a text's plan puts right what rotations leave open, so that its own are the
-            ``quick`` settings, unless others than the defaults are given.
-        supplement: put right by a text's plan what no drawing shows, or shows in another size,
-            place or relation, or not.
-        leave_out: the largest share of what was found that may be left out of a scene that would
-            not pass its gate otherwise, in [0, 1]: one of two or more at least, never all. 0
-            leaves nothing out.
-        without: stages left out as in the paper's ablations (Sec. 4.3, Table 3): the reasoner is
-            asked for what "dro" (rotations) or "tsa" (places and sizes) would have found. The
-            joint refinement, which would repair that, is then off too (by itself it is turned
-            off by ``RefinementConfig(steps=0)``).
+        rotation: settings of the rotation stage. The plan of a text settles what this stage leaves
+            open, so a text uses the ``quick`` settings unless you change the defaults.
+        supplement: whether the plan of a text corrects what its drawing does not show, or shows
+            with another size, place or relation.
+        leave_out: maximum fraction of the detected objects, in [0, 1], that may be left out of a
+            scene that would otherwise fail its gate. If there are two or more objects, one may
+            always be left out, but never all of them. 0 leaves nothing out.
+        without: stages to omit, as in the paper's ablations (Sec. 4.3, Table 3): the reasoner
+            estimates what "dro" (rotations) or "tsa" (positions and sizes) would have found. The
+            joint refinement, which would correct these estimates, is then off too. (To turn off
+            only the refinement, use ``RefinementConfig(steps=0)``.)
 
     Raises:
-        InputError: ``without`` names another stage, or ``leave_out`` is no share.
+        InputError: ``without`` names another stage, or ``leave_out`` is out of range.
     """
 
     reference: ReferenceConfig = field(default_factory=ReferenceConfig)
@@ -74,7 +74,7 @@ class Config:
         object.__setattr__(self, "without", tuple(s for s in known if s in self.without))
 
     def for_text(self) -> Config:
-        """Return the settings that a text is reconstructed with."""
+        """Return the settings for the scene of a text."""
         device = self.rotation.device
         if self.rotation != RotationConfig(device=device):
             return self
@@ -83,11 +83,11 @@ class Config:
 
 @dataclass(frozen=True, eq=False)
 class Generation:
-    """A scene and everything that led to it, in the order it came about (Sec. 6.1).
+    """A scene and all intermediate results, in the order in which they are made (Sec. 6.1).
 
-    ``seconds`` is how long each of ``STAGES`` took (Sec. 6.2); no bundle holds it. ``match``
-    tells how the scene's view compares with the picture it was made from; None for a text's scene.
-    Its doubts and notes are among the scene's warnings too.
+    ``seconds`` is the duration of each of ``STAGES`` (Sec. 6.2), which bundles do not record.
+    ``match`` is how well the scene's view matches the picture that it was made from, or None for
+    the scene of a text; its doubts and notes are also among the scene's warnings.
     """
 
     reference: Reference

@@ -34,7 +34,7 @@ from .scene import (
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
-"""Called with the name of the stage that starts, its number, and how many there are."""
+"""Called with the name and the number of the stage that starts, and the number of stages."""
 
 
 def generate(
@@ -53,13 +53,13 @@ def generate(
 
     Args:
         source: a text, a plan, or a picture (path, encoded bytes, or uint8 array).
-        backends: who answers the stages' questions; None for the embedded ones.
+        backends: the backends that answer the stages' questions; None uses the embedded ones.
         config: settings of the stages.
         seed: the same source, backends, config and seed give the same scene.
-        depth: the picture's depth map, of the same size: an array of metres (float) or
-            millimetres (uint16), or a 16-bit PNG of millimetres; 0 or NaN where unknown. Table,
-            sizes and places are then metric.
-        intrinsics: of the picture; they go with ``depth``.
+        depth: the picture's depth map, of the same size: an array of metres (float) or millimetres
+            (uint16), or a 16-bit PNG of millimetres; 0 or NaN where unknown. The table, sizes and
+            positions are then metric.
+        intrinsics: the intrinsics of the picture's camera, to be given with ``depth``.
         name: name of the scene; None makes one from the text, or "picture".
         progress: called as each stage starts.
         watch: called as each stage ends, with its name and the results so far, keyed by fields of
@@ -67,7 +67,7 @@ def generate(
 
     Raises:
         InputError: the source cannot be used, or the seed is not a whole number in range.
-        BackendError: a backend could not answer, or cannot stand in for a stage left out.
+        BackendError: a backend could not answer, or cannot replace an omitted stage.
         SceneError: the scene cannot be built.
     """
     require_seed(seed)
@@ -143,7 +143,7 @@ class _Run:
     models: Mapping[str, Model]
 
     def _guesser(self, stage: Ablation) -> PoseGuesser | None:
-        """Return the reasoner that answers in place of a stage, None if the stage runs."""
+        """Return the reasoner that replaces a stage, or None if the stage runs."""
         return self.guesser if stage in self.config.without else None
 
     def rotate(self) -> dict[str, Rotation]:
@@ -203,7 +203,7 @@ def _with_warnings(scene: Scene, warnings: tuple[str, ...]) -> Scene:
 
 
 def _warn_hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:
-    """Return a warning if fewer things were found than planned."""
+    """Return a warning if fewer objects were detected than planned."""
     planned = len(reference.plan.objects) if reference.plan else 0
     found = len(instances) - 1
     if found >= planned:

@@ -34,7 +34,8 @@ class Family:
     """A kind of stand-in.
 
     Attributes:
-        size: usual extent (length x, depth y, height z) in metres, for families with a plain solid.
+        size: typical extent (length x, depth y, height z) in metres, for families with a plain
+            solid.
         make: builds the plain solid, in metres.
         like: the catalogue category that is used instead.
     """

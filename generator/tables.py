@@ -240,7 +240,7 @@ LEGS: Mapping[str, Callable[[Float[np.ndarray, "k 2"], float, float], Legs]] = M
         "metal": _metal,
     }
 )
-"""Leg styles: functions of (joints with the top, height under the top, shorter side)."""
+"""Leg styles: functions of the joints with the top, the height under it, and the shorter side."""
 
 
 # -------------------------------------------------------------------------------- materials

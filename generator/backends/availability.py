@@ -1,4 +1,4 @@
-"""Available backends, by installed packages, settings and downloaded weights; sends nothing."""
+"""Which backends are available, judging by packages, settings and weights; sends nothing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .select import TABLE
 
 @dataclass(frozen=True)
 class BackendStatus:
-    """A backend's name, the roles that it supports, its requirements and the missing ones.
+    """A backend's name, the roles it supports, its requirements, and those that are missing.
 
     ``lacks`` is empty if the backend can be used; only a call can show whether its server responds
     or its key is valid. ``charges`` is True if calls may cost money.

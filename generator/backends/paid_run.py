@@ -18,7 +18,7 @@ from ..scene.provenance import plain
 from .select import Backends, Mix
 
 VARIABLE = "TABLETOPGEN_CALLS"
-"""Environment variable of the folder of cached responses."""
+"""Environment variable that sets the folder of cached responses."""
 
 _MOST_BYTES = 2**30  # maximum size of a file that determines a scene
 
@@ -57,7 +57,7 @@ def _content(path: Path) -> str:
 
 @contextmanager
 def answering(session: Session, scene: str, tell: Callable[[str], None]) -> Iterator[None]:
-    """Load a scene's earlier spending into a session, and end its calls with the block.
+    """Load a scene's earlier spending into a session, and end the session's calls with the block.
 
     If the run fails, ``tell`` receives its costs; see ``Session.resume``.
     """
@@ -76,7 +76,7 @@ def answering(session: Session, scene: str, tell: Callable[[str], None]) -> Iter
 
 
 def save_ledger(session: Session, made: Path) -> None:
-    """Write the ledger of the bundle ``made``, if it has none or has new entries."""
+    """Write the ledger of the bundle ``made``, if it has none or there are new entries."""
     entries = session.account.entries
     now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)
     if now or (any(e.earlier for e in entries) and not (made / LEDGER).exists()):

@@ -1,4 +1,4 @@
-"""The protocols of backends: typed questions of the stages. A backend answers some of them.
+"""The protocols of backends: typed questions from the stages. A backend answers some of them.
 
 A backend receives the arguments of these methods and nothing else. Each backend is a frozen
 dataclass whose fields are its identity (model id, revision, seed). Keys come from the environment
@@ -45,7 +45,7 @@ class Each(Protocol):
     """A function that applies one question to many items."""
 
     def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        """Return ``work`` of every item, in order."""
+        """Return the result of ``work`` for every item, in order."""
         ...
 
 
@@ -79,7 +79,7 @@ class Reasoner(Protocol):
     ) -> tuple[tuple[str, int], ...]:
         """Return the rotations that turn a mesh upright (Fig. 23).
 
-        They are ("x"|"y"|"z", multiple of 90 degrees) steps. ``mesh`` is in metres at its modeler's
+        Each is a step ("x"|"y"|"z", multiple of 90 degrees). ``mesh`` is in metres at its modeler's
         size, centred on its bounding box.
         """
         ...
@@ -87,7 +87,7 @@ class Reasoner(Protocol):
     def stacking_order(
         self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
-        """Return the support of each instance, and whether it is on or in it (Fig. 25)."""
+        """Return each instance's support, and whether the instance is on or in it (Fig. 25)."""
         ...
 
 
@@ -112,7 +112,7 @@ class Judge(Protocol):
         reference: UInt8[np.ndarray, "h w 3"],
         methods: Mapping[str, tuple[UInt8[np.ndarray, "_a _b 3"], ...]],
     ) -> tuple[str, ...]:
-        """Rank several methods' scenes of one reference by overall preference, best first."""
+        """Rank several methods' scenes of one reference from best to worst."""
         ...
 
 
@@ -126,7 +126,7 @@ class PoseGuesser(Protocol):
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Return each instance's yaw in radians, world frame, without the table, whose yaw is 0.
+        """Return each instance's world yaw in radians, except the table's, which is 0.
 
         At yaw 0, the length (of ``sizes``) is along +x.
         """
@@ -135,7 +135,7 @@ class PoseGuesser(Protocol):
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return each instance's position on the table and its size in metres, without the table.
+        """Return the position on the table and the size, in metres, of each instance but the table.
 
         The tabletop has the size in ``sizes``.
         """
@@ -147,7 +147,7 @@ class Imager(Protocol):
     """The paper's image model: draws reference pictures, completes objects, and draws top views."""
 
     def draw(self, plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
-        """Draw the reference image of a plan: whole table on white, at 50-60 degrees elevation."""
+        """Draw a plan's reference image: the whole table on white, from 50-60 degrees elevation."""
         ...
 
     def complete(
@@ -202,7 +202,7 @@ class Modeler(Protocol):
     """Image to 3D (Sec. 3.2)."""
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
-        """Make a textured model of one instance or the table, in any orientation by 90 degrees.
+        """Make a textured model of one instance or the table; it may be off by quarter turns.
 
         ``view`` is along the instance's own ray; ``size`` is the prior.
         """

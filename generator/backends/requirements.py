@@ -18,11 +18,15 @@ from ..errors import BackendError
 T = TypeVar("T")
 
 MODELS = "TABLETOPGEN_MODELS"
-"""Environment variable of the models' folder, which may be a Hugging Face cache (``hub``)."""
+"""Environment variable that sets the models' folder; a Hugging Face cache (``hub``) will do."""
 
 
 def module(name: str, backend: str, how: str) -> ModuleType:
-    """Import a package for a backend (BackendError: the import fails; ``how`` gives advice)."""
+    """Import a package for a backend.
+
+    Raises:
+        BackendError: the import fails; ``how`` is advice for the message.
+    """
     try:
         return importlib.import_module(name)
     except ImportError as error:

@@ -96,7 +96,7 @@ def _load(name: str, role: str, session: Session) -> Any:
 
 
 def _add_fallback(role: str, backend: Any) -> Any:
-    """Return a backend with the embedded one as its ``fallback``, if it has such an empty field."""
+    """Return a backend with the embedded one as its ``fallback``, if it has that field unset."""
     if "fallback" not in _fields(type(backend)) or backend.fallback is not None:
         return backend
     return dataclasses.replace(backend, fallback=_load("embedded", role, Session()))
@@ -179,7 +179,7 @@ class Backends:
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def for_text(self) -> Backends:
-        """Return the backends for pictures drawn from a text, for which a modeler may be faster."""
+        """Return the backends for pictures drawn from a text; their modeler may be a faster one."""
         quick = getattr(self.modeler, "for_text", None)
         return self if quick is None else dataclasses.replace(self, modeler=quick())
 
@@ -202,8 +202,8 @@ def _identity(backend: Any) -> dict[str, Any]:
 def stable_name(kind: type) -> str:
     """Return the name of a class in provenance, independent of its module.
 
-    A backend of the table has its name and role ("embedded.modeler"); another class of this project
-    has its bare name; a user's class has its module and name.
+    A backend in the table is called by its name and role ("embedded.modeler"), another class of
+    this project by its bare name, and a user's class by its module and name.
     """
     place = f"{kind.__module__}:{kind.__qualname__}"
     for name, answers in TABLE.items():
@@ -262,10 +262,14 @@ class Mix:
         return {role: getattr(self, role) or self.default for role in PROTOCOLS}
 
     def identity(self) -> dict[str, Any]:
-        """Return the settings that determine the backends, as JSON values; only differing roles."""
+        """Return the settings that determine the backends, as JSON values; defaults are omitted."""
         others = {role: name for role, name in self.roles().items() if name != self.default}
         return {"backend": self.default, **({"roles": others} if others else {})}
 
     def select(self, session: Session | None = None) -> Backends:
-        """Return the backends (BackendError: a name is unknown, or a role has no backend)."""
+        """Return the backends.
+
+        Raises:
+            BackendError: a name is unknown, or a role has no backend.
+        """
         return Backends.select(self.default, session=session, **self.roles())

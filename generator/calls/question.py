@@ -130,7 +130,7 @@ def failed(payload: Any) -> bool:
 
 
 def _key(request: httpx2.Request, body: bytes, model: str) -> str:
-    """Return the sha256 of the question, without keys, signatures and random boundaries."""
+    """Return the sha256 of the question, excluding keys, signatures and random boundaries."""
     kind = request.headers.get("content-type", "")
     boundary = re.search(r'boundary="?([^";,]+)', kind)
     if boundary:
@@ -195,7 +195,7 @@ def _texts(value: Any) -> Iterator[str]:
 
 
 def _count(value: Any) -> int:
-    """Return a count as servers and forms write it; 0 if it is invalid."""
+    """Parse a count as written by servers and in forms; 0 if it is invalid."""
     if isinstance(value, str) and len(value) > _DIGITS:
         return 0
     try:

@@ -110,12 +110,12 @@ class Session(SessionState):
     def resume(self, scene: str, keeper: Keeper = LOCAL) -> Spending | None:
         """Load the spending of a scene's earlier runs, and record this run's calls with it.
 
-        Call this before any other call. Returns the record, in the database next to the stored
-        answers, which ``keeper`` accesses; None if the session has no store.
+        Call this before any other call. Returns the record, which ``keeper`` accesses in the
+        database next to the stored answers, or None if the session has no store.
 
         Raises:
             StorageError: the recorded spending cannot be read.
-            InputError: earlier spending is in another currency than ``prices``.
+            InputError: earlier spending is in a currency other than that of ``prices``.
         """
         if self.store is None:
             return None
@@ -131,12 +131,12 @@ class Session(SessionState):
         return httpx2.create_ssl_context()
 
     def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
-        """Return ``work`` of each item, in order, with up to ``workers`` items at a time.
+        """Return the result of ``work`` for each item, in order, with up to ``workers`` at a time.
 
         The first error stops items that wait or have not started, and is raised once the others
         have ended; answers received until then are in the store. Ctrl-C gives running items
-        ``grace`` seconds, a second one none. A dry run tries all items and reports all calls in one
-        error.
+        ``grace`` seconds; a second Ctrl-C gives them none. A dry run tries all items and reports
+        all calls in one error.
         """
         if min(self.workers, len(items)) <= 1 and not self.dry:
             return [work(item) for item in items]

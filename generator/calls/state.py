@@ -47,8 +47,8 @@ class SessionState:
     def check_price(self, model: str, base_url: str, what: str) -> None:
         """Check that a budget can be enforced for a model: its price is known, or it runs locally.
 
-        If the store has answers, it may answer all calls; then the first call that must be paid for
-        is refused instead.
+        If the store holds answers, it may be able to answer every call, so no error is raised here;
+        the first call that must be paid for is refused instead.
 
         Raises:
             BudgetError: the price is unknown; the message starts with ``what`` and explains how to
@@ -62,11 +62,11 @@ class SessionState:
             raise unknown_price(what, self.budget, model or f"@{at.netloc}")
 
     def wait_for(self, call: Future[Any]) -> BaseException | None:
-        """Wait for a pending call; return an interrupt that arrived meanwhile, to be raised later.
+        """Wait for a pending call; return any interrupt during the wait, to be raised later.
 
         Raises:
             StoppedError: the session stopped, and the call did not end within ``grace`` seconds.
-            KeyboardInterrupt: likewise in the main thread, or a second interrupt arrived.
+            KeyboardInterrupt: the same happened in the main thread, or a second interrupt arrived.
         """
         own = Deadline()
         interrupt: BaseException | None = None

@@ -1,8 +1,8 @@
 """A store of paid answers on disk, keyed by the content of their questions.
 
-An answer is published or absent: it is written to a temporary file and renamed, and it contains a
-checksum of its content and its key. Of a question only the key is stored; of an answer its status,
-content type and body.
+An answer is either complete or absent: it is written to a temporary file and renamed, and it
+contains a checksum of its content and its key. Only a question's key is stored, and only an
+answer's status, content type and body.
 """
 
 from __future__ import annotations
@@ -178,7 +178,7 @@ class CallStore:
             raise
 
     def _clear(self, key: str) -> None:
-        """Remove unfinished files of a locked question, whose writers have ended."""
+        """Remove the unfinished files of a locked question; their writers have ended."""
         path = self._path(key)
         for left in path.parent.glob(f"{_PARTIAL}{path.name}-*"):
             remove_file(left.parent, left.name)
@@ -257,7 +257,7 @@ KEY = "x-tabletopgen-key"
 
 @dataclass(frozen=True)
 class Used:
-    """The keys of the answers to one question so far, stored in ``store``.
+    """The keys of the answers stored in ``store`` so far for one question.
 
     After a success the answers stay in the store for a run that resumes. After an error caused by
     their content they must be removed, or every later run would fail in the same way.

@@ -37,7 +37,7 @@ def app(name: str) -> tyro.extras.SubcommandApp:
     """Return the command called ``name``; no other command is imported.
 
     If ``name`` is empty or an option (``--help``), return all commands with their one-line
-    summaries, none of them imported. A request for shell completions imports all of them.
+    summaries, without importing any of them. A request for shell completions imports all of them.
 
     Raises:
         InputError: no command has this name, or it cannot be loaded.
@@ -55,7 +55,7 @@ def app(name: str) -> tyro.extras.SubcommandApp:
 
 
 def _entry(name: str) -> EntryPoint:
-    """Return the entry point of a command; other packages' are searched only if necessary."""
+    """Return the entry point of a command; other packages are searched only if necessary."""
     if name in OWN:
         return OWN[name]
     known = commands()

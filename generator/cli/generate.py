@@ -79,8 +79,8 @@ def generate(
         output: Output files and folders.
         seed: The same source and seed give the same scene.
         camera: Known properties of the picture besides its colours.
-        without: Omit a stage, as in the paper's ablations: the backend estimates from the picture
-            the results of dro (rotations), tsa (positions and sizes) or both. Nothing is refined
+        without: Omit a stage, as in the paper's ablations: the backend estimates the results of dro
+            (rotations), tsa (positions and sizes) or both from the picture. Nothing is refined
             then.
         timings: Also print the duration of every stage in seconds.
         mix: Backends for text and images, which can differ per role.

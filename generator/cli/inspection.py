@@ -140,7 +140,7 @@ def verify_all(
 ) -> int:
     """Verify bundles and return the exit code.
 
-    ``may_vanish``: skip bundles that another process removes meanwhile, instead of failing them.
+    ``may_vanish``: bundles that another process removes in the meantime are skipped, not failed.
     """
     from ..bundle import load_verified
     from ..physics.gate import judge

@@ -74,7 +74,7 @@ def version(package: str) -> str | None:
 
 
 def models() -> dict[str, Any]:
-    """Return the availability of the weights of the embedded eye and of the open models."""
+    """Return whether the weights of the built-in detector and of the open models are available."""
     folder, shipped = models_folder(), Path(eye.__file__).parent
     return {
         "embedded": {name: (shipped / name).is_file() for name in EYE},
@@ -154,7 +154,7 @@ print(torch.cuda.get_device_name(0))
 
 @dataclass(frozen=True)
 class Probe:
-    """Whether a feature works, with the device's name or the reason of the failure."""
+    """Whether a feature works, with the device's name or the reason for the failure."""
 
     works: bool
     said: str
@@ -173,7 +173,7 @@ def probe_cuda() -> Probe:
 def run(code: str, limit: float, **environment: str) -> Probe:
     """Run Python code in its own process, which is killed after ``limit`` seconds.
 
-    The last line of standard output is the result, and that of standard error the reason of a
+    The last line of standard output is the result, and that of standard error the reason for a
     failure.
     """
     try:

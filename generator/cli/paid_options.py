@@ -71,7 +71,7 @@ NO_CALLS = CallOptions()
 
 @contextmanager
 def answering(session: Session, scene: str) -> Iterator[None]:
-    """Wrap ``backends.paying.answering``; print the costs of a failed command on standard error."""
+    """Wrap ``paid_run.answering``; print the costs of a failed command on standard error."""
     with paid_run.answering(session, scene, lambda text: print(escape(text), file=sys.stderr)):
         yield
 

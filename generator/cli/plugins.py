@@ -5,9 +5,9 @@ module's source. This package imports no other package's command; ``tabletopgen_
 own in ``pyproject.toml``. The declarations of a source checkout take precedence, because the
 installed metadata may be older or missing.
 
-Entry points of the group ``tabletopgen.verifiers`` check parts of a bundle that this package does
-not know, by replaying episodes: functions of the bundle's path, the number of episodes and a seed,
-which return the number of replayed episodes and a list of problems.
+Entry points of the group ``tabletopgen.verifiers`` check, by replaying episodes, parts of a bundle
+that this package does not know. They are functions that take the bundle's path, the number of
+episodes and a seed, and return the number of replayed episodes and a list of problems.
 """
 
 from __future__ import annotations

@@ -31,7 +31,7 @@ class PictureMatch:
     ``mean_iou`` is the mean overlap (intersection over union, in [0, 1]) of the outlines of the
     objects detected in the picture; undetected objects are not counted. It is None if the
     comparison is impossible. ``doubts`` are reasons why the view does not match the picture;
-    ``notes`` name single objects that are elsewhere or missing in it.
+    ``notes`` name single objects that are elsewhere in the picture or missing from it.
     """
 
     mean_iou: float | None

@@ -27,10 +27,10 @@ _SAME_RATIO = 0.02
 class Score:
     """Comparison of one instance of the picture with its object in the scene.
 
-    ``iou`` is that of the visible silhouettes. ``color_difference`` is the distance of their mean
-    colours in CIE L*a*b* (CIE76; about 2 is just noticeable), or None if either shows no pixel.
-    ``built`` is False for an instance that is not part of the scene, ``found`` for an object
-    without an instance in the picture.
+    ``iou`` is the overlap (intersection over union) of the visible silhouettes.
+    ``color_difference`` is the distance of their mean colours in CIE L*a*b* (CIE76; about 2 is just
+    noticeable), or None if either shows no pixel. ``built`` is False for an instance that is not
+    part of the scene, ``found`` for an object without an instance in the picture.
     """
 
     name: str

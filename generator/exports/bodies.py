@@ -42,7 +42,8 @@ class ExportPiece:
     Attributes:
         kind: kind of shape; "mesh" is the convex hull of ``vertices``.
         center: centre of its box, metres.
-        half: half extents of its box along the body's axes, metres; of a sphere three radii.
+        half: half extents of its box along the body's axes, metres; for a sphere, its radius three
+            times.
         axis: axis of a cylinder, 0, 1 or 2.
         vertices, faces: its surface, facing outwards; round pieces have ``SEGMENTS`` sides, whose
             vertices lie on the surface.
@@ -98,7 +99,7 @@ class ExportWorld:
         name: name of the scene or the object.
         bodies: the table, if there is one, followed by the objects.
         ground: coefficient of friction of the floor and the table.
-        mjcf: returns the same bodies as MJCF with its files.
+        mjcf: returns the same bodies as an MJCF with its files.
     """
 
     name: str
@@ -127,7 +128,7 @@ def object_world(thing: Object) -> ExportWorld:
 
 
 def bodies_of(scene: Scene) -> tuple[ExportBody, ...]:
-    """Return the table, fixed, and the objects of a scene at rest.
+    """Return a scene's bodies: the table, which is fixed, and the objects at rest.
 
     Raises:
         SceneError: the table's shape has no volume.
@@ -172,7 +173,7 @@ def _plain(name: str) -> str:
 
 
 def free_name(word: str, taken: set[str]) -> str:
-    """Return the word, with a number if it is taken, and mark it as taken."""
+    """Return the word, with a number appended if it is taken, and mark the result as taken."""
     name, number = word, 2
     while name in taken:
         name, number = f"{word}_{number}", number + 1
@@ -193,7 +194,7 @@ def piece_of(part: ConvexPart) -> ExportPiece:
 
 
 def _surface(kind: GeomKind, part: ConvexPart, half: Float[np.ndarray, "3"]) -> Trimesh:
-    """Return the surface of a part: of a hull in place, of a primitive about the origin."""
+    """Return the surface of a part: in place for a hull, about the origin for a primitive."""
     import trimesh
     from trimesh import creation
 
@@ -220,7 +221,7 @@ _FACES = (
 
 
 def floor_body(friction: float) -> ExportBody:
-    """Return the floor, fixed, with its upper side at z = 0."""
+    """Return the floor, a fixed body whose upper side is at z = 0."""
     corners = np.array([*product((-0.5, 0.5), repeat=3)])
     vertices, faces = corners * _SIZE, np.array(_FACES)
     mesh = Mesh(corners, faces, np.full((8, 2), 0.5), np.full((2, 2, 3), _COLOR, np.uint8))

@@ -1,4 +1,4 @@
-"""Friction and contact settings with which other physics engines behave like MuJoCo.
+"""Friction and contact settings that make other physics engines behave like MuJoCo.
 
 Where two bodies touch, MuJoCo takes the larger of their coefficients of friction. Other engines
 combine them differently, so each engine gets its own coefficients, in an element that only it
@@ -33,10 +33,10 @@ from .bodies import ExportBody, ExportPiece
 from .files import number_text
 
 DRAKE: Mapping[str, str] = MappingProxyType({"xmlns:drake": "http://drake.mit.edu"})
-"""Attribute of a document that declares Drake's tags."""
+"""Document attribute that declares Drake's tags."""
 
 HYDROELASTIC_MODULUS = 1e7
-"""Pressure at the centre of a body in Drake, Pa: a plate of 0.5 kg sinks in by a micrometre."""
+"""Pressure at the centre of a body in Drake, Pa: a 0.5 kg plate sinks in by a micrometre."""
 
 _SHARE = 0.25  # edge length of a round piece's hydroelastic mesh, relative to its radius
 _REACH = 0.55  # minimum coefficient of the table in Drake, relative to the largest one
@@ -52,7 +52,7 @@ class EngineFriction:
 
 
 def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, EngineFriction]:
-    """Return the coefficients of each body by name; the floor has those of the ``table``."""
+    """Return the coefficients of each body by name; the floor's equal those of the ``table``."""
     wanted = {body.name: max(body.friction, table) for body in bodies}  # on the table, in MuJoCo
     most = max(wanted.values())
     middle = max(table, _REACH * most)
@@ -65,7 +65,7 @@ def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, 
 
 
 def _harmonic(wanted: float, other: float) -> float:
-    """Return the x for which 2 x other / (x + other) is ``wanted``, less than 2 ``other``."""
+    """Return the x for which 2 x other / (x + other) is ``wanted`` (which is < 2 ``other``)."""
     return wanted * other / (2 * other - wanted)
 
 

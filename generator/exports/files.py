@@ -1,4 +1,4 @@
-"""Files and numbers of the XML exports: Wavefront OBJ meshes in metres, textures.
+"""Files and numbers of the XML exports: textures, and Wavefront OBJ meshes in metres.
 
 A body's visual mesh has the body's name; other files are named by the digest of their content. All
 are in one folder, since some readers reject files outside an OBJ's own. Files are used unscaled.
@@ -62,7 +62,7 @@ class ExportFiles:
 
 
 def plain_obj(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> bytes:
-    """Return a surface as Wavefront OBJ without texture, to a tenth of a micrometre."""
+    """Return a surface as Wavefront OBJ without texture, rounded to a tenth of a micrometre."""
     text = row_lines("v %.7f %.7f %.7f\n", vertices) + row_lines("f %d %d %d\n", faces + 1)
     return text.encode()
 

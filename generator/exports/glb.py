@@ -2,7 +2,7 @@
 
 The first scene, which viewers show, has a node for each body with its textured mesh. The scene
 "collision" has the same nodes with a mesh for each convex piece. glTF is y up, so both have a root
-node that rotates z up to y up. A node's ``extras`` hold values for which glTF has no field:
+node that rotates z up to y up. A node's ``extras`` hold the values for which glTF has no fields:
 ``mass`` (kg), ``center_of_mass`` (metres), ``inertia`` (kg m², rows, about the centre of mass),
 ``friction``, ``fixed``, in the body's frame. The extras of a piece are its ``kind`` and
 ``half_extents``, and the node above the pieces has the name of their ``body``.
@@ -90,7 +90,7 @@ def _piece_details(piece: ExportPiece) -> dict[str, Any]:
 def _arrange(
     tree: dict[str, Any], name: str, details: Mapping[str, dict[str, Any]], roots: Sequence[str]
 ) -> None:
-    """Set the nodes' extras, and attach bodies to rotated roots, pieces in a scene of their own.
+    """Set the nodes' extras, and attach bodies to rotated roots, with pieces in their own scene.
 
     ``roots`` are the names of the root nodes of the visual scene and the collision scene.
     """

@@ -1,8 +1,8 @@
 """SDFormat 1.9: ``scene.sdf``, a world of models, as Gazebo loads it.
 
 Table and floor are static models. A convex piece is one collision: a primitive, or a mesh that is
-its hull. Friction is isotropic Coulomb friction, for Gazebo and for Drake, see ``engines``.
-``load_drake.py`` loads the scene into Drake.
+its hull. Friction is isotropic Coulomb friction, given separately for Gazebo and for Drake; see
+``engines``. ``load_drake.py`` loads the scene into Drake.
 """
 
 from __future__ import annotations

@@ -3,12 +3,12 @@
 In ``scene.urdf`` the table is attached to the link "world" by a fixed joint and each object by a
 floating joint, at its resting pose, for readers that support floating joints (MuJoCo). Others load
 ``objects/NAME.urdf``, one body each, including the table and the floor, at the poses of
-``poses.json``, as ``load_pybullet.py`` and ``load_drake.py`` do. URDF has no friction: it is in
-elements of PyBullet, Drake and Gazebo, see ``engines``. Ellipsoids are hulls.
+``poses.json``, as ``load_pybullet.py`` and ``load_drake.py`` do. URDF itself has no friction; it is
+given in elements for PyBullet, Drake and Gazebo, see ``engines``. Ellipsoids are exported as hulls.
 
-In addition to its texture a body has a colour. In ``scene.urdf`` it is the mean of the texture, for
-readers without textures (MuJoCo), which would otherwise draw white objects; in an object's own file
-it is white, since PyBullet multiplies the texture by it.
+In addition to its texture, a body has a colour. In ``scene.urdf`` it is the mean of the texture,
+for readers without textures (MuJoCo), which would otherwise draw white objects; in an object's own
+file it is white, since PyBullet multiplies the texture by it.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """USD with UsdPhysics: ``scene.usdc`` and its textures, or a single ``scene.usdz``.
 
 Z up, metres, kilograms. /World holds PhysicsScene, floor, table, and an Xform for each object: a
-rigid body with mass, centre of mass and principal inertia. Below it are Visual, a mesh with
-texture, Collision with one prim for each convex piece (a Cube, Cylinder or Sphere, or a Mesh whose
-approximation is "convexHull"), and Looks with the materials of both.
+rigid body with mass, centre of mass and principal inertia. Below it are Visual, which is a textured
+mesh; Collision, which has one prim for each convex piece (a Cube, Cylinder or Sphere, or a Mesh
+whose approximation is "convexHull"); and Looks, which has the materials of both.
 """
 
 from __future__ import annotations
@@ -237,7 +237,7 @@ def _quaternion(wxyz: Float[np.ndarray, "4"]) -> Any:
 def principal(
     inertia: Float[np.ndarray, "3 3"],
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "4"]]:
-    """Return the principal moments and the rotation to the principal axes, unit wxyz."""
+    """Return the principal moments, and the rotation to the principal axes (unit wxyz)."""
     moments, axes = np.linalg.eigh(inertia)
     if np.linalg.det(axes) < 0:
         axes[:, 2] *= -1

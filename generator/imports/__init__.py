@@ -1,4 +1,4 @@
-"""Scenes of other programs converted to scenes of this one: MJCF, and GLB files.
+"""Import of scenes from other programs: MJCF and GLB files.
 
     from generator.imports import import_scene
 
@@ -33,7 +33,7 @@ def import_scene(
 
 
 def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
-    """Return the import outcome of each object of a scene; see ``building.list_outcomes``.
+    """Return the import outcome of each object of a scene; see ``scene.list_outcomes``.
 
     Raises:
         BundleError: the entry in the scene's provenance has another format.

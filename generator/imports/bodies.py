@@ -1,6 +1,6 @@
-"""A foreign body as an object or a table: canonical model, collision shape, mass.
+"""Conversion of a foreign body to an object or a table: model, collision shape, mass.
 
-Bodies that cannot be repaired degrade step by step: a torn surface is drawn unchanged, a surface
+Bodies that cannot be repaired are still imported: a torn surface is drawn unchanged, and a surface
 that cannot be decomposed collides as its convex hull.
 """
 
@@ -133,7 +133,7 @@ def _outcome(name: str, repairs: Sequence[str], reason: str) -> ImportOutcome:
 
 @dataclass(frozen=True)
 class _Side:
-    """The longest side of a body in the world, metres, and its name in messages."""
+    """The longest side of a body in the world, in metres, and the body's name in messages."""
 
     length: float
     word: str
@@ -240,7 +240,7 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
 
 
 def _solid(model: Model, extent: Float[np.ndarray, "3"], budget: CutBudget) -> tuple[Model, str]:
-    """Return a model with a collision shape, and the reason if that is its convex hull."""
+    """Return a model with a collision shape, and the reason if the shape is its convex hull."""
     if model.parts:
         return model, ""
     try:
@@ -258,7 +258,7 @@ def _weigh(
     turn: Float[np.ndarray, "3 3"],
     center: Float[np.ndarray, "3"],
 ) -> MassProperties:
-    """Return the given mass, or else the category's, in the object's frame."""
+    """Return the given mass properties, or else the category's, in the object's frame."""
     if body.mass is not None:
         given = body.mass
         return MassProperties(given.mass, turn @ given.com - center, turn @ given.inertia @ turn.T)

@@ -9,7 +9,7 @@
     }
 
 Positions are in metres, z up; quaternions are wxyz. Both refer to the file's own frame after it is
-made upright (GLB is y up unless the entry has ``"up": "z"``) and scaled. Instead of a file the
+made upright (GLB is y up unless the entry has ``"up": "z"``) and scaled. Instead of a file, the
 table may have a ``"size"``: length, width and height in metres of a plain table at the world's
 origin.
 """

@@ -1,4 +1,4 @@
-"""A foreign scene as read: bodies with surface, collision shapes, mass and pose.
+"""A foreign scene as read: bodies with their surfaces, collision shapes, masses and poses.
 
 Its files must be regular files inside its folder (``read_source``). Objects that cannot be imported
 are refused individually, with an ``ImportOutcome``, and the others are kept.
@@ -22,7 +22,7 @@ from ..physics.inertia import MassProperties
 from ..scene import ConvexPart
 
 DENSITY = (1.0, 29_000.0)
-"""Densities of materials, kg/m³."""
+"""Minimum and maximum density of materials, kg/m³."""
 
 LARGEST = 100.0
 """Maximum size of a body of a foreign scene, and maximum distance from its table, metres."""
@@ -79,8 +79,8 @@ class Refusals:
         """Check that some objects are left.
 
         Raises:
-            InputError: all objects are refused, with their reasons. A single object's own error is
-                raised unchanged.
+            InputError: all objects are refused; the message gives the reasons. A single object's
+                own error is raised unchanged.
         """
         if len(left) or self.first is None:
             return
@@ -136,8 +136,8 @@ class ForeignBody:
         """Return the body with all lengths multiplied.
 
         A mass that is plausible for the body's unscaled lengths, 1 to 29,000 kg/m³ of its box, was
-        computed from them and scales with the volume; any other mass is taken as kilograms and
-        stays.
+        computed from them and scales with the volume; any other mass is taken to be in kilograms
+        and is kept.
         """
         mass = self.mass
         if mass is not None:

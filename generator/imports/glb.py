@@ -130,7 +130,7 @@ class _Place:
 
 
 def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
-    """Return the meshes of a scene; bodies are nodes with a body's extras, else the topmost meshes.
+    """Return the meshes of a scene; nodes with a body's extras are bodies, or else the top meshes.
 
     Raises:
         InputError: the nodes do not form a tree, or one of them is invalid.
@@ -274,7 +274,7 @@ def _split(
 
 
 def _mass(extras: Mapping[str, Any], name: str) -> MassProperties | None:
-    """Return the mass of a node that has one; None for others."""
+    """Return the mass of a node, or None if it has none."""
     mass = _number(extras.get("mass"), name, "mass")
     if mass is None or "inertia" not in extras:
         return None
@@ -329,7 +329,7 @@ def _collision_of(
 def _shells(
     header: Header, place: _Place, meshes: Sequence[trimesh.Trimesh] | BackendError, what: str
 ) -> Iterator[ConvexPart]:
-    """Yield the convex parts of one place of the scene "collision", in the frame of its body."""
+    """Yield the convex parts at one place in the scene "collision", in its body's frame."""
     if isinstance(meshes, BackendError):
         raise meshes
     kind = str(_extras(header["nodes"][place.node]).get("kind"))

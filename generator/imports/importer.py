@@ -43,8 +43,8 @@ def import_scene(
     on a plain one. Objects that cannot be imported are refused without affecting the others;
     ``list_outcomes`` gives the outcome of each. The same source gives the same scene.
 
-    ``config`` replaces the settings of the assembly, including the gate's lean, which is otherwise
-    that of the options.
+    ``config`` replaces the settings of the assembly, including the gate's lean, which otherwise
+    comes from the options.
 
     Raises:
         InputError: the source cannot be read, or has no usable object, no table or too many
@@ -113,10 +113,10 @@ def read_scene(
 ) -> ForeignScene:
     """Return a foreign scene with a table, read in a child process; its arrays are read-only.
 
-    ``root`` is the folder that contains an MJCF and all its files, ``table`` the name of the fixed
-    body or geom that is the table, ``scale`` multiplies lengths; see the reader of each kind. If
-    the files of a folder reach a limit together, each is read in its own child process, so that
-    only a file that reaches it alone is refused.
+    ``root`` is the folder that contains an MJCF and all its files, ``table`` is the name of the
+    fixed body or geom that is the table, and ``scale`` multiplies all lengths; see the reader of
+    each kind. If the files of a folder reach a limit together, each is read in its own child
+    process, so that only a file that reaches it alone is refused.
 
     Raises:
         InputError: the file cannot be read, or its reader reaches a limit.

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 
 TABLE_WORDS = re.compile(r"table|desk|bench|counter|island|worktop", re.IGNORECASE)
-"""Words of a table's name."""
+"""Words that suggest that a name is a table's."""
 
 _KINDS: dict[int, Solid] = {3: "capsule", 2: "ellipsoid", 4: "ellipsoid", 5: "cylinder", 6: "box"}
 _PLANE, _MESH = 0, 7  # of mjtGeom
@@ -240,7 +240,7 @@ class _ModelReader:
                 yield f"{count} {what} are ignored"
 
     def _fixed_groups(self) -> dict[str, Int[np.ndarray, "k"]]:
-        """Return the geoms of fixed objects: of each body of the world, and each geom in it."""
+        """Return the geoms of fixed objects: of each body, and each geom directly in the world."""
         model = self.model
         groups: dict[str, list[int]] = {}
         for g in range(model.ngeom):
@@ -368,7 +368,7 @@ class _ModelReader:
     def _mesh(
         self, geom: int
     ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"] | None]:
-        """Return a mesh in its geom's frame, and its texture coordinates, v upwards."""
+        """Return a mesh in its geom's frame, and its texture coordinates, with v upwards."""
         mesh = int(self.model.geom_dataid[geom])
         if mesh not in self._meshes:
             self._meshes[mesh] = self._read_mesh(mesh)
@@ -410,14 +410,14 @@ class GeomLooks:
         return model.mat_rgba[material].astype(np.float64)
 
     def repeat(self, geom: int) -> Float[np.ndarray, "2"]:
-        """Return the number of repetitions of a geom's texture along each of its sides."""
+        """Return how often a geom's texture repeats along each of its sides."""
         material = int(self._model.geom_matid[geom])
         if material < 0:
             return np.ones(2)
         return self._model.mat_texrepeat[material].astype(np.float64)
 
     def picture(self, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
-        """Return a geom's texture in its colour; None without one. Of a cube, the first side.
+        """Return a geom's texture in its colour, or None; for a cube texture, its first side.
 
         Geoms with the same texture and colour get the same read-only array, so that meshes share
         it. Its longest side is at most ``MOST_TEXTURE``.

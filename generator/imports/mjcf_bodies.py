@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     CompileModel = Callable[[GatheredModel, str], mujoco.MjModel]
 
 MAX_REFUSED = 20
-"""Maximum number of bodies left out because MuJoCo rejects them; with more the file is rejected."""
+"""Maximum number of bodies left out because MuJoCo rejects them; beyond it, the file is refused."""
 
 
 def free_bodies(gathered: GatheredModel) -> list[str]:

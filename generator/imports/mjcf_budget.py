@@ -23,7 +23,7 @@ MOST_COPIES = 200
 _UNUSED = (
     "size", "sensor", "keyframe", "custom", "actuator", "tendon", "equality", "contact",
 )  # fmt: skip
-"""Sections that scenes are not read from."""
+"""MJCF sections that are ignored when a scene is read."""
 
 
 def drop_unused(root: ET.Element) -> None:
@@ -87,7 +87,8 @@ def check_assets(root: ET.Element, files: Mapping[str, bytes], sides: Iterable[s
     a cube. Equal textures count once (``merge_textures``), meshes once per element.
 
     Raises:
-        InputError: a texture, or all together, have too many texels; meshes have too many faces.
+        InputError: a texture, or all textures together, have too many texels, or the meshes have
+            too many faces.
     """
     texels = faces = 0
     for element in root.iter():

@@ -17,10 +17,10 @@ from .foreign import read_source
 from .mjcf_budget import check_assets, check_copies, drop_unused, merge_textures
 
 MOST_XML, MOST_FILE, MOST_TOGETHER = 32 * 2**20, 128 * 2**20, 384 * 2**20
-"""Maximum bytes of an XML file, of a mesh or picture, and of all together."""
+"""Maximum size in bytes of an XML file, of a mesh or picture, and of all files together."""
 
 MOST_ELEMENTS, MOST_DEPTH, MOST_INCLUDES = 200_000, 100, 200
-"""Maximum numbers of elements in all files, of nesting levels, and of files."""
+"""Maximum number of elements in all files, of nesting levels, and of files."""
 
 _REFUSED = {
     "extension": "plugins run code", "plugin": "plugins run code",
@@ -72,7 +72,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
 
 @dataclass
 class _Reader:
-    """Reads files of one folder; ``base`` is the model's folder, ``files`` go to MuJoCo."""
+    """Reads files of one folder; ``base`` is the model's folder, ``files`` are passed to MuJoCo."""
 
     folder: Path
     base: PurePosixPath
@@ -152,8 +152,7 @@ class _Reader:
     def _find(self, given: str, *places: PurePosixPath) -> PurePosixPath:
         """Return the path of a referenced file, in the first folder that contains it, or the last.
 
-        For an include, the folders are the model's and that of the referring file, in MuJoCo's
-        order.
+        For an include, the folders are the model's and the referring file's, in MuJoCo's order.
         """
         path = PurePosixPath(given.replace("\\", "/"))
         if path.is_absolute() or not given or ":" in given:

@@ -76,7 +76,7 @@ def build_scene(
 
 
 class _Shapes:
-    """Counts the convex parts of a scene as a bundle does: of all bodies, and of their models."""
+    """Counts the convex parts of a scene as a bundle does: for all bodies and for their models."""
 
     def __init__(self) -> None:
         self._parts = self._points = 0
@@ -107,7 +107,7 @@ class _Shapes:
 
 
 def _content(model: Model) -> Hashable:
-    """Return a key: equal for models that a bundle stores once, except for rounding."""
+    """Return a key that is equal, up to rounding, for models that a bundle stores only once."""
     arrays = (model.size, model.mesh.vertices, model.mesh.faces, model.mesh.uv, model.mesh.texture)
     parts = tuple((part.kind, part.axis, part.vertices.tobytes()) for part in model.parts)
     looks = hashlib.sha256(b"".join(np.ascontiguousarray(array).tobytes() for array in arrays))

@@ -74,7 +74,7 @@ def solid_part(
 
 
 def part_of(points: Float[np.ndarray, "n 3"], kind: str) -> ConvexPart:
-    """Return points on the surface of a part of a known kind ("sphere", ...) as a convex part."""
+    """Return a convex part of a known kind ("sphere", ...), given points on its surface."""
     if kind == "cylinder":
         flat = [len(np.unique(points[:, k].round(6))) for k in range(3)]
         return ConvexPart(points, "cylinder", (0, 1, 2)[int(np.argmin(flat))])

@@ -53,7 +53,7 @@ def parse_json(
     max_bytes: int = _MAX_JSON_BYTES,
     max_depth: int = _MAX_DEPTH,
 ) -> Any:
-    """Parse an untrusted JSON text; all its numbers are finite, all its strings valid Unicode.
+    """Parse an untrusted JSON text; all numbers must be finite, all strings valid Unicode.
 
     ``what`` is the start of error messages, such as "The answer of the server". ``max_bytes``
     limits the length, ``max_depth`` the nesting of lists and objects.
@@ -281,7 +281,7 @@ def _array(raw: bytes) -> np.ndarray:
     """Return the array of an npy file.
 
     Raises:
-        ValueError: the file is damaged, contains pickles, or has a different size than its header
+        ValueError: the file is damaged, contains pickles, or differs in size from what its header
             states.
     """
     file = io.BytesIO(raw)

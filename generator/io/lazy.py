@@ -16,7 +16,7 @@ def lazy_names(
     Args:
         package: the package's ``__name__``.
         homes: the module that defines each name, relative to the package, as in ``{"load":
-            "bundle"}``. A name must not be that of a module of the package.
+            "bundle"}``. A name must not equal the name of a module in the package.
     """
 
     def get(name: str) -> Any:

@@ -162,7 +162,7 @@ def _put_in_place(job: Job, folder: Path, name: str) -> None:
 
 
 def _clear(place: Path, name: str) -> None:
-    """Remove remains of an earlier attempt; of a link, only the link itself."""
+    """Remove what an earlier attempt left; if that is a link, only the link itself."""
     own = place / name
     if own.is_symlink() or own.is_file():
         remove_file(place, name)
@@ -217,7 +217,7 @@ class Outcome:
         bundle: the name of its bundle, if there is one.
         kind: the class of the error, if it failed or is unpaid.
         error: the message of the error.
-        seconds: the time that its making took.
+        seconds: how long it took to make the scene.
         gate: values of the recorded gate; see ``summary``.
     """
 

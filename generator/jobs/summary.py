@@ -40,7 +40,7 @@ class Summary:
         return {state: states[state] for state in ("made", "there", "failed", "unpaid")}
 
     def kinds(self) -> dict[str, int]:
-        """Return the number of failures by kind of error, most frequent first."""
+        """Return the number of failures for each kind of error, the most frequent first."""
         return dict(Counter(o.kind or "" for o in self.failures).most_common())
 
     def gate(self) -> dict[str, dict[str, float]]:

@@ -158,14 +158,14 @@ def shared_budget(folder: str | Path, prices: Prices | None = None) -> SharedBud
     """Return the budget shared by all batches in a folder, creating it if necessary.
 
     Raises:
-        InputError: the recorded spending is in another currency than ``prices``.
+        InputError: the recorded spending is in a currency other than that of ``prices``.
         StorageError: the record cannot be read, or the folder is not writable.
     """
     return SharedBudget.open(place_of(Path(folder)), (prices or Prices.default()).currency)
 
 
 def _share() -> None:
-    """Limit libraries that ignore ``threads`` to that number, because other workers run too."""
+    """Limit libraries that ignore ``threads`` to that number, since other workers are running."""
     import cv2
     import torch
 

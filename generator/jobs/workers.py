@@ -58,8 +58,8 @@ class WorkerPool(TaskPool):
     owns nothing and must not be used. ``begin``, which must be picklable, is called once in each
     process, before its first task. ``folder`` is temporary and removed with the pool; it contains
     the workers' standard error. ``descriptors`` are open files that the workers inherit under the
-    same numbers; the caller may close them once ``width`` tasks were submitted. ``environment``
-    adds variables to those of this process.
+    same numbers; the caller may close them once ``width`` tasks have been submitted.
+    ``environment`` adds variables to those of this process.
     """
 
     def __init__(

@@ -1,9 +1,9 @@
 """Functions that run in a child process with limits on time, memory and output.
 
-Parsers of untrusted files run here: a file that makes one loop, crash or exhaust the memory costs a
-child process and raises one :class:`SandboxError`. The child returns values that this process
-decodes without pickle (:mod:`.serialization`). Its working directory is already deleted, so it
-leaves no files behind, however it ends.
+Parsers of untrusted files run here: if a file makes a parser loop, crash or exhaust the memory,
+only a child process is lost, and a :class:`SandboxError` is raised. The child returns values that
+this process decodes without pickle (:mod:`.serialization`). Its working directory is already
+deleted, so it leaves no files behind, however it ends.
 """
 
 from .runner import CpuBudget as CpuBudget

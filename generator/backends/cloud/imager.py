@@ -54,7 +54,7 @@ class CloudImager:
         chat_base_url: the chat server.
         chat_model: the chat model, which checks top views.
         seed: different seeds give different drawings.
-        session: shared state of the calls of one generation; not part of the identity.
+        session: state that all calls of one generation share; not part of the identity.
         fallback: the imager for top views if the model draws no usable one; ``Backends.select``
             passes the embedded imager. None raises the error instead.
     """
@@ -106,7 +106,7 @@ class CloudImager:
         """Draw the plan's reference image, at most 1280 pixels wide or high.
 
         Raises:
-            BackendError: the server returned no usable picture; this applies to all questions.
+            BackendError: the server returned no usable picture; the other questions raise this too.
         """
         table, things = plan_text.in_words(plan)
         text = prompt(
@@ -121,7 +121,7 @@ class CloudImager:
         """Redraw one object completely, without occlusion, and register it to the picture.
 
         Raises:
-            BackendError: none of ``REDRAWS`` more drawings shows it either; also see ``draw``.
+            BackendError: even after ``REDRAWS`` redraws, no drawing shows it; see also ``draw``.
         """
         cutout = cutouts.cut(reference, detection, others)
         place = Labelled.of(
@@ -158,7 +158,7 @@ class CloudImager:
         rotations: Mapping[str, Rotation],
         view: View,
     ) -> TopView:
-        """Draw the table from above; its boxes are left to the segmenter.
+        """Draw the table from above; the segmenter later finds the boxes in the drawing.
 
         The chat model checks that the view shows each object exactly once and nothing else. If a
         model refuses, or ``REDRAWS`` more drawings fail, ``fallback`` renders the view from
@@ -208,7 +208,7 @@ class CloudImager:
         )
 
     def _take(self, seed: int, take: int) -> str:
-        """Return words that make the requests for different drawings different."""
+        """Return words that distinguish the requests for different drawings."""
         number = 1 + take + (1 + REDRAWS) * (self.seed + seed)
         return f"Version {number}. Do not write this number."
 

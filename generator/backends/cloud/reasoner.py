@@ -38,13 +38,13 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass(frozen=True)
 class CloudReasoner:
-    """Answers the six questions, and the two each of ``Judge`` and ``PoseGuesser``, by chat.
+    """Answers, by chat, the six questions and the two of ``Judge`` and of ``PoseGuesser``.
 
     Attributes:
-        base_url: an OpenAI-compatible server whose chat/completions accept pictures.
+        base_url: an OpenAI-compatible server whose chat/completions endpoint accepts pictures.
         model: the model's id on that server.
         seed: sent with every question to servers that accept a seed.
-        session: shared state of the calls of one generation; not part of the identity.
+        session: state that all calls of one generation share; not part of the identity.
     """
 
     base_url: str = field(default_factory=configuration.chat_base_url)
@@ -76,7 +76,7 @@ class CloudReasoner:
 
         Raises:
             InputError: the text is empty or too long.
-            BackendError: no usable answer; this applies to all questions.
+            BackendError: the answer is not usable; the other questions raise this too.
         """
         text = worded("plan_scene", text=plan_answer.checked_text(prompt), seed=str(seed))
 
@@ -86,7 +86,7 @@ class CloudReasoner:
         return self.chat.ask("plan_scene", text, (), answers.PlanAnswer, plan)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Return "table" and the noun of each visible kind, repeated by its count."""
+        """Return "table" and the noun of each visible kind, repeated once per instance."""
         plan = ""
         if reference.plan is not None:
             nouns = ", ".join(thing.noun for thing in reference.plan.objects)
@@ -225,7 +225,7 @@ class CloudReasoner:
         """Return the model's estimates of positions and sizes, all within the tabletop.
 
         Raises:
-            BackendError: ``sizes`` has no table; also see ``plan_scene``.
+            BackendError: ``sizes`` has no table; see also ``plan_scene``.
         """
         if TABLE not in sizes:
             raise self.chat.server.failure("guess_layout", "the size of the table is missing.")

@@ -1,4 +1,4 @@
-"""Flat objects that carry others: boards, trays and mats, which the eye mistakes for the tabletop.
+"""Flat objects that carry others: boards, trays and mats, which a detector takes for the top.
 
 They differ in colour from the rest of the top, are convex, and carry something. A shadow, in
 contrast, is darker than the surface with hardly any change of hue, and is convex only together with
@@ -25,7 +25,7 @@ _FLAT = 0.02, 0.4  # fraction of the tabletop that a carrier covers
 _FILLED = 0.9  # minimum fraction of its hull that the carrier and the objects on it fill
 _BARE = 0.2  # minimum fraction of its hull where the carrier itself is visible
 _STANDS = 0.6  # fraction of an object's foot within the hull, for objects on the carrier
-_KNOWN = 0.4  # overlap (IoU) with a detection of the eye, above which the carrier is already known
+_KNOWN = 0.4  # overlap (IoU) with a detection, above which the carrier is already known
 _OWN = 0.85  # fraction of nearby pixels of its colour that lie within the carrier
 
 
@@ -86,7 +86,7 @@ def _pieces(
     other: Bool[np.ndarray, "h w"],
     covered: Bool[np.ndarray, "h w"],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the patches of other colours; objects may separate parts of one patch."""
+    """Return the patches of other colours; an object may divide a patch into parts."""
     opened = cv2.morphologyEx(other.astype(np.uint8), cv2.MORPH_OPEN, np.ones((5, 5), np.uint8))
     count, labels, stats, _ = cv2.connectedComponentsWithStats(opened)
     kept = [k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= _CRUMB * other.size]

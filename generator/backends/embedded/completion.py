@@ -58,7 +58,8 @@ def complete(reference: Reference, detection: Detection, others: tuple[Detection
 def complete_mask(mask: Mask, hider: Mask) -> Mask:
     """Return ``mask`` extended into ``hider`` where the object probably continues behind it.
 
-    It is extended within its mirror image about a vertical axis, if it has one, or its convex hull.
+    It is extended within its mirror image about a vertical axis, if it has one, or else within its
+    convex hull.
     """
     x0, y0, x1, y1 = mask_box(mask).astype(int)
     reach = max(x1 - x0, y1 - y0)
@@ -77,10 +78,10 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
 
 
 def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
-    """Return the mask reflected about its outline's vertical symmetry axis, or None without one.
+    """Return the mask reflected about its outline's vertical axis of symmetry, or None.
 
-    At the axis, most of the unoccluded outline is mapped onto itself or behind the hider, and
-    almost none elsewhere.
+    A reflection about this axis maps most of the unoccluded outline onto itself or behind the
+    hider, and almost none of it elsewhere.
     """
     brush = np.ones((3, 3), np.uint8)
     rim = mask & (cv2.erode(mask.astype(np.uint8), brush, borderValue=0) == 0)
@@ -112,8 +113,8 @@ def mirror_colors(
 ) -> tuple[UInt8[np.ndarray, "h w 3"], Mask]:
     """Colour hidden pixels like their mirror images; return the picture and its known pixels.
 
-    The known pixels are ``seen`` alone if the outline has no vertical axis, or if its two sides
-    differ.
+    The known pixels are ``seen`` alone if the outline has no vertical axis of symmetry, or if its
+    two sides differ.
     """
     x0, _, x1, _ = mask_box(full).astype(int)
     ys, xs = np.nonzero(full)

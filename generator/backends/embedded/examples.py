@@ -1,8 +1,8 @@
 """Matching of a text's words to objects in a picture, through rendered catalogue examples.
 
-The eye has learned only a few of the catalogue's categories. For any other category, an example is
-built, rendered from all sides at about the picture's elevation, and named by the eye. An object to
-which the eye gives similar names may belong to that category.
+The built-in detector knows only a few of the catalogue's categories. For any other category, an
+example is built, rendered from all sides at about the picture's elevation, and named by the
+detector. An object to which the detector gives similar names may belong to that category.
 """
 
 from __future__ import annotations
@@ -47,7 +47,8 @@ def rate_words(
 ) -> Float[np.ndarray, "n w"]:
     """Return how well each object matches each word, from 0 to 1.
 
-    For a word outside the catalogue, it is the probability that the eye does not know the object.
+    For a word outside the catalogue, this is the probability that the detector does not know the
+    object.
     """
     names = np.stack([thing.names for thing in things]).astype(float)
     categories = load_weights().categories
@@ -73,7 +74,7 @@ def compare_sizes(
 ) -> Float[np.ndarray, "n w 2"]:
     """Return the ``apparent_scale`` of each object for each word; NaN where it is unknown.
 
-    It is unknown for words outside the catalogue, and for objects that the frame cuts.
+    It is unknown for words outside the catalogue, and for objects cut off by the frame.
     """
     found = [find_kind(word) for word in wanted]
     keys = sorted({category.key for category in found if category is not None})
@@ -89,7 +90,7 @@ def compare_sizes(
 def scales_of(
     thing: EyeDetection, keys: Sequence[str], plane: TablePlane
 ) -> dict[str, tuple[float, float]] | None:
-    """Return the ``apparent_scale`` of an object per category, or None if the frame cuts it."""
+    """Return an object's ``apparent_scale`` for each category; None if the frame cuts it off."""
     box = mask_box(thing.whole)
     height, width = thing.whole.shape
     if min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width):
@@ -99,7 +100,7 @@ def scales_of(
 
 @lru_cache(maxsize=1024)
 def _name_examples(key: str, degrees: int) -> Float[np.ndarray, "e k"]:
-    """Return the eye's names for a category's example from all sides; elevation in degrees."""
+    """Return the detector's names for a category's example, seen from all sides."""
     view = View(0.0, float(np.deg2rad(degrees)), _FOV)
     model = build(key, _SEED)
     looks = [_look(model, turn, view) for turn in range(_TURNS)]

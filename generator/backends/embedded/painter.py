@@ -23,7 +23,7 @@ ELEVATIONS = (50.0, 60.0)
 
 
 def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
-    """Render a plan: the whole table with its legs, centred on white, from the front above.
+    """Render a plan: the whole table with its legs, centred on white, seen from above and in front.
 
     Raises:
         SceneError: the objects fit on no plausible table.

@@ -41,14 +41,14 @@ _HEIGHT = 0.74
 class EmbeddedReasoner:
     """Answers the six questions without any model; answers about pictures use the table plane.
 
-    The two questions of ``PoseGuesser`` are answered by a naive reading of the picture
-    (``guessing``).
+    The two questions of ``PoseGuesser`` are answered by a naive reading of the picture (see
+    ``poses``).
     """
 
     plan_scene = staticmethod(plan_scene)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Return the plan's nouns, one per expected object, or "object" without a plan."""
+        """Return the plan's nouns, one per expected object, or "object" if there is no plan."""
         if reference.plan is None:
             return (TABLE, GENERIC)
         return (TABLE, *(thing.noun for thing in reference.plan.objects))
@@ -60,8 +60,8 @@ class EmbeddedReasoner:
     def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
         """Return catalogue sizes for known words, and measured sizes for others.
 
-        The table's length gives most known objects their usual size, within the limits of tables.
-        The size of an object that depth shows is measured.
+        The table's length is chosen so that most known objects get their usual size, within the
+        limits of tables. An object's size is measured if depth shows it.
         """
         known = survey(reference, instances)
         plane, solids = known.plane, known.solids
@@ -103,27 +103,27 @@ class EmbeddedReasoner:
     def stacking_order(
         self, reference: Reference, instances: Instances, view: View
     ) -> Mapping[str, Stacking]:
-        """Return the support of each object: from depth, or else from the masks (``stacking``)."""
+        """Return the support of each object: from depth, or else from the masks (``supports``)."""
         solids = survey(reference, instances).solids if reference.depth is not None else {}
         return stack(instances, _holds, solids)
 
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Return the yaw along each mask's long axis, to 15 degrees (``guessing``)."""
+        """Return the yaw along each mask's long axis, to 15 degrees (see ``poses``)."""
         return poses.guess_rotations(instances, sizes, view)
 
     def guess_layout(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, LayoutBox]:
-        """Return positions read from the table's box, and usual sizes (``guessing``)."""
+        """Return positions read from the table's box, and usual sizes (see ``poses``)."""
         return poses.guess_layout(instances, sizes, view)
 
 
 def _proportions(
     reference: Reference, instances: Instances, asked: Sequence[Instance], plane: TablePlane
 ) -> dict[str, Proportions]:
-    """Return the eye's estimates of the proportions of the objects in ``asked``, by name."""
+    """Return the detector's estimates of the proportions of the objects in ``asked``, by name."""
     masks = [np.asarray(instance.mask) for instance in asked]
     tabletop = np.any([np.asarray(instance.mask) for instance in instances], axis=0).sum()
     clues = proportion_clues(
@@ -154,11 +154,11 @@ def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
 
 
 def _table_factor(looks: list[tuple[float, float]]) -> float:
-    """Return the factor on a usual table for which known objects have their usual size.
+    """Return the factor for a usual table's size that gives known objects their usual size.
 
     ``looks`` are the results of ``apparent_scale`` on the usual table. The factor is the median,
-    weighted by the agreement of the shapes as in Eq. 6. The usual table has the weight of two
-    objects, because its size is better known than that of an object whose name is a guess.
+    weighted by the agreement of the shapes as in Eq. 6. The usual table counts as two objects,
+    because its size is better known than that of an object whose name is a guess.
     """
     voices = np.array([*looks, (1.0, 0.0), (1.0, 0.0)])
     voices = voices[np.argsort(-voices[:, 0], kind="stable")]

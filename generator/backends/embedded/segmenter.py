@@ -1,4 +1,4 @@
-"""The embedded segmenter: the table and everything on it, detected by the learned eye."""
+"""The embedded segmenter: the table and everything on it, found by a learned detector."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class EmbeddedSegmenter:
         detections.
 
         Raises:
-            BackendError: the eye's weights are missing or damaged.
+            BackendError: the detector's weights are missing or damaged.
             SceneError: the picture contains no tabletop, or too many objects on it.
         """
         image = np.ascontiguousarray(image)
@@ -106,7 +106,7 @@ def detect(
 
 
 def table_of(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of the table: the eye's region, refined to the picture's edges."""
+    """Return the pixels of the table: the detected region, refined to the picture's edges."""
     return refine(image, main_parts(sight.shows("top", "legs")))
 
 
@@ -123,7 +123,7 @@ def _on_table(sight: EyeReading, minimum: float) -> list[EyeDetection]:
 def _carriers(
     image: UInt8[np.ndarray, "h w 3"], sight: EyeReading, things: Sequence[EyeDetection]
 ) -> list[EyeDetection]:
-    """Return the boards and mats under objects that the eye mistakes for the tabletop."""
+    """Return the boards and mats under objects, which the detector mistakes for the tabletop."""
     top = sight.top > 0.5
     wholes = find_carriers(image, top, [t.visible for t in things if t.score >= SURE])
     if not wholes:

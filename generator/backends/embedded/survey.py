@@ -43,10 +43,13 @@ def survey(
     length: float | None = None,
     view: View | None = None,
 ) -> Survey:
-    """Return the tabletop's plane and the objects' solids (SceneError: no tabletop).
+    """Return the tabletop's plane and the objects' solids.
 
     ``length`` and ``view`` are for references without depth, as in ``tabletop.find_tabletop``.
     ``instances`` may consist of the table alone.
+
+    Raises:
+        SceneError: the picture contains no tabletop.
     """
     if reference.depth is None or reference.intrinsics is None:
         plan = reference.plan.table if reference.plan else None

@@ -75,8 +75,8 @@ def fit_table(
     """Return the table with a given top (metres) and the closest silhouette.
 
     ``height`` is the default height, which is used if the picture does not show the height.
-    ``fine`` is the same silhouette at a higher resolution, at which the result is refined. A
-    ``quick`` fit refines only the better kind of legs, from one start.
+    ``fine`` is the same silhouette at a higher resolution, used to refine the result. A ``quick``
+    fit refines only the better kind of legs, from one start.
     """
     scale, shift = place_top(outline, seen)
     usual = TableForm(outline, corners_of(outline), height)
@@ -232,7 +232,7 @@ class _Legs:
         return self.draw(form) | self.top
 
     def overlap(self, form: TableForm) -> float:
-        """Return the intersection over union of what lies below the top."""
+        """Return the intersection over union of everything below the top."""
         return mask_iou(self.draw(form) & self._counted, self._wanted)
 
     def ground(self, form: TableForm, usual: float) -> TableForm:

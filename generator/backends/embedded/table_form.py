@@ -35,11 +35,11 @@ _CIRCLE = ellipse(1, 1, 16)
 class TableForm:
     """A table in metres, with the centre of its top's box at x = y = 0.
 
-    ``outline`` is the top's, convex and counter-clockwise; ``corners`` are the corners for its legs
-    (``corners_of``). ``inset`` is the distance of the joints inside the corners, along x and y;
-    ``lean`` is the outward distance of the feet from the joints. ``high`` and ``low`` are a leg's
-    widths under the top and at the floor; for a pedestal, the diameters of the column and the base.
-    ``apron`` is the height of the boards between legs.
+    ``outline`` is the outline of the top, convex and counter-clockwise; ``corners`` are the corners
+    for its legs (``corners_of``). ``inset`` is the distance of the joints inside the corners, along
+    x and y; ``lean`` is the outward distance of the feet from the joints. ``high`` and ``low`` are
+    a leg's widths under the top and at the floor; for a pedestal, the diameters of the column and
+    the base. ``apron`` is the height of the boards between legs.
     """
 
     outline: Float[np.ndarray, "k 2"]

@@ -86,7 +86,7 @@ def _pixel_box(
 
 
 def _upper_side(below: Body, container: bool) -> float:
-    """Return the height above the tabletop of objects on ``below``; lower inside a container."""
+    """Return how high above the tabletop objects on ``below`` stand; lower in a container."""
     share = -0.3 if container else 0.5
     return float(below.position[2] + share * below.scale[2])
 

@@ -32,7 +32,7 @@ class HuggingFaceEncoder:
         side: shorter side of resized images in pixels; a patch is 14 pixels wide.
         batch: maximum number of images per forward pass.
         exact: use float32 on CUDA too, instead of bfloat16.
-        device: "cuda", "cpu" …; empty: "cuda" if available.
+        device: "cuda", "cpu" …; if empty, "cuda" is used if available.
         folder: folder of the models, see ``installing.models_folder``.
         revision: the model and its commit.
 

@@ -35,7 +35,7 @@ from .weights.loader import device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"
-"""Environment variable of the detector, for a segmenter that is selected by name."""
+"""Environment variable that selects the detector when the segmenter is selected by name."""
 
 GENERIC = "object"
 """The label that requests any object on the table."""
@@ -66,7 +66,7 @@ class HuggingFaceSegmenter:
         overlap: fraction of a tile's side shared with its neighbours.
         side: shorter side of a tile for Grounding DINO in pixels.
         words: maximum number of words in a prompt for Grounding DINO.
-        device: "cuda", "cpu" …; empty: "cuda" if available.
+        device: "cuda", "cpu" …; if empty, "cuda" is used if available.
         folder: folder of the models, see ``installing.models_folder``.
         revisions: the models and their commits.
 
@@ -139,7 +139,7 @@ class HuggingFaceSegmenter:
     def _find(
         self, image: UInt8[np.ndarray, "h w 3"], words: tuple[str, ...], parts: Sequence[Tile]
     ) -> list[BoxDetection]:
-        """Return one detection per box; generic ones are named by a second pass over the whole.
+        """Return one detection per box; generic ones are named in a second pass.
 
         A table's box may also be an object's box; another word for it does not remove the table.
         """
@@ -172,7 +172,11 @@ class HuggingFaceSegmenter:
 def _table_and_things(
     detections: Sequence[BoxDetection],
 ) -> tuple[Bool[np.ndarray, "h w"], list[BoxDetection]]:
-    """Return the table's mask and the detections on it (SceneError: no table)."""
+    """Return the table's mask and the detections on it.
+
+    Raises:
+        SceneError: the picture contains no table.
+    """
     tables = [f for f in detections if f.label == TABLE]
     if not tables:
         raise SceneError(

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 SECRET_ID, SECRET_KEY = "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY"
-"""Environment variables of the two halves of the key."""
+"""Environment variables that hold the two halves of the key."""
 
 _VERSION = "2025-05-13"
 _SUBMIT, _QUERY = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob"
@@ -58,7 +58,7 @@ def read_keys(what: str) -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class Service:
-    """The calls for one instance. ``what`` starts their messages; ``used`` records the answers.
+    """The calls for one instance. ``what`` begins their messages; ``used`` records the answers.
 
     While the service is busy, a call is repeated every ``interval`` seconds, for up to ``timeout``
     seconds.

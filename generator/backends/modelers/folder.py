@@ -29,7 +29,7 @@ from .assets import find_assets, plain
 _LOG = logging.getLogger(__name__)
 
 ASSETS = "TABLETOPGEN_ASSETS"
-"""Environment variable of the folder, used if ``Folder.path`` is empty."""
+"""Environment variable that sets the folder, used if ``Folder.path`` is empty."""
 
 Units = Literal["usual", "m", "cm", "mm", "in"]
 """The unit of a file's coordinates; "usual" means that they have no unit."""
@@ -49,11 +49,11 @@ class Folder:
     ``normalising``); several textures are baked into one. The file's proportions are kept.
 
     Attributes:
-        path: the folder; empty: the one set by the environment's ``TABLETOPGEN_ASSETS``.
-        up: up axis of the files; "auto": y for GLB, as its format specifies, and for OBJ the one of
-            y and z that better matches the usual proportions, or y in case of doubt.
-        units: unit of the files' coordinates. "usual": none, the size is the prior's; otherwise the
-            file's own size is used.
+        path: the folder; if empty, the environment variable ``TABLETOPGEN_ASSETS`` sets it.
+        up: up axis of the files; "auto": y for GLB, as its format specifies, and for OBJ whichever
+            of y and z better matches the usual proportions, or y in case of doubt.
+        units: unit of the files' coordinates. "usual" means that they have none, so the size is
+            estimated; otherwise the file's own size is used.
         faces: maximum number of triangles of a mesh, see ``Normal``.
         texture: side of rebuilt textures in texels.
         fallback: modeler for objects without a file; None raises an error instead. If the backend

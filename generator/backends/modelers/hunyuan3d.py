@@ -20,7 +20,7 @@ from ...scene import Instance, Model, SizePrior, View
 from .cutout import cutout
 
 ADDRESS = "TABLETOPGEN_HUNYUAN3D_URL"
-"""Environment variable of the server's address, used if ``Hunyuan3D.url`` is empty."""
+"""Environment variable that sets the server's address, used if ``Hunyuan3D.url`` is empty."""
 
 _USUAL = "http://127.0.0.1:8081"  # the server's default address
 _MOST_BYTES = 128 * 2**20
@@ -39,8 +39,8 @@ class Hunyuan3D:
     removes backgrounds.
 
     Attributes:
-        url: the server's address; empty: the environment's ``TABLETOPGEN_HUNYUAN3D_URL``, or else
-            ``http://127.0.0.1:8081``.
+        url: the server's address; if empty, the environment variable ``TABLETOPGEN_HUNYUAN3D_URL``
+            sets it, or else it is ``http://127.0.0.1:8081``.
         version: version of the request format.
         textured: whether to texture the mesh.
         seed: seed of the server's noise.
@@ -51,7 +51,7 @@ class Hunyuan3D:
         timeout: seconds per answer, including the server's work for other clients.
         faces: maximum number of triangles kept, see ``Normal``.
         texture: side of rebuilt textures in texels.
-        session: shared state of the calls of one generation.
+        session: state that all calls of one generation share.
     """
 
     url: str = ""
@@ -82,7 +82,8 @@ class Hunyuan3D:
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the server's mesh of one instance; see ``protocols.Modeler``.
 
-        A damaged answer is requested once more. An answer that cannot become a model is not stored.
+        A damaged answer is requested once more. An answer that cannot be converted to a model is
+        not stored.
 
         Raises:
             BackendError: no server, no answer, or no usable GLB.
@@ -117,7 +118,7 @@ class Hunyuan3D:
         """Return the server's worker id; a busy server does not respond.
 
         Raises:
-            BackendError: no response, or 2.1's route does not exist (2.0's server has none).
+            BackendError: no response, or the server lacks this route, as version 2.0 does.
         """
         headers = {"x-tabletopgen-question": "health", "x-tabletopgen-memo": "no"}
         with self.session.client("hunyuan3d", self._address(), timeout=_HEALTH_SECONDS) as client:

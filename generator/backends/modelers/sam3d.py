@@ -21,7 +21,7 @@ from ..requirements import working
 from .installed import Installed, as_model, call
 
 HOME = "TABLETOPGEN_SAM3D"
-"""Environment variable of the checkout, used if ``Sam3D.home`` is empty."""
+"""Environment variable that sets the checkout, used if ``Sam3D.home`` is empty."""
 
 _UNIT = 1e-2  # tolerance of a unit quaternion's norm
 
@@ -31,12 +31,13 @@ class Sam3D(Installed):
     """Runs a local installation of SAM 3D Objects; needs 32 GB of CUDA memory.
 
     Its mesh is used, and its rotation serves as a hint to the rotation stage
-    (``Model.orientation``); translation and scale are ignored. It was tested with a simulated model
-    only, never with the real weights; ``orientation`` documents the source of its convention.
+    (``Model.orientation``); translation and scale are ignored. This class was tested only with a
+    simulated model, never with the real weights; the function ``orientation`` documents the source
+    of its convention.
 
     Attributes:
-        home: the checkout of github.com/facebookresearch/sam-3d-objects; empty: the one set by the
-            environment's ``TABLETOPGEN_SAM3D``.
+        home: the checkout of github.com/facebookresearch/sam-3d-objects; if empty, the environment
+            variable ``TABLETOPGEN_SAM3D`` sets it.
         config: path of its configuration within the checkout.
         seed: seed of its noise.
         faces: maximum number of triangles kept, see ``Normal``.
@@ -50,7 +51,7 @@ class Sam3D(Installed):
     texture: int = Normal.texture
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
-        """Return its mesh of one instance; see ``protocols.Modeler``.
+        """Return the model's mesh of one instance; see ``protocols.Modeler``.
 
         Raises:
             BackendError: the model is not installed, or fails.

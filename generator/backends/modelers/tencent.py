@@ -48,7 +48,7 @@ class Tencent:
         hosts: suffixes of the hosts from which results may be downloaded over https.
         faces: maximum number of triangles kept, see ``Normal``.
         texture: side of rebuilt textures in texels.
-        session: shared state of the calls of one generation.
+        session: state that all calls of one generation share.
     """
 
     endpoint: str = "https://ai3d.tencentcloudapi.com"

@@ -33,7 +33,7 @@ class Trellis(Installed):
 
     Attributes:
         version: "1" is TRELLIS, "2" is TRELLIS.2.
-        weights: name or folder of the weights; empty: the version's default.
+        weights: name or folder of the weights; if empty, the version's default.
         seed: seed of its noise.
         steps: steps of each sampler of TRELLIS.
         faces: maximum number of triangles kept, see ``Normal``.
@@ -55,7 +55,7 @@ class Trellis(Installed):
         require(self, "steps", minimum=1, integer=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
-        """Return its mesh of one instance; see ``protocols.Modeler``.
+        """Return the model's mesh of one instance; see ``protocols.Modeler``.
 
         Raises:
             BackendError: the model is not installed, or fails.

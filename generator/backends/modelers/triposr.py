@@ -26,7 +26,7 @@ class TripoSR(Installed):
 
     Attributes:
         weights: name or folder of the weights.
-        device: "cuda", "cpu" …; empty: "cuda" if available.
+        device: "cuda", "cpu" …; if empty, "cuda" is used if available.
         resolution: cells along a side of its surface grid.
         faces: maximum number of triangles kept, see ``Normal``.
         texture: side in texels of the texture into which its vertex colours are baked.
@@ -42,7 +42,7 @@ class TripoSR(Installed):
         require(self, "resolution", minimum=32, maximum=512, integer=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
-        """Return its mesh of one instance; see ``protocols.Modeler``.
+        """Return the model's mesh of one instance; see ``protocols.Modeler``.
 
         Raises:
             BackendError: the model is not installed, or fails.

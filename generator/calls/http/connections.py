@@ -25,7 +25,7 @@ _PROXIES = ("http", "https", "socks5", "socks5h")
 
 
 class Dialer(httpcore2.NetworkBackend):
-    """Opens connections and shuts them all down at a deadline of ``time.monotonic``.
+    """Opens connections and shuts them all down at a deadline, in terms of ``time.monotonic``.
 
     The timeouts of HTTP libraries apply to single reads, so a server that sends a byte now and then
     could block a call forever.
@@ -76,7 +76,7 @@ class Dialer(httpcore2.NetworkBackend):
 
 
 def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.NetworkStream:
-    """Return a connection to the first address that accepts one; all share the time equally.
+    """Return a connection to the first address that accepts one; they share the time equally.
 
     Raises:
         httpcore2.ConnectTimeout: no address accepted before ``until``.
@@ -131,7 +131,7 @@ class Wire(httpx2.BaseTransport):
 
 
 class _Body(httpx2.SyncByteStream):
-    """The body of a response, with errors translated to those of ``httpx2``."""
+    """The body of a response, with errors translated to ``httpx2`` errors."""
 
     def __init__(self, answer: httpcore2.Response) -> None:
         self._answer = answer
@@ -182,7 +182,7 @@ def _proxy(address: str, trust: ssl.SSLContext) -> httpcore2.Proxy:
 
 @contextlib.contextmanager
 def _raise_as_httpx2() -> Iterator[None]:
-    """Translate exceptions of ``httpcore2`` to those of the same name in ``httpx2``."""
+    """Translate ``httpcore2`` exceptions to the ``httpx2`` exceptions with the same names."""
     try:
         yield
     except (

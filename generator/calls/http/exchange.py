@@ -1,4 +1,4 @@
-"""One attempt of a call: send a request and read its response, limited in size and time."""
+"""One attempt at a call: send a request and read its response, limited in size and time."""
 
 from __future__ import annotations
 
@@ -226,7 +226,7 @@ def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troubl
 
 
 def _trouble(reply: Reply, status: int, paid: bool, secrets: tuple[str, ...]) -> Trouble:
-    """Return the failure that a response with an error status stands for."""
+    """Return the failure that a response with an error status reports."""
     return Trouble(
         f"It returned status {status}: {_excerpt(reply.body, secrets)}.",
         again=status in _AGAIN, charged=paid and status in _CHARGED, late=status in _LATE,

@@ -25,7 +25,7 @@ def begin(work: Callable[[], T]) -> Future[T]:
 
 
 class Deadline:
-    """The time at which waiters of pending calls give up; any thread may move it earlier."""
+    """The time when callers stop waiting for pending calls; any thread may move it earlier."""
 
     def __init__(self) -> None:
         self.until: float | None = None

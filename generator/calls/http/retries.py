@@ -19,9 +19,9 @@ class RetryPolicy:
     """Settings of retries; times are in seconds.
 
     The k-th wait is drawn uniformly between half of ``first * factor**k`` and all of it, at most
-    ``longest``. A Retry-After header is followed up to ``obeyed`` seconds; a longer one ends the
+    ``longest``. A Retry-After header of up to ``obeyed`` seconds is obeyed; a longer one ends the
     call. After ``failures`` consecutive failures (see ``FailureStreak``), no call is sent to the
-    server for ``rest`` seconds; then a single call tries it.
+    server for ``rest`` seconds; then a single call tests whether it works again.
 
     Raises:
         InputError: a number is out of range.

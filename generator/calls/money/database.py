@@ -2,7 +2,8 @@
 
 Each change is one transaction, so a process may be killed at any point. SQLite's locks work on one
 machine only: the file must not be on a network disk that several machines write to. In a cluster,
-one process owns the file and accesses it for the others; see ``Keeper`` and ``jobs.on_ray``.
+one process owns the file and accesses it on behalf of the others; see ``Keeper`` and
+``jobs.on_ray``.
 
 The file is untrusted: it is opened only if it is a regular file of bounded size with exactly these
 tables. Its content is checked, and it is never deleted or replaced.
@@ -36,7 +37,7 @@ TABLES = (
     "CREATE TABLE held (call INTEGER PRIMARY KEY, owner TEXT, money REAL)",
     "CREATE TABLE spent (mark TEXT, currency TEXT, money REAL, unpriced INTEGER)",
 )
-"""Calls of scenes; maximum costs of calls in flight, with their owners; total spending."""
+"""Tables: the calls of scenes; the owners and maximum costs of calls in flight; the totals."""
 _OLD = ("spent.json", "spending")  # files of older versions
 _OWNERS = "spenders"  # folder with one locked file per live owner
 _NAME = re.compile(r"[0-9a-f]{16,64}")  # name of an owner
@@ -44,7 +45,7 @@ _MAX_BYTES = 256 * 2**20  # maximum file size
 _MAX_VALUE_BYTES = 2**20
 _WAIT = 60.0  # seconds; locks on the file are always short
 _SUPER_JOURNAL = b"\xd9\xd5\x05\xf9\x20\xa1\x63\xd7"
-"""End of a journal that names another file, which SQLite would delete; ours name none."""
+"""End of a journal that names another file for SQLite to delete, which ours never do."""
 
 
 class NoDatabaseError(StorageError):

@@ -11,11 +11,10 @@ Outcome = Literal["answered", "cached", "failed"]
 
 @dataclass(frozen=True)
 class Entry:
-    """One call: an answer, an answer from the store, or a failed attempt.
+    """One call: a new answer, an answer from the store, or a failed attempt.
 
-    ``money`` is None if the price is unknown. An attempt that broke off after it was sent counts
-    with its maximum cost. ``earlier`` marks calls of earlier runs; ``at`` is the server's host and
-    port.
+    ``money`` is None if the price is unknown. An attempt that broke off after it was sent counts at
+    its maximum cost. ``earlier`` marks calls of earlier runs; ``at`` is the server's host and port.
     """
 
     server: str

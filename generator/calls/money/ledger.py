@@ -131,8 +131,8 @@ class Account:
         If the budget suffices only without the calls in flight, the reservation waits for them,
         since most calls cost less than their maximum. ``check`` is called periodically meanwhile
         and may raise. ``maximum`` is None if the cost is unknown, ``budget`` is None for no limit.
-        ``what`` names the call in error messages, and ``model`` the missing entry of the price
-        table.
+        ``what`` names the call in error messages, and ``model`` the entry that the price table
+        lacks.
 
         Raises:
             BudgetError: the call might exceed the budget, or its cost is unknown.
@@ -192,7 +192,7 @@ class Account:
         return None
 
     def _settle(self, reservation: int, money: float | None) -> None:
-        """Replace a reservation by the actual cost of its call."""
+        """Replace a reservation with the actual cost of its call."""
         self._reserved.pop(reservation, None)
         if self._shared is not None:
             try:
@@ -234,7 +234,7 @@ class Account:
 
 
 def _price(entry: Entry, prices: Prices | None) -> Entry:
-    """Return an entry of unknown price with its model's price, if that is known now."""
+    """Return an entry of unknown price with its model's price, if that is now known."""
     if entry.money is not None or entry.outcome != "answered" or prices is None:
         return entry
     price = prices.price(entry.model, entry.at)

@@ -26,7 +26,7 @@ class Price:
 
     ``input`` and ``output`` are per million tokens, ``image`` per generated image, ``call`` per
     call. ``picture`` is not a price: it is the maximum number of tokens assumed for an input
-    picture before a call is sent. The default exceeds the actual number of most models.
+    picture before a call is sent. The default exceeds the actual number for most models.
 
     Raises:
         InputError: a value is not a number of at least 0.

@@ -121,4 +121,4 @@ _FITS: Mapping[str, Callable[[Any], bool]] = MappingProxyType({
     "money": lambda value: value is None or is_number(value),
     "outcome": lambda value: value in get_args(Outcome),
 })  # fmt: skip
-"""The check of each value of a call."""
+"""A check for each value of a call."""

@@ -39,7 +39,7 @@ class Cutout:
 
     ``box`` is the square in reference pixels (it may exceed the picture). ``seen`` is the visible
     region of the object; ``unknown`` is where something may hide it or the picture ends. ``ground``
-    names the background colour, which the object does not have.
+    names the background colour, one that does not occur in the object.
     """
 
     detection: Detection
@@ -82,7 +82,7 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
 
 
 def _ground(colors: UInt8[np.ndarray, "n 3"]) -> str:
-    """Return the background colour that differs most from (nearly all of) an object's colours."""
+    """Return the background colour that is farthest from nearly all of an object's colours."""
 
     def off(name: str) -> float:
         return float(np.percentile(apart(colors, _GROUNDS[name]), 3)) if len(colors) else 0.0
@@ -166,7 +166,7 @@ def _best(
 
 
 def _worth(cutout: Cutout, side: int) -> tuple[Mask, Float[np.ndarray, "s s"]]:
-    """Return the visible region, and the gain of covering a pixel: 1 inside, -1 or 0 outside."""
+    """Return the visible region, and each pixel's gain when covered: 1 inside, -1 or 0 outside."""
     seen = _small(cutout.seen, side)
     return seen, np.where(seen, 1.0, np.where(_small(cutout.unknown, side), 0.0, -1.0))
 

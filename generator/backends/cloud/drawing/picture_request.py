@@ -1,8 +1,8 @@
 """Requests to image models, in the two forms that servers support.
 
-"openai": images/generations draws, images/edits edits, with a multipart form of the pictures and a
-mask; the answer is base64. "seedream": images/generations does both, with the pictures as ``data:``
-URIs in the field ``image``; the answer is base64 or a URL.
+"openai": images/generations draws, and images/edits edits the pictures, which it receives with a
+mask in a multipart form; the answer is base64. "seedream": images/generations does both, with the
+pictures as ``data:`` URIs in the field ``image``; the answer is base64 or a URL.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ RATIOS: dict[Form, tuple[float, float]] = {"openai": (2 / 3, 1.5), "seedream": (
 
 _SEEDREAM = {"response_format": "b64_json", "watermark": False,
              "sequential_image_generation": "disabled"}  # fmt: skip
-"""Options of Seedream besides text and size."""
+"""Request options for Seedream other than text and size."""
 
 _FAITHFUL = re.compile(r"gpt-image-([2-9]|1-mini)")
 """Models that reject ``input_fidelity``, which is always high from version 2 on (checked on
@@ -48,7 +48,7 @@ _FAITHFUL = re.compile(r"gpt-image-([2-9]|1-mini)")
 """
 
 _OPAQUE = re.compile(r"gpt-image-[2-9]")
-"""Models that reject ``background``: from version 2 on they draw no transparency (as above)."""
+"""Models that reject ``background``: from version 2 on, they draw no transparency."""
 
 _LONG = 2048  # pixels of the longer side, for servers that accept any size
 _BLOCKED = re.compile(
@@ -89,12 +89,12 @@ class Painter:
     ) -> RGBA:
         """Return a drawn picture.
 
-        Errors and the ledger name ``question``. ``ratio`` is width over height; the closest ratio
-        that the server supports is requested. The first of ``pictures`` is edited and stays
-        unchanged where ``keep`` is opaque; if the server supports no mask, only the text expresses
-        this. ``clear`` requests a transparent background, which not all servers support. ``used``
-        collects the answers of several drawings for one question; they are removed with this one if
-        it is unusable.
+        ``question`` names the call in errors and in the ledger. ``ratio`` is width over height; the
+        closest ratio that the server supports is requested. The first of ``pictures`` is edited and
+        stays unchanged where ``keep`` is opaque; if the server supports no mask, only the text
+        expresses this. ``clear`` requests a transparent background, which not all servers support.
+        ``used`` collects the answers to all drawings for one question; if this one is unusable,
+        they are removed together with it.
 
         Raises:
             UnusableError: the model refuses, or its answer is not a picture.
@@ -161,7 +161,7 @@ class Painter:
         meant: str,
         memo: str,
     ) -> dict[str, Any]:
-        """Make a call; omit options that the server rejects, now and in later calls."""
+        """Make a call, omitting options that the server rejects, now and in later calls."""
         left = {k: v for k, v in options.items() if k not in self.tolerated.unknown}
         while True:
             try:
@@ -255,7 +255,7 @@ def _editing(model: str, keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -
 
 
 def _meaning(text: str, options: Mapping[str, Any], pictures: Sequence[bytes]) -> str:
-    """Return a digest of the drawing, regardless of the options that the server supports."""
+    """Return a digest of what is drawn, independent of the options that the server supports."""
     files = [*pictures, *(value[1] for value in options.values() if isinstance(value, tuple))]
     words = {name: value for name, value in options.items() if not isinstance(value, tuple)}
     digests = [hashlib.sha256(file).hexdigest() for file in files]

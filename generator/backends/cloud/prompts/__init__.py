@@ -1,4 +1,4 @@
-"""The prompts: one file each, whose variables must match the given values exactly."""
+"""The prompts, one file each; a file's variables must match the given values exactly."""
 
 from __future__ import annotations
 
@@ -9,7 +9,11 @@ from ....errors import BackendError, choices
 
 
 def prompt(name: str, **variables: str) -> str:
-    """Return the prompt ``name`` with its ``$variables`` replaced (BackendError: a mismatch)."""
+    """Return the prompt ``name`` with its ``$variables`` replaced.
+
+    Raises:
+        BackendError: the variables and the given values differ.
+    """
     folder = files(__name__)
     stored = {f.name.removesuffix(".md"): f for f in folder.iterdir() if f.name.endswith(".md")}
     if name not in stored:

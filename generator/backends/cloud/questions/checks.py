@@ -19,7 +19,11 @@ _SAME = 0.85  # overlap from which two boxes count as the same place
 
 
 def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> tuple[str, ...]:
-    """Return the faults of a drawn top view as sentences (BackendError: no usable answer)."""
+    """Return the faults of a drawn top view as sentences.
+
+    Raises:
+        BackendError: the model gave no usable answer.
+    """
 
     def sentences(answer: TopViewAnswer) -> tuple[str, ...]:
         seen = things.match(answer.things, without=(0,)).values()
@@ -80,7 +84,7 @@ _VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "+y": ((-1, 0, 0), (0, -1, 0)),
     "-y": ((1, 0, 0), (0, 1, 0)),
 }
-"""By the axis towards the camera: the axis to the right in the picture, and the camera's direction.
+"""For each axis towards the camera: the axis that points right, and the camera's direction.
 """
 
 
@@ -100,7 +104,11 @@ def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
-    """Return the steps that turn ``up`` upward, then ``along`` to x (Wrong: both are one axis)."""
+    """Return the steps that turn ``up`` upward, then ``along`` to x.
+
+    Raises:
+        Wrong: both directions are on one axis.
+    """
     if answer.up[1] == answer.along[1]:
         raise Wrong(f'"along" is {answer.along}, but {answer.up} is up: they must be two axes.')
     steps = _UP[answer.up]

@@ -100,7 +100,11 @@ class Labelled:
         return tuple(int(v) for v in np.clip(np.round(shares * GRID), 0, GRID))
 
     def match(self, answers: Sequence[N], without: Sequence[int] = ()) -> dict[str, N]:
-        """Return the answers by name, one per number except ``without`` (otherwise Wrong)."""
+        """Return the answers by name.
+
+        Raises:
+            Wrong: a number that is not in ``without`` does not have exactly one answer.
+        """
         wanted = [n for n in self.by_number if n not in without]
         given = [a.id for a in answers if a.id not in without]
         wrong = {

@@ -23,7 +23,11 @@ _LONGEST = 0.6  # maximum length of an object in metres, as in the embedded plan
 
 
 def checked_text(text: object) -> str:
-    """Return a user's text, stripped of spaces (InputError: not a string, empty, or too long)."""
+    """Return a user's text, stripped of spaces.
+
+    Raises:
+        InputError: it is not a string, is empty, or is too long.
+    """
     if not isinstance(text, str):
         raise InputError(f"A text or a ScenePlan is needed, got {type(text).__name__}.")
     if not any(c.isalpha() for c in text):
@@ -42,7 +46,7 @@ def to_plan(prompt: str, answer: PlanAnswer) -> ScenePlan:
     """Return the plan of an answer, in the form that the embedded planner would return.
 
     Carriers are enlarged for their contents, impossible relations are dropped, and warnings list
-    the stand-ins of objects that the catalogue lacks.
+    the stand-ins for objects that the catalogue lacks.
 
     Raises:
         Wrong, InputError: the answer contradicts itself.
@@ -138,7 +142,11 @@ def _relation(thing: ThingAnswer, relation: RelationAnswer, names: dict[int, str
 
 
 def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]:
-    """Yield the groups, each of at least two objects (Wrong: they contradict the objects)."""
+    """Yield the groups, each of at least two objects.
+
+    Raises:
+        Wrong: the groups contradict the objects.
+    """
     taken: set[int] = set()
     laid: set[int] = set()
     for group in answer.groups:
@@ -157,7 +165,7 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
 
 
 def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
-    """Raise Wrong if a group does not fit its kind; ``laid`` are the previous seats."""
+    """Raise Wrong if a group does not fit its kind; ``laid`` holds the seats already laid."""
     if group.around is not None and group.kind != "circle":
         raise Wrong(f"{where} is around a thing; only a circle is.")
     if (group.seat is not None) != (group.kind == "setting"):

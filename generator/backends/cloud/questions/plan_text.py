@@ -56,7 +56,7 @@ _ARRANGED: Mapping[str, str] = {
 
 
 def _arrangement(group: PlannedGroup, plan: ScenePlan) -> str:
-    """Return the arrangement of a group's objects, referred to by their numbers in the list."""
+    """Describe the arrangement of a group's objects, using their numbers in the list."""
     numbers = {thing.name: n for n, thing in enumerate(plan.objects, start=1)}
     who = f"Things {', '.join(str(numbers[name]) for name in group.members)}"
     if group.seat is not None:
@@ -71,7 +71,7 @@ def _arrangement(group: PlannedGroup, plan: ScenePlan) -> str:
 
 
 def _descriptions(plan: ScenePlan) -> dict[str, str]:
-    """Return each object's description: its looks, and its number if its noun repeats."""
+    """Return each object's description: its appearance, and its number if its noun is repeated."""
     nouns = [thing.noun for thing in plan.objects]
     called = {TABLE: "the table"}
     for thing in plan.objects:

@@ -10,7 +10,7 @@ from ....scene import GroupKind, OutlineKind, RelationKind
 
 Id = Annotated[int, Field(ge=0, le=999)]
 MOST_ANSWERED = 1000
-"""Maximum number of objects in an answer; it names no more than the question shows."""
+"""Maximum number of objects in an answer, which never names more than the question shows."""
 
 MOST_PLANNED = 40
 """Maximum number of objects in a plan, as in the embedded planner."""
@@ -49,7 +49,7 @@ PlannedId = Annotated[int, Field(ge=1, le=200)]
 
 
 class ThingAnswer(ModelAnswer):
-    """One planned object. ``contents`` is a content or a motif that is not a separate object."""
+    """One planned object. ``contents`` is a filling or a motif that is not a separate object."""
 
     id: PlannedId
     noun: Word

@@ -50,9 +50,9 @@ class Server:
     ) -> dict[str, Any]:
         """Return the JSON of the answer to a request.
 
-        Errors and the ledger name ``question``. ``request`` makes the call, given the client and
-        additional headers, and returns the raw response, which ``used`` records. Two calls with the
-        same meaning ``meant`` share a stored answer, unless ``memo`` is "renew".
+        ``question`` names the call in errors and in the ledger. ``request`` makes the call, given
+        the client and additional headers, and returns the raw response, which ``used`` records. Two
+        calls with the same meaning ``meant`` share a stored answer, unless ``memo`` is "renew".
 
         Raises:
             Rejected: status 400, 413 or 422.
@@ -105,11 +105,11 @@ class Server:
         }  # fmt: skip
 
     def unusable(self, question: str, what: str) -> UnusableError:
-        """Return the error for an unusable answer, which names the server and the question."""
+        """Return the error for an unusable answer; it names the server and the question."""
         return UnusableError(self._message(question, what))
 
     def failure(self, question: str, what: str) -> BackendError:
-        """Return the error for a failed call, which names the server and the question."""
+        """Return the error for a failed call; it names the server and the question."""
         return BackendError(self._message(question, what))
 
     def quote(self, text: str, maximum: int = _SHOWN) -> str:
@@ -169,7 +169,7 @@ class Server:
 
 
 def _error_message(body: object) -> str:
-    """Return the message in an error's body, in any of the usual places."""
+    """Return the message in an error's body, wherever servers usually put it."""
     while isinstance(body, dict):
         body = body.get("error") or body.get("message") or body.get("detail") or ""
     return "" if body is None else str(body)

@@ -1,4 +1,4 @@
-"""Server, models and keys of the cloud backend: from fields, or else from the environment.
+"""The cloud backend's servers, models and keys, from fields or else from the environment.
 
 ========================================  ==========================================================
 ``TABLETOPGEN_CLOUD_BASE_URL``            the chat server, default ``https://api.openai.com/v1``
@@ -56,7 +56,7 @@ _STORES = {
     "openai": (".blob.core.windows.net",),
     "ark": (".volces.com", ".bytepluses.com"),
 }
-"""Hosts on which providers store the pictures that their answers link to."""
+"""Hosts where providers store the pictures that their answers link to."""
 
 
 def chat_base_url() -> str:
@@ -70,7 +70,11 @@ def image_base_url() -> str:
 
 
 def chat_model() -> str:
-    """Return the chat model from the environment (BackendError: unset, and not OpenAI's server)."""
+    """Return the chat model from the environment.
+
+    Raises:
+        BackendError: no model is set, and the server is not OpenAI's.
+    """
     return _model("chat", chat_base_url())
 
 
@@ -92,7 +96,11 @@ def _model(purpose: Purpose, url: str) -> str:
 
 
 def checked_url(url: str) -> str:
-    """Return a base URL without a trailing slash (BackendError: not http(s), or with a secret)."""
+    """Return a base URL without a trailing slash.
+
+    Raises:
+        BackendError: the URL is not http(s), or it contains a secret.
+    """
     variables = "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
     url = checked_address(
         url, "cloud: the base URL",
@@ -121,7 +129,7 @@ def server_name(url: str) -> str:
 
 
 def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
-    """Return a server's key, which ``what`` needs (BackendError: unset; it names the variables)."""
+    """Return the server key that ``what`` needs; if unset, a BackendError names the variables."""
     if found := keys(url, purpose):
         return found[0]
     if local(host(url)):
@@ -134,7 +142,7 @@ def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
 
 
 def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
-    """Return the keys that are set for a server, which messages must not contain."""
+    """Return the keys that are set for a server; messages must not contain them."""
     values = (os.environ.get(v, "").strip() for v in key_variables(url, purpose))
     return tuple(value for value in values if value)
 
@@ -142,7 +150,8 @@ def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
 def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
     """Return the variables that may contain a server's key; the first one that is set is used.
 
-    A provider's own key is sent to its own hosts only, and the chat server's key to no other host.
+    A provider's own key is sent only to that provider's hosts, and the chat server's key to no
+    other host.
     """
     names = ["TABLETOPGEN_CLOUD_IMAGE_KEY"] if purpose == "image" else []
     if purpose == "chat" or host(url) == host(chat_base_url()):

@@ -1,4 +1,4 @@
-"""Extraction of JSON from a chat model's text: verbatim, from fences or prose, and repaired."""
+"""Extraction of JSON from a chat model's text: bare, fenced or in prose, repaired if needed."""
 
 from __future__ import annotations
 
@@ -28,16 +28,19 @@ _CURLY = str.maketrans({"“": '"', "”": '"', "„": '"', "‘": "'", "’": "
 
 
 class Wrong(ValueError):
-    """An unusable answer; the message is suitable for the model."""
+    """An unusable answer; its message can be sent back to the model."""
 
 
 def read_object(text: str) -> dict[str, Any]:
-    """Return the JSON object in an answer (Wrong: there is none).
+    """Return the JSON object in an answer.
 
     The candidates are, in order: the whole text, fenced blocks (last first), and parts in braces
     (last first). Each is parsed verbatim, then repaired: comments and trailing commas removed,
     quotes straightened, Python literals converted, open brackets closed. NaN and infinite numbers
     are rejected.
+
+    Raises:
+        Wrong: there is no such object.
     """
     text = _without_thoughts(text).strip().lstrip("\ufeff")
     for piece in _pieces(text):
@@ -65,7 +68,7 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return the end of the brace at ``start``, ignoring strings; the text's end if unclosed.
+    """Return where the brace at ``start`` closes, ignoring strings, or else the text's end.
 
     An apostrophe does not open a string, because JSON strings use double quotes.
     """
@@ -92,7 +95,7 @@ def _object(text: str) -> dict[str, Any] | None:
 
 
 def _without_thoughts(text: str) -> str:
-    """Return a text without marked thoughts, each removed up to its next end mark."""
+    """Return a text without marked thoughts; each is removed up to the next end mark."""
     kept, at = [], 0
     while (begin := _THOUGHT.search(text, at)) and (end := _THOUGHT_END.search(text, begin.end())):
         kept.append(text[at : begin.start()])
@@ -101,7 +104,7 @@ def _without_thoughts(text: str) -> str:
 
 
 def _literal(text: str) -> Any:
-    """Return the value of an answer in Python notation, which some models use, or None."""
+    """Parse an answer in Python notation, which some models use; return None if that fails."""
     if not text.startswith("{") or len(text) > _LONGEST_LITERAL:
         return None
     words = {"true": "True", "false": "False", "null": "None"}

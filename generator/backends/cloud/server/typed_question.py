@@ -1,9 +1,9 @@
 """Questions to a chat model with typed answers: schema, parsing, validation and retries.
 
-A server is called with a schema (``json_schema``), otherwise for any JSON (``json_object``),
-otherwise with the prompt alone; the supported form is learned from its first rejection and kept for
-the backend's lifetime. Answers are stored by question, regardless of the form; the answers to a
-question that fails because of their content are removed.
+A server is asked for JSON that follows a schema (``json_schema``). If it rejects that, it is asked
+for any JSON (``json_object``), and then by the prompt alone; the form that it accepts is remembered
+for the backend's lifetime. Answers are stored by question, regardless of the form; if a question
+fails because of the content of its answers, they are removed.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from .client import Rejected, Server
 from .json_text import Wrong, is_refusal, read_object
 
 REASKS = 3
-"""Maximum number of retries of a question, each with the fault of the previous answer."""
+"""Maximum number of retries of a question; each states the fault of the previous answer."""
 
 ANSWER = 16_384
 """Maximum tokens of an answer, including thoughts; budgets rely on it."""
@@ -37,7 +37,7 @@ ANSWER = 16_384
 _LONGEST = 2**20  # maximum characters of an answer, regardless of the server
 
 _BOUNDS = ("max_completion_tokens", "max_tokens", "")
-"""Parameters for that limit; older servers know only the second, small models allow neither."""
+"""Parameters that set the limit; old servers know only the second, small models allow none."""
 
 _FORMS = ("json_schema", "json_object", "words")
 
@@ -87,9 +87,9 @@ class Chat:
     ) -> T:
         """Return the result of ``accept`` for the answer to a question about pictures.
 
-        Errors and the ledger name ``question``. The schema of ``answer`` is appended to ``text``,
-        and the pictures follow in their order. ``Wrong`` and ``InputError`` raised by ``accept``
-        are sent back to the model.
+        ``question`` names the call in errors and in the ledger. The schema of ``answer`` is
+        appended to ``text``, and the pictures follow in their order. ``Wrong`` and ``InputError``
+        raised by ``accept`` are sent back to the model.
 
         Raises:
             UnusableError: the model refuses, or no answer is usable after ``REASKS`` retries.
@@ -185,7 +185,11 @@ class Chat:
             return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
-        """Return the text of a chat completion (UnusableError: missing, refused or truncated)."""
+        """Return the text of a chat completion.
+
+        Raises:
+            UnusableError: the text is missing or truncated, or the model refused.
+        """
         try:
             choice = data["choices"][0]
             message = choice["message"]
@@ -226,7 +230,7 @@ def _picture_part(picture: Picture) -> dict[str, Any]:
 
 
 def _faults(error: ValidationError) -> str:
-    """Return the faults of an answer in at most six places, without its values."""
+    """Return the faults at up to six places of an answer, without quoting its values."""
     found = [
         f"{'.'.join(str(part) for part in fault['loc']) or 'the answer'}: {fault['msg']}"
         for fault in error.errors(include_url=False, include_context=False, include_input=False)

@@ -26,8 +26,8 @@ _GROUND = 0.008  # metres; lower points of a clearly taller object are ignored
 class ObservedSolid:
     """The visible part of one object, in the table's frame (metres, z = 0 is the tabletop).
 
-    ``center`` and ``yaw`` are those of its upright bounding box, ``extent`` is the box's (length,
-    width) with length >= width, and ``bottom`` and ``top`` are its lowest and highest visible
+    ``center``, ``yaw`` and ``extent`` describe its upright bounding box, where ``extent`` is
+    (length, width) with length >= width; ``bottom`` and ``top`` are its lowest and highest visible
     points. ``points`` are a sample of its points.
     """
 
@@ -49,7 +49,7 @@ class ObservedSolid:
 
     @property
     def inner(self) -> float:
-        """The height of its middle: the inside of a container."""
+        """The height of its middle, which for a container is the height of the inside."""
         middle = self._within(0.3)
         heights = self.points[middle, 2] if middle.any() else self.points[:, 2]
         return float(np.percentile(heights, 20))
@@ -93,9 +93,9 @@ def measure_solid(
 ) -> ObservedSolid | None:
     """Return the bounding box of the points under ``mask``, or None if depth has too few of them.
 
-    Excluded are points at depth discontinuities, where sensors mix near and far surfaces, groups of
-    points apart from the rest, and the tabletop around the foot. An object whose top is not visible
-    because the camera is too low is assumed to be as deep as it is wide.
+    Points at depth discontinuities (where sensors mix near and far surfaces), groups of points
+    apart from the rest, and the tabletop around the foot are excluded. An object whose top is not
+    visible because the camera is too low is assumed to be as deep as it is wide.
     """
     clean = mask & steady(depth)
     calm = cv2.medianBlur(np.ascontiguousarray(depth, np.float32), 5)
@@ -127,7 +127,7 @@ def _together(points: Float[np.ndarray, "n 3"], camera: Camera) -> Float[np.ndar
 
 
 def _above_tabletop(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    """Return an object's points without those of the tabletop, unless the object itself is flat."""
+    """Return an object's points, excluding tabletop points unless the object itself is flat."""
     high = points[points[:, 2] > _GROUND]
     tall = len(high) > _FEW and float(np.percentile(points[:, 2], 90)) > 3 * _GROUND
     return high if tall else points
@@ -172,7 +172,7 @@ def _deepen(
 
 
 def holds(below: ObservedSolid, thing: ObservedSolid) -> float:
-    """Return the fraction of ``thing`` above ``below``, or 0 if it does not reach its top."""
+    """Return the fraction of ``thing`` over ``below``, or 0 if their heights do not fit."""
     rise = max(below.top - below.bottom, 0.01)
     if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:
         return 0.0

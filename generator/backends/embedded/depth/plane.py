@@ -1,4 +1,4 @@
-"""The table plane of an RGB-D picture in metres, found in its points rather than its colours.
+"""The table plane of an RGB-D picture in metres, found from its points, not its colours.
 
 Planes are drawn from triples of neighbouring points (a seeded RANSAC: Fischler and Bolles, 1981),
 refined by least squares on their inliers, and scored: a tabletop faces up, is low in the picture,
@@ -21,7 +21,7 @@ from ..plane.cut_plane import plane_of_region
 from ..plane.plane import TablePlane
 
 TALLEST = 0.6
-"""Maximum height in metres above the tabletop at which something counts as standing on it."""
+"""Maximum height above the tabletop, in metres, of anything that counts as standing on it."""
 
 _SEED = 0
 _SAMPLES = 14_000  # points used for scoring hypotheses
@@ -55,7 +55,7 @@ class Level:
         return points @ np.array(self.normal) + self.height
 
     def spread(self, distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
-        """Return the measurement error, in metres, of points of the plane at a distance."""
+        """Return the measurement error of points on the plane at a given distance, in metres."""
         return np.maximum(2.5 * self.grain * noise(distance), _FINEST)
 
 
@@ -97,7 +97,7 @@ def find_depth_plane(
 def _solve(
     data: bytes, height: int, width: int, intrinsics: Intrinsics, hint: bytes | None
 ) -> TablePlane:
-    """Solve for the plane, with a cache, because several stages need the plane of one picture."""
+    """Solve for the plane; the result is cached, because several stages need it."""
     depth = np.frombuffer(data, np.float32).reshape(height, width)
     points = camera_points(depth, intrinsics)
     table = None
@@ -203,7 +203,11 @@ class _Candidate:
 
 
 def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] | None) -> Level:
-    """Return the plane with the best score as a tabletop (SceneError: there is none)."""
+    """Return the plane with the best score as a tabletop.
+
+    Raises:
+        SceneError: no plane can be a tabletop.
+    """
     height, width = points.shape[:2]
     stride = max(1, int(np.sqrt(height * width / _SAMPLES)))
     grid = points[::stride, ::stride]
@@ -241,7 +245,7 @@ def _candidates(
     side: int,
     hint: Bool[np.ndarray, "n"] | None,
 ) -> list[_Candidate]:
-    """Draw planes in sequence, each from the points that the previous ones left over."""
+    """Draw planes in sequence, each from the points that the previous ones left."""
     rng = np.random.default_rng(_SEED)
     left = np.ones(len(cloud), bool)
     found: list[_Candidate] = []
@@ -323,7 +327,10 @@ def _judge(
     pixels: Int[np.ndarray, "n 2"],
     side: int,
 ) -> _Candidate:
-    """Score a plane: large and low in the picture, with objects on it and nothing towering."""
+    """Score a plane as a tabletop.
+
+    The best ones are large and low in the picture, and have objects on them, but nothing tall.
+    """
     normal = np.array(level.normal)
     flat = cloud - level.above(cloud)[:, None] * normal  # projected onto the plane
     east = np.cross(normal, [0.0, 0.0, 1.0]) if abs(normal[2]) < 0.9 else np.array([1.0, 0, 0])

@@ -38,7 +38,7 @@ _BROAD = 0.6  # minimum width of a support, relative to the object's width
 _JUMP = 0.03  # depth difference in metres that separates two touching objects
 _BAND = 0.04  # width of the band around a seam, as a fraction of the picture's longer side
 _LEVEL = 0.005  # metres; closer points belong to a plane
-_MISSED = 0.03  # minimum height in metres of an object that the eye missed
+_MISSED = 0.03  # minimum height in metres of an object that was not detected
 _SHREDS = 0.014  # maximum width of edge artefacts, as a fraction of the picture's longer side
 _GUESS = 0.5  # confidence of such an object
 _FLOOR = (0.25, 1.3)  # depth in metres of the floor below a tabletop
@@ -49,10 +49,10 @@ _CELL, _LAYER = 0.05, 0.02  # metres; side and height of the cells in which area
 def heights_above(
     depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> tuple[Float[np.ndarray, "h w"], Mask, Mask]:
-    """Return heights above the tabletop (metres, NaN where unknown), and standing and lying pixels.
+    """Return heights above the tabletop (metres, NaN where unknown), and raised and level pixels.
 
-    Lying pixels are level with the table within this depth map's accuracy; both masks are limited
-    to the tabletop's outline.
+    Raised pixels belong to objects that rise above the table; level pixels are at its height,
+    within this depth map's accuracy. Both masks are limited to the tabletop's outline.
     """
     points = table_points(depth, plane.camera)
     height = points[..., 2]
@@ -68,7 +68,7 @@ def heights_above(
 
 
 def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
-    """Return the pieces split at saddles far below both sides, slightly grown, largest first."""
+    """Return the pieces, split at saddles far below both sides, slightly grown, largest first."""
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
     masks = [part for piece in pieces for part in _part(piece, known, least)]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
@@ -76,7 +76,7 @@ def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[
 
 
 def _standing_pieces(depth: Float[np.ndarray, "h w"], standing: Mask) -> list[Mask]:
-    """Return the connected parts of the standing pixels, split at depth discontinuities."""
+    """Return the connected regions of the raised pixels, split at depth discontinuities."""
     high = (standing & steady(depth)).astype(np.uint8)
     opened = cv2.morphologyEx(high, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)) > 0
     return _pieces(opened, int(_LEAST * depth.size))
@@ -91,7 +91,7 @@ def _pieces(mask: Mask, minimum: int) -> list[Mask]:
 
 
 def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[Mask]:
-    """Split a region where a rising threshold leaves islands; pixels join the nearest one."""
+    """Split a region into the islands that a rising threshold leaves; pixels join the nearest."""
     tall = float(np.percentile(height[region], 98))
     for share in _WATERLINES:
         islands = _pieces(region & (height > share * tall), minimum)
@@ -109,12 +109,12 @@ def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[
 def confirm(
     found: Sequence[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Return the detections of an eye, corrected by depth.
+    """Return a detector's detections, corrected by depth.
 
     Uncertain detections that are level with the table are removed, masks lose the tabletop around
     their object, and unsupported upper parts are merged with the object to which they belong or
-    extended down to their base. Standing objects that nobody detected are added. Otherwise outlines
-    come from the eye, because those of depth maps are ragged.
+    extended down to their base. Objects that rise above the table but were not detected are added.
+    All other outlines are the detector's, because those of depth maps are ragged.
     """
     height, standing, lying = heights_above(depth, plane)
     things = [t for d in found if (t := _judge(d, height, standing, lying)) is not None]
@@ -153,7 +153,7 @@ def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
 def _rejoin(
     things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Merge unsupported upper parts into the lower part that they touch, also in depth.
+    """Merge unsupported upper parts into the lower part that they touch in picture and depth.
 
     A confident detection may have a hidden foot: it is merged only if it continues the other's flat
     side.
@@ -244,7 +244,7 @@ def _grow(
 def _find_missed(
     things: Sequence[Detection], regions: Sequence[Mask], height: Float[np.ndarray, "h w"]
 ) -> list[Detection]:
-    """Return standing objects that are missing in ``things``, labelled by their shape."""
+    """Return raised objects that are missing from ``things``, labelled by their shape."""
     seen = np.any([np.zeros(height.shape, bool), *(t.mask for t in things)], axis=0)
     added = []
     shred = max(3, round(_SHREDS * max(height.shape)))

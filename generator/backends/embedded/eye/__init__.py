@@ -1,1 +1,1 @@
-"""The learned detector (eye) of the embedded backend: network, weights and decoding."""
+"""The embedded backend's learned detector (the "eye"): network, weights and decoding."""

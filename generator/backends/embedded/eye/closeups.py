@@ -23,7 +23,7 @@ _LEAST = 12.0  # minimum size of a close-up in pixels of the picture
 
 @dataclass(frozen=True, eq=False)
 class Closeup:
-    """A close-up of one object. ``visible`` is in [0, 1]; ``hints`` are those of the network."""
+    """A close-up of one object. ``visible`` is in [0, 1]; ``hints`` are from ``network.hints``."""
 
     image: UInt8[np.ndarray, "s s 3"]
     visible: Float[np.ndarray, "c c"]

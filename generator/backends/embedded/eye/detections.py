@@ -40,7 +40,7 @@ def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
 def ask(
     eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, maximum: int = _MOST
 ) -> Detections:
-    """Decode up to ``maximum`` cells of crop ``owner`` with the highest object confidence."""
+    """Decode the cells of crop ``owner`` with the highest confidence, up to ``maximum``."""
     heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0

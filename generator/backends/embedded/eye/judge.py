@@ -35,7 +35,7 @@ _APART = 0.35  # probability of being two objects, above which both detections o
 
 @dataclass(frozen=True, eq=False)
 class EyeDetection:
-    """A detected object: confidence of the first pass and of both, masks at picture size.
+    """A detected object: its confidence after one pass and after both, and full-size masks.
 
     ``whole`` includes hidden parts. ``names`` are probabilities over the catalogue's categories,
     with "unknown" as the last entry.
@@ -84,7 +84,7 @@ class Panel(nn.Module):
 
 
 class DetectionJudge(nn.Module):
-    """The network for learned non-maximum suppression; see the module."""
+    """The network for learned non-maximum suppression; see the module docstring."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -113,7 +113,7 @@ class DetectionJudge(nn.Module):
 
 
 def clues_of(detections: Sequence[EyeDetection], region: Float[np.ndarray, "r h w"]) -> Clues:
-    """Return the features of one picture's detections; ``region`` is that of ``EyeReading``."""
+    """Return the features of one picture's detections; ``region`` is ``EyeReading.region``."""
     if not detections:
         nothing = np.zeros((0, ALONE), np.float32), np.zeros((0, BOTH), np.float32)
         return Clues(nothing[0], np.zeros((0, 2), int), nothing[1])

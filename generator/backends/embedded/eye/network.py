@@ -1,4 +1,4 @@
-"""The embedded eye: a small network that detects the table, its objects, and the view.
+"""The built-in detector: a small network that finds the table, its objects, and the view.
 
 Boxes come first and names second: every cell inside the visible middle of an object predicts the
 whole object. A cell predicts its confidence, the boxes of the visible and of the whole object, and
@@ -34,7 +34,7 @@ HINTS = 3
 """Number of additional inputs of the namer; see :func:`hints`."""
 
 IMPRESSION = SUMMARY + CHANNELS[2] + HINTS
-"""Number of features of a close-up from which an object is named."""
+"""Number of close-up features that are used to name an object."""
 
 _WIDTH = 96
 _OUTLINE = 48  # channels of the outliner
@@ -51,8 +51,8 @@ class Maps:
     left, top, right and bottom of the visible box, then of the whole box. ``region`` (b, 4, h, w).
     ``top`` (b, 1, h, w): the whole top surface of the table, including the objects on it.
     ``latitude`` (b, 1, h/2, w/2): angle below the horizon in radians. ``mask`` and ``thing`` are
-    features for ``masks``, ``surface`` those for ``outline``. h and w are the picture's size
-    divided by ``STRIDE``.
+    the features for ``masks``, and ``surface`` those for ``outline``. h and w are the picture's
+    size divided by ``STRIDE``.
     """
 
     heat: Tensor
@@ -134,7 +134,7 @@ def _resize(x: Tensor, like: Tensor) -> Tensor:
 
 
 class Eye(nn.Module):
-    """The detection network; see the module.
+    """The detection network; see the module docstring.
 
     ``categories`` is the number of names, including "unknown" (the last).
     """
@@ -253,7 +253,7 @@ class Eye(nn.Module):
         return self.judge(torch.cat([point, *pooled, inputs], 1))[:, 0]
 
     def names(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
-        """Return (n, categories) logits of the names of close-ups.
+        """Return the (n, categories) logits of close-ups' names.
 
         Args:
             closeups: (n, 3, s, s) in [0, 1], with the margin ``CLOSE_ROOM``.
@@ -273,7 +273,8 @@ def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[f
     """Return properties that a close-up does not show: aspect ratio, and size on the table.
 
     ``size`` is the width and height of the object's box. ``tabletop`` is the number of pixels that
-    the tabletop covers, 0 if it is not visible; ``picture`` is the number of all pixels.
+    the tabletop covers, 0 if it is not visible; ``picture`` is the number of pixels of the whole
+    picture.
     """
     wide, tall = (max(float(s), 1.0) for s in size)
     share = max(tabletop, 0.02 * picture)

@@ -28,7 +28,7 @@ _SPREADS = -3.0, 2.0  # minimum and maximum logarithm of a spread
 
 
 class ProportionNetwork(nn.Module):
-    """Predicts proportions from ``clues``; ``unsure`` corrects its underestimated errors."""
+    """Predicts proportions from ``clues``; ``unsure`` corrects its low error estimates."""
 
     mean: Tensor
     scale: Tensor

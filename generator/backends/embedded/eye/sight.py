@@ -66,7 +66,11 @@ class EyeReading:
 
 
 def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
-    """Detect objects with a confidence of at least ``minimum`` (BackendError: no weights)."""
+    """Detect objects with a confidence of at least ``minimum``.
+
+    Raises:
+        BackendError: the weights are missing or damaged.
+    """
     weights = load_weights()
     glance = glance_at(weights, image)
     with single_thread(), torch.inference_mode():

@@ -1,4 +1,4 @@
-"""The eye's weights: files, metadata and loading."""
+"""The weights of the built-in detector: files, metadata and loading."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ Network = TypeVar("Network", bound=nn.Module)
 
 @dataclass(frozen=True, eq=False)
 class Weights:
-    """A network, its category keys without the last one, "unknown", and its temperature."""
+    """A network, its category keys (without the final "unknown"), and its temperature."""
 
     eye: Eye
     categories: tuple[str, ...]
@@ -47,10 +47,10 @@ class Weights:
 
 @cache
 def load_weights(path: Path = PATH) -> Weights:
-    """Load the eye's weights; the most recent ones are cached.
+    """Load the detector's weights; the most recent ones are cached.
 
     Raises:
-        BackendError: the file is missing, damaged or of another network.
+        BackendError: the file is missing, damaged or for another network.
     """
     restore = _RESTORE.format("train")
     state, notes = _read(path, restore)
@@ -116,7 +116,7 @@ def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, 
 
 
 def _categories(text: str) -> tuple[str, ...]:
-    """Return the names that the eye knows, from the metadata of its weights."""
+    """Return the category names that the detector knows, from the metadata of its weights."""
     names = parse_json(text, "its list of categories", BackendError, max_bytes=_MOST_NOTE)
     if not isinstance(names, list):
         raise ValueError("its category list is not a list")

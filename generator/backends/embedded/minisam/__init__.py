@@ -1,1 +1,1 @@
-"""Outlines by a promptable model that the user downloads; the eye gives table, camera and names."""
+"""Outlines by a promptable model that the user downloads; the detector finds everything else."""

@@ -1,9 +1,9 @@
 """Close-up segmentation of each object: a finer outline, and parts that belong to it.
 
-A point prompt at the middle of an outline selects the object without its extent. The parts of the
-resulting mask beyond the outline belong to the object, unless they are another object whose own
-middle gives a different mask: two pieces of one object give the same whole, whereas a tomato in
-front of an orange does not.
+A point prompt at the middle of an outline selects the object without prescribing its extent. The
+parts of the resulting mask beyond the outline belong to the object, unless they are another object
+whose own middle gives a different mask: two pieces of one object give the same whole, whereas a
+tomato in front of an orange does not.
 """
 
 from __future__ import annotations
@@ -82,8 +82,8 @@ def complete(
 ) -> list[Bool[np.ndarray, "h w"]]:
     """Return the outlines, each with the parts that belong to it; pieces of an object are merged.
 
-    ``clear`` marks outlines that are certainly separate objects; only their own whole can make them
-    pieces. ``may_be_thing`` rejects wholes that are the table or the background.
+    ``clear`` marks outlines that are certainly separate objects; only their own close-ups can show
+    that they are pieces. ``may_be_thing`` rejects wholes that are the table or the background.
     """
     seen = [c if c.whole is None or may_be_thing(c.whole) else replace(c, whole=None) for c in seen]
     areas = [int(c.mask.sum()) for c in seen]

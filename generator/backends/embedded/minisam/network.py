@@ -79,7 +79,11 @@ class MiniSam:
     def look(
         self, image: UInt8[np.ndarray, "h w 3"], frame: Frame | None = None
     ) -> PromptedPicture:
-        """Encode a picture or a frame of it (BackendError: the model fails)."""
+        """Encode a picture or a frame of it.
+
+        Raises:
+            BackendError: the model fails.
+        """
         frame = frame or Frame((0.0, 0.0), SIDE / max(image.shape[:2]), SIDE)
         shown = (frame.cut(image).astype(np.float32) - _MEAN) / _STD
         shown[~frame.inside(image.shape[:2])] = 0.0  # as in the training pictures

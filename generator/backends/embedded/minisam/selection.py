@@ -1,7 +1,7 @@
 """Selection of the masks that are objects, among nested and duplicate ones.
 
-The eye's names decide: an object in or on another has a clear name of its own, or was detected by
-the eye; any other nested mask is a part.
+The detector's names decide: an object in or on another has a clear name of its own, or was
+detected; any other nested mask is a part.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ CLEAR = 0.6
 _SAME = 0.65  # overlap (IoU) above which two masks show the same object
 _WITHIN = 0.85  # fraction of a mask within another one, above which it is nested
 _PART = 0.9  # relative area above which a nested mask shows the same object
-_FOUND = 0.5  # minimum confidence of, and overlap with, an eye's detection of a nested object
+_FOUND = 0.5  # minimum confidence of, and overlap with, a detection of a nested object
 _ALONG = 0.2  # minimum fraction of a part's boundary that touches its object
 _UNITED = 0.8  # coverage by separate detections above which a mask is their union
 _SMALLEST = 1.5e-4  # minimum area of an object, as a fraction of the picture
@@ -34,8 +34,8 @@ def choose(
 ) -> list[int]:
     """Return the indices of the proposals that are objects.
 
-    ``names`` are each proposal's probabilities over the eye's names, with "unknown" as the last;
-    ``known`` are the eye's own detections.
+    ``names`` are each proposal's probabilities over the detector's names, with "unknown" as the
+    last; ``known`` are the detector's own detections.
     """
     masks = [p.mask for p in proposals]
     areas = [int(m.sum()) for m in masks]
@@ -62,9 +62,9 @@ def join_parts(
 ) -> list[Bool[np.ndarray, "h w"]]:
     """Return the masks with parts merged into the mask that they touch most.
 
-    A mask that stands on nothing is a part: a lamp's head is held by its arm. So is a mask that is
-    not a separate object (``own``), by its name or the eye, and touches another along much of its
-    boundary. Masks that touch nothing are unchanged.
+    A mask that stands on nothing is a part: a lamp's head is held by its arm. So is a mask that,
+    judging by its name and the detections, is not a separate object (``own``) and that touches
+    another along much of its boundary. Masks that touch nothing are unchanged.
     """
     joined = list(masks)
     owner = list(range(len(masks)))
@@ -92,7 +92,7 @@ def foot_row(mask: Bool[np.ndarray, "h w"]) -> int:
 
 
 def find_own(masks: Sequence[Bool[np.ndarray, "h w"]], known: Sequence[EyeDetection]) -> list[bool]:
-    """Return which masks the eye has detected as separate objects."""
+    """Return which masks the detector has found as separate objects."""
     overlap = _overlaps(masks, [d.visible for d in known])
     return [
         any(o >= _FOUND and d.score >= _FOUND for o, d in zip(row, known, strict=True))
@@ -135,7 +135,7 @@ def _without_copies(
 
 
 def _unites(mask: Bool[np.ndarray, "h w"], area: int, known: Sequence[EyeDetection]) -> bool:
-    """Return whether a mask is the union of separate detections of the eye, and not one of them."""
+    """Return whether a mask is the union of separate detections and not itself one of them."""
     inside = np.zeros(mask.shape, bool)
     count = 0
     for detection in known:

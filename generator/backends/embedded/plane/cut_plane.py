@@ -1,8 +1,8 @@
 """The outline of a tabletop cut by the frame: true edges where visible, or else the frame.
 
 The usual fit (``plane``) explains a complete outline and estimates the camera from it. In a
-close-up, or cut by the frame, an outline does not determine the camera. Here the camera is given
-(by a depth map or by an estimate), and only the top's position, yaw and size on the plane are
+close-up, or if the frame cuts it, an outline does not determine the camera. Here the camera is
+given (by a depth map or by an estimate), and only the top's position, yaw and size on the plane are
 fitted. Each point of the region's hull is either a *true* edge, on which the outline must lie, or
 only *visible* (at the frame, beside an object, or where depth is unknown): the outline must contain
 it and may extend further.
@@ -23,10 +23,10 @@ from ....scene import View
 from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance
 
 CUT_SHARE = 0.15
-"""A top is cut if a larger fraction of its outline than this lies on the frame."""
+"""A top counts as cut if more than this fraction of its outline lies on the frame."""
 
 VISIBLE_LENGTH = 1.0
-"""Longer side in metres of the visible part of a cut table of unknown size."""
+"""Assumed length, in metres, of the longer visible side of a cut table of unknown size."""
 
 REACH = 7.0
 """Maximum distance along the plane, in camera heights; farther points are ignored."""
@@ -58,7 +58,7 @@ class _Rim:
 
 
 def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
-    """Return the fraction of the outline (convex hull) of ``mask`` on the picture's frame."""
+    """Return the fraction of the outline (convex hull) of ``mask`` that lies on the frame."""
     points = _sample(hull_corners(_region(mask)), _POINTS)
     return float(_at_frame(points, mask.shape).mean())
 
@@ -111,7 +111,7 @@ def plane_of_region(
     carried: Float[np.ndarray, "n 2"] | None = None,
     reach: float = REACH,
 ) -> TablePlane:
-    """Return the tabletop with visible part ``mask``, seen by a camera over the plane z = 0.
+    """Return the tabletop whose visible part is ``mask``, for a camera above the plane z = 0.
 
     ``camera`` looks along +y of its own frame (metres, or any unit). The result's frame has its
     origin at the top's centre, and its axes along the top's sides. ``carried`` are positions (x, y
@@ -266,7 +266,7 @@ def _unpack(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], floa
 
 
 def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
-    """Return the distances, in pixels, of true points from the outline, and of others outside."""
+    """Return the pixel distances from the outline of true points, and of others outside it."""
     center, turn, size, radius = _unpack(p)
     places = (rim.places - center) @ rotation_z(turn)[:2, :2]
     off = outline_distance(places, shape, flipped, size, radius) / rim.pixel

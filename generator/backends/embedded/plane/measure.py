@@ -94,9 +94,9 @@ def apparent_scale(
     """Return an object's apparent size relative to its usual size, and its shape difference.
 
     ``solid`` are points of the object at its usual size in metres, upright on z = 0. The object is
-    placed on the table at the foot of the pixel ``box``, with the yaw for which its own pixel box
-    has the most similar aspect ratio. The difference is that of the logarithms of the two aspect
-    ratios (width over height).
+    placed on the table at the foot of the pixel ``box``, with the yaw that gives its own pixel box
+    the most similar aspect ratio. The shape difference is the difference between the logarithms of
+    the two aspect ratios (width over height).
     """
     near = plane.camera.on_plane(np.array([[(box[0] + box[2]) / 2, box[3]]]), 0.0)[0]
     best = (1.0, np.inf)

@@ -1,7 +1,7 @@
-"""The tabletop's outline in a picture: the boundary of the eye's region, snapped to edges.
+"""The tabletop's outline in a picture: the detected region's boundary, snapped to edges.
 
-The eye returns the pixels of the whole top surface, including the objects on it. All tabletops of
-the catalogue are convex, so the hull of this region is the outline; where the surface itself is
+The detector returns the pixels of the whole top surface, including the objects on it. All tabletops
+of the catalogue are convex, so the hull of this region is the outline; where the surface itself is
 visible next to it, the outline is moved to the picture's edge.
 """
 
@@ -18,7 +18,7 @@ from ....meshes.pixels import dilate, distance_to, hull_corners, main_parts, mas
 from ..eye.sight import EyeReading
 
 WORKING_SIZE = 640
-"""Length in pixels of the longer side of the analysed copy of the picture."""
+"""Longer side, in pixels, of the copy of the picture that is analysed."""
 
 _POINTS = 240  # number of points along the outline
 _SMALLEST = 0.015  # minimum area of a top, as a fraction of the picture
@@ -55,7 +55,11 @@ def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "
 
 
 def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> tuple[Outline, float]:
-    """Return the top's outline and working pixels per picture pixel (SceneError: no tabletop)."""
+    """Return the top's outline and working pixels per picture pixel.
+
+    Raises:
+        SceneError: no tabletop was detected.
+    """
     lab, factor = working_copy(image)
     height, width = lab.shape[:2]
     top = cv2.resize(top_of(sight).astype(np.float32), (width, height)) > 0.5

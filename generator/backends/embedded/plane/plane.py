@@ -1,10 +1,10 @@
 """The tabletop as a plane: camera and size from the outline of the top surface.
 
 One least-squares problem serves every outline: find the camera (azimuth, elevation, field of view,
-position) and the table (ratio of depth to length, corner radius) for which the outline's edge
+position) and the table (ratio of depth to length, corner radius) that make the outline's edge
 points, projected onto the plane, lie on a rounded rectangle, an ellipse or a triangle. Weak priors
-determine what a single view leaves open: a rectangle seen head-on does not separate field of view
-from depth.
+determine what a single view leaves open: for example, the field of view and the depth of a
+rectangle seen head-on.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ TABLE_LENGTH = 1.2
 RADIUS = 0.3
 """The maximum corner radius, relative to the shorter side."""
 
-_ELEVATION_SPREAD = np.deg2rad(3.5)  # typical error of the eye's elevation
-_FOV_SPREAD = 0.25  # typical error of the logarithm of the eye's field of view
+_ELEVATION_SPREAD = np.deg2rad(3.5)  # typical error of the detector's elevation
+_FOV_SPREAD = 0.25  # typical error of the logarithm of the detected field of view
 _EDGE = 1.2  # accuracy of an edge point in pixels
 _TRUST = 12.0  # number of independent edge points that a complete outline is worth
 
@@ -132,8 +132,8 @@ def outline_distance(
 ) -> Float[np.ndarray, "n"]:
     """Return the signed distance of table points from an outline in metres, positive outside.
 
-    The outline fills ``size`` exactly. For a rectangle and a triangle, ``radius`` is that of the
-    corners; an ellipse approaches a rectangle as it grows (a superellipse, like oval tables).
+    The outline fills ``size`` exactly. For a rectangle and a triangle, ``radius`` is the corner
+    radius; an ellipse approaches a rectangle as it grows (a superellipse, like oval tables).
     """
     half = np.asarray(size) / 2
     if shape == "ellipse":

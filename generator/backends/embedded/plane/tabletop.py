@@ -30,7 +30,7 @@ def find_tabletop(
     metres defaults to the plan's, or else to a typical one. ``view`` fixes the camera if given.
 
     Raises:
-        BackendError: the eye's weights are missing or damaged.
+        BackendError: the detector's weights are missing or damaged.
         SceneError: the picture shows no tabletop.
     """
     found = _find(image.tobytes(), image.shape[:2], plan, length, None)
@@ -82,7 +82,7 @@ _FAR = 40.0  # maximum visible distance in such a picture, in camera heights
 def is_from_eye_level(sight: EyeReading, top: Bool[np.ndarray, "h w"], elevation: float) -> bool:
     """Return whether a picture was taken from little above the tabletop.
 
-    ``top`` is the tabletop including the objects on it; ``elevation`` (radians) is the eye's
+    ``top`` is the tabletop including the objects on it; ``elevation`` (radians) is the detector's
     estimate.
     """
     things = [t.whole for t in sight.things if t.score >= _CERTAIN and (t.whole & top).any()]
@@ -101,7 +101,7 @@ def plane_from_eye_level(
 ) -> TablePlane | None:
     """Return the tabletop for the elevation that makes its proportions most typical, or None.
 
-    ``fov`` (radians) is vertical; ``hidden`` and ``length`` are those of ``plane_from_view``.
+    ``fov`` (radians) is vertical; ``hidden`` and ``length`` are as in ``plane_from_view``.
     """
     best, least = None, np.inf
     for elevation in _ELEVATIONS:

@@ -134,8 +134,8 @@ def base_line(mask: Mask, projection: Projection) -> float | None:
 def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) -> PosedSolid | None:
     """Return the upright profile in the vertical plane of ``yaw`` that fills ``mask``.
 
-    ``depth``, the extrusion's, is relative to the longest side of the profile. The bottom is cut
-    flat and, if the solid would tip over, widened to a foot.
+    ``depth`` is the length of the extrusion relative to the longest side of the profile. The bottom
+    is cut flat and, if the solid would tip over, widened to a foot.
     """
     axes = np.array([[np.cos(yaw), np.sin(yaw), 0.0], [0, 0, 1.0]])
     sweep = np.linspace(-0.5, 0.5, 3)[:, None] * [-np.sin(yaw), np.cos(yaw), 0.0]

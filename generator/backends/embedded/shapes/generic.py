@@ -19,7 +19,7 @@ from .solids import ConvexSolid, PosedSolid, join, upright
 
 _STRICT = 0.94  # minimum overlap of a real box
 _LIKELY, _NAMED = 0.15, 0.1
-"""Weights of proportions in units of the expected error: of the object's look, and its kind."""
+"""Weights of proportions, in units of the expected error: by the object's look, and by its kind."""
 
 _FARTHEST = 4.0  # expected errors; larger deviations cost no more
 
@@ -158,7 +158,8 @@ def _area(posed: PosedSolid, sweep: int) -> float:
 def is_regular(posed: PosedSolid) -> bool:
     """Return whether an extruded outline has a regular shape.
 
-    Rectangles and ellipses do, and so do outlines with an arm or much longer than wide.
+    Rectangles and ellipses have one, and so do outlines that have an arm or are much longer than
+    wide.
     """
     if posed.kind not in ("prism", "upright"):
         return False

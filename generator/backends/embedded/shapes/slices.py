@@ -136,7 +136,7 @@ def _runs(flags: Bool[np.ndarray, "n"]) -> list[tuple[int, int]]:
 
 
 def trim(stack: EllipseStack, mask: Mask, projection: Projection) -> EllipseStack:
-    """Trim a stack's ends as far as the silhouette does not change noticeably.
+    """Trim a stack's ends as long as the silhouette does not change noticeably.
 
     Surfaces hidden by a flat top or bottom are ambiguous, so the base is placed as high and the top
     as low as the silhouette allows.

@@ -83,7 +83,7 @@ def distinct(detections: Sequence[BoxDetection]) -> list[BoxDetection]:
 def name_generic(
     detections: Sequence[BoxDetection], generic: str, better: Sequence[BoxDetection]
 ) -> list[BoxDetection]:
-    """Return the detections; those labelled ``generic`` get the best better word for their box."""
+    """Return the detections; ``generic`` ones get the best specific word for their box."""
     made = []
     for detection in detections:
         if detection.label == generic:
@@ -115,10 +115,10 @@ def clean(detection: BoxDetection) -> BoxDetection:
 def separate(detections: Sequence[BoxDetection], minimum: float) -> list[BoxDetection]:
     """Return each object once, by descending score, with disjoint masks.
 
-    Removed are duplicates of masks with a higher score, masks that combine several objects of one
-    word, and parts of an object of the same word. A pixel of several masks belongs to the smallest
-    one, which is in front or inside. A mask with fewer than ``minimum`` pixels, or less than
-    ``_LEFT`` of its area, is removed.
+    Duplicates of masks with a higher score, masks that combine several objects of one word, and
+    parts of an object of the same word are removed. A pixel shared by several masks belongs to the
+    smallest one, which is in front or inside. A mask with fewer than ``minimum`` pixels, or less
+    than ``_LEFT`` of its area, is removed.
     """
     kept: list[BoxDetection] = []
     for detection in sorted(detections, key=lambda f: -f.score):
@@ -225,7 +225,7 @@ def to_batch(
 def bound_size(width: int, height: int, shorter: int, longer: int) -> tuple[int, int]:
     """Return a size of the same aspect ratio with the given shorter side, and a limited longer one.
 
-    The rounding is that of Grounding DINO's processor.
+    Sizes are rounded as in Grounding DINO's processor.
     """
     low, high = sorted((width, height))
     near = longer * low / high if high / low * shorter > longer else float(shorter)

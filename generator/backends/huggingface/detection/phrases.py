@@ -34,8 +34,8 @@ def questions(
 ) -> tuple[PhraseQuestion, ...]:
     """Return prompts that cover all words, within the limits of words and tokens per prompt.
 
-    The words keep their order. A word that is longer than a prompt may be is truncated; words
-    without letters are skipped.
+    The words keep their order. A word that is too long for a prompt is truncated; words without
+    letters are skipped.
     """
     made: list[PhraseQuestion] = []
     for word in words:

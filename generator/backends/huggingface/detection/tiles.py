@@ -32,12 +32,12 @@ class Tile:
         return np.ascontiguousarray(image[self.y0 : self.y1, self.x0 : self.x1])
 
     def to_picture(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
-        """Return boxes in fractions of the tile's sides as pixels of the picture, clipped to it."""
+        """Convert boxes from fractions of the tile's sides to picture pixels, clipped to it."""
         low, high = [self.x0, self.y0] * 2, [self.x1, self.y1] * 2
         return np.clip(boxes * np.tile(self.size, 2) + low, low, high)
 
     def to_part(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
-        """Return boxes in picture pixels as fractions of the tile's sides."""
+        """Convert boxes from picture pixels to fractions of the tile's sides."""
         return (boxes - [self.x0, self.y0] * 2) / np.tile(self.size, 2)
 
     def whole(self, mask: Bool[np.ndarray, "th tw"]) -> Bool[np.ndarray, "h w"]:
@@ -74,7 +74,7 @@ class Tile:
 def tiles_of(width: int, height: int, count: int, overlap: float) -> tuple[Tile, ...]:
     """Return the whole picture, then ``count`` x ``count`` tiles of the same aspect ratio.
 
-    Neighbours share ``overlap`` of their side. A count of 1 adds no tiles.
+    Neighbouring tiles share the fraction ``overlap`` of their side. A count of 1 adds no tiles.
     """
     whole = Tile(0, 0, width, height, width, height)
     if count == 1:

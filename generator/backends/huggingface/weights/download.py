@@ -80,8 +80,9 @@ def watch(
 ) -> None:
     """Run a download until it ends, or until its folder has not grown for too long.
 
-    The last line of the output of ``command`` is {"kind", "message"} of an error. ``folder`` may be
-    missing at first; it must grow by ``minimum`` bytes within ``seconds``. ``name`` is the model's.
+    If ``command`` fails, the last line of its output describes the error: {"kind", "message"}.
+    ``folder`` may be missing at first; it must grow by ``minimum`` bytes within ``seconds``.
+    ``name`` is the name of the model.
 
     Raises:
         BackendError: the download stalled, or the command reported it.
@@ -157,6 +158,6 @@ def _size(folder: Path) -> int:
 
 
 def _of_the_disk(error: Exception) -> bool:
-    """Return whether an error is one of the disk; some network errors are OSErrors too."""
+    """Return whether an error is a disk error; some network errors are OSErrors too."""
     network = isinstance(error, ConnectionError | TimeoutError)
     return isinstance(error, OSError) and (error.errno or 0) > 0 and not network

@@ -63,7 +63,11 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
 
 
 def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
-    """Load a model's tokenizer (BackendError: it is missing or damaged)."""
+    """Load a model's tokenizer.
+
+    Raises:
+        BackendError: the tokenizer is missing or damaged.
+    """
     transformers = module("transformers", "huggingface", _HOW)
     file = find_model(pin, folder, what) / "tokenizer.json"
     try:
@@ -75,7 +79,7 @@ def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
 
 
 def _anew(pin: Pin, folder: Path) -> str:
-    """Return how to download a damaged model again; its files are links within the same folder."""
+    """Return advice for downloading a damaged model again; its files are links in its folder."""
     return (
         f"Delete {snapshot(pin, folder).parents[1]} and run: "
         f"tabletopgen models pull {pin.name} --folder {folder}"

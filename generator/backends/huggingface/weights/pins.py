@@ -21,7 +21,7 @@ class Pin:
         name: name in this project.
         repository: id on Hugging Face.
         revision: the commit, 40 hexadecimal digits.
-        kind: class of transformers that loads it.
+        kind: the class in ``transformers`` that loads it.
         licence: licence of the weights.
         files: files to download, including ``WEIGHTS``.
         bytes: size of the weights; 0 if unknown.
@@ -52,7 +52,11 @@ def pins() -> Mapping[str, Pin]:
 
 
 def pin(name: str, *kinds: str) -> Pin:
-    """Return a model by name, optionally of one of ``kinds`` (BackendError: there is none)."""
+    """Return a model by name, optionally of one of ``kinds``.
+
+    Raises:
+        BackendError: there is no such model.
+    """
     known = {n: p for n, p in pins().items() if not kinds or p.kind in kinds}
     if name not in known:
         fitting = f" of kind {' or '.join(kinds)}" if kinds else ""
