@@ -12,9 +12,9 @@
 ``tensorboard/``        curves, if TensorBoard is installed
 ======================  ===========================================================================
 
-A checkpoint is published by one rename, so it is complete or absent. Resuming reads its weights
-with torch's restricted loader (``weights_only``, safe from torch 2.6 on), its counts as JSON and
-its replay buffer as arrays; the pickled rest of ``model.zip`` is not read.
+A checkpoint is published by a single rename, so it is either complete or absent. Resuming reads its
+weights with torch's restricted loader (``weights_only``, safe from torch 2.6 on), its counts as
+JSON and its replay buffer as arrays; the pickled rest of ``model.zip`` is not read.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ from .evaluation import PolicyEvaluation
 from .recipes import Recipe, recipe_of
 
 FORMAT = 1
-"""Version of a run's folder; other versions are refused."""
+"""Version of the layout of a run's folder; other versions are refused."""
 
 ROUNDS = "cloning"
 """Subfolder of a run's cloning rounds."""
@@ -53,7 +53,7 @@ _RECIPE, _EVALUATIONS, _CHECKPOINT = "recipe.json", "evaluations.csv", "checkpoi
 _CURVES = "tensorboard"
 _STEPS = re.compile(rf"{_CHECKPOINT}([0-9]{{1,15}})")
 _MOST_STEPS = 10**15
-_MAX_BYTES = 16 * 2**20  # for a run's JSON and table
+_MAX_BYTES = 16 * 2**20  # for a run's JSON files and table
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,8 @@ class Run:
         return self.checkpoint is not None or any((self.path / p).exists() for p in (LATEST, BEST))
 
     def take_back(self, folder_too: bool) -> None:
-        """Delete the files of a run that has learned nothing; ``folder_too`` deletes its folder."""
+        """Delete the files of a run that has learned nothing, and with ``folder_too`` its folder.
+        """
         shutil.rmtree(self.curves, ignore_errors=True)
         with suppress(OSError):  # another error is already being raised
             for name in (_RECIPE, _EVALUATIONS):
@@ -152,7 +153,7 @@ class Run:
         return Counts(steps=rows[-1].steps, seconds=rows[-1].seconds, best=best)
 
     def restore(self, learner: Learner) -> tuple[Counts, bool]:
-        """Load the newest checkpoint into a learner; return its counts and whether it had a replay.
+        """Load the newest checkpoint into a learner; return its counts and whether it had a buffer.
 
         Without a checkpoint the learner is unchanged. Later evaluations are dropped from the table.
 
@@ -294,6 +295,6 @@ def _write_rows(path: Path, rows: list[EvaluationRow]) -> None:
 
 
 def differences(one: Recipe, other: Recipe) -> list[str]:
-    """Return the keys in which two recipes differ, besides their number of steps."""
+    """Return the keys in which two recipes differ, other than their number of steps."""
     a, b = one.facts(), other.facts()
     return [key for key in a if key != "steps" and a[key] != b[key]]

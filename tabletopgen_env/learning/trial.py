@@ -33,8 +33,8 @@ class PolicyTrial:
 
     Attributes:
         task: the policy's task.
-        env: keywords of its environment.
-        scenes: names of scenes; of scenes generated on demand only the held-out part.
+        env: keyword arguments of its environment.
+        scenes: names of scenes; only the held-out part of scenes generated on demand is used.
         policy: the policy.
     """
 

@@ -32,11 +32,11 @@ def fill(
     seed: int,
     between: Callable[[], None] | None = None,
 ) -> int:
-    """Add successful episodes of the expert to a buffer; return how many.
+    """Add successful episodes of the expert to a buffer; return their number.
 
-    Episodes run to the time limit, so that the buffer covers the value of staying at the goal, and
-    end as timeouts. Their number is rounded up to a multiple of the buffer's environments.
-    ``between`` is called before each episode and may raise an exception to stop.
+    Episodes run to the time limit and end as timeouts, so that the buffer covers the value of
+    staying at the goal. Their number is rounded up to a multiple of the buffer's number of
+    environments. ``between`` is called before each episode and may raise an exception to stop.
 
     Raises:
         InputError: the buffer is too small for them.
