@@ -97,8 +97,7 @@ class Run:
         return self.checkpoint is not None or any((self.path / p).exists() for p in (LATEST, BEST))
 
     def take_back(self, folder_too: bool) -> None:
-        """Delete the files of a run that has learned nothing, and with ``folder_too`` its folder.
-        """
+        """Delete a run that has learned nothing: its files and, with ``folder_too``, its folder."""
         shutil.rmtree(self.curves, ignore_errors=True)
         with suppress(OSError):  # another error is already being raised
             for name in (_RECIPE, _EVALUATIONS):

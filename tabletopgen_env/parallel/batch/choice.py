@@ -49,11 +49,11 @@ class EpisodeChoice:
         return rows
 
     def forget(self, worlds: Int[np.ndarray, "k"]) -> None:
-        """Mark worlds as playing an episode that was not drawn, whose result is not recorded."""
+        """Mark worlds as playing an episode that was not drawn; its result is not recorded."""
         self._playing[worlds] = -1
 
     def record(self, ended: Bool[np.ndarray, "w"], successes: ArrayLike) -> None:
-        """Record the results of episodes, in the worlds whose episode has ended."""
+        """Record the results of the worlds whose episode has ended."""
         told = np.asarray(ended, bool) & (self._playing >= 0)
         self.sampler.record(self._bins[self._playing[told]], np.asarray(successes)[told])
 
