@@ -78,7 +78,7 @@ def page(results: Iterable[BenchResult]) -> str:
 
 
 def _suite(result: BenchResult) -> Suite:
-    """Return the suite of a result after checking that their episodes match."""
+    """Return the suite of a result, after checking that the episodes of both match."""
     if not result.suite.removesuffix(RANDOM).endswith("-test"):
         raise InputError(
             "The leaderboard only accepts test suites; there is a result of "

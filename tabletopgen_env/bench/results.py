@@ -236,7 +236,7 @@ def _player(entry: dict[str, Any]) -> PlayerFacts:
 
 
 def _check_setting(value: Any) -> None:
-    """Check that a setting is a printable text, a number, or a list or table of these."""
+    """Check that a setting is a printable string, a number, or a list or table of these."""
     if isinstance(value, dict):
         value = [*value, *value.values()]
     if isinstance(value, list):

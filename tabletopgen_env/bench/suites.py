@@ -95,7 +95,7 @@ def read_suites(path: str | Path) -> TaskSuites:
 
 
 def read_payload(path: str | Path, what: str, newest: int) -> dict[str, Any]:
-    """Return the JSON object in a file, ``what``, with a schema up to ``newest``.
+    """Return the JSON object in a file, whose schema may be up to ``newest``.
 
     Raises:
         InputError: the file is missing, too large, damaged, or of a newer schema.
