@@ -31,7 +31,7 @@ CHUNK = 4
 
 Column = Shaped[np.ndarray, "t1 ..."] | list[str]
 Columns = dict[str, Column | dict[str, Column | dict[str, Column]]]
-"""Arrays or texts with one row per step, by name, nested at most twice."""
+"""Arrays or lists of strings with one row per step, by name, nested at most twice."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,7 +210,7 @@ def _proprio(seen: Any, felt: Float[np.ndarray, "t1 p"]) -> Float[np.ndarray, "t
 
 
 def _plain(observations: Any) -> Any:
-    """Return observations with texts as lists."""
+    """Return observations with arrays of strings as lists."""
     if not isinstance(observations, dict):
         return observations
     return {

@@ -15,7 +15,7 @@ from .source import SceneRef
 from .splits import SplitRule
 
 DRAWS = 1000
-"""Maximum number of draws for one scene on the required side of a split."""
+"""Maximum number of draws to find one scene on the required side of a split."""
 
 
 @dataclass(frozen=True)
@@ -25,9 +25,9 @@ class FreshScenes:
     Attributes:
         prompts: a text, a list of texts, or a distribution of tables.
         variants: number of seeds per text or for the distribution, at most 2^30; with few seeds,
-            compiled worlds are met again.
+            compiled worlds can be reused.
         making: "compose", "generate" or "module:function"; see ``SceneRecipe``.
-        rules: required sides of splits; see ``admitting``.
+        rules: rules that all scenes must satisfy, such as one side of a split; see ``admitting``.
 
     Raises:
         InputError: there is no text, a text is empty, or a setting is out of range.

@@ -38,12 +38,12 @@ class RefreshingScenes:
 
     Without ``initial``, the first draw generates the pool itself, about a second per scene. If
     processes die or scenes cannot be generated, the pool stays unchanged, with one warning, and
-    renewal is retried after increasing pauses, or with ``every_resets`` at the next draw that is
+    renewal is retried after increasing pauses, or, with ``every_resets``, at the next draw that is
     due; see ``failures``.
 
     Each process takes 150 to 300 MB and runs at nice 10. The processes end with ``close``, or with
-    the process that drew; the next draw starts them again, and so does a pickled or forked copy.
-    For your own threads, use ``SharedScenes``.
+    the process that drew; the next draw starts them again, also in a pickled or forked copy. For
+    your own threads, use ``SharedScenes``.
 
     Attributes:
         fresh: source of new scenes: a ``FreshScenes``, or its argument ``prompts``.

@@ -81,7 +81,7 @@ class SegmentStore:
         return Path(tempfile.mkdtemp(prefix="new-", dir=self._folder))
 
     def publish(self, segment: Segment, index: int) -> None:
-        """Publish a segment, whose files are in a folder from ``begin``, as the ``index``-th."""
+        """Publish the segment whose files are in a folder from ``begin`` as segment ``index``."""
         about = {
             "number": segment.number,
             "length": segment.length,

@@ -46,7 +46,7 @@ class FailedScene:
 
 
 class Background:
-    """Generates scenes in ``count`` processes at a time, in a temporary folder.
+    """Generates scenes in up to ``count`` processes at a time, in a temporary folder.
 
     ``rest`` is the pause after a failure in seconds, doubled for each further consecutive one;
     scenes that take longer than ``timeout`` seconds are cancelled.

@@ -26,7 +26,7 @@ MOST_SEEDS = 2**30
 """Exclusive upper bound of recipes' seeds; further attempts use seeds above it."""
 
 Maker = Callable[[str | ScenePlan, int], Scene]
-"""A function that generates a scene from a text or plan, and a seed."""
+"""A function that generates a scene from a text or a plan, and from a seed."""
 
 
 @dataclass(frozen=True)
