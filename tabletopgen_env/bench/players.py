@@ -152,7 +152,7 @@ class PolicyPlayer:
     policy: Any
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return the policy as an actor (InputError: its spaces differ from the environment's)."""
+        """Return the policy as an actor; raise InputError if its spaces do not match."""
         self._check(env)
         if (reset := getattr(self.policy, "reset", None)) is not None:
             reset()

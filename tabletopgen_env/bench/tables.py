@@ -47,7 +47,7 @@ def find_table(suites: TaskSuites, table: SuiteTable, folder: Path | None = None
     """Return the bundle of a table; None if it does not exist.
 
     Raises:
-        BundleError: it has another digest, or is damaged.
+        BundleError: it has a different digest, or is damaged.
     """
     place, name = store_of(folder), name_of(suites, table)
     found = sorted(p for p in place.glob(f"{name}-*") if (p / "scene.json").is_file())

@@ -127,7 +127,7 @@ class Certificate:
 
 
 def read_certificate(path: str | Path) -> Certificate | None:
-    """Return a bundle's certificate, validated; None if it has none, or one of an older schema.
+    """Return a bundle's certificate, validated; None if it has none or one with an older schema.
 
     Raises:
         BundleError: it is damaged, too large, of an unknown schema, or belongs to another scene.

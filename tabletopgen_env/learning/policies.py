@@ -206,8 +206,8 @@ def load_policy(name: str | Path) -> TrainedPolicy:
     """Load a policy by the name of a shipped one ("reach-clone") or by path.
 
     Raises:
-        InputError: the file is missing, too large, damaged, of another version, or not a policy
-            file.
+        InputError: the file is missing, too large, damaged, not a policy file, or has an
+            unsupported version.
     """
     path = Path(name)
     try:

@@ -1,7 +1,7 @@
 """Recipes: the complete settings of a training run, as data.
 
 The shipped recipes are the tables of ``recipes.toml``; your own recipe is a TOML file with the same
-keys at top level. A run stores its recipe beside its weights.
+keys at the top level. A run stores its recipe beside its weights.
 """
 
 from __future__ import annotations
@@ -274,7 +274,7 @@ def as_texts(scenes: str | tuple[str, ...]) -> tuple[str, ...]:
 
 
 def network_of(payload: Mapping[str, Any], name: str) -> Network:
-    """Create a network's settings from the content of a file; ``name`` is for error messages.
+    """Create a network's settings from the content of a file; ``name`` is used in error messages.
 
     Raises:
         InputError: a key is unknown, or a value has the wrong type or is out of range.

@@ -157,7 +157,7 @@ class Run:
         Without a checkpoint the learner is unchanged. Later evaluations are dropped from the table.
 
         Raises:
-            InputError: the checkpoint is damaged, or belongs to another recipe.
+            InputError: the checkpoint is damaged, or belongs to a different recipe.
         """
         found = self.checkpoint
         if found is None:
@@ -252,7 +252,7 @@ def read_rows(path: Path) -> list[EvaluationRow]:
 
 
 def _row(cells: Mapping[str, str]) -> EvaluationRow:
-    """Parse a row of the table (ValueError: impossible numbers)."""
+    """Parse a row of the table; raise ValueError if its numbers are impossible."""
     row = EvaluationRow(
         int(cells["steps"]), float(cells["seconds"]), int(cells["episodes"]),
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
@@ -267,7 +267,7 @@ def _row(cells: Mapping[str, str]) -> EvaluationRow:
 
 
 def _counts(path: Path) -> Counts:
-    """Read the counts of a checkpoint (InputError: the file is damaged)."""
+    """Read the counts of a checkpoint; raise InputError if the file is damaged."""
     try:
         payload = _object(path)
         own = Counts(**payload)
@@ -282,7 +282,7 @@ def _counts(path: Path) -> Counts:
 
 
 def _object(path: Path) -> dict[str, Any]:
-    """Read the JSON object of a file (InputError: it is not a JSON object)."""
+    """Read the JSON object in a file; raise InputError if there is none."""
     raw = read_regular(path, "The run's", InputError, max_bytes=_MAX_BYTES)
     return parse_object(raw, f"{path}", InputError)
 

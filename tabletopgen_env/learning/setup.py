@@ -45,7 +45,9 @@ _OURS = {
 }  # fmt: skip
 
 KEPT, MOST_KEPT = 16, 300
-"""Number of compiled worlds that an environment caches, by default and for repeated scenes."""
+"""Number of compiled worlds that an environment caches, by default and at most for a source with
+few scenes.
+"""
 
 ACTIVATIONS: dict[str, type[nn.Module]] = {"relu": nn.ReLU, "tanh": nn.Tanh}
 
@@ -94,7 +96,7 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Count the tables that two sources share, by digest, among those available without drawing.
+    """Count, by digest, the tables shared by two sources, among those available without drawing.
 
     The initial tables of a refreshing pool are counted, too.
 
@@ -198,7 +200,7 @@ def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
     """Load a Stable-Baselines3 zip file; loading can execute arbitrary code in the file.
 
     Raises:
-        InputError: the file is invalid, or belongs to another algorithm.
+        InputError: the file is invalid, or belongs to a different algorithm.
     """
     if recipe.algorithm not in _CLASSES:
         raise InputError(

@@ -87,7 +87,7 @@ class PolicyTrial:
 
 
 def _set_up(trial: PolicyTrial) -> tuple[gym.Env[Any, Any], Predicts]:
-    """Open an environment that lasts until this process ends; return it with the policy."""
+    """Open an environment that stays open until this process ends; return it with the policy."""
     source = trial.source()
     env = single_env(trial.task, trial.env, source)
     atexit.register(close, source)

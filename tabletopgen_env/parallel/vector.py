@@ -286,7 +286,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @property
     def envs(self) -> list[gym.Env]:
-        """The slots' environments (InputError: they are in other processes)."""
+        """The slots' environments; raises InputError if they are in other processes."""
         if isinstance(self._runner, ThreadSlots):
             return self._runner.slots.envs
         raise InputError(

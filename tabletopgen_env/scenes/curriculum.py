@@ -71,7 +71,7 @@ class CurriculumScenes:
         return self._source
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw a scene; its reference includes its difficulty."""
+        """Draw a scene; the returned reference includes its difficulty."""
         self._meet(self._source.draw(rng))
         bins = self.sampler.bins(np.array([ref.difficulty for ref in self._held], float))
         weights = np.array([1.0 if ref.key in self._drawn else _NEW for ref in self._held])

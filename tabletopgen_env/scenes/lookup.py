@@ -17,13 +17,13 @@ STARTER = "starter"
 """Name of the shipped bundles that suit any task."""
 
 FRESH = "fresh"
-"""Name of scenes generated for each draw; a text can follow after a colon."""
+"""Name for scenes generated for each draw; a prompt can follow after a colon."""
 
 REFRESHING = "refreshing"
-"""Name of a pool renewed in the background; a text can follow after a colon."""
+"""Name for a pool renewed in the background; a prompt can follow after a colon."""
 
 CURRICULUM = "curriculum"
-"""Name of a curriculum of scenes; the scenes can follow after a colon."""
+"""Name for a curriculum of scenes; the scenes can follow after a colon."""
 
 _SIDES: dict[str, Side] = {f"{STARTER}:{side}": side for side in get_args(Side)}
 FORMS = (

@@ -52,8 +52,8 @@ class RefreshingScenes:
             ``every_resets`` is set. The processes may not keep up with a high rate.
         every_resets: number of draws per renewed scene, instead of ``per_minute``.
         workers: number of processes, each generating one scene at a time.
-        initial: first pool, of which at most ``size`` are drawn: a ``FixedScenes``, or the name of
-            one ("starter", a list of bundles).
+        initial: first pool, from which at most ``size`` scenes are drawn: a ``FixedScenes``, or the
+            name of one ("starter", a list of bundles).
         synchronous: generate scenes in this process at the draws that are due, without other
             processes; slow. Needs ``every_resets``.
         seed: seed of the generated scenes; None takes it from the first draw's generator.

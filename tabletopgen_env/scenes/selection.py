@@ -28,10 +28,10 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
               "starter:held_out" split them by digest, a fifth held out;
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
             - "fresh": generated for each draw, of every theme and for the current task (see
-              ``needs``); "fresh:PROMPT": from a text;
+              ``needs``); "fresh:PROMPT": from a prompt;
             - "refreshing": a pool that starts with ``start`` and is renewed in the background, of
-              every theme; "refreshing:PROMPT": from a text, also at the start, which takes about a
-              second per scene at the first reset;
+              every theme; "refreshing:PROMPT": from a prompt, also at the start, which takes about
+              a second per scene at the first reset;
             - "curriculum": new tables as for "fresh", of the difficulty at which most is learned;
               "curriculum:SCENES": scenes of any other form listed here, such as
               "curriculum:starter:train" or "curriculum:fresh:an office desk". See

@@ -3,7 +3,7 @@
 By *digest*, a fixed share of all scenes is held out. A hash of the scene determines its side, so
 all processes, machines and lists of scenes agree, and new scenes do not change the side of others.
 Scenes on disk or in memory are hashed by their table and objects; scenes generated on demand by
-their inputs, the text (or distribution) and seed, so that no rejected scene is generated.
+their inputs, the prompt (or distribution) and the seed, so that no rejected scene is generated.
 
 By *category*, every scene with an object of a held-out category is held out. An object belongs to a
 category by its catalogue key or by its label ("alarm clock" belongs to alarm_clock).
@@ -27,7 +27,7 @@ from generator.scene import Scene
 from .source import Remembered, SceneRef, SceneSource, close, record
 
 Side = Literal["train", "held_out"]
-"""The sides of a split."""
+"""The two sides of a split: training scenes and held-out scenes."""
 
 By = Literal["digest", "category"]
 """The property that determines the side of a scene."""

@@ -76,7 +76,7 @@ def read_mark(result: Path, digest: str) -> ReplayMark | None:
     """Return the mark of the result with this digest, or None if it has none or an outdated one.
 
     Raises:
-        InputError: the mark is damaged, edited or of another schema.
+        InputError: the mark is damaged or edited, or has an unsupported schema.
     """
     path = mark_path(result)
     if not path.exists():

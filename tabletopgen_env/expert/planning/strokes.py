@@ -82,7 +82,7 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), if there is one.
+    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), if possible.
 
     ``others`` is the height map ``beside`` the object, if it is already known.
     """

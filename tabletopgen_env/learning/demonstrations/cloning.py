@@ -157,7 +157,7 @@ def moves_of(model: SAC) -> Callable[[Tensor], Tensor]:
 
 
 def _acting(act: Callable[[Tensor], Tensor]) -> Policy:
-    """Return a policy for single observations from a batched action function."""
+    """Return a policy for single observations, based on an action function for batches."""
 
     def policy(state: Float[np.ndarray, "n"]) -> Float[np.ndarray, "a"]:
         with torch.no_grad():

@@ -121,7 +121,7 @@ def gather(
 
 
 def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
-    """Write showings to a file atomically (StorageError: the file cannot be written)."""
+    """Write showings to a file atomically; raise StorageError if it cannot be written."""
     content = BytesIO()
     np.savez_compressed(
         content,
@@ -135,7 +135,7 @@ def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
 
 
 def read_showings(path: Path) -> list[GraspShowing]:
-    """Read a file of showings (BundleError: the file is damaged)."""
+    """Read a file of showings; raise BundleError if it is damaged."""
     try:
         kept = read_arrays(path, "The file of showings", InputError, max_bytes=_MAX_BYTES)
         maps, stands, grasps, counts = (kept[k] for k in ("maps", "stands", "grasps", "counts"))

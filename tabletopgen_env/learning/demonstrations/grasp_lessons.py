@@ -25,7 +25,7 @@ _TOLD = 10  # number of loss reports
 _CLOSE = (0.008, 0.012, np.deg2rad(16.0))
 
 Places = tuple[Int[Tensor, "k"], Float[Tensor, "k 5"], Float[Tensor, "k"]]
-"""The cells that have a grasp, the best grasp of each, and its score."""
+"""The cells that contain a grasp, the best grasp in each of them, and its score."""
 
 
 def teach_head(

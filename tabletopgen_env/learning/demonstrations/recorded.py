@@ -41,7 +41,7 @@ class Demonstration:
     instruction: str
 
     def observation(self, step: int) -> Any:
-        """Return the observation before a step; ``step`` = t returns the last one."""
+        """Return the observation before a step, or the last one if ``step`` is t."""
         if isinstance(self.observations, dict):
             return {name: part[step] for name, part in self.observations.items()}
         return self.observations[step]

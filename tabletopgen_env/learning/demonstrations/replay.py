@@ -102,7 +102,7 @@ def write_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
-    """Load the content of an equal-sized buffer into a new one; unfinished episodes end there.
+    """Load a buffer's content into a new one of equal size; unfinished episodes end there.
 
     Raises:
         InputError: the file is damaged, or belongs to another buffer.
