@@ -127,7 +127,7 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
 
 
 def _plain(text: str) -> str:
-    """Escape foreign text for a table cell, so that Markdown and HTML show it literally."""
+    """Escape text for a table cell, so that Markdown and HTML show it literally."""
     return text.translate(_MARKUP)
 
 

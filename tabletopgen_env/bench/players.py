@@ -188,7 +188,7 @@ def _call(module: str, function: str) -> Any:
         sys.path.append(here)
     try:
         policy = getattr(importlib.import_module(module), function)()
-    except Exception as error:  # foreign code can raise any exception
+    except Exception as error:  # the function can raise any exception
         raise InputError(
             f"{module}:{function} does not create a policy ({type(error).__name__}: {error}). "
             "Give an importable module and a function in it without arguments."

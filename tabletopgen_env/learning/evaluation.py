@@ -21,7 +21,7 @@ FRAME_EVERY = 4
 
 
 class Predicts(Protocol):
-    """Has the method ``predict``: a policy of this package or a Stable-Baselines3 model."""
+    """Any object with ``predict``: a policy of this package or a Stable-Baselines3 model."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
         """Return the action, and the policy's memory to pass as ``state`` to the next call."""
@@ -44,7 +44,7 @@ class EpisodePlayer:
 
 @dataclass(frozen=True)
 class EpisodeResult:
-    """One episode: ``reward`` is the mean per step, ``table`` the digest of table and objects."""
+    """One episode: ``reward`` is the mean per step, ``table`` a digest of the table and objects."""
 
     solved: bool
     steps: int

@@ -40,7 +40,7 @@ class Band:
 
 
 def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
-    """Return a band per recipe name, interpolated between evaluations.
+    """Return a band for each recipe name, interpolated between evaluations.
 
     Runs belong to one band if their recipes are equal except for the number of steps. If recipes
     with the same name differ otherwise, the differing settings are added to the name. A run given

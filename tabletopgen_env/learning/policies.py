@@ -65,7 +65,7 @@ class Card:
         actions: number of entries of an action.
         squash: function applied to the output layer: "tanh" or "clip".
         recipe: name of the recipe.
-        seed: seed of the training.
+        seed: seed of the training run.
         steps: environment steps taken so far.
         scenes: training scenes, as in the recipe; for scenes generated on demand, the training
             part.
@@ -291,7 +291,7 @@ def _check_answers(kept: list[float], own: list[float]) -> None:
 
 
 def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
-    """Return the card of a file's header, with every value checked, and the saved outputs."""
+    """Return the card in a file's header, with every value checked, and the saved outputs."""
     if KEY not in notes:
         raise ValueError(f"its header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
@@ -360,7 +360,7 @@ def _validation(payload: dict[str, Any]) -> dict[str, Any]:
 
 
 def _check_printable(value: Any) -> None:
-    """Refuse strings with control characters (InputError)."""
+    """Raise InputError for strings with control characters."""
     if isinstance(value, str) and not value.isprintable():
         raise InputError(f"The texts of a policy's card must be printable, got {value!r}.")
     if isinstance(value, dict):

@@ -53,7 +53,7 @@ _RECIPE, _EVALUATIONS, _CHECKPOINT = "recipe.json", "evaluations.csv", "checkpoi
 _CURVES = "tensorboard"
 _STEPS = re.compile(rf"{_CHECKPOINT}([0-9]{{1,15}})")
 _MOST_STEPS = 10**15
-_MAX_BYTES = 16 * 2**20  # for a run's JSON files and table
+_MAX_BYTES = 16 * 2**20  # maximum size of a run's JSON files and table, bytes
 
 
 @dataclass(frozen=True)

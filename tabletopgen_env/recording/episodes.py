@@ -104,8 +104,8 @@ def play_episodes(
     """Yield episodes indefinitely; an episode that is not kept is replaced by the reason.
 
     The first episode has the number ``first``. The episodes do not depend on the number of
-    ``workers``, or on whether these belong to the Ray cluster at the address ``ray``; a single
-    local worker plays in ``env``. Close the generator at the end.
+    ``workers``, or on whether these run on the Ray cluster at the address ``ray``; a single local
+    worker plays in ``env``. Close the generator at the end.
 
     Raises:
         BackendError: Ray is not available.

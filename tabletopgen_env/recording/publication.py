@@ -18,7 +18,7 @@ from generator.io.files import remove_tree, write_whole
 _KEY = "recording.json"
 _LOCK = "lock"
 _PLACE = "dataset"  # a fixed name, so that it differs from its neighbours' names
-_MOST_BYTES = 1 << 20  # of the key
+_MOST_BYTES = 1 << 20  # maximum size of the key's file, bytes
 
 
 @contextmanager

@@ -43,7 +43,7 @@ class Learner(Protocol):
         ...
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write a checkpoint into a folder; ``replay`` includes the replay buffer."""
+        """Write a checkpoint into a folder, including the replay buffer if ``replay`` is true."""
         ...
 
     def read(self, folder: Path, counts: Counts) -> bool:

@@ -41,7 +41,7 @@ class Sb3Learner:
         return actor_of(self.model, self.network)
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write the model; ``replay`` includes its replay buffer, if it has one."""
+        """Write the model, and its replay buffer (if it has one) if ``replay`` is true."""
         self.model.save(folder / MODEL)
         buffer = getattr(self.model, "replay_buffer", None)
         if replay and buffer is not None:

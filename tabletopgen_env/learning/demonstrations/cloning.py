@@ -147,7 +147,7 @@ def moves_of(model: SAC) -> Callable[[Tensor], Tensor]:
     """Return the actor's mean action as a function of states.
 
     For an actor with a grasp head, the states are those of a ``Teacher``, which include the
-    features of the way to the grasp.
+    features of the way to the grasp (``look_extractor``).
     """
     actor = model.actor
     extractor = actor.features_extractor

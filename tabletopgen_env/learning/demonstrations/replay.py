@@ -20,7 +20,7 @@ from .recorded import Demonstration, demonstrate, stack
 MISSES = 100
 """The number of consecutive unsolved episodes after which prefilling fails."""
 
-_MAX_REST = 2**20  # bytes of a buffer's file besides its arrays
+_MAX_REST = 2**20  # maximum size of a buffer's file without its arrays, bytes
 _ARRAYS = ("actions", "rewards", "dones", "timeouts")
 _EPISODES = ("ep_start", "ep_length")
 

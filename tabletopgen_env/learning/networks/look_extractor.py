@@ -87,7 +87,7 @@ class LookExtractor(BaseFeaturesExtractor):
     def features(
         self, state: Float[Tensor, "n o"], way: Float[Tensor, "n 8"]
     ) -> Float[Tensor, "n f"]:
-        """Compute the features of states and their ways."""
+        """Compute the features from states and their ways."""
         return self.table(torch.cat([state, way], 1))
 
     def plans(

@@ -46,7 +46,7 @@ _SUNK = 0.02  # an object visible down to this height above the table stands on 
 _THINNEST = 0.003  # minimum half extent, metres
 _HAND = ((-0.05, -0.13, -0.30), (0.05, 0.13, 0.02))  # the hand's box in its own frame, metres
 _ABOVE = 0.10  # points this far above the tool may belong to the arm, metres
-_CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # command, metres, metres per second
+_CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # fingers: command, opening, speed (m, m/s)
 _WITHIN = 0.04  # maximum distance from the target's box to the tool in a grasp, metres
 _RAISED = (ASTRAY, ASTRAY, (RAISED[1] - RAISED[0]) / 2)  # semi-axes of Lift's region, metres
 _RISE = sum(RAISED) / 2  # from the target's initial position to the region's centre, metres
@@ -176,7 +176,7 @@ def find_ball(points: Float[Tensor, "m 3"]) -> tuple[Float[Tensor, "3"], int]:
 
 
 def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
-    """Fit a ball's centre to points seen from above, by Gauss-Newton steps from below them."""
+    """Fit a ball's centre to points seen from above, by Gauss-Newton steps that start below."""
     middle = points.mean(0) - points.new_tensor([0, 0, _BALL / 2])
     damping = 1e-3 * torch.eye(3, dtype=points.dtype)
     for _ in range(_FITS):
@@ -221,7 +221,7 @@ def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
 def box_of(
     points: Float[Tensor, "m 3"], table: Float[Tensor, ""]
 ) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
-    """Return centre and half extents of an object's box along the base frame's axes, metres."""
+    """Return the centre and half extents of an object's box along the base's axes, metres."""
     low, high = points.quantile(0.01, 0), points.quantile(0.99, 0)
     if low[2] < table + _SUNK:
         low[2] = table

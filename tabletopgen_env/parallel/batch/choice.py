@@ -11,7 +11,7 @@ from ...scenes.lookup import graded_of
 
 
 class EpisodeChoice:
-    """Draws episodes of a deck on the host and records which world plays which.
+    """Draws episodes of a deck on the host, and records which world plays which episode.
 
     ``sampler`` draws a bin of difficulty, weighted by the deck's number of episodes per bin; then
     one of the bin's episodes is drawn uniformly. Success rates stay with the sampler when the deck

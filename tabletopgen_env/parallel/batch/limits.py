@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 # What one world needs if all objects overlap: shipped scenes with all objects at one point had up
 # to 500 contacts and 300 pairs.
 _SPARE_CONTACTS, _SPARE_DEPTHS = 1024, 512
-_EPA_FACES, _EPA_HORIZON = 5, 24  # of MuJoCo Warp's penetration depth search
+_EPA_FACES, _EPA_HORIZON = 5, 24  # limits of MuJoCo Warp's penetration depth search
 _PER_ROW = 40  # bytes of solver memory per constraint row
 
 

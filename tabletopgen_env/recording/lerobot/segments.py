@@ -19,7 +19,7 @@ from ..summaries import RowSummary
 DATA, ABOUT = "data.parquet", "episode.json"
 """The files of a segment other than its videos: the table of its steps, and its metadata."""
 
-_MOST_BYTES = 1 << 24  # of a metadata file
+_MOST_BYTES = 1 << 24  # maximum size of a metadata file, bytes
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,7 +33,7 @@ LIMITS = Limits()
 
 _ROBOT = "panda"
 _FEATURES = "features.json"  # files beside the first episode
-_MOST_BYTES = 1 << 20  # for the features
+_MOST_BYTES = 1 << 20  # maximum size of the features' file, bytes
 
 
 class LeRobotWriter:
