@@ -58,8 +58,8 @@ def make_tables(
 
     Args:
         suites: Names of suites; "all" for the suites of all tasks.
-        out: Folder for the bundles; by default bench in the user cache, where "run" looks for them
-            and which searches for bundles by name do not include.
+        out: Folder for the bundles; by default bench in the user cache, where "run" looks for them.
+            Searches for bundles by name do not include this folder.
         pool: Worker processes that generate the tables.
     """
     from .tables import make_tables as make

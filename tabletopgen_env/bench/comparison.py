@@ -1,4 +1,4 @@
-"""Comparison of results of the same suite with the first one, episode by episode."""
+"""Comparison of a suite's results with the first one, episode by episode."""
 
 from __future__ import annotations
 

@@ -87,7 +87,7 @@ class Stage:
         atexit.register(self.env.close)
 
     def play(self, episode: SuiteEpisode) -> SuiteOutcome:
-        """Run an episode; if it fails and pictures are requested, run it again for these."""
+        """Run an episode; if it fails and pictures are requested, run it again to render them."""
         with single_thread():
             outcome = self._play(episode, None)
             if self._playing.pictures and not outcome.solved:

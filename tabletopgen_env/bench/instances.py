@@ -16,13 +16,13 @@ from ..randomization import Randomization
 from ..scenes import SceneRecipe, SplitRule
 
 Split = Literal["train", "validation", "test"]
-"""Uses of tables: training, model selection, and final results."""
+"""What tables are used for: training, model selection, or final results."""
 
 LISTED: tuple[Split, ...] = ("validation", "test")
-"""The splits with listed tables; training tables are a range of seeds."""
+"""The splits whose tables are listed; training tables are given by a range of seeds."""
 
 Condition = Literal["plain", "random"]
-"""Whether the episodes of an instance start alike, or with ``TaskSuites.randomization``."""
+"""Whether an instance's episodes all start alike or with ``TaskSuites.randomization``."""
 
 RANDOM = "-random"
 """Suffix of the names of suites with randomisation."""
@@ -45,7 +45,7 @@ class SuiteTable:
     """A table of a suite.
 
     Attributes:
-        split: its use.
+        split: what it is used for.
         seed: seed of its scene in ``TaskSuites.distribution``.
         digest: digest of its scene, see ``generator.bundle.digest``.
         difficulty: its difficulty, in [0, 1].
@@ -121,7 +121,7 @@ class TaskSuites:
         return SplitRule("train" if split == "train" else "held_out", share=self.share)
 
     def level(self, difficulty: float) -> str:
-        """Return the name of a difficulty's range; beyond all ranges, that of the last one."""
+        """Return the name of the range of a difficulty, or of the last one if none contains it."""
         held = (level.name for level in self.levels if level.holds(difficulty))
         return next(held, self.levels[-1].name)
 
@@ -151,7 +151,7 @@ class Suite:
 
     @property
     def settings(self) -> Mapping[str, Any]:
-        """The environment keywords that the suite sets, not the policy."""
+        """The keyword arguments of the environment that the suite sets, not the policy."""
         return MappingProxyType(
             {
                 "control_hz": self.of.control_hz,

@@ -78,7 +78,7 @@ def page(results: Iterable[BenchResult]) -> str:
 
 
 def _suite(result: BenchResult) -> Suite:
-    """Return the suite of a result after checking that their episodes match."""
+    """Return the suite of a result, after checking that the episodes of both match."""
     if not result.suite.removesuffix(RANDOM).endswith("-test"):
         raise InputError(
             "The leaderboard only accepts test suites; there is a result of "
@@ -127,7 +127,7 @@ def _section(task: str, entries: Sequence[tuple[PlayerFacts, Mapping[str, BenchR
 
 
 def _plain(text: str) -> str:
-    """Escape foreign text for a table cell, so that Markdown and HTML show it literally."""
+    """Escape text for a table cell, so that Markdown and HTML show it literally."""
     return text.translate(_MARKUP)
 
 

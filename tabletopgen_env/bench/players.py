@@ -29,7 +29,7 @@ KINDS = (*SIMPLE, "policy", "function")
 """Kinds of players: `SIMPLE`, policy files, and functions that return a policy."""
 
 OWN = frozenset({*keywords_of("observation"), *keywords_of("action"), "renderer"})
-"""Environment keywords set by a policy: its observations and actions."""
+"""Keyword arguments of the environment that a policy sets: its observations and actions."""
 
 OF_TRAINING = frozenset({"randomization", "reward", "certified", "cache", "masters", "infos"})
 """Training settings of a policy that a suite overrides."""
@@ -56,11 +56,11 @@ class PlayerFacts:
 
     Attributes:
         name: its name.
-        kind: one of `KINDS`. Policies and functions cannot be named like one of `SIMPLE`.
-        digest: sha256 of everything that determines its behaviour: of a policy file; for a
-            function, of the file of its module and of the policy's own ``digest``. Empty for other
+        kind: one of `KINDS`. Policies and functions cannot have a name from `SIMPLE`.
+        digest: sha256 of everything that determines its behaviour: the policy file or, for a
+            function, the file of its module and the policy's own ``digest``. Empty for other
             players.
-        settings: its environment keywords.
+        settings: its keyword arguments for the environment.
     """
 
     name: str
@@ -70,13 +70,13 @@ class PlayerFacts:
 
     @property
     def title(self) -> str:
-        """The name, with the kind of a simple player appended if its name differs."""
+        """The name; for a simple player with a different name, its kind is appended."""
         renamed = self.kind in SIMPLE and self.name != self.kind
         return f"{self.name} ({self.kind})" if renamed else self.name
 
     @property
     def is_disguised(self) -> bool:
-        """Whether a policy or a function has the name of one of `SIMPLE`."""
+        """Whether a policy or a function is named like one of the players in `SIMPLE`."""
         return self.kind not in SIMPLE and self.name.strip().lower() in SIMPLE
 
 
@@ -117,7 +117,7 @@ class RandomPlayer:
 
 
 class ZeroPlayer:
-    """Acts with zeros, which leave the arm at rest and the hand half open."""
+    """Returns zero actions, which leave the arm at rest and the hand half open."""
 
     def begin(self, env: Any, seed: int) -> Act:
         """Return an actor that returns zeros."""
@@ -142,17 +142,17 @@ class PolicyPlayer:
     """A policy: any object with ``predict(observation, deterministic=True)``.
 
     ``predict`` returns the action and the policy's memory; a memory that is not None is passed to
-    the next call as ``state``. Optional attributes of a policy are ``env``, a dict of environment
-    keywords for its observations and actions ("observation", "image_size", "action" ...);
-    ``observation_space`` and ``action_space``, which are compared with the environment's;
-    ``reset()``, called at the start of each episode; and ``digest``, a short text that identifies
-    anything not in its module's file, such as its weights.
+    the next call as ``state``. Optional attributes of a policy are ``env``, a dict of keyword
+    arguments of the environment for its observations and actions ("observation", "image_size",
+    "action" ...); ``observation_space`` and ``action_space``, which are compared with the
+    environment's; ``reset()``, called at the start of each episode; and ``digest``, a short text
+    that identifies anything not in its module's file, such as its weights.
     """
 
     policy: Any
 
     def begin(self, env: Any, seed: int) -> Act:
-        """Return the policy as an actor (InputError: its spaces differ from the environment's)."""
+        """Return the policy as an actor; raise InputError if its spaces do not match."""
         self._check(env)
         if (reset := getattr(self.policy, "reset", None)) is not None:
             reset()
@@ -188,7 +188,7 @@ def _call(module: str, function: str) -> Any:
         sys.path.append(here)
     try:
         policy = getattr(importlib.import_module(module), function)()
-    except Exception as error:  # foreign code can raise any exception
+    except Exception as error:  # the function can raise any exception
         raise InputError(
             f"{module}:{function} does not create a policy ({type(error).__name__}: {error}). "
             "Give an importable module and a function in it without arguments."
@@ -202,9 +202,9 @@ def _call(module: str, function: str) -> Any:
 
 
 def _digest_of(module: str, own: object, name: str) -> str:
-    """Return the sha256 of an imported module's file, with its policy's own digest after a NUL.
+    """Return the sha256 of a module's file, followed by a NUL and the policy's own digest.
 
-    Empty if there is neither.
+    The result is empty if there is neither.
     """
     told = printable(own, f"{name}: the policy's digest", InputError).encode()
     file = getattr(sys.modules.get(module), "__file__", None)
@@ -237,7 +237,7 @@ def _load(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
 
 
 def _own_settings(given: Any, name: str, suite: Suite) -> dict[str, Any]:
-    """Return a policy's environment keywords, validated."""
+    """Return a policy's keyword arguments for the environment, validated."""
     if not isinstance(given, Mapping):
         raise InputError(f"{name}: env must be a dict of environment settings, got {given!r:.80}.")
     rate = given.get("control_hz", suite.of.control_hz)
@@ -254,7 +254,7 @@ def _own_settings(given: Any, name: str, suite: Suite) -> dict[str, Any]:
 
 
 def _plain(key: str, value: Any) -> Any:
-    """Return a setting as a JSON value: a text, a number, or a list or table of these."""
+    """Return a setting as a JSON value: a string, a number, or a list or table of these."""
     if isinstance(value, Mapping):  # sizes per camera
         return {str(name): _plain(key, part) for name, part in sorted(value.items())}
     if isinstance(value, list | tuple):
@@ -268,7 +268,7 @@ def _plain(key: str, value: Any) -> Any:
 
 
 def _inputs(space: Any) -> dict[str, tuple[int, ...]]:
-    """Return the parts of an observation as in a card; a part without a name is the whole."""
+    """Return an observation's parts as a policy's card does; the name "" stands for the whole."""
     if isinstance(space, gym.spaces.Dict):
         return {name: tuple(part.shape or ()) for name, part in space.spaces.items()}
     return {"": tuple(space.shape)}

@@ -154,7 +154,7 @@ def read_result(path: str | Path) -> BenchResult:
     """Read and validate a result.
 
     Raises:
-        InputError: the file is missing, too large, damaged, edited, or of another schema.
+        InputError: the file is missing, too large, damaged or edited, or has an unsupported schema.
     """
     payload = read_payload(path, "The result", SCHEMA)
     digest = payload.pop("digest", None)
@@ -170,7 +170,7 @@ def read_result(path: str | Path) -> BenchResult:
 
 
 def read_row(entry: dict[str, Any]) -> EpisodeRow:
-    """Parse an episode row from a JSON object (ValueError, TypeError, KeyError: it is invalid)."""
+    """Parse an episode row; raise ValueError, TypeError or KeyError if it is invalid."""
     if {*entry} != {field.name for field in dataclasses.fields(EpisodeRow)}:
         raise ValueError(f"an episode has unexpected keys: {', '.join(sorted(entry))!s:.200}")
     for name in ("target", "goal"):
@@ -189,7 +189,7 @@ def read_row(entry: dict[str, Any]) -> EpisodeRow:
 
 
 def _result(payload: dict[str, Any]) -> BenchResult:
-    """Parse the result of a file's object (ValueError, TypeError, KeyError: it is invalid)."""
+    """Parse a file's result; raise ValueError, TypeError or KeyError if it is invalid."""
     if check_type(payload["schema"], int) != SCHEMA:
         raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")
     listed = check_type(payload["episodes"], list)
@@ -236,7 +236,7 @@ def _player(entry: dict[str, Any]) -> PlayerFacts:
 
 
 def _check_setting(value: Any) -> None:
-    """Check that a setting is a printable text, a number, or a list or table of these."""
+    """Check that a setting is a printable string, a number, or a list or table of these."""
     if isinstance(value, dict):
         value = [*value, *value.values()]
     if isinstance(value, list):

@@ -42,7 +42,7 @@ _MAX_BYTES = 2**24
 _UNSAFE = re.compile(r"[^A-Za-z0-9._-]+")
 
 Report = Callable[[str, int, int], None]
-"""A progress callback: current work, number completed, and total number."""
+"""A progress callback; it gets the current work, the number completed, and the total number."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Creation of suites: tables are drawn, certified, and selected by their difficulty.
+"""Creation of suites: tables are drawn, certified, and selected by difficulty.
 
 Tables are examined in the order of their seeds until each split has the required number per level.
 The selection depends only on the seeds, not on the number of processes. Intermediate results are
@@ -142,7 +142,7 @@ class _Drawn:
 
 
 def _missing(suites: TaskSuites, quota: Quota, taken: Iterable[SuiteTable]) -> Mapping[str, int]:
-    """Return the number of missing tables per level, without complete levels."""
+    """Return the number of missing tables per level, omitting complete levels."""
     have = Counter(suites.level(table.difficulty) for table in taken)
     each = sum(quota.of(split) for split in LISTED)
     wanted = {level.name: each - have[level.name] for level in suites.levels}
@@ -155,7 +155,7 @@ def _choose(
     waiting: list[tuple[int, float]],
     rated: Iterator[tuple[int, float | None]],
 ) -> Sequence[tuple[int, float]]:
-    """Take the first tables of the levels with missing ones; the others stay in the queue."""
+    """Take the first tables of each level that still lacks some; the others stay in the queue."""
     left = Counter(missing)
     chosen: list[tuple[int, float]] = []
 

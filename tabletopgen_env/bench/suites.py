@@ -85,7 +85,7 @@ def read_suites(path: str | Path) -> TaskSuites:
     """Read and validate a suite file.
 
     Raises:
-        InputError: the file is missing, too large, damaged, or of another schema.
+        InputError: the file is missing, too large or damaged, or has an unsupported schema.
     """
     payload = read_payload(path, "The suites", SCHEMA)
     try:
@@ -95,7 +95,7 @@ def read_suites(path: str | Path) -> TaskSuites:
 
 
 def read_payload(path: str | Path, what: str, newest: int) -> dict[str, Any]:
-    """Return the JSON object in a file, ``what``, with a schema up to ``newest``.
+    """Return the JSON object in a file, whose schema may be up to ``newest``.
 
     Raises:
         InputError: the file is missing, too large, damaged, or of a newer schema.
@@ -168,7 +168,7 @@ def _table_facts(table: SuiteTable) -> dict[str, Any]:
 
 
 def _suites(payload: dict[str, Any]) -> TaskSuites:
-    """Parse the suites of a file's object (ValueError, TypeError, KeyError: it is invalid)."""
+    """Parse a file's suites; raise ValueError, TypeError or KeyError if they are invalid."""
     _check_keys(payload, _KEYS, "it")
     if check_type(payload["schema"], int) != SCHEMA:
         raise ValueError(f"its schema is {payload['schema']!r}, not {SCHEMA}")

@@ -24,15 +24,16 @@ from .instances import SuiteTable, TaskSuites
 _CERTIFIED_BY = ("tabletopgen", "mujoco", "numpy")
 
 _KERNELS = {"OPENBLAS_CORETYPE": "Haswell"} if machine() in ("x86_64", "AMD64") else {}
-"""Environment variable that makes the OpenBLAS of NumPy and SciPy round as on processors with AVX2
-only, on which the shipped suites were generated. With AVX-512 it selects other kernels.
+"""Environment variable that makes the OpenBLAS of NumPy and SciPy round as it does on processors
+with AVX2 only, on which the shipped suites were generated. With AVX-512 it selects other kernels.
 """
 
 
 def store_of(folder: Path | None) -> Path:
     """Return the folder of the tables: ``folder``, or "bench" in the user's cache.
 
-    It is separate from ``assets_cache``, so that no name or glob in a training finds test tables.
+    It is separate from ``assets_cache``, so that no name or glob used in training finds test
+    tables.
     """
     return Path(platformdirs.user_cache_dir("tabletopgen")) / "bench" if folder is None else folder
 
@@ -46,7 +47,7 @@ def find_table(suites: TaskSuites, table: SuiteTable, folder: Path | None = None
     """Return the bundle of a table; None if it does not exist.
 
     Raises:
-        BundleError: it has another digest, or is damaged.
+        BundleError: it has a different digest, or is damaged.
     """
     place, name = store_of(folder), name_of(suites, table)
     found = sorted(p for p in place.glob(f"{name}-*") if (p / "scene.json").is_file())
@@ -102,7 +103,7 @@ def _make(suites: TaskSuites, place: Path, table: SuiteTable) -> Path:
 
 
 def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
-    """Compose a table's scene, with this processor's kernels or those of the suite's makers."""
+    """Compose a table's scene, with this processor's kernels or those the suite was made with."""
     recipe, name = suites.recipe(table.seed), name_of(suites, table)
     scene = recipe.make().replace(name=name)
     if (found := digest(scene)) == table.digest:
@@ -118,7 +119,7 @@ def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
 
 
 def _difference(suites: TaskSuites) -> str:
-    """Return the probable cause of a table's difference."""
+    """Return the probable reason why a table differs."""
     here = versions(suites.versions)
     other = [f"{k} {v}, here {here[k]}" for k, v in suites.versions.items() if here[k] != v]
     if not other:

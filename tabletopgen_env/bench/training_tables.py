@@ -1,7 +1,7 @@
 """Training tables: from a suite's distribution, but never in a validation or test suite.
 
-They are a range of seeds on the training side of the split that listed tables are held out from,
-the same that ``scenes="fresh"`` draws from in training.
+They are given by a range of seeds, without the tables that the split holds out; listed tables are
+all held out. In training, ``scenes="fresh"`` draws from the same part of the split.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from .instances import SuiteLevel
 from .suites import shipped_suites, tasks
 
 DRAWS = 200
-"""Maximum number of tables generated for one of the required difficulty."""
+"""Maximum number of tables generated to find one of the required difficulty."""
 
 
 def training_tables(task: str, level: str | None = None) -> SceneSource:

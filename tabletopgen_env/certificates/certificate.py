@@ -22,8 +22,8 @@ FILE = "certificate.json"
 """Name of the certificate in a bundle's folder."""
 
 SCHEMA = 4
-"""Version of the file format. Older versions certify nothing: before 3 initial states hardly
-differed, and before 4 an instance was certified although one of its episodes had failed.
+"""Version of the file format. Older versions certify nothing: before version 3, initial states
+hardly differed; before version 4, an instance was certified even if one of its episodes failed.
 """
 
 STARTS = 30
@@ -41,11 +41,11 @@ _MOST_FILE, _DEPTH = 2**20, 4
 
 @dataclass(frozen=True)
 class TaskInstance:
-    """A task instance on a table, as the options of ``reset`` select it, with the expert's results.
+    """A task instance on a table, as selected by options of ``reset``, and the expert's results.
 
     ``goal`` is an object's name, "spot" (a random position per episode) or None; ``target`` is an
-    object's name or None, depending on the task. Reach is a single instance without either, with
-    random goals; so is Sequence, with one more instance for each ``preset``.
+    object's name or None, depending on the task. Reach has a single instance with neither, whose
+    goals are random. So has Sequence, in addition to one instance for each ``preset``.
     """
 
     task: str
@@ -74,13 +74,13 @@ class TaskInstance:
 
 @dataclass(frozen=True)
 class Terms:
-    """The conditions of a certificate; equal terms give equal certificates of a scene.
+    """The conditions of a certificate; equal terms give equal certificates for a scene.
 
     Args:
         tasks: names of tasks, stored in the order of ``NAMES``; Sequence includes its presets.
         episodes: number of episodes per instance, at most ``MOST_EPISODES``: the first from the
-            scene's own state, the others from perturbed initial states; an instance ends at its
-            first failure. Less than ``STARTS`` episodes certify nothing.
+            scene's own state, the others from perturbed initial states. After a failure, no more
+            episodes of the instance are played. Fewer than ``STARTS`` episodes certify nothing.
         most: maximum number of instances of each task, and of each preset.
         seed: seed of instances and initial states.
 
@@ -127,7 +127,7 @@ class Certificate:
 
 
 def read_certificate(path: str | Path) -> Certificate | None:
-    """Return a bundle's certificate, validated; None if it has none, or one of an older schema.
+    """Return a bundle's certificate, validated; None if it has none or one with an older schema.
 
     Raises:
         BundleError: it is damaged, too large, of an unknown schema, or belongs to another scene.

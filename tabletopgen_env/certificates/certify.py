@@ -3,9 +3,9 @@
 For each *instance* (a task, its preset, target and goal) of a bundle's scene, up to a maximum, the
 expert plays one episode from the scene's own state, as environments do by default, and the others
 from perturbed initial states (``randomization="starts"``). Instances of which it solves all of at
-least ``STARTS`` episodes are certified; an instance ends at its first failure.
-``certificate.json``stores the numbers of successes, with the digest of the scene, the terms and the
-package versions.
+least ``STARTS`` episodes are certified; after a failure, no more episodes of the instance are
+played. ``certificate.json`` stores the numbers of successes, with the digest of the scene, the
+terms and the package versions.
 
 A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the registered time limit
 of the task.
@@ -65,9 +65,9 @@ def certify(
 ) -> Certificate:
     """Let the expert play the instances of a bundle's scene; write and return the certificate.
 
-    The number of processes, ``workers``, does not change the certificate. With the address of a
-    ``ray`` cluster the processes run there; all its machines must share the bundle, and this one
-    writes.
+    The number of processes, ``workers``, does not change the certificate. If ``ray`` is the address
+    of a Ray cluster, the processes run there; all its machines must have access to the bundle, and
+    this machine writes the certificate.
 
     Raises:
         InputError: ``workers`` is out of range.
@@ -87,8 +87,8 @@ def certify_all(
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
     """Certify bundles as ``certify`` does, and yield each with its certificate once it is written.
 
-    A bundle that cannot be certified is yielded with its error. Written certificates are kept on an
-    interruption.
+    A bundle that cannot be certified is yielded with its error. If interrupted, it keeps the
+    certificates already written.
 
     Raises:
         InputError: ``workers`` is out of range.
@@ -118,7 +118,7 @@ def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate |
 
 
 def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
-    """Return whether a bundle has a valid certificate for these terms, for any versions."""
+    """Return whether a bundle has a valid certificate for these terms, of any package versions."""
     try:
         found = read_certificate(path)
     except BundleError:
@@ -223,10 +223,10 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[TaskInstance, ...
 def played_again(
     folder: Path, instances: Sequence[TaskInstance], episodes: int, seed: int
 ) -> Iterator[TaskInstance]:
-    """Yield instances of a bundle with the expert's successes in ``episodes`` new episodes.
+    """Yield a bundle's instances, with the number of new ``episodes`` that the expert solves.
 
     All episodes start from perturbed states and are played despite failures. ``seed`` draws them;
-    use another seed than the certificate's for other initial states.
+    use a different seed from the certificate's to get other initial states.
 
     Raises:
         BundleError: the bundle cannot be read.
@@ -273,7 +273,7 @@ def has_solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generato
 def environment_of(
     folder: Path, name: TaskName, masters: Masters, randomization: str | None
 ) -> TabletopEnv:
-    """Return the environment of a task on a bundle's table, open to all instances."""
+    """Return the environment of a task on a bundle's table, which allows all instances."""
     from ..env import make_env
 
     task, preset = name

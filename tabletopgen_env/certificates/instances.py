@@ -26,9 +26,9 @@ def sample_episode(
 ) -> tuple[Episode, bool]:
     """Draw an episode; return it and whether it plays a certified instance.
 
-    Without a target or goal in ``options``, and with ``certified``, a certified instance of the
-    bundle's certificate is drawn uniformly. A bundle without a certificate, or with one for other
-    tasks, is sampled freely.
+    If ``certified`` is true and ``options`` contains neither a target nor a goal, one of the
+    certified instances of the bundle is drawn uniformly. A bundle without a certificate, or with
+    one for other tasks, is sampled freely.
 
     Raises:
         SceneError: the scene has no valid task, or no certified one.
@@ -59,7 +59,7 @@ def sample_episode(
 
 
 def certificate_of(world: World) -> Certificate | None:
-    """Return the certificate of a world's bundle, if it has one; read once.
+    """Return the certificate of a world's bundle, if it has one; it is read only once.
 
     Raises:
         BundleError: the certificate is damaged.
@@ -72,7 +72,7 @@ def certificate_of(world: World) -> Certificate | None:
 
 
 def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int) -> SceneError:
-    """Return the error of a scene with valid tasks that the expert does not solve."""
+    """Return the error for a scene that has valid tasks, none of which the expert solves."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
     if not listed:
         why = f"its certificate has no instance of {asked}"

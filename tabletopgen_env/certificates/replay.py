@@ -138,7 +138,7 @@ def _play(
 
 
 def _places(listed: Sequence[TaskInstance]) -> list[tuple[int, int]]:
-    """Return the seed components of each instance besides its terms: task, and index within it."""
+    """Return what seeds each instance besides the terms: its task, and its index within it."""
     seen: Counter[str] = Counter()
     places = []
     for instance in listed:

@@ -28,7 +28,7 @@ from ..world.world import World
 from .planning.heights import HeightMap
 
 INSIDE = 0.05
-"""Margin of planned joints to their limits, radians."""
+"""Margin between planned joint angles and the joint limits, radians."""
 
 NARROW = 0.38
 """Minimum distance of the hand from the base's axis, metres; closer, the arm would have to fold."""
@@ -40,7 +40,7 @@ _WRIST = ((0.088, 0.01), (0.088, -0.03), (0.088, -0.07))
 _WRIST_RADIUS, _WRIST_Z = 0.055, 0.16
 _KNUCKLE, _KNUCKLE_RADIUS, _KNUCKLE_Z = 0.0425, 0.036, 0.102  # of link 7, along both hand axes
 _ITERATIONS = 40
-_AT_LIMIT, _SWUNG = 0.02, 1.0  # distance to a joint limit, and elbow swing, of a dead end, radians
+_AT_LIMIT, _SWUNG = 0.02, 1.0  # distance to a joint limit, and elbow swing, in a dead end, radians
 _DISC = np.array([
     (r * np.cos(a), r * np.sin(a))
     for r, n in ((0.0, 1), (1 / 3, 6), (2 / 3, 12), (1.0, 18))
@@ -49,7 +49,7 @@ _DISC = np.array([
 """Points of the unit disc, dense enough to hit the thin screen of a laptop."""
 
 ROLL = np.pi / 2
-"""The hand's yaw at home, where the tool is straight ahead."""
+"""The hand's yaw in the home pose, where the tool is straight ahead."""
 
 MIDDLE = ROLL + float(HOME[6])
 """The hand's yaw relative to the tool's bearing with the last joint at zero."""
@@ -59,7 +59,7 @@ ROLL_RANGE = float(UPPER[6]) - 0.1
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
-    """Return the largest joint motion from home at ``points``, None if one is out of reach.
+    """Return the largest joint motion from home to any of ``points``; None if one is out of reach.
 
     Points are positions of the tool centre point, world frame; ``yaw`` is the hand's, base frame,
     radians.
@@ -78,16 +78,16 @@ def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) 
 
 
 def easiest(world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: float) -> float | None:
-    """Return the better of two opposite yaws for reaching all points, None if neither does."""
+    """Return the better of two opposite yaws for reaching all points; None if neither can."""
     yaws = (wrap(angle), wrap(angle + np.pi))
     found = [(far, yaw) for yaw in yaws if (far := stretch(world, points, yaw)) is not None]
     return min(found)[1] if found else None
 
 
 def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
-    """Return the remaining turn of the last joint, in its range, for the hand to be at ``yaw``.
+    """Return how far the last joint must turn, within its range, to bring the hand to ``yaw``.
 
-    Radians, base frame; ``at`` is the tool's position then, world frame.
+    Angles are in radians, base frame; ``at`` is the tool's position after the turn, world frame.
     """
     now = _roll(world)
     asked = MIDDLE + wrap(yaw - _bearing(world, at) - MIDDLE)
@@ -99,7 +99,8 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
 def least_turn(world: World, at: Float[np.ndarray, "3"]) -> float:
     """Return the minimum turn of the hand that keeps the last joint in range at ``at``.
 
-    Radians, base frame, 0 if the hand can keep its yaw; ``at`` is the tool's position then.
+    The turn is in radians, base frame, 0 if the hand can keep its yaw; ``at`` is the tool's
+    position after the turn.
     """
     turned = _bearing(world, world.data.site_xpos[world.tcp]) - _bearing(world, at)
     asked = _roll(world) + wrap(turned)
@@ -167,7 +168,7 @@ def wrists_are_free(
     points: Float[np.ndarray, "k 2"],
     tips: Float[np.ndarray, "k"],
 ) -> Bool[np.ndarray, "k"]:
-    """Return for each tool whether the wrist, above the hand and towards the base, is free.
+    """Return, for each tool, whether the wrist (above the hand, towards the base) is free.
 
     ``points`` (world) are the tools' positions, ``tips`` the heights of the fingertips.
     """
@@ -184,7 +185,7 @@ def knuckle_is_free(
 ) -> bool:
     """Return whether the part of the last link that protrudes beside the hand is free.
 
-    As `wrist_is_free`; ``yaw`` is the hand's, in the base frame, radians.
+    Arguments are as for `wrist_is_free`; ``yaw`` is the hand's, in the base frame, radians.
     """
     c, s = np.cos(yaw + world.mount.yaw), np.sin(yaw + world.mount.yaw)
     center = point + _KNUCKLE * np.array([c + s, s - c])

@@ -31,12 +31,12 @@ _GAIN, _TURN_GAIN = 0.3, 0.4
 class Expert(ABC):
     """Solves one kind of goal in the action mode "ee_delta".
 
-    Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` is the
-    current phase. ``patience`` scales the time limits of the phases; use more than 1 if a policy
-    acts and the expert only advises.
+    Call ``reset()`` after resetting the environment, then ``act()`` before each step. ``phase`` is
+    the current phase. ``patience`` scales the time limits of the phases; use a value above 1 if a
+    policy acts and the expert only advises.
 
     Raises:
-        InputError: the environment has another action mode, control rate or gripper.
+        InputError: the environment has an unsupported action mode, control rate or gripper.
     """
 
     phase: str = ""
@@ -95,8 +95,8 @@ class Expert(ABC):
         """Return the next waypoint towards ``point``, above all objects on the way except ``but``.
 
         ``depth`` is the extent below the tool, metres; ``load`` is the centre of the held object
-        relative to the tool (m, world frame) and its horizontal extent. ``narrow`` below 1 scales
-        down the assumed width of hand and load.
+        relative to the tool (m, world frame) and its horizontal extent. A value of ``narrow`` below
+        1 scales down the assumed width of the hand and the load.
         """
         tool, world = self._tool, self._env.world
         if np.linalg.norm((point - tool)[:2]) < NEAR:
@@ -117,7 +117,7 @@ class Expert(ABC):
     def _act(
         self, move: Float[np.ndarray, "3"], turn: float, opening: float, slow: float = 1.0
     ) -> Float[np.ndarray, "5"]:
-        """Return the action that moves (world frame, m), turns (rad) and opens (m)."""
+        """Return the action that moves the tool (m, world), turns the hand (rad), opens it (m)."""
         step = self._env.world.base_rotation.T @ move * (_GAIN / EE_STEP)
         step /= max(1.0, float(np.abs(step).max()) / slow)
         spin = np.clip(turn * _TURN_GAIN / EE_TURN, -1.0, 1.0)

@@ -23,8 +23,8 @@ def clear_height(
 ) -> float:
     """Return the height (world, m) that clears all objects between ``start`` and ``end``.
 
-    All objects but ``held`` whose upright cylinder comes within ``broad`` of the straight path are
-    cleared at their highest point.
+    The hand clears the highest point of every object except ``held`` whose upright bounding
+    cylinder comes within ``broad`` of the straight path.
     """
     height = world.scene.table.height
     way = end[:2] - start[:2]

@@ -1,4 +1,6 @@
-"""Picking up and putting down, planned from the current state; a phase ends when its aim is met.
+"""Picking up and putting down, planned from the current state.
+
+Each phase ends when its aim is achieved:
 
 =========  =====================================================================================
 wait       open the hand and rise until the object is at rest
@@ -40,7 +42,7 @@ Phase = Literal[
 ]  # fmt: skip
 
 _FINE, _TURNED = (0.0015, 0.005), 0.05
-_CARRY = 0.7  # of the hand's speed while it holds an object, since round ones slip
+_CARRY = 0.7  # share of the hand's speed used with a held object, since round ones slip
 _SHORT = 0.012  # fingers that stop this far above the grasp have failed, metres
 # metres above the grasp at which the fingers close, and below it at which the hand aims
 _DOWN = 0.004
@@ -309,7 +311,7 @@ class Picker(Expert):
         return self._env.world.position(self._target)
 
     def _turn_left(self) -> float:
-        """Return the remaining yaw, radians."""
+        """Return the remaining turn of the hand, radians."""
         if self.phase in ("carry", "lower"):
             return self._drop.turn(self._env.world)
         return turn_left(self._env.world, self._plan.yaw, self._plan.grasp.point)

@@ -30,7 +30,7 @@ from .planning.strokes import HOVER, PAD, Care, beside, mass_center, plan_stroke
 Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 
 _THERE = 0.008  # a stroke ends this far before the goal's centre, along the way, metres
-_ENOUGH = 0.03  # no other stroke is started within this distance of the goal's centre, metres
+_ENOUGH = 0.03  # no new stroke is started within this distance of the goal's centre, metres
 _ASIDE = 0.03  # a stroke is restarted this far off the way, metres
 _FURTHER = 0.07  # maximum excess of a stroke's length over the way, metres
 _PAST = 0.06  # the object is lost once the hand has come this much closer to it, metres
@@ -38,7 +38,7 @@ _FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres per step: flat objects, tal
 # an object counts as tall if the tool is this high above the table in a stroke, metres
 _TALL = 0.04
 _ASLANT = 0.75  # cosine of the largest change of direction before a stroke is restarted
-# a stroke does not turn any more within this distance of the goal's centre, metres
+# a stroke no longer turns within this distance of the goal's centre, metres
 _STRAIGHT = 0.03
 _LAG = 2.0  # lag of the tool behind its command, steps
 _STEER = 2.0  # turn of the hand's direction per angle at which it sees the centre of mass
@@ -173,7 +173,7 @@ class Pusher(Expert):
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self) -> Float[np.ndarray, "5"]:
-        """Choose the next stroke: to the spot, or also beside it, with decreasing clearance."""
+        """Choose the next stroke: to the spot or, if necessary, beside it; clearance decreases."""
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
         spots = (spot, *(spot + _ASIDES))
         aims: list[tuple[Float[np.ndarray, "2"], Care]] = [(spot, "free")]

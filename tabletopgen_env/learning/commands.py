@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class _Loaded:
-    """A policy with its task, environment keywords and training scenes."""
+    """A policy with its task, the settings of its environment and its training scenes."""
 
     actor: Predicts
     task: str
@@ -153,15 +153,14 @@ def enjoy(
         policy: Name of a shipped policy (reach-clone, reach-sight, lift-clone, lift-sight,
             pickplace-clone), a policy file, a run's folder (its best policy), or a
             Stable-Baselines3 zip file.
-        scenes: Scenes to evaluate on; of scenes generated on demand, only the held-out part is
-            used.
+        scenes: Scenes to evaluate on. Only the held-out part of scenes generated on demand is used.
         episodes: Number of episodes.
         seed: Random seed; equal seeds give the same episodes.
         pool: Worker processes that run the episodes.
         render: Show the episodes in a window; needs a display.
         video_strip: Write pictures of the first episode to this PNG file.
-        trust: Load a zip file. Loading unpickles it and can execute arbitrary code; only use your
-            own.
+        trust: Load a zip file. Loading unpickles it and can execute arbitrary code; only load your
+            own files.
         recipe: Recipe of a zip file that is outside its run's folder.
     """
     require_number("enjoy needs --episodes", episodes, minimum=1, integer=True)
@@ -213,7 +212,7 @@ def plot(
         runs: Folders of the runs.
         out: PNG file to write.
         by: Horizontal axis: steps of the training environments (for cloning, the number of states
-            with expert advice), or hours, evaluations included.
+            with expert advice), or hours, including evaluations.
     """
     if not runs:
         raise InputError("Give the folder of at least one run to plot.")
@@ -251,7 +250,7 @@ def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
 
 
 def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
-    """Load a policy, with its card, by name or path."""
+    """Load a policy and its metadata by name or path."""
     from .policies import find_policy, load_policy
 
     path = Path(name)

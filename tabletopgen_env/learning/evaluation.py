@@ -21,15 +21,15 @@ FRAME_EVERY = 4
 
 
 class Predicts(Protocol):
-    """A policy of this package, or a Stable-Baselines3 model, with the method ``predict``."""
+    """Any object with ``predict``: a policy of this package or a Stable-Baselines3 model."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
-        """Return the action and the policy's memory, which is the next call's ``state``."""
+        """Return the action, and the policy's memory to pass as ``state`` to the next call."""
         ...
 
 
 class EpisodePlayer:
-    """Queries a policy for actions during one episode, passing on its memory."""
+    """Queries a policy for actions during one episode, and keeps its memory between steps."""
 
     def __init__(self, policy: Predicts) -> None:
         self._policy: Any = policy
@@ -44,7 +44,7 @@ class EpisodePlayer:
 
 @dataclass(frozen=True)
 class EpisodeResult:
-    """One episode: ``reward`` is the mean per step, ``table`` the digest of table and objects."""
+    """One episode: ``reward`` is the mean per step, ``table`` a digest of the table and objects."""
 
     solved: bool
     steps: int
@@ -55,7 +55,7 @@ class EpisodeResult:
 
 @dataclass(frozen=True)
 class PolicyEvaluation:
-    """The result of episodes on ``tables`` different tables; ``reward`` and ``steps`` are means."""
+    """Results of episodes on ``tables`` different tables; ``reward`` and ``steps`` are means."""
 
     episodes: int
     solved: int
@@ -85,7 +85,7 @@ class PolicyEvaluation:
 def play(
     env: gym.Env[Any, np.ndarray], policy: Predicts, seed: int, frames: list[Any] | None = None
 ) -> EpisodeResult:
-    """Run one episode until success has held (``episodes.Held``) or to the time limit.
+    """Run one episode until success has held (``episodes.Held``) or until the time limit.
 
     ``frames`` receives the return value of ``env.render`` at the start, every few steps and at the
     end.

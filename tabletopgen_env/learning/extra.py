@@ -23,7 +23,7 @@ def need(package: str, what: str, extra: str) -> None:
 
 
 def need_sb3() -> None:
-    """Check that Stable-Baselines3 is installed (InputError: it is not)."""
+    """Check that Stable-Baselines3 is installed; raise InputError if it is not."""
     need("stable_baselines3", "Policies need Stable-Baselines3", "train")
 
 

@@ -23,7 +23,7 @@ ACROSS: Mapping[By, str] = {
     "steps": "steps of the training environments",
     "hours": "hours, evaluations included",
 }
-"""The quantity on the horizontal axis."""
+"""The label of the horizontal axis for each quantity."""
 
 _POINTS = 200
 
@@ -40,16 +40,16 @@ class Band:
 
 
 def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
-    """Return a band per recipe name, interpolated between evaluations.
+    """Return a band for each recipe name, interpolated between evaluations.
 
-    Runs belong to one band if their recipes are equal except for the number of steps. If recipes of
-    the same name differ otherwise, the differing settings are added to the name. A run given twice
-    counts once.
+    Runs belong to one band if their recipes are equal except for the number of steps. If recipes
+    with the same name differ otherwise, the differing settings are added to the name. A run given
+    twice counts once.
 
     Args:
         runs: the runs.
         by: "steps" of the training environments (for cloning, the number of states with expert
-            advice), or "hours" of a run, evaluations included.
+            advice), or "hours" of a run, including evaluations.
 
     Raises:
         InputError: a run has no evaluation, or the runs of a recipe have no common range.
@@ -115,7 +115,7 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
 
 
 def figure(found: Mapping[str, Band], by: By) -> Figure:
-    """Return the chart of ``draw``. Recipe names are drawn as plain text, without markup."""
+    """Return the chart that ``draw`` renders; recipe names are plain text, without markup."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import FuncFormatter, MaxNLocator, PercentFormatter
 

@@ -1,9 +1,9 @@
 """Policy files: a trained actor's weights with metadata, without executable content.
 
-A file is in safetensors format; its header holds a *card* as JSON. Loading unpickles nothing and
-checks sizes, names, shapes and numbers first. The card also stores the network's outputs for a
-fixed observation, so that a policy is refused if this package now computes its features
-differently, instead of failing at its task.
+A file is in safetensors format; its header holds a *card* as JSON. Loading a file unpickles
+nothing, and checks sizes, names, shapes and numbers first. The card also stores the network's
+outputs for a fixed observation, so that a policy is refused if this package now computes its
+features differently, instead of failing at its task.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ SHIPPED = Path(__file__).with_name("trained")
 """Folder of the policies shipped with the package."""
 
 KEY = "tabletopgen_policy"
-"""Header key of the card; a single key, since safetensors shuffles several."""
+"""Header key of the card; a single key, since safetensors does not keep the order of several."""
 
 FORMAT = 1
 """Version of the file format; other versions are refused."""
@@ -59,15 +59,16 @@ class Card:
 
     Attributes:
         task: the policy's task.
-        env: keywords of its training environment.
+        env: keyword arguments of its training environment.
         network: its network settings.
         inputs: size of each part of the observation by name, or shape if the part has several axes.
-        actions: entries of an action.
+        actions: number of entries of an action.
         squash: function applied to the output layer: "tanh" or "clip".
         recipe: name of the recipe.
-        seed: seed of the training.
+        seed: seed of the training run.
         steps: environment steps taken so far.
-        scenes: training scenes, as in the recipe; of scenes generated on demand, the training part.
+        scenes: training scenes, as in the recipe; for scenes generated on demand, the training
+            part.
         validation: "solved", "episodes", "tables" (number of different tables) and "scenes" of its
             last evaluation during training, if there was one. It is used to select the best policy
             of a run, so it is not a test result.
@@ -90,7 +91,7 @@ class Card:
 
 @dataclass(frozen=True, eq=False)
 class TrainedPolicy:
-    """A policy for inference; ``predict`` has Stable-Baselines3's signature, deterministic only."""
+    """A policy for inference; ``predict`` is as in Stable-Baselines3, but always deterministic."""
 
     card: Card
     actor: Actor
@@ -103,11 +104,11 @@ class TrainedPolicy:
 
         ``state`` is the memory from the last call, None at the start of an episode.
         ``episode_start`` marks the rows of a batch whose episode begins. Policies without memory
-        return ``state`` unchanged; policies that see (``networks.sight_extractor``) perform worse
-        without it.
+        return ``state`` unchanged; policies that use pictures (``networks.sight_extractor``)
+        perform worse if it is not passed.
 
         Raises:
-            InputError: the observation or ``state`` has another shape, or ``deterministic`` is
+            InputError: the observation or ``state`` has the wrong shape, or ``deterministic`` is
                 False.
         """
         if not deterministic:
@@ -171,7 +172,7 @@ def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> 
     ``half`` stores half precision: half the size, with slightly different actions.
 
     Raises:
-        InputError: the file would exceed ``MOST_BYTES``, or a text of its card is not printable.
+        InputError: the file would exceed ``MOST_BYTES``, or a string in its card is not printable.
         StorageError: the file cannot be written.
     """
     path, content = Path(path), policy_bytes(policy, half)
@@ -180,7 +181,7 @@ def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> 
 
 
 def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
-    """Return the content of a policy file; raises InputError as ``save_policy``."""
+    """Return the content of a policy file; raise InputError as ``save_policy`` does."""
     kind = torch.float16 if half else torch.float32
     weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
     kept = Actor(policy.card.network, policy.card.inputs, policy.card.actions)
@@ -205,8 +206,8 @@ def load_policy(name: str | Path) -> TrainedPolicy:
     """Load a policy by the name of a shipped one ("reach-clone") or by path.
 
     Raises:
-        InputError: the file is missing, too large, damaged, of another version, or not a policy
-            file.
+        InputError: the file is missing, too large, damaged, not a policy file, or has an
+            unsupported version.
     """
     path = Path(name)
     try:
@@ -290,7 +291,7 @@ def _check_answers(kept: list[float], own: list[float]) -> None:
 
 
 def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
-    """Return the card of a file's header, with every value checked, and the saved outputs."""
+    """Return the card in a file's header, with every value checked, and the saved outputs."""
     if KEY not in notes:
         raise ValueError(f"its header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
@@ -359,7 +360,7 @@ def _validation(payload: dict[str, Any]) -> dict[str, Any]:
 
 
 def _check_printable(value: Any) -> None:
-    """Refuse texts with control characters (InputError)."""
+    """Raise InputError for strings with control characters."""
     if isinstance(value, str) and not value.isprintable():
         raise InputError(f"The texts of a policy's card must be printable, got {value!r}.")
     if isinstance(value, dict):

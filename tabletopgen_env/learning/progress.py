@@ -38,8 +38,8 @@ class TrainingPlan:
         episodes: episodes per evaluation.
         keep_replay: keep the replay buffer in checkpoints.
         bar: show a progress bar.
-        showings: folder of the expert's grasp demonstrations (``demonstrations``), shared with
-            other runs; None for the run's folder.
+        showings: folder for the expert's grasp demonstrations (``demonstrations``), shared with
+            other runs; None for the run's own folder.
 
     Raises:
         InputError: a number is out of range.
@@ -108,7 +108,7 @@ class Tracker:
         return True
 
     def end(self, learner: Learner, steps: int) -> None:
-        """Evaluate a learner that has new steps, unless Ctrl-C was pressed; save a checkpoint."""
+        """Evaluate a learner if it has new steps and Ctrl-C was not pressed; save a checkpoint."""
         if steps > self.counts.steps:
             if not self.stop.is_set():
                 self.evaluate(learner, steps)
@@ -186,7 +186,7 @@ class Progress(BaseCallback):
 
 
 def logger_of(run: Run, say: Say) -> Logger:
-    """Return the logger of a run's curves, and report if TensorBoard is missing."""
+    """Return the logger of a run's curves; report it if TensorBoard is missing."""
     there = tensorboard_there()
     if not there:
         say(f"TensorBoard is not installed; no curves are written ({PIP}).")

@@ -1,7 +1,7 @@
 """Recipes: the complete settings of a training run, as data.
 
 The shipped recipes are the tables of ``recipes.toml``; your own recipe is a TOML file with the same
-keys at top level. A run stores its recipe beside its weights.
+keys at the top level. A run stores its recipe beside its weights.
 """
 
 from __future__ import annotations
@@ -49,8 +49,8 @@ class Network:
             for goal observations; "flat": all entries unchanged; "look": state and height maps,
             with a head that finds grasps (``look_extractor``); "sight": the same for pictures with
             depth (``sight_extractor``).
-        layers: widths of the hidden layers after it.
-        width: number of features that the extractor pools the other objects to.
+        layers: widths of the hidden layers after the extractor.
+        width: number of features into which the extractor pools the other objects.
         activation: "relu" or "tanh".
     """
 
@@ -88,20 +88,21 @@ class Recipe:
         envs: environments stepped in parallel.
         processes: number of processes that share the environments evenly; None for threads of the
             current process. The results do not depend on it, except with "refreshing" scenes.
-        scenes: training scenes, any text that ``scenes`` accepts, or several. Of scenes generated
-            on demand ("fresh", "refreshing", "curriculum") only the training part is used.
+        scenes: training scenes: one or several strings accepted by the package ``scenes``. Only the
+            training part of scenes generated on demand ("fresh", "refreshing", "curriculum") is
+            used.
         batch: settings of ``ppo.batches.BatchConfig``: "ppo-batch" trains on a ``TabletopBatchEnv``
-            of ``envs`` worlds, on a GPU. None for slots on the CPU's cores. Evaluation runs on the
-            CPU in both cases.
-        held_out: evaluation scenes; of scenes generated on demand only the held-out part.
-        variants: number of tables that "fresh" scenes are drawn from, for both parts together (per
-            text, if there is one). With few tables, each is compiled once and met repeatedly.
-            Ignored for other scenes.
-        env: further keywords of the environment. Recipes read by ``recipe`` have the randomization
-            ``STARTS`` unless they set another one; "none" disables it.
+            of ``envs`` worlds, on a GPU. None for environments on the CPU's cores. Evaluation runs
+            on the CPU in both cases.
+        held_out: evaluation scenes; only the held-out part of scenes generated on demand is used.
+        variants: number of different "fresh" tables (per prompt, if there is one), training and
+            held-out tables together. If it is small, each table is compiled once and used
+            repeatedly. Ignored for other scenes.
+        env: further keyword arguments of the environment. Recipes read by ``recipe`` have the
+            randomization ``STARTS`` unless they set another one; "none" disables it.
         network: the policy's architecture.
-        options: keywords of the Stable-Baselines3 class, with "action_noise" the standard deviation
-            for TD3; for "ppo-batch" those of ``ppo.config.PPOConfig``.
+        options: keyword arguments of the Stable-Baselines3 class, where "action_noise" is a
+            standard deviation (TD3); for "ppo-batch", settings of ``ppo.config.PPOConfig``.
         hindsight: relabelled goals per true goal (HER); 0 for none.
         demonstrations: episodes of the expert in the initial replay buffer.
         cloning: settings of ``CloningConfig``: the actor starts as a clone of the expert. None for
@@ -204,7 +205,7 @@ class Recipe:
 
 
 def env_keywords() -> frozenset[str]:
-    """Return the environment keywords that a recipe can set."""
+    """Return the keyword arguments of the environment that a recipe can set."""
     from ..settings import KEYWORDS
 
     return KEYWORDS - _ELSEWHERE | {"preset"}
@@ -268,12 +269,12 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
 
 
 def as_texts(scenes: str | tuple[str, ...]) -> tuple[str, ...]:
-    """Return a recipe's scenes, one text or several, as a tuple of texts."""
+    """Return a recipe's scenes, one string or several, as a tuple of strings."""
     return scenes if isinstance(scenes, tuple) else (scenes,)
 
 
 def network_of(payload: Mapping[str, Any], name: str) -> Network:
-    """Create a network's settings from the content of a file; ``name`` is for error messages.
+    """Create a network's settings from the content of a file; ``name`` is used in error messages.
 
     Raises:
         InputError: a key is unknown, or a value has the wrong type or is out of range.

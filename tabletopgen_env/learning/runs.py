@@ -12,9 +12,9 @@
 ``tensorboard/``        curves, if TensorBoard is installed
 ======================  ===========================================================================
 
-A checkpoint is published by one rename, so it is complete or absent. Resuming reads its weights
-with torch's restricted loader (``weights_only``, safe from torch 2.6 on), its counts as JSON and
-its replay buffer as arrays; the pickled rest of ``model.zip`` is not read.
+A checkpoint is published by a single rename, so it is either complete or absent. Resuming reads its
+weights with torch's restricted loader (``weights_only``, safe from torch 2.6 on), its counts as
+JSON and its replay buffer as arrays; the pickled rest of ``model.zip`` is not read.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ from .evaluation import PolicyEvaluation
 from .recipes import Recipe, recipe_of
 
 FORMAT = 1
-"""Version of a run's folder; other versions are refused."""
+"""Version of the layout of a run's folder; other versions are refused."""
 
 ROUNDS = "cloning"
 """Subfolder of a run's cloning rounds."""
@@ -53,7 +53,7 @@ _RECIPE, _EVALUATIONS, _CHECKPOINT = "recipe.json", "evaluations.csv", "checkpoi
 _CURVES = "tensorboard"
 _STEPS = re.compile(rf"{_CHECKPOINT}([0-9]{{1,15}})")
 _MOST_STEPS = 10**15
-_MAX_BYTES = 16 * 2**20  # for a run's JSON and table
+_MAX_BYTES = 16 * 2**20  # maximum size of a run's JSON files and table, bytes
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ class Run:
         return self.checkpoint is not None or any((self.path / p).exists() for p in (LATEST, BEST))
 
     def take_back(self, folder_too: bool) -> None:
-        """Delete the files of a run that has learned nothing; ``folder_too`` deletes its folder."""
+        """Delete a run that has learned nothing: its files and, with ``folder_too``, its folder."""
         shutil.rmtree(self.curves, ignore_errors=True)
         with suppress(OSError):  # another error is already being raised
             for name in (_RECIPE, _EVALUATIONS):
@@ -152,12 +152,12 @@ class Run:
         return Counts(steps=rows[-1].steps, seconds=rows[-1].seconds, best=best)
 
     def restore(self, learner: Learner) -> tuple[Counts, bool]:
-        """Load the newest checkpoint into a learner; return its counts and whether it had a replay.
+        """Load the newest checkpoint into a learner; return its counts and whether it had a buffer.
 
         Without a checkpoint the learner is unchanged. Later evaluations are dropped from the table.
 
         Raises:
-            InputError: the checkpoint is damaged, or belongs to another recipe.
+            InputError: the checkpoint is damaged, or belongs to a different recipe.
         """
         found = self.checkpoint
         if found is None:
@@ -252,7 +252,7 @@ def read_rows(path: Path) -> list[EvaluationRow]:
 
 
 def _row(cells: Mapping[str, str]) -> EvaluationRow:
-    """Parse a row of the table (ValueError: impossible numbers)."""
+    """Parse a row of the table; raise ValueError if its numbers are impossible."""
     row = EvaluationRow(
         int(cells["steps"]), float(cells["seconds"]), int(cells["episodes"]),
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
@@ -267,7 +267,7 @@ def _row(cells: Mapping[str, str]) -> EvaluationRow:
 
 
 def _counts(path: Path) -> Counts:
-    """Read the counts of a checkpoint (InputError: the file is damaged)."""
+    """Read the counts of a checkpoint; raise InputError if the file is damaged."""
     try:
         payload = _object(path)
         own = Counts(**payload)
@@ -282,7 +282,7 @@ def _counts(path: Path) -> Counts:
 
 
 def _object(path: Path) -> dict[str, Any]:
-    """Read the JSON object of a file (InputError: it is not a JSON object)."""
+    """Read the JSON object in a file; raise InputError if there is none."""
     raw = read_regular(path, "The run's", InputError, max_bytes=_MAX_BYTES)
     return parse_object(raw, f"{path}", InputError)
 
@@ -294,6 +294,6 @@ def _write_rows(path: Path, rows: list[EvaluationRow]) -> None:
 
 
 def differences(one: Recipe, other: Recipe) -> list[str]:
-    """Return the keys in which two recipes differ, besides their number of steps."""
+    """Return the keys in which two recipes differ, other than their number of steps."""
     a, b = one.facts(), other.facts()
     return [key for key in a if key != "steps" and a[key] != b[key]]

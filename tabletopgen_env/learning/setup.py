@@ -45,7 +45,9 @@ _OURS = {
 }  # fmt: skip
 
 KEPT, MOST_KEPT = 16, 300
-"""Number of compiled worlds that an environment caches, by default and for repeated scenes."""
+"""Number of compiled worlds that an environment caches, by default and at most for a source with
+few scenes.
+"""
 
 ACTIVATIONS: dict[str, type[nn.Module]] = {"relu": nn.ReLU, "tanh": nn.Tanh}
 
@@ -60,9 +62,9 @@ def spec_of(task: str) -> EnvSpec:
 def source_of(
     scenes: str | tuple[str, ...], side: Side, variants: int | None = None, task: Task | None = None
 ) -> SceneSource:
-    """Return the source of a recipe's scenes; scenes generated on demand are limited to one side.
+    """Return the source of a recipe's scenes; those generated on demand are limited to one side.
 
-    ``variants`` is the number of "fresh" tables on both sides, None for the default number;
+    ``variants`` is the total number of "fresh" tables on both sides, None for the default number;
     ``task`` is the task that scenes generated on demand must support, None for any.
 
     Raises:
@@ -94,9 +96,9 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Count the tables that two sources share, by digest, among those available without drawing.
+    """Count, by digest, the tables shared by two sources, among those available without drawing.
 
-    Of a refreshing pool the initial tables count, too.
+    The initial tables of a refreshing pool are counted, too.
 
     Raises:
         BundleError: a bundle is missing or damaged.
@@ -112,7 +114,7 @@ def count_shared(source: SceneSource, other: SceneSource) -> int:
 def single_env(
     task: str, keywords: Mapping[str, Any], source: SceneSource, **more: Any
 ) -> gym.Env[Any, np.ndarray]:
-    """Create one environment of a task with a recipe's keywords and the registered time limit."""
+    """Create one environment of a task with a recipe's settings and the registered time limit."""
     own = {"cache": worlds_kept(source), **keywords, **more}
     return gym.make(spec_of(task), scenes=source, **own)
 
@@ -174,7 +176,7 @@ def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
     ``like`` provides the spaces of the environments; it is not changed.
 
     Raises:
-        InputError: as ``new_model``.
+        InputError: as for ``new_model``.
     """
     count = 1 if recipe.algorithm == "clone" else recipe.envs
     if recipe.algorithm in ("sac", "td3"):
@@ -195,10 +197,10 @@ class _Blank(gym.Env):
 
 
 def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
-    """Load a Stable-Baselines3 zip file, which can execute any code that it contains.
+    """Load a Stable-Baselines3 zip file; loading can execute arbitrary code in the file.
 
     Raises:
-        InputError: the file is invalid, or belongs to another algorithm.
+        InputError: the file is invalid, or belongs to a different algorithm.
     """
     if recipe.algorithm not in _CLASSES:
         raise InputError(
@@ -229,7 +231,7 @@ def policy_keywords(network: Network, space: spaces.Space[Any]) -> dict[str, Any
 def extractor_of(
     network: Network, space: spaces.Space[Any]
 ) -> tuple[type[BaseFeaturesExtractor], dict[str, Any]]:
-    """Return the class and the keywords of a network's extractor."""
+    """Return the class and keyword arguments of a network's features extractor."""
     if network.extractor == "flat":
         flat = CombinedExtractor if isinstance(space, spaces.Dict) else FlattenExtractor
         return cast("type[BaseFeaturesExtractor]", flat), {}

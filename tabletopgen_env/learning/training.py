@@ -41,12 +41,12 @@ from .runs import ROUNDS, Run, begin, differences, open_run
 from .setup import blank_model, count_shared, many_envs, new_model, single_env, source_of
 
 EVER_NEW = 1_000_000
-"""Number of fresh tables for grasp demonstrations, both sides together."""
+"""Number of fresh tables for grasp demonstrations, training and held-out tables together."""
 
 
 @dataclass(frozen=True)
 class Trained:
-    """The result of a training; ``interrupted`` is true after Ctrl-C."""
+    """The result of a training run; ``interrupted`` is true after Ctrl-C."""
 
     run: Run
     steps: int
@@ -69,11 +69,12 @@ def train(
         recipe: the recipe.
         out: the folder, created if it is missing.
         plan: further settings.
-        resume: resume the run in ``out``, up to the recipe's steps.
+        resume: resume the run in ``out``, up to the recipe's number of steps.
         say: receives progress messages, one line each.
 
     Raises:
-        InputError: ``out`` already holds a run, or with ``resume`` no run of this recipe and seed.
+        InputError: ``out`` already holds a run or, with ``resume``, holds no run of this recipe and
+            seed.
         BundleError: the scenes do not exist.
         SceneError: the scenes have no valid task, or none that the expert can solve.
         StorageError: the folder cannot be written.
@@ -109,7 +110,7 @@ def train(
 
 
 def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
-    """Raise errors that would occur later, before anything is written."""
+    """Raise errors that would otherwise occur later, before anything is written."""
     cloning_config(recipe)
     batch_config(recipe)
     env.reset(seed=0)
@@ -144,7 +145,7 @@ def _learn(tracker: Tracker, scenes: SceneSource) -> int:
         learner = Sb3Learner(model, run.recipe.network)
         tracker.counts, replayed = run.restore(learner)
         begun = tracker.counts.steps
-        if begun:  # a resumed run gets other tables and exploration than at its start
+        if begun:  # a resumed run gets different tables and exploration than at its start
             model.set_random_seed(int(np.random.SeedSequence((seed, begun)).generate_state(1)[0]))
         if tracker.is_finished():
             return begun

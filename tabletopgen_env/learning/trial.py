@@ -33,8 +33,8 @@ class PolicyTrial:
 
     Attributes:
         task: the policy's task.
-        env: keywords of its environment.
-        scenes: names of scenes; of scenes generated on demand only the held-out part.
+        env: keyword arguments of its environment.
+        scenes: names of scenes; only the held-out part of scenes generated on demand is used.
         policy: the policy.
     """
 
@@ -87,7 +87,7 @@ class PolicyTrial:
 
 
 def _set_up(trial: PolicyTrial) -> tuple[gym.Env[Any, Any], Predicts]:
-    """Open an environment that lasts until this process ends; return it with the policy."""
+    """Open an environment that stays open until this process ends; return it with the policy."""
     source = trial.source()
     env = single_env(trial.task, trial.env, source)
     atexit.register(close, source)

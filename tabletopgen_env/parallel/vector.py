@@ -180,7 +180,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         If one of them fails, none of them has an episode, and ``step`` requires another reset.
 
         Raises:
-            InputError: as ``TabletopEnv.reset``, or the number of seeds or the mask is wrong.
+            InputError: as for ``TabletopEnv.reset``, or the number of seeds or the mask is wrong.
         """
         options = as_options(options)
         mask = read_mask(options.pop("reset_mask", None), self.num_envs)
@@ -227,7 +227,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         return tuple(self.visit(partial(pickling.call, name=name, args=args, kwargs=kwargs)))
 
     def get_attr(self, name: str) -> tuple[Any, ...]:
-        """Return an attribute of each slot's environment, or its result if it is a method."""
+        """Return an attribute of each slot's environment; if it is a method, call it."""
         return self.call(name)
 
     def set_attr(self, name: str, values: Any) -> None:
@@ -286,7 +286,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @property
     def envs(self) -> list[gym.Env]:
-        """The slots' environments (InputError: they are in other processes)."""
+        """The slots' environments; raises InputError if they are in other processes."""
         if isinstance(self._runner, ThreadSlots):
             return self._runner.slots.envs
         raise InputError(

@@ -43,7 +43,7 @@ lerobot    a LeRobot v3.0 dataset, see below
 The initial state of each episode is perturbed (``RecordConfig.randomization``); otherwise all
 episodes with the same scene, target and goal would be identical.
 
-Nothing is pickled, and only colours in a LeRobot dataset's videos are compressed with loss. An
+Nothing is pickled, and only the colours in a LeRobot dataset's videos are compressed lossily. An
 environment can replay an episode from its seed and its actions if the scenes and their certificates
 are the same (never for scenes that are renewed by the clock).
 
@@ -66,10 +66,10 @@ LeRobot
 ==================================  ==============================================================
 
 The table of episodes has the facts as further columns, and ``cameras/<camera>/intrinsics`` (9).
-Rows are the t steps; the last observation is not stored. An episode is encoded as soon as it is
-complete. An interrupted recording, even after a crash, can be resumed (``record(...,
-resume=True)``) with identical bytes as result. Until the final assembly, a dataset takes up to
-twice its size on disk.
+There is one row for each of the t steps; the last observation is not stored. An episode is encoded
+as soon as it is complete. An interrupted recording can be resumed (``record(..., resume=True)``),
+even after a crash, and the result has identical bytes. Until the final assembly, a dataset takes up
+to twice its size on disk.
 """
 
 from __future__ import annotations

@@ -79,7 +79,7 @@ class RecordConfig:
             ("maniskill", "droid"); none for the state only.
         kinds: Pictures of each camera: some of "rgb", "depth" and "segmentation".
         image_size: Height and width of the pictures, pixels; None is the preset's size, or 128.
-        observation: Observations beside pictures: the flat state ("pixels+state"), or only what a
+        observation: Observations besides pictures: the flat state ("pixels+state"), or only what a
             real robot has, its own joints and the instruction ("pixels+proprio").
         noise: Standard deviation of the noise added to the expert's motion, relative to its maximum
             speed, so that the data covers recovery.
@@ -124,7 +124,7 @@ class RecordConfig:
 
     @property
     def keywords(self) -> dict[str, Any]:
-        """The keywords of the environment to record in."""
+        """The keyword arguments of the recorded environment."""
         scenes = self.scenes[0] if len(self.scenes) == 1 else list(self.scenes)
         given = {"scenes": scenes or None, "preset": self.preset,
                  "randomization": self.randomization}  # fmt: skip
@@ -137,7 +137,7 @@ class RecordConfig:
         return settings
 
     def environment(self) -> gym.Env[Any, Any]:
-        """Create the environment to record in; its spec recreates an equal one.
+        """Create the environment for the recording; its spec recreates an equal one.
 
         Raises:
             InputError: a setting is invalid.

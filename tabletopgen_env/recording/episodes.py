@@ -31,7 +31,7 @@ CHUNK = 4
 
 Column = Shaped[np.ndarray, "t1 ..."] | list[str]
 Columns = dict[str, Column | dict[str, Column | dict[str, Column]]]
-"""Arrays or texts with one row per step, by name, nested at most twice."""
+"""Arrays or lists of strings with one row per step, by name, nested at most twice."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,8 +104,8 @@ def play_episodes(
     """Yield episodes indefinitely; an episode that is not kept is replaced by the reason.
 
     The first episode has the number ``first``. The episodes do not depend on the number of
-    ``workers``, or on whether these belong to the Ray cluster at the address ``ray``; a single
-    local worker plays in ``env``. Close the generator at the end.
+    ``workers``, or on whether these run on the Ray cluster at the address ``ray``; a single local
+    worker plays in ``env``. Close the generator at the end.
 
     Raises:
         BackendError: Ray is not available.
@@ -210,7 +210,7 @@ def _proprio(seen: Any, felt: Float[np.ndarray, "t1 p"]) -> Float[np.ndarray, "t
 
 
 def _plain(observations: Any) -> Any:
-    """Return observations with texts as lists."""
+    """Return observations with arrays of strings as lists."""
     if not isinstance(observations, dict):
         return observations
     return {

@@ -1,4 +1,4 @@
-"""Handling of Ctrl-C in a recording: it interrupts playing, but never writing."""
+"""Handling of Ctrl-C in a recording: it interrupts episodes, but never the writing of files."""
 
 from __future__ import annotations
 

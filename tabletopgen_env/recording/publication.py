@@ -1,4 +1,4 @@
-"""Atomic publication of datasets: written to a temporary place, then renamed."""
+"""Atomic publication of datasets, which are written to a temporary place and then renamed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from generator.io.files import remove_tree, write_whole
 _KEY = "recording.json"
 _LOCK = "lock"
 _PLACE = "dataset"  # a fixed name, so that it differs from its neighbours' names
-_MOST_BYTES = 1 << 20  # of the key
+_MOST_BYTES = 1 << 20  # maximum size of the key's file, bytes
 
 
 @contextmanager
@@ -50,8 +50,8 @@ def publish_in_parts(target: Path, key: Mapping[str, Any], resume: bool) -> Iter
     left nothing in it.
 
     Raises:
-        InputError: the folder exists and ``resume`` is false, it has another key, or it is in use;
-            or ``target`` was created by another program meanwhile.
+        InputError: the folder exists and ``resume`` is false, it has a different key, or it is in
+            use; or ``target`` was created by another program meanwhile.
         StorageError: a file cannot be written.
     """
     from filelock import FileLock, Timeout

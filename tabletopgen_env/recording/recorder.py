@@ -44,17 +44,17 @@ def record(
     The dataset appears only when it is complete. A failure leaves nothing behind, except in the
     format "lerobot", which stores completed episodes in ``.<name>.part`` beside ``out``. ``resume``
     continues after these, if there are any, with the same settings (``episodes`` may differ, but
-    not be less than the stored ones), and gives the same bytes as an uninterrupted recording.
-    ``lerobot`` holds the settings of that format.
+    must not be less than the number already stored), and the result has the same bytes as an
+    uninterrupted recording. ``lerobot`` holds the settings of that format.
 
     ``out`` is the dataset's own folder, or file ("hdf5", "robomimic"), and must not exist. The name
-    of a Minari dataset is its id and ends with a version ("data/lift-v0"); None is
+    of a Minari dataset is its id and ends with a version ("data/lift-v0"); None stands for
     ``TabletopGen-<task>-v0`` in the user's Minari store. ``workers`` is the number of processes
     that play; it influences the result only if the scenes are renewed by the clock ("refreshing").
-    The processes run on this machine or, given its address, on a ``ray`` cluster, whose machines
-    must share the folders of scenes given by path; ``out`` is written on this machine. ``report``
-    is called with the number of kept and of played episodes, first after all checks have passed,
-    then after each episode.
+    The processes run on this machine or, if ``ray`` is the address of a Ray cluster, on the
+    cluster, whose machines must have access to the folders of scenes given by path; ``out`` is
+    written on this machine. ``report`` is called with the number of kept and of played episodes,
+    first after all checks have passed, then after each episode.
 
     Raises:
         InputError: a setting is invalid, a package or a codec is missing, ``out`` exists already,
@@ -100,7 +100,7 @@ def write_dataset(
     recording is resumed instead.
 
     Raises:
-        InputError: as ``record``, or there was no episode.
+        InputError: as for ``record``, or there was no episode.
         StorageError: a file cannot be written.
     """
     target = _check(config, out, format, resume, lerobot)

@@ -107,7 +107,7 @@ def merge(summaries: Sequence[RowSummary]) -> RowSummary:
 
 
 class Summaries:
-    """Summaries by name of a dataset whose episodes are added one by one."""
+    """The summaries of a dataset, by name; its episodes are added one by one."""
 
     def __init__(self) -> None:
         self._known: dict[str, RowSummary] = {}

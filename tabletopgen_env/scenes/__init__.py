@@ -2,8 +2,8 @@
 
 A source draws *references*: a key, by which a compiled world is reused, and a function that loads
 the scene if it is not cached. Draws depend only on the given generator, so that a seeded
-environment repeats its tables; the exception are scenes renewed by the clock (``RefreshingScenes``
-with ``per_minute``).
+environment repeats its tables; the only exception is scenes renewed by the clock
+(``RefreshingScenes`` with ``per_minute``).
 
 ====================  =============================================================================
 ``FixedScenes``       bundles and scenes in memory, drawn uniformly
@@ -14,9 +14,9 @@ with ``per_minute``).
 ``split``             the training scenes or the held-out scenes of any source
 ====================  =============================================================================
 
-``"fresh"`` and ``"refreshing"`` draw tables for the current task: of every theme, and with the
-objects listed in ``Task.needs``. A source object is used unchanged:
-``FreshScenes(SceneDistribution(needs=task.needs))`` includes the needs as well.
+``"fresh"`` and ``"refreshing"`` draw tables of every theme for the current task, including the
+objects listed in ``Task.needs``. A source object is used unchanged, so include the needs yourself:
+``FreshScenes(SceneDistribution(needs=task.needs))``.
 """
 
 from generator.language.distribution import SceneDistribution as SceneDistribution

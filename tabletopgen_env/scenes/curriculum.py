@@ -23,7 +23,7 @@ _NEW = 4.0  # weight of a scene not drawn before
 
 @dataclass(eq=False)
 class CurriculumScenes:
-    """Draws scenes of another source by their difficulty and the results of earlier episodes.
+    """Draws scenes from another source, by their difficulty and the results of earlier episodes.
 
     It holds the ``size`` most recent scenes. Each draw adds one more scene of the source, then
     chooses among the held ones: first a bin of difficulty by ``sampler``, then a scene in it.
@@ -71,7 +71,7 @@ class CurriculumScenes:
         return self._source
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw a scene; its reference includes its difficulty."""
+        """Draw a scene; the returned reference includes its difficulty."""
         self._meet(self._source.draw(rng))
         bins = self.sampler.bins(np.array([ref.difficulty for ref in self._held], float))
         weights = np.array([1.0 if ref.key in self._drawn else _NEW for ref in self._held])
@@ -98,7 +98,7 @@ class CurriculumScenes:
         close(self._source)
 
     def _meet(self, drawn: SceneRef) -> None:
-        """Hold a scene, without duplicates; drop deleted scenes, and beyond ``size`` the oldest."""
+        """Hold a scene, without duplicates; drop deleted scenes and the oldest beyond ``size``."""
         others = [ref for ref in self._held if ref.key != drawn.key and is_there(ref)]
         [met] = [ref for ref in self._held if ref.key == drawn.key] or [self._rate(drawn)]
         self._held = [*others, met][-self.size :]

@@ -18,7 +18,7 @@ from .splits import SplitRule, admits, kinds, kinds_of
 
 @dataclass(frozen=True)
 class Bundle:
-    """Loads the bundle at a path, which may have been deleted since."""
+    """Loads the bundle at a path, which may have been deleted in the meantime."""
 
     path: Path
 

@@ -15,22 +15,22 @@ from .source import SceneRef
 from .splits import SplitRule
 
 DRAWS = 1000
-"""Maximum number of draws for one scene on the required side of a split."""
+"""Maximum number of draws to find one scene on the required side of a split."""
 
 
 @dataclass(frozen=True)
 class FreshScenes:
-    """Generates a new table for every draw, from a random text and seed or from a drawn plan.
+    """Generates a new table for every draw, from a random prompt and seed or from a drawn plan.
 
     Attributes:
-        prompts: a text, a list of texts, or a distribution of tables.
-        variants: number of seeds per text or for the distribution, at most 2^30; with few seeds,
-            compiled worlds are met again.
+        prompts: a prompt, a list of prompts, or a distribution of tables.
+        variants: number of seeds per prompt or for the distribution, at most 2^30; with few seeds,
+            compiled worlds can be reused.
         making: "compose", "generate" or "module:function"; see ``SceneRecipe``.
-        rules: required sides of splits; see ``admitting``.
+        rules: rules that all scenes must satisfy, such as one side of a split; see ``admitting``.
 
     Raises:
-        InputError: there is no text, a text is empty, or a setting is out of range.
+        InputError: there is no prompt, a prompt is empty, or a setting is out of range.
     """
 
     prompts: str | Sequence[str] | SceneDistribution = field(default_factory=SceneDistribution)
@@ -55,7 +55,7 @@ class FreshScenes:
         object.__setattr__(self, "rules", tuple(self.rules))
 
     def check(self) -> None:
-        """Plan each text once, to detect texts that can never be generated.
+        """Plan each prompt once, to detect prompts from which no table can ever be generated.
 
         Raises:
             InputError: a text cannot be planned.

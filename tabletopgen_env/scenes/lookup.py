@@ -1,4 +1,4 @@
-"""Lookup of fixed scenes by name, digest, path or glob, or by "starter" and its sides."""
+"""Lookup of fixed scenes by name, digest, path or glob, or by "starter" and its two splits."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ STARTER = "starter"
 """Name of the shipped bundles that suit any task."""
 
 FRESH = "fresh"
-"""Name of scenes generated for each draw; a text can follow after a colon."""
+"""Name for scenes generated for each draw; a prompt can follow after a colon."""
 
 REFRESHING = "refreshing"
-"""Name of a pool renewed in the background; a text can follow after a colon."""
+"""Name for a pool renewed in the background; a prompt can follow after a colon."""
 
 CURRICULUM = "curriculum"
-"""Name of a curriculum of scenes; the scenes can follow after a colon."""
+"""Name for a curriculum of scenes; the scenes can follow after a colon."""
 
 _SIDES: dict[str, Side] = {f"{STARTER}:{side}": side for side in get_args(Side)}
 FORMS = (
     STARTER, *_SIDES, FRESH, f"{FRESH}:PROMPT", REFRESHING, f"{REFRESHING}:PROMPT",
     CURRICULUM, f"{CURRICULUM}:SCENES",
 )  # fmt: skip
-"""Forms of ``scenes`` besides bundles."""
+"""Values of ``scenes`` that do not name bundles."""
 
 FixedChoice = str | Path | Scene | Sequence["str | Path | Scene"]
 """Identifiers of fixed scenes."""
@@ -41,7 +41,7 @@ def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
 
     Raises:
         BundleError: no bundle matches; the message lists the available ones.
-        InputError: ``scenes`` has another type, or is an empty list.
+        InputError: ``scenes`` has an unsupported type, or is an empty list.
     """
     if isinstance(scenes, str | Path | Scene):
         return FixedScenes(tuple(_find(scenes)))
@@ -56,7 +56,7 @@ def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
 def on_demand(scenes: object) -> bool:
     """Return whether ``scenes`` is generated on demand: a form of ``FRESH`` or ``REFRESHING``.
 
-    A curriculum of such a form counts as well; ``CURRICULUM`` alone is one.
+    A curriculum of such scenes counts as well; so does ``CURRICULUM`` alone.
     """
     if not isinstance(scenes, str):
         return False
@@ -67,7 +67,7 @@ def graded_of(scenes: str) -> str | None:
     """Return the scenes that a form of ``CURRICULUM`` refers to; None for other forms.
 
     Raises:
-        InputError: nothing follows the colon, or another curriculum does.
+        InputError: nothing follows the colon, or another curriculum follows it.
     """
     head, colon, inner = scenes.partition(":")
     if head != CURRICULUM:
@@ -107,7 +107,7 @@ def _find(item: str | Path | Scene) -> list[SceneRef]:
 
 
 def _explain(text: str, error: BundleError) -> BundleError | InputError:
-    """Return the error for a text that matches no bundle, with a hint at similar forms."""
+    """Return the error for a name that matches no bundle, with a hint about similar values."""
     head, colon, _ = text.partition(":")
     if colon and head.isidentifier() and len(head) > 1:
         meant = text if head == STARTER else f"{head}:PROMPT"

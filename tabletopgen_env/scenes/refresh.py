@@ -38,12 +38,12 @@ class RefreshingScenes:
 
     Without ``initial``, the first draw generates the pool itself, about a second per scene. If
     processes die or scenes cannot be generated, the pool stays unchanged, with one warning, and
-    renewal is retried after increasing pauses, or with ``every_resets`` at the next draw that is
+    renewal is retried after increasing pauses, or, with ``every_resets``, at the next draw that is
     due; see ``failures``.
 
     Each process takes 150 to 300 MB and runs at nice 10. The processes end with ``close``, or with
-    the process that drew; the next draw starts them again, and so does a pickled or forked copy.
-    For your own threads, use ``SharedScenes``.
+    the process that drew; the next draw starts them again, also in a pickled or forked copy. For
+    your own threads, use ``SharedScenes``.
 
     Attributes:
         fresh: source of new scenes: a ``FreshScenes``, or its argument ``prompts``.
@@ -52,8 +52,8 @@ class RefreshingScenes:
             ``every_resets`` is set. The processes may not keep up with a high rate.
         every_resets: number of draws per renewed scene, instead of ``per_minute``.
         workers: number of processes, each generating one scene at a time.
-        initial: first pool, of which at most ``size`` are drawn: a ``FixedScenes``, or the name of
-            one ("starter", a list of bundles).
+        initial: first pool, from which at most ``size`` scenes are drawn: a ``FixedScenes``, or the
+            name of one ("starter", a list of bundles).
         synchronous: generate scenes in this process at the draws that are due, without other
             processes; slow. Needs ``every_resets``.
         seed: seed of the generated scenes; None takes it from the first draw's generator.

@@ -1,7 +1,7 @@
 """Sampling of difficulties by learning potential, which is highest where some episodes succeed.
 
 It uses arrays only, so that any program that runs many episodes can use it: ``CurriculumScenes``
-draws one scene at a time, a batched environment the bins of all its episodes together.
+draws one scene at a time, and a batched environment draws the bins of all its episodes together.
 """
 
 from __future__ import annotations

@@ -28,24 +28,25 @@ def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
               "starter:held_out" split them by digest, a fifth held out;
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
             - "fresh": generated for each draw, of every theme and for the current task (see
-              ``needs``); "fresh:PROMPT": from a text;
+              ``needs``); "fresh:PROMPT": from a prompt;
             - "refreshing": a pool that starts with ``start`` and is renewed in the background, of
-              every theme; "refreshing:PROMPT": from a text, also at the start, which takes about a
-              second per scene at the first reset;
-            - "curriculum": new tables as for "fresh", of a difficulty at which most is learned;
+              every theme; "refreshing:PROMPT": from a prompt, also at the start, which takes about
+              a second per scene at the first reset;
+            - "curriculum": new tables as for "fresh", of the difficulty at which most is learned;
               "curriculum:SCENES": scenes of any other form listed here, such as
               "curriculum:starter:train" or "curriculum:fresh:an office desk". See
               ``CurriculumScenes``;
             - a ``Scene``, or a sequence of scenes, names, paths and globs;
             - a ``SceneSource``, which is returned unchanged.
 
-        needs: additional objects of tables of every theme (``Task.needs``); ignored for texts.
+        needs: objects that tables of every theme must also have (``Task.needs``); ignored for
+            texts.
         start: initial pool of "refreshing" (``Task.scenes``), if these scenes are fixed.
 
     Raises:
         BundleError: no bundle matches; the message lists the available ones.
-        InputError: ``scenes`` has another type, is an empty list, or is a text that cannot be
-            planned.
+        InputError: ``scenes`` has an unsupported type, is an empty list, or is a text that cannot
+            be planned.
     """
     if isinstance(scenes, SceneSource):
         return scenes
@@ -66,8 +67,8 @@ def split(
 ) -> SceneSource:
     """Return a source of only the training scenes, or only the held-out ones.
 
-    The side of a scene depends only on the scene: the sides are disjoint in all processes and
-    lists. See ``splits``.
+    Whether a scene is held out depends only on the scene, so the two sides are disjoint in all
+    processes and lists. See ``splits``.
 
     Args:
         scenes: anything ``resolve`` takes. For a refreshing pool, initial and later scenes are

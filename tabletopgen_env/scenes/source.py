@@ -19,7 +19,7 @@ _REMEMBERED = 10_000
 
 @dataclass(frozen=True, eq=False)
 class SceneRef:
-    """A loadable scene. Equal ``key`` means equal scene.
+    """A loadable scene. References with equal ``key`` refer to equal scenes.
 
     ``difficulty``, in [0, 1], is the scene's difficulty, if it is known without loading.
     """
@@ -57,7 +57,7 @@ class Remembered(Generic[T]):
         self._known: dict[str, tuple[Callable[[], Scene | None], T]] = {}
 
     def of(self, ref: SceneRef, find: Callable[[SceneRef], T]) -> T:
-        """Return the cached result of ``find`` for a scene, calling it if necessary."""
+        """Return the cached result of ``find`` for a scene, calling ``find`` if necessary."""
         scene = ref.load() if isinstance(ref, HeldRef) else None
         known = self._known.get(ref.key)
         if known is None or known[0]() is not scene:

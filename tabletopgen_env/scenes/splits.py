@@ -1,9 +1,9 @@
 """Splits into training scenes and held-out scenes, by properties of each scene alone.
 
-By *digest*, a fixed share of all scenes is held out. The side is a hash of the scene, so all
-processes, machines and lists of scenes agree, and new scenes do not change the side of others.
+By *digest*, a fixed share of all scenes is held out. A hash of the scene determines its side, so
+all processes, machines and lists of scenes agree, and new scenes do not change the side of others.
 Scenes on disk or in memory are hashed by their table and objects; scenes generated on demand by
-their inputs, the text (or distribution) and seed, so that no rejected scene is generated.
+their inputs, the prompt (or distribution) and the seed, so that no rejected scene is generated.
 
 By *category*, every scene with an object of a held-out category is held out. An object belongs to a
 category by its catalogue key or by its label ("alarm clock" belongs to alarm_clock).
@@ -27,7 +27,7 @@ from generator.scene import Scene
 from .source import Remembered, SceneRef, SceneSource, close, record
 
 Side = Literal["train", "held_out"]
-"""The sides of a split."""
+"""The two sides of a split: training scenes and held-out scenes."""
 
 By = Literal["digest", "category"]
 """The property that determines the side of a scene."""
@@ -36,12 +36,12 @@ SHARE = 0.2
 """Default share of scenes held out by digest."""
 
 DRAWS = 200
-"""Maximum number of draws from a foreign source for one scene on the required side."""
+"""Maximum number of draws from a user's own source to find one scene on the required side."""
 
 
 @dataclass(frozen=True)
 class SplitRule:
-    """One side of a split.
+    """One side of a split: the training scenes or the held-out scenes.
 
     Attributes:
         side: "train" or "held_out".
@@ -138,7 +138,7 @@ def scene_kinds(scene: Scene) -> frozenset[str]:
 
 
 def kinds_of(objects: Iterable[tuple[str, str]]) -> frozenset[str]:
-    """Return categories of objects from pairs (category, label): both, written as keys."""
+    """Return the categories of objects given as pairs (category, label): both, written as keys."""
     words = {_key(word) for pair in objects for word in pair}
     return frozenset(words - {"generic"})
 

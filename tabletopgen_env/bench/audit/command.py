@@ -27,7 +27,7 @@ class Check:
         episodes: number of episodes to replay per result.
         seed: seed of the random choice of episodes; None for a different choice each time.
         policy: the player; None for the one named in the result.
-        suite: the suite, if it is in your own file.
+        suite: the suite, if it is defined in your own file.
         tables: folder of the tables; None for "bench" in the user's cache.
         pool: worker processes that generate missing tables.
     """
@@ -43,7 +43,7 @@ class Check:
 def check_result(path: Path, check: Check) -> bool:
     """Check a result, print the outcome and mark the result; return whether it passed.
 
-    An existing mark for more episodes of the same result is kept.
+    An existing mark that covers more episodes of the same result is kept.
 
     Raises:
         InputError: the result is invalid, its suite or policy is not found, or a number is out of

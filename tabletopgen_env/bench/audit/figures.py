@@ -28,7 +28,7 @@ class Doubt:
 
     Attributes:
         kind: the kind of the problem.
-        count: number of affected episodes; for "no versions", of packages.
+        count: number of affected episodes, or of packages for "no versions".
         value: the figure of the first affected episode.
         limit: the minimum or maximum possible value.
     """
@@ -77,7 +77,7 @@ def check_suite(result: BenchResult, suite: Suite) -> None:
 
 
 def doubts(result: BenchResult, suite: Suite) -> tuple[Doubt, ...]:
-    """Return the impossible figures of a result of a suite; an unmodified result has none.
+    """Return the impossible figures of a suite's result; an unmodified result has none.
 
     An episode is solved once success has held for ``hold`` steps, during which the dense reward is
     exactly 1; otherwise it lasts until the time limit. The mean reward must agree with this.

@@ -20,7 +20,7 @@ from ..results import MOST_EPISODES
 from ..suites import canonical_digest, read_payload
 
 SUFFIX = ".replayed"
-"""Suffix of a mark's name, after its result's: "lift-test_expert.json.replayed"."""
+"""Suffix appended to a result's name to name its mark: "lift-test_expert.json.replayed"."""
 
 SCHEMA = 1
 """Version of the file format; other versions are refused."""
@@ -73,10 +73,10 @@ def remove_mark(result: Path) -> None:
 
 
 def read_mark(result: Path, digest: str) -> ReplayMark | None:
-    """Return the mark of the result with a digest; None if it has no mark, or only an older one.
+    """Return the mark of the result with this digest, or None if it has none or an outdated one.
 
     Raises:
-        InputError: the mark is damaged, edited or of another schema.
+        InputError: the mark is damaged or edited, or has an unsupported schema.
     """
     path = mark_path(result)
     if not path.exists():

@@ -24,7 +24,7 @@ REWARD = 1e-4
 
 @dataclass(frozen=True)
 class EpisodeReplay:
-    """An episode as a result lists it, and its replay; ``number`` is its index."""
+    """An episode as listed in a result, and its replay; ``number`` is its index."""
 
     number: int
     listed: EpisodeRow
@@ -41,7 +41,7 @@ class EpisodeReplay:
 
 
 def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
-    """Draw the indices of ``count`` episodes with a seed; of all, if there are fewer.
+    """Draw the indices of ``count`` episodes with a seed, or of all if there are fewer.
 
     Raises:
         InputError: ``count`` is less than one.
@@ -101,7 +101,7 @@ def replay(
 
 
 def _check_same(facts: PlayerFacts, listed: PlayerFacts, name: str) -> None:
-    """Check that a player is the one of a result, regardless of its name there."""
+    """Check that a player is the one that played a result, whatever its name there."""
     other = [
         part for part in ("kind", "digest", "settings")
         if getattr(facts, part) != getattr(listed, part)

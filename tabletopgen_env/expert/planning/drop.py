@@ -16,7 +16,7 @@ from .placement import Placer, plan_place
 ABOVE = 0.04
 """Height above the place at which the held object is aligned with it, metres."""
 
-# tolerated horizontal error, and the further error at which it stays at ABOVE, metres
+# tolerated horizontal error, and the additional error at which it stays at ABOVE, metres
 _FINE, _FUNNEL = 0.006, 0.008
 _TURNED = 0.05  # radians, both
 _LIFT = 0.06
@@ -47,7 +47,7 @@ class Drop:
         self.follow(world)
 
     def follow(self, world: World) -> None:
-        """Update the place after a shift of the object in the hand or a motion of the goal."""
+        """Update the place after the object has shifted in the hand or the goal has moved."""
         left, right, _ = world.touches(self._target)
         if not (left and right):  # a released object no longer counts
             return
@@ -91,8 +91,8 @@ def hanging(world: World, target: str) -> float:
 def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
     """Return the position of a held object's centre relative to the tool, and its extent.
 
-    Metres, horizontally, world frame. With a large ``turn`` (radians) left, all directions are
-    covered.
+    Both are horizontal, in metres, world frame. If a large ``turn`` (radians) remains, the extent
+    covers all directions.
     """
     if abs(turn) > _TURNING:
         return np.zeros(3), breadth(world, target)

@@ -40,9 +40,9 @@ _MARGIN = 0.011
 class Grasp:
     """A grasp in the world frame.
 
-    ``point`` is the tool centre point (m), ``angle`` the direction of opening about +z (radians,
-    equal modulo pi), ``opening`` the opening before the descent and ``width`` the expected distance
-    between the closed fingers (m). A higher ``score`` is better.
+    ``point`` is the tool centre point (m), ``angle`` the direction in which the fingers open, about
+    +z (radians, modulo pi), ``opening`` the opening before the descent and ``width`` the expected
+    distance between the closed fingers (m). A higher ``score`` is better.
     """
 
     point: Float[np.ndarray, "3"]
@@ -53,7 +53,7 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` where it stands, best first, those like ``avoid`` last."""
+    """Return top grasps of ``target`` at its current pose, best first; any like ``avoid`` last."""
     angles = rotation_yaw(world.rotation(target)) + np.arange(_TURNS) * np.pi / _TURNS
     found = [_demote(grasp, avoid) for grasp in grasps_along(world, target, angles.tolist())]
     return sorted(found, key=lambda grasp: -grasp.score)
@@ -186,7 +186,7 @@ def _room(
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return the largest free openings (m) for the descending fingers, NaN if none is free."""
+    """Return each run's largest opening (m) with which the fingers can descend, NaN if none."""
     distance = np.abs(u - center[:, None])
 
     def free(

@@ -30,7 +30,7 @@ _TURNS = np.arange(-6, 6) * np.pi / 6
 _CELL = 0.005
 _MOST_COLUMNS = 160
 _INSIDE = 0.006  # minimum distance of a place from the region's edge, metres
-_LEVEL = 0.005  # height above a flat surface at which an object rests on another one, metres
+_LEVEL = 0.005  # height above a flat surface at which an object comes to rest on another, metres
 _ABOVE = 0.06
 _TRIED = 10  # number of places checked for reachability
 PAD, SHAFT, SHAFT_Z = 0.0125, 0.0265, 0.017
@@ -43,8 +43,8 @@ class Place:
     """The tool's pose at release: its point (m, world) and the hand's yaw (base frame, radians).
 
     A ``yaw`` of None means the current yaw, turned only as far as the last joint's range requires.
-    ``target`` is the position of the held object's centre then (x, y, world), ``hanging`` its
-    extent below the tool and ``seen`` the position of the goal's region at planning time.
+    ``target`` is the position of the held object's centre at release (x, y, world), ``hanging`` its
+    extent below the tool, and ``seen`` the position of the goal's region at planning time.
     """
 
     tool: Float[np.ndarray, "3"]
@@ -119,8 +119,8 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     """Return the centre of a goal's region as a place for its target, as ``plan_place`` does.
 
     The hand keeps its yaw, or makes half a turn if the arm can reach the place only in this way.
-    The plan uses the height map of all other objects, and the box of the held object with its
-    lowest point.
+    The plan uses the height map of all other objects, and the box and the lowest point of the held
+    object.
     """
     places = [*_middles(world, goal, yaw, opening, (0.0, np.pi))]
     reached = (p for p in places if p.yaw is not None and _stretched(world, p.tool, p.yaw))

@@ -17,7 +17,7 @@ from jaxtyping import Bool, Float, Int, UInt8
 from .heights import VoxelSolid
 
 WIDEST = 0.0735
-"""Widest run to grasp, metres: the maximum opening of 8 cm minus a margin for aiming."""
+"""Width of the widest graspable run, metres: the opening of 8 cm minus a margin for aiming."""
 
 STEP_U, STEP_V, RISE = 0.0015, 0.003, 0.003
 """Size of cells along the opening and across it, and height of levels, metres."""
@@ -43,7 +43,8 @@ class Slabs:
 
     Bit b of ``codes[k, c]`` is set if column c (in the order of ``VoxelSolid.nearest``) is filled
     at level k + b. ``tops[c]`` is the number of levels up to the highest filled one, ``looks[t]``
-    the slabs to examine for a top of t: height of the fingertips (metres), lowest level and bits.
+    lists the slabs to examine for a top of t: height of the fingertips (metres), lowest level and
+    bits.
     """
 
     codes: UInt8[np.ndarray, "nz c"]
@@ -169,7 +170,7 @@ def _ends(
 def _trend(
     side: Float[np.ndarray, "r b"], used: Bool[np.ndarray, "r b"], step: float
 ) -> Float[np.ndarray, "r"]:
-    """Return the slope of the line through each side's ``used`` points, ``step`` apart, else 0."""
+    """Return the slope of the line through each side's ``used`` points, 0 for a single point."""
     at = np.arange(used.shape[1]) * step
     middle = (used * at).sum(1) / used.sum(1)
     offset = np.where(used, at - middle[:, None], 0.0)

@@ -46,9 +46,9 @@ _REACH = 0.62  # range of a stroke around the object, metres
 
 
 Care = Literal["free", "tight", "bold"]
-"""The space that the hand requires.
+"""Where the hand must have free space.
 
-"free": along the whole way. "tight": at the start only, beside the object. "bold": none.
+"free": along the whole way. "tight": only at the start, beside the object. "bold": nowhere.
 """
 
 
@@ -82,7 +82,7 @@ def plan_stroke(
     others: HeightMap | None = None,
     care: Care = "free",
 ) -> Stroke | None:
-    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), if there is one.
+    """Plan the stroke that pushes an object's centre towards a spot (x, y, world), if possible.
 
     ``others`` is the height map ``beside`` the object, if it is already known.
     """
@@ -139,7 +139,7 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return the tool's position (x, y, world) and height at contact, low; None without contact."""
+    """Return the tool's position (x, y, world) and height at a low contact, None if none exists."""
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()
     palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
@@ -192,7 +192,7 @@ def _is_free(
     tip: float,
     hand: tuple[tuple[float, float], tuple[float, float]] = (_FINGERS, _PALM),
 ) -> bool:
-    """Return whether fingers and palm, opening along ``opening``, are free along a line."""
+    """Return whether the fingers, opening along ``opening``, and the palm are free along a line."""
     return all(
         others.at(line[:, None] + _rectangle(half, opening)).max() <= height
         for half, height in zip(hand, (tip - 0.001, tip + _PALM_Z), strict=True)

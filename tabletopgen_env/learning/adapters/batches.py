@@ -1,4 +1,4 @@
-"""Adapter from ``TabletopBatchEnv`` to Stable-Baselines3, with NumPy arrays."""
+"""Adapter that presents a ``TabletopBatchEnv`` to Stable-Baselines3 with NumPy arrays."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ...parallel.batch.env import TabletopBatchEnv
 class BatchVecEnv(VecEnv):
     """A ``TabletopBatchEnv`` as a ``VecEnv`` of Stable-Baselines3.
 
-    Each info holds "success" and "is_success". The last info of an episode also holds
+    Each info holds "success" and "is_success". The info of an episode's last step also holds
     "terminal_observation", "TimeLimit.truncated" and "failed" (whether the world has failed).
 
     Args:

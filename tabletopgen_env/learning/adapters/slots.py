@@ -1,7 +1,7 @@
 """Adapter from ``TabletopVectorEnv`` to Stable-Baselines3.
 
 All slots share one scene source and its compiled scenes. Separate environments in subprocesses
-would each compile, and renew, their own.
+would each compile and renew scenes of their own.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ _FINAL = ("final_obs", "final_info")
 class SlotVecEnv(VecEnv):
     """A ``TabletopVectorEnv`` as a ``VecEnv`` of Stable-Baselines3.
 
-    The last info of an episode holds "terminal_observation" and "TimeLimit.truncated".
+    The info of an episode's last step holds "terminal_observation" and "TimeLimit.truncated".
 
     Args:
         slots: the vector environment, created with ``autoreset_mode="SameStep"``.
 
     Raises:
-        InputError: the vector environment has another autoreset mode.
+        InputError: the vector environment has a different autoreset mode.
     """
 
     def __init__(self, slots: TabletopVectorEnv) -> None:

@@ -39,17 +39,17 @@ class Learner(Protocol):
         ...
 
     def export(self) -> tuple[Actor, Squash]:
-        """Return a copy of the actor and the squashing of its actions."""
+        """Return a copy of the actor, and how its actions are squashed ("tanh" or "clip")."""
         ...
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write a checkpoint into a folder, with the replay buffer if ``replay``."""
+        """Write a checkpoint into a folder, including the replay buffer if ``replay`` is true."""
         ...
 
     def read(self, folder: Path, counts: Counts) -> bool:
         """Restore a checkpoint; return whether it contained a replay buffer.
 
         Raises:
-            Exception: of any kind, if a file is damaged or belongs to another network.
+            Exception: any exception, if a file is damaged or belongs to another network.
         """
         ...

@@ -28,7 +28,7 @@ class Sb3Learner:
 
     @property
     def updates(self) -> int:
-        """The number of gradient steps; for PPO, of epochs."""
+        """The number of gradient steps, or the number of epochs for PPO."""
         return getattr(self.model, "_n_updates", 0)
 
     @property
@@ -37,11 +37,11 @@ class Sb3Learner:
         return self.model._episode_num
 
     def export(self) -> tuple[Actor, Squash]:
-        """Return a copy of the model's actor and the squashing of its actions."""
+        """Return a copy of the model's actor, and how its actions are squashed."""
         return actor_of(self.model, self.network)
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write the model, and with ``replay`` its replay buffer if it has one."""
+        """Write the model, and its replay buffer (if it has one) if ``replay`` is true."""
         self.model.save(folder / MODEL)
         buffer = getattr(self.model, "replay_buffer", None)
         if replay and buffer is not None:
@@ -51,7 +51,7 @@ class Sb3Learner:
         """Restore a checkpoint; return whether it contained a replay buffer.
 
         Raises:
-            Exception: of any kind, if a file is damaged or belongs to another model.
+            Exception: any exception, if a file is damaged or belongs to another model.
         """
         if not (folder / MODEL).is_file():
             raise FileNotFoundError(f"{MODEL} is missing or not a file")

@@ -1,8 +1,8 @@
 """Behaviour cloning of the expert by DAgger (Ross et al. 2011).
 
-In the first round the expert acts, with noise added so that the data covers recovery. In later
-rounds the learner acts and the expert labels the visited states. After each round the actor is
-fitted to the labels of all rounds.
+In the first round the expert acts, with noise added so that the data covers recovery from errors.
+In later rounds the learner acts and the expert labels the visited states. After each round the
+actor is fitted to the labels of all rounds.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ class CloningConfig:
         steps: gradient steps after each round; the last round uses ``last_steps``.
         batch: states per gradient step.
         learning_rate: maximum learning rate of Adam; each round runs one warm-up and decay cycle.
-        tables: tables with grasp demonstrations for the grasp head, for policies that have one.
-            They differ from the tables of the rounds if the scenes are generated on demand.
+        tables: number of tables with grasp demonstrations for the grasp head, if the policy has
+            one. They differ from the tables of the rounds if the scenes are generated on demand.
         head_steps: gradient steps of the grasp head.
         head_start: initial weights of the grasp head: "nothing" for random weights, "detector" for
             the weights of the shipped grasp detector.
@@ -73,7 +73,7 @@ class CloningConfig:
 
 @dataclass(frozen=True)
 class Round:
-    """The outcome of a round: states so far, success rate of its episodes, and loss."""
+    """The outcome of a round: number of states so far, success rate of its episodes, and loss."""
 
     number: int
     states: int
@@ -95,8 +95,8 @@ def clone(
     ``seed`` determines the episodes and the batches. ``report`` is called after each round. Each
     round is saved in ``kept``; rounds already there are not repeated.
 
-    An actor with a grasp head (``networks.look_extractor``) is trained on ways that follow from the
-    teacher's grasps; the head itself is not changed.
+    An actor with a grasp head (``networks.look_extractor``) is trained on motion features computed
+    from the teacher's grasps; the head itself is not changed.
     """
     seeds = CountedSeeds(episode_seeds(seed, 2))
     generator = torch.Generator().manual_seed(seed)
@@ -146,7 +146,8 @@ def looks(model: SAC) -> bool:
 def moves_of(model: SAC) -> Callable[[Tensor], Tensor]:
     """Return the actor's mean action as a function of states.
 
-    For an actor with a grasp head, the states are those of a ``Teacher``, with the way included.
+    For an actor with a grasp head, the states are those of a ``Teacher``, which include the
+    features of the way to the grasp (``look_extractor``).
     """
     actor = model.actor
     extractor = actor.features_extractor
@@ -156,7 +157,7 @@ def moves_of(model: SAC) -> Callable[[Tensor], Tensor]:
 
 
 def _acting(act: Callable[[Tensor], Tensor]) -> Policy:
-    """Return a policy for single observations from a batched action function."""
+    """Return a policy for single observations, based on an action function for batches."""
 
     def policy(state: Float[np.ndarray, "n"]) -> Float[np.ndarray, "a"]:
         with torch.no_grad():

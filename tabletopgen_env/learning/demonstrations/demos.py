@@ -1,7 +1,7 @@
 """Grasp demonstrations ("showings"): objects as a policy observes them, with the expert's grasps.
 
-They train the grasp head of a policy (``networks.grasp_head``). No episode is played: the expert
-lists its grasps of each object of a table at rest.
+They are used to train a policy's grasp head (``networks.grasp_head``). No episode is played: the
+expert lists its grasps of each object on a table at rest.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ its lowest point). The other columns are as in ``Grasp``.
 """
 
 CHUNK = 100
-"""Tables per file of showings."""
+"""Number of tables per file of showings."""
 
 MOST = 200
 """The maximum number of grasps per object; the best ones are kept."""
@@ -121,7 +121,7 @@ def gather(
 
 
 def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
-    """Write showings to a file atomically (StorageError: the file cannot be written)."""
+    """Write showings to a file atomically; raise StorageError if it cannot be written."""
     content = BytesIO()
     np.savez_compressed(
         content,
@@ -135,7 +135,7 @@ def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
 
 
 def read_showings(path: Path) -> list[GraspShowing]:
-    """Read a file of showings (BundleError: the file is damaged)."""
+    """Read a file of showings; raise BundleError if it is damaged."""
     try:
         kept = read_arrays(path, "The file of showings", InputError, max_bytes=_MAX_BYTES)
         maps, stands, grasps, counts = (kept[k] for k in ("maps", "stands", "grasps", "counts"))

@@ -15,8 +15,8 @@ from ..networks.grasp_head import GraspHead, turn_maps
 from .demos import GraspShowing
 
 SEEN_TURNS = 4
-"""The number of turns per showing in a batch; training on a third of all turns takes a third of the
-time.
+"""Number of finger directions per showing in a batch. Training on a third of all directions takes a
+third of the time.
 """
 
 _RATE = 3e-3
@@ -25,7 +25,7 @@ _TOLD = 10  # number of loss reports
 _CLOSE = (0.008, 0.012, np.deg2rad(16.0))
 
 Places = tuple[Int[Tensor, "k"], Float[Tensor, "k 5"], Float[Tensor, "k"]]
-"""The cells that have a grasp, the best grasp of each, and its score."""
+"""The cells that contain a grasp, the best grasp in each of them, and its score."""
 
 
 def teach_head(
@@ -38,8 +38,8 @@ def teach_head(
 ) -> None:
     """Fit a head in place with ``steps`` batches of ``size`` showings, mirrored at random.
 
-    Each showing contributes ``SEEN_TURNS`` of its turns, at least one of them with a grasp of the
-    expert.
+    Each showing contributes ``SEEN_TURNS`` finger directions, in at least one of which the expert
+    has a grasp.
 
     ``note`` receives the number of steps done and the mean loss since its last call.
     """
@@ -67,7 +67,7 @@ def teach_head(
 def batch_of(
     shown: Sequence[GraspShowing], signs: Int[Tensor, "b 2"]
 ) -> tuple[GraspBatch, Float[Tensor, "b t 6"]]:
-    """Return a batch of showings and the head's inputs beside the maps.
+    """Return a batch of showings, and the head's inputs other than the maps.
 
     ``signs`` is -1 where an axis of the hand is mirrored. The mirror image of a grasp is a grasp of
     the mirrored object by an arm at the mirrored position.
@@ -93,10 +93,10 @@ def batch_of(
 def some_turns(
     batch: GraspBatch, sides: Float[Tensor, "b t 6"], generator: torch.Generator
 ) -> tuple[GraspBatch, Float[Tensor, "b k 6"]]:
-    """Return a batch with ``SEEN_TURNS`` random turns of each showing.
+    """Return a batch with ``SEEN_TURNS`` random finger directions of each showing.
 
-    One of the turns is drawn with its share of the grasps as probability. The shares are normalised
-    over the remaining cells.
+    One of the directions is drawn with a probability equal to its share of the grasps. The shares
+    of the remaining cells are then normalised.
     """
     by_turn = batch.share.unflatten(1, (TURNS, -1))
     first = torch.multinomial(by_turn.sum(2) + 1e-6, 1, generator=generator)
@@ -113,7 +113,7 @@ def some_turns(
 
 
 def _places(grasps: Float[np.ndarray, "g 7"], sign: Sequence[int]) -> Places:
-    """Return the cells of grasps in the columns ``COLUMNS``, with the best grasp of each cell."""
+    """Return the cells that contain grasps (``COLUMNS``), with the best grasp of each cell."""
     angle, x, y, z, opening, width, score = grasps.T
     turn = np.rint(angle * TURNS / np.pi).astype(int) % TURNS
     angle = turn * np.pi / TURNS

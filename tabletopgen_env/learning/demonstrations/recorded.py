@@ -1,4 +1,4 @@
-"""Episodes of the expert, or of a policy labelled by the expert, as arrays."""
+"""Episodes as arrays, played by the expert or by a policy whose states the expert labels."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .teacher import Teacher
 
 PATIENCE = 4.0
-"""Patience of the expert in episodes where a learner acts."""
+"""The expert's ``patience`` in episodes in which a learner acts."""
 
 Policy = Callable[[Any], Float[np.ndarray, "a"]]
 """A function from an observation to an action."""
@@ -41,7 +41,7 @@ class Demonstration:
     instruction: str
 
     def observation(self, step: int) -> Any:
-        """Return the observation before a step; ``step`` = t returns the last one."""
+        """Return the observation before a step, or the last one if ``step`` is t."""
         if isinstance(self.observations, dict):
             return {name: part[step] for name, part in self.observations.items()}
         return self.observations[step]
@@ -62,13 +62,14 @@ def demonstrate(
     to_the_limit: bool = False,
     taught: bool = False,
 ) -> Demonstration | None:
-    """Play one "ee_delta" episode with the expert's advice; None if the expert has no plan for it.
+    """Play an "ee_delta" episode with the expert's advice; return None if the expert has no plan.
 
     The episode ends when success has held (``episodes.Held``) or at the time limit; with
-    ``to_the_limit`` only at the time limit. ``policy`` acts, or the expert if it is None. ``noise``
-    is the standard deviation of the noise added to the expert's motion (not to the gripper), so
-    that the data covers recovery. ``report`` receives the info of ``reset`` and of each step. With
-    ``taught``, observations are converted by a ``teacher.Teacher``, also for the policy.
+    ``to_the_limit`` only at the time limit. ``policy`` acts, or the expert if ``policy`` is None.
+    ``noise`` is the standard deviation of the noise added to the expert's motion (not to the
+    gripper), so that the data covers recovery. ``report`` receives the info of ``reset`` and of
+    each step. With ``taught``, observations are converted by a ``teacher.Teacher``, including those
+    passed to the policy.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)
@@ -106,7 +107,7 @@ def demonstrate(
 
 
 def stack(seen: Sequence[Any]) -> Any:
-    """Stack observations into one array with a row for each, or into a dict of such arrays."""
+    """Stack observations as the rows of one array, or into a dict of such arrays."""
     if isinstance(seen[0], Mapping):
         return {name: stack([each[name] for each in seen]) for name in seen[0]}
     return np.stack(seen)

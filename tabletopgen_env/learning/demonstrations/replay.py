@@ -20,7 +20,7 @@ from .recorded import Demonstration, demonstrate, stack
 MISSES = 100
 """The number of consecutive unsolved episodes after which prefilling fails."""
 
-_MAX_REST = 2**20  # bytes of a buffer's file besides its arrays
+_MAX_REST = 2**20  # maximum size of a buffer's file without its arrays, bytes
 _ARRAYS = ("actions", "rewards", "dones", "timeouts")
 _EPISODES = ("ep_start", "ep_length")
 
@@ -32,11 +32,11 @@ def fill(
     seed: int,
     between: Callable[[], None] | None = None,
 ) -> int:
-    """Add successful episodes of the expert to a buffer; return how many.
+    """Add successful episodes of the expert to a buffer; return their number.
 
-    Episodes run to the time limit, so that the buffer covers the value of staying at the goal, and
-    end as timeouts. Their number is rounded up to a multiple of the buffer's environments.
-    ``between`` is called before each episode and may raise an exception to stop.
+    Episodes run to the time limit and end as timeouts, so that the buffer covers the value of
+    staying at the goal. Their number is rounded up to a multiple of the buffer's number of
+    environments. ``between`` is called before each episode and may raise an exception to stop.
 
     Raises:
         InputError: the buffer is too small for them.
@@ -102,7 +102,7 @@ def write_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
-    """Load the content of an equal-sized buffer into a new one; unfinished episodes end there.
+    """Load a buffer's content into a new one of equal size; unfinished episodes end there.
 
     Raises:
         InputError: the file is damaged, or belongs to another buffer.

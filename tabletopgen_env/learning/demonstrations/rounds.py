@@ -2,10 +2,10 @@
 
 ==================================  ================================================================
 ``round-NN.npz``                    the episodes of a round
-``actor-NN.safetensors``            the actor after the round, and the state of the random numbers;
-                                    written last: a round without it is ignored
+``actor-NN.safetensors``            the actor after the round, and the state of the random
+                                    generators; written last, so a round without it is ignored
 ``head.safetensors``                the actor's trained grasp head (``networks.grasp_head``)
-``showings-NNN.npz``                training data of the grasp head, see ``demos``
+``showings-NNN.npz``                training data of the grasp head; see ``demos``
 ==================================  ================================================================
 """
 
@@ -74,7 +74,7 @@ class RoundsFolder:
         write_whole(self._actor(number), save(weights), "The round", _ADVICE)
 
     def read(self, actor: nn.Module, generator: torch.Generator) -> tuple[list[Demonstration], int]:
-        """Restore actor and random state; return all episodes and the number of seeds drawn.
+        """Restore the actor and random state; return all episodes and the number of seeds drawn.
 
         Raises:
             BundleError: a file is damaged.
@@ -98,12 +98,12 @@ class RoundsFolder:
         return seen, drawn
 
     def keep_head(self, head: nn.Module) -> None:
-        """Save the grasp head (StorageError: the file cannot be written)."""
+        """Save the grasp head; raise StorageError if the file cannot be written."""
         self.path.mkdir(parents=True, exist_ok=True)
         write_whole(self._head, save(_weights(head)), "The head", _ADVICE)
 
     def read_head(self, head: nn.Module) -> bool:
-        """Restore the grasp head; return whether there is one (BundleError: it is damaged)."""
+        """Restore the grasp head; return whether there is one; raise BundleError if damaged."""
         if not self._head.is_file():
             return False
         _fill(head, self._load(self._head), self.path)

@@ -1,9 +1,10 @@
 """A teacher with planned grasps, for policies that find grasps themselves.
 
-The expert follows its own grasp hint, which the environment does not show. Observations are reduced
-to the flat state (estimated by ``networks.perception`` if the observation is pictures) and the way
-(``networks.look_extractor``) to the teacher's grasp. So the moving part of a policy is trained
-separately from its grasp head, and different good grasps are never averaged into a bad one.
+The expert follows its own grasp hint, which is not part of the environment's observations.
+Observations are reduced to the flat state (estimated from pictures by ``networks.perception``) and
+the features of the way to the teacher's grasp (``networks.look_extractor``). Thus the part of a
+policy that moves the arm is trained separately from its grasp head, and different good grasps are
+never averaged into a bad one.
 """
 
 from __future__ import annotations
@@ -57,7 +58,7 @@ class Teacher:
         return self._env.goal
 
     def see(self, observation: dict[str, Any]) -> Float32[np.ndarray, "n"]:
-        """Reduce an observation to state and way, with the teacher's plan updated."""
+        """Update the teacher's plan, and reduce an observation to the state and the way."""
         world, goal = self.world, self.goal
         if goal is not self._goal:
             self.hint.begin(world, goal)

@@ -1,7 +1,7 @@
 """The actor of a trained policy, independent of the training algorithm.
 
-SAC, TD3 and PPO compute deterministic actions alike: features, hidden layers, a linear output
-layer, then tanh (SAC, TD3) or clipping (PPO).
+SAC, TD3 and PPO compute deterministic actions in the same way: features, hidden layers, a linear
+output layer, then tanh (SAC, TD3) or clipping (PPO).
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ from .sight_extractor import MEMORY, SightExtractor
 Squash = Literal["tanh", "clip"]
 Shape = int | tuple[int, ...]
 Inputs = Mapping[str, Shape]
-"""Shapes of the observation's parts by name; the empty name stands for an observation that is an
-array.
+"""Shape of each part of an observation, by name. An observation that is a single array has the
+empty name.
 
 The shape of a one-dimensional part is its size.
 """
 
 
 class Actor(nn.Module):
-    """Feature extractor, hidden layers and output layer, before squashing or clipping."""
+    """Feature extractor, hidden layers and output layer, without the squashing or clipping."""
 
     def __init__(self, network: Network, inputs: Inputs, actions: int) -> None:
         super().__init__()
@@ -72,9 +72,9 @@ class Actor(nn.Module):
 
 
 def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
-    """Return a copy of the actor of an SAC, TD3 or PPO model, and the squashing of its actions.
+    """Return a copy of an SAC, TD3 or PPO model's actor, and how its actions are squashed.
 
-    ``network`` is the network that ``setup.new_model`` created the model with.
+    ``network`` is the argument with which ``setup.new_model`` created the model.
     """
     size = model.action_space.shape
     actor = Actor(network, inputs_of(model.observation_space), int(np.prod(size or (0,))))
@@ -100,7 +100,7 @@ def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
 
 
 def inputs_of(space: spaces.Space[Any]) -> dict[str, Shape]:
-    """Return the shapes of the parts of an observation space.
+    """Return the shape of each part of an observation space.
 
     Raises:
         InputError: a part is neither one-dimensional, nor a height map, nor a picture with
@@ -123,7 +123,7 @@ def inputs_of(space: spaces.Space[Any]) -> dict[str, Shape]:
 
 
 def _channels_last(shape: tuple[int, ...]) -> tuple[int, ...]:
-    """Move the channels, which Stable-Baselines3 puts first, back to the last axis of a shape."""
+    """Move a shape's channel axis, which Stable-Baselines3 puts first, back to the end."""
     colors = len(shape) == 3 and shape[0] == 3 and shape != height_map_space().shape
     return (*shape[1:], shape[0]) if colors else shape
 
@@ -134,10 +134,10 @@ def shape_of(shape: Shape) -> tuple[int, ...]:
 
 
 def tensors_of(inputs: Inputs, observation: Any) -> tuple[Any, bool]:
-    """Convert an observation to tensors with a batch axis; return also whether it already had one.
+    """Convert an observation to tensors with a batch axis, and return whether it already had one.
 
     Raises:
-        InputError: a part is missing or has another shape.
+        InputError: a part is missing or has the wrong shape.
     """
     several = "" not in inputs
     given = observation if several else {"": observation}

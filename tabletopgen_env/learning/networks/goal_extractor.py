@@ -26,8 +26,8 @@ class GoalExtractor(BaseFeaturesExtractor):
 
     The state's goal entries are computed from the desired and the achieved goal, so that they
     follow hindsight relabelling. Entry 268 (whether an object carries the goal) is 0. Slot 1 of the
-    observation and the grasp hint do not follow: if an object carries the true goal, slot 1 remains
-    that object for relabelled goals.
+    observation and the grasp hint are not relabelled: if an object carries the true goal, slot 1
+    remains that object for relabelled goals.
 
     Raises:
         InputError: the observation is not a goal observation with one goal.

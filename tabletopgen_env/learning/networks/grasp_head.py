@@ -2,8 +2,8 @@
 
 The observation's height maps are rotated to twelve finger directions. A small network with the
 layers of the grasp detector (``detection.network``) predicts, for each square centimetre and
-direction, the quality, height and width of a grasp. The position of the robot's base is a further
-input, since a grasp out of the arm's reach is useless; it is added to the activations after the
+direction, the quality, height and width of a grasp. A further input is the position of the robot's
+base, since a grasp beyond the arm's reach is useless; it is added to the activations after the
 second layer.
 """
 
@@ -41,7 +41,7 @@ them when closed on the target, in m.
 """
 
 STANDS = 4
-"""Number of the head's inputs beside the maps: position of the robot's base relative to the target
+"""Number of the head's inputs besides the maps: position of the robot's base relative to the target
 (x, y, heading frame), height of the target's lowest corner above the table, height of the table
 above the base, in metres.
 """
@@ -101,7 +101,7 @@ def turn_easily(
     angle: Float[Tensor, "b"],
     stands: Float[Tensor, "b 4"],
 ) -> Float[Tensor, "b"]:
-    """Return ``angle`` or its opposite, whichever keeps the last joint nearer to its home."""
+    """Return ``angle`` or its opposite, whichever keeps the last joint nearer to its home angle."""
     bearing = torch.atan2(y - stands[:, 1], x - stands[:, 0])
     off = wrap(angle + math.pi / 2 - bearing - ROLL)
     return torch.where(off.abs() > math.pi / 2, angle + math.pi, angle)

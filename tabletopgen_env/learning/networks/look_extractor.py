@@ -1,8 +1,8 @@
-"""Features of state and height maps: a head chooses the grasp, and geometry the way to it.
+"""Features of the state and height maps, with a grasp chosen by a network head.
 
-The observation has no grasp hint. ``GraspHead`` finds a grasp in the maps. Eight features, the
-*way*, follow from the grasp and the state by geometry alone; they replace the entries of the grasp
-hint (``observations.grasp_hint``):
+The observation has no grasp hint, so ``GraspHead`` finds a grasp in the maps. Eight features,
+called the *way*, are computed geometrically from the grasp and the state; they replace the entries
+of the grasp hint (``observations.grasp_hint``):
 
 =====  =======================================================================================
 0-2    desired minus current position of the tool, base frame, m
@@ -13,10 +13,10 @@ hint (``observations.grasp_hint``):
 7      1 on the way to a grasp, -1 with the target in both fingers, 0 with it released in its goal
 =====  =======================================================================================
 
-With the target in the fingers the way leads to the middle of the goal region, at a height that
+With the target in the fingers, the way leads to the middle of the goal region, at a height that
 clears whatever lies there under the target's outline (map 2 under map 0). The hand turns only as
 far as the last joint's range requires. If the region is in the air (Lift), the way leads straight
-up. All of it is a function of a single observation.
+up. All features depend only on a single observation.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ _IN_AIR = 0.03  # a region higher than this above the surface below it counts as
 class LookExtractor(BaseFeaturesExtractor):
     """Features of ``state`` and ``height_map``: those of ``TableExtractor``, with the way as hint.
 
-    The head is not trained through the features, only by ``demonstrations.grasp_lessons``.
+    The head is trained only by ``demonstrations.grasp_lessons``, not through the features.
 
     Raises:
         InputError: the observation has other parts.
@@ -87,7 +87,7 @@ class LookExtractor(BaseFeaturesExtractor):
     def features(
         self, state: Float[Tensor, "n o"], way: Float[Tensor, "n 8"]
     ) -> Float[Tensor, "n f"]:
-        """Compute the features of states and their ways."""
+        """Compute the features from states and their ways."""
         return self.table(torch.cat([state, way], 1))
 
     def plans(
@@ -142,7 +142,7 @@ def lowest_of(state: Float[Tensor, "n o"]) -> Float[Tensor, "n"]:
 
 
 def base_from_target(state: Float[Tensor, "n o"]) -> Float[Tensor, "n 4"]:
-    """Return the head's inputs beside the maps; see ``grasp_head.STANDS``."""
+    """Return the head's inputs besides the maps; see ``grasp_head.STANDS``."""
     x, y = _turn(-state[:, _ROBOT], -state[:, _ROBOT + 1], -heading_of(state))
     table = state[:, 37]
     return torch.stack([x, y, lowest_of(state) - table, table], 1)
@@ -151,11 +151,11 @@ def base_from_target(state: Float[Tensor, "n o"]) -> Float[Tensor, "n 4"]:
 def release_height(
     state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"]
 ) -> tuple[Float[Tensor, "n"], Float[Tensor, "n"]]:
-    """Return the height of the tool for releasing the target in the middle of its goal, unrotated.
+    """Return the tool's height for releasing the target, unrotated, in the middle of its goal.
 
     The second array is the height of the surface there under the target. Both are in the base
-    frame, in metres. The target is as wide as its box, the open hand as in
-    ``expert.planning.placement``; both are enlarged by one cell on all sides.
+    frame, in metres. The target is assumed to be as wide as its box, and the open hand as wide as
+    in ``expert.planning.placement``; both are enlarged by one cell on all sides.
     """
     heights = maps[:, 2].float() * STEP + state[:, 37, None, None]
     heading, low = heading_of(state), lowest_of(state)
@@ -218,13 +218,13 @@ def ways(
 def _turn_left(
     state: Float[Tensor, "n o"], angle: Float[Tensor, "n"], at: Float[Tensor, "n 3"]
 ) -> Float[Tensor, "n"]:
-    """Return the remaining turn of the last joint for a grasp, as ``expert.arm.turn_left``."""
+    """Return the remaining turn of the last joint for a grasp; see ``expert.arm.turn_left``."""
     wanted = heading_of(state) + angle + math.pi / 2 - torch.atan2(at[:, 1], at[:, 0])
     return MIDDLE + wrap(wanted - MIDDLE) - _roll(state)
 
 
 def _least_turn(state: Float[Tensor, "n o"], at: Float[Tensor, "n 2"]) -> Float[Tensor, "n"]:
-    """Return the minimum turn of the hand with the held object, as ``expert.arm.least_turn``."""
+    """Return the minimum turn of the hand with the held object; see ``expert.arm.least_turn``."""
     turned = torch.atan2(state[:, 16], state[:, 15]) - torch.atan2(at[:, 1], at[:, 0])
     asked = _roll(state) + wrap(turned)
     return asked.clamp(MIDDLE - ROLL_RANGE, MIDDLE + ROLL_RANGE) - asked
@@ -243,7 +243,7 @@ def _rise(
     depth: Float[Tensor, "n"],
     broad: Float[Tensor, "n"],
 ) -> Float[Tensor, "n"]:
-    """Return entry 6: the rise over other objects within ``broad`` of the straight path."""
+    """Return entry 6: the rise needed to clear other objects within ``broad`` of the path."""
     tool, slots = state[:, 15:18], state[:, _ROBOT : _ROBOT + SLOTS * _SLOT]
     others = slots.reshape(-1, SLOTS, _SLOT)[:, 1:]
     way = (end - tool)[:, None, :2]

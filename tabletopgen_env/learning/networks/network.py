@@ -1,7 +1,8 @@
 """The feature extractor of the baselines: scaled parts of the flat state, and pooled objects.
 
-A policy for unseen tables must not depend on the order of the objects. Target and goal object have
-fixed slots; the other objects each pass through a shared small network and are max-pooled.
+A policy for unseen tables must not depend on the order of the objects. The target and the goal
+object have fixed slots; the other objects each pass through a shared small network and are
+max-pooled.
 """
 
 from __future__ import annotations

@@ -11,10 +11,10 @@ and other points near it are obstacles. The estimated state holds
   velocities,
 - the table's height: the height with the most points,
 - the goal region: the lifted position of the target (Lift), or, if no target is visible, the centre
-  of the green marker ball (Reach), with zero semi-axes if the marker is hidden, too.
+  of the green marker ball (Reach), with zero semi-axes if the marker is hidden as well.
 
-All other entries are 0. Maps 0 and 1 are built from the points in the same frame. Surfaces that no
-camera sees are missing in them, and so are points above the hand, which may belong to the arm.
+All other entries are 0. Maps 0 and 1 are built from the points in the same frame. They do not
+contain surfaces that no camera sees, or points above the hand, which may belong to the arm.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ _SUNK = 0.02  # an object visible down to this height above the table stands on 
 _THINNEST = 0.003  # minimum half extent, metres
 _HAND = ((-0.05, -0.13, -0.30), (0.05, 0.13, 0.02))  # the hand's box in its own frame, metres
 _ABOVE = 0.10  # points this far above the tool may belong to the arm, metres
-_CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # command, metres, metres per second
+_CLOSING, _GRIPPED, _RESTING = -0.2, 0.003, 0.01  # fingers: command, opening, speed (m, m/s)
 _WITHIN = 0.04  # maximum distance from the target's box to the tool in a grasp, metres
 _RAISED = (ASTRAY, ASTRAY, (RAISED[1] - RAISED[0]) / 2)  # semi-axes of Lift's region, metres
 _RISE = sum(RAISED) / 2  # from the target's initial position to the region's centre, metres
@@ -117,7 +117,7 @@ def _perceive_one(
 def recall_goal(
     state: Float[Tensor, "n s"], shown: Float[Tensor, "n"], kept: Float[Tensor, "n 4"]
 ) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 4"]]:
-    """Replace poorly visible markers by their best earlier sighting; return states and sightings.
+    """Replace poorly visible markers with their best earlier sighting; return states and sightings.
 
     Near the end of a reach the hand hides the marker, and the visible rest is a poor estimate of
     its position. ``shown`` is the number of marker points in the current observation. ``kept`` is
@@ -137,7 +137,7 @@ def recall_goal(
 def _cloud(
     seen: Mapping[str, Float[Tensor, "..."]], camera: str
 ) -> tuple[Float[Tensor, "m 3"], Bool[Tensor, "m"], Bool[Tensor, "m"]]:
-    """Return a camera's points, and masks of those on the target and of green ones."""
+    """Return a camera's points, and masks of the points on the target and of green points."""
     depth, told = seen[f"{camera}_depth"], seen[f"{camera}_calibration"]
     pose, lens = told[:12].view(3, 4), told[12:].clamp(min=1e-3) * len(depth)
     rows = torch.arange(depth.shape[0], dtype=depth.dtype)[:, None]
@@ -176,7 +176,7 @@ def find_ball(points: Float[Tensor, "m 3"]) -> tuple[Float[Tensor, "3"], int]:
 
 
 def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
-    """Fit a ball's centre to points seen from above, by Gauss-Newton steps from below them."""
+    """Fit a ball's centre to points seen from above, by Gauss-Newton steps that start below."""
     middle = points.mean(0) - points.new_tensor([0, 0, _BALL / 2])
     damping = 1e-3 * torch.eye(3, dtype=points.dtype)
     for _ in range(_FITS):
@@ -206,7 +206,7 @@ def is_robot(points: Float[Tensor, "m 3"], felt: Float[Tensor, "p"]) -> Bool[Ten
 
 
 def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
-    """Return the height with the most points in metres, 0 without points."""
+    """Return the height in metres at which most points lie, or 0 if there are no points."""
     places = ((points[:, 2] - _LOWEST) / _BIN).floor()
     points = points[(places >= 0) & (places < _BINS)]
     if len(points) == 0:
@@ -221,7 +221,7 @@ def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
 def box_of(
     points: Float[Tensor, "m 3"], table: Float[Tensor, ""]
 ) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
-    """Return centre and half extents of an object's box along the base frame's axes, metres."""
+    """Return the centre and half extents of an object's box along the base's axes, metres."""
     low, high = points.quantile(0.01, 0), points.quantile(0.99, 0)
     if low[2] < table + _SUNK:
         low[2] = table
@@ -231,7 +231,7 @@ def box_of(
 def height_grid(
     points: Float[Tensor, "m 3"], middle: Float[Tensor, "3"], table: Float[Tensor, ""]
 ) -> Float[Tensor, "48 48"]:
-    """Return the maximum height of points above the table per cell around a centre, in steps."""
+    """Return the maximum height of each cell's points above the table, in units of ``STEP``."""
     cells = ((points[:, :2] - middle[:2]) / CELL + CELLS / 2).floor().long()
     inside = ((cells >= 0) & (cells < CELLS)).all(1)
     cells, heights = cells[inside], ((points[inside, 2] - table) / STEP).round().clamp(0, 255)
@@ -241,7 +241,7 @@ def height_grid(
 
 
 def _close(grid: Float[Tensor, "48 48"]) -> Float[Tensor, "48 48"]:
-    """Return a map with holes of up to two cells filled."""
+    """Return a map in which holes of up to two cells are filled."""
     padded = functional.pad(grid[None, None], (2, 2, 2, 2))
     wide = functional.max_pool2d(padded, 5, 1, 2)
     closed = -functional.max_pool2d(-wide, 5, 1, 2)

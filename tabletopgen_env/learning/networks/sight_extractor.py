@@ -1,9 +1,9 @@
 """Features of pictures: height maps estimated by ``perception``, with a memory of the grasp.
 
-From each position the hand sees other parts of an object, so the head's choice would change on the
-way; a rim, for example, can be grasped anywhere. A *memory* keeps the last grasp in the base frame.
-Once the hand is over the grasp, the head is not evaluated again unless the target has moved or a
-time limit has passed. A marker hidden by the hand keeps its best-seen position.
+The hand camera sees a different part of an object from each position, so the head's choice would
+change on the way; a rim, for example, can be grasped anywhere. A *memory* keeps the last grasp in
+the base frame. Once the hand is over the grasp, the head is not evaluated again unless the target
+has moved or a time limit has passed. A marker hidden by the hand keeps its best-seen position.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ class SightExtractor(LookExtractor):
 
 
 def _sees_target(state: Float[Tensor, "n s"]) -> Bool[Tensor, "n"]:
-    """Return whether a target is visible; without one there is no way (Reach)."""
+    """Return whether a target is visible; without one (Reach) there is nothing to grasp."""
     return state[:, len(ROBOT_BOUNDS) + 18] > 0.5
 
 

@@ -13,7 +13,7 @@ from ..recipes import Network
 from .worlds import Seen
 
 _CALM = 0.01
-"""Initial gain of the actor's last layer; initial actions are near 0."""
+"""Initial gain of the actor's last layer; it makes the initial actions nearly 0."""
 
 
 class ActorCritic(nn.Module):
@@ -22,7 +22,7 @@ class ActorCritic(nn.Module):
     Args:
         network: architecture of both networks.
         inputs: size of each observation part by name.
-        actions: entries of an action.
+        actions: number of entries of an action.
         std: initial standard deviation of the actions.
         seed: seed of the initial weights.
     """
@@ -81,5 +81,5 @@ def _start(net: Actor, gain: float) -> None:
 
 
 def _whole(seen: Seen) -> Seen | Tensor:
-    """Convert observations to the form that networks take."""
+    """Convert observations to the form that the networks expect."""
     return seen.get("", seen)

@@ -1,4 +1,4 @@
-"""A recipe's environments as one batch on MuJoCo Warp, in place of CPU slots."""
+"""A recipe's environments as one batch on MuJoCo Warp, instead of environments on the CPU."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..setup import spec_of
 
 @dataclass(frozen=True)
 class BatchConfig:
-    """Settings of a recipe's batch, its table ``batch``; see ``TabletopBatchEnv``.
+    """Settings of a recipe's batch (its table ``batch``); see ``TabletopBatchEnv``.
 
     Attributes:
         device: "cuda", "cuda:<number>" or "cpu" (slow, for tests), for simulation and training.

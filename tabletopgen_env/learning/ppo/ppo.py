@@ -30,10 +30,10 @@ _RATES = 1e-5, 1e-2
 
 @dataclass(frozen=True)
 class UpdateFigures:
-    """Statistics of a rollout and its update; ``success`` is a share of episodes, NaN without any.
+    """Statistics of a rollout and its update.
 
     Losses and ``kl``, the divergence from the policy before the update, are means over the
-    minibatches.
+    minibatches. ``success`` is the share of ended episodes that succeeded, NaN if none ended.
     """
 
     policy_loss: float
@@ -53,7 +53,7 @@ class BatchPPO:
     Args:
         network: architecture of actor and critic.
         inputs: size of each observation part by name.
-        actions: entries of an action.
+        actions: number of entries of an action.
         config: the settings.
         seed: seed of the weights, the actions and the minibatches.
         device: device of the networks.
@@ -166,7 +166,7 @@ class BatchPPO:
     # --------------------------------------------------------------------------------------- keep
 
     def export(self) -> tuple[Actor, Squash]:
-        """Return a copy of the actor on the CPU, and the squashing of its actions."""
+        """Return a copy of the actor on the CPU, and how its actions are squashed."""
         actor = copy.deepcopy(self.nets.actor).cpu()
         actor.eval().requires_grad_(False)
         return actor, "clip"

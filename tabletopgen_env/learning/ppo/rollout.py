@@ -16,7 +16,7 @@ class Rollout:
     """``t`` steps of ``n`` worlds.
 
     Attributes:
-        seen: observations before each step, by parts.
+        seen: observations before each step, by part.
         actions: sampled actions, before clipping.
         means: means of the action distributions.
         log_probs: log densities of the actions.
@@ -63,7 +63,7 @@ def advantages(
     gamma: float,
     gae_lambda: float,
 ) -> Float[Tensor, "t n"]:
-    """Compute generalised advantage estimates (Schulman et al. 2016, eq. 16), cut at ``over``.
+    """Compute generalised advantage estimates (Schulman et al. 2016, eq. 16), ending at ``over``.
 
     ``last`` is the value after the last step. The advantage of step k is delta_k + gamma * lambda *
     advantage_(k + 1), with delta_k = r_k + gamma * V_(k + 1) - V_k; after the last step of an

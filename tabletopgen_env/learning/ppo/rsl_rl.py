@@ -5,8 +5,9 @@
     runner = OnPolicyRunner(RslRlWorlds(env, limit), settings, log_dir)
     runner.learn(1000)
 
-Each part of a dict observation is a group of the same name; other observations are the group
-"policy". The runner's setting ``obs_groups`` selects the groups for actor and critic.
+Each part of a dict observation becomes an observation group of the same name; other observations
+become the group "policy". The runner's setting ``obs_groups`` selects the groups for actor and
+critic.
 """
 
 from __future__ import annotations
@@ -25,11 +26,11 @@ from ..extra import need
 from .worlds import Seen, TensorWorlds
 
 GROUP = "policy"
-"""The group of observations without parts."""
+"""The group for observations without parts."""
 
 
 class RslRlWorlds:
-    """A vector environment with the part of ``rsl_rl.env.VecEnv``'s interface that its runners use.
+    """A vector environment with those members of ``rsl_rl.env.VecEnv`` that its runners use.
 
     Actions are clipped to [-1, 1]. ``rsl_rl`` bootstraps at time limits with the value of the
     observation before the last step, so final observations are not passed on.
@@ -41,7 +42,7 @@ class RslRlWorlds:
         seed: seed of the first episodes.
 
     Raises:
-        InputError: tensordict is not installed, or the environment has another autoreset mode.
+        InputError: tensordict is not installed, or the environment has a different autoreset mode.
     """
 
     def __init__(self, env: VectorEnv[Any, Any, Any], limit: int, seed: int = 0) -> None:

@@ -78,10 +78,11 @@ def ppo_config(recipe: Recipe) -> PPOConfig:
 def new_ppo(recipe: Recipe, like: Any, seed: int, worlds: TensorWorlds | None = None) -> BatchPPO:
     """Create an untrained learner for the spaces of a single or vector environment.
 
-    It trains on the device of ``worlds``, on the CPU if that is None.
+    It trains on the device of ``worlds``, or on the CPU if that is None.
 
     Raises:
-        InputError: the recipe has an unknown option, or the observations are pictures or points.
+        InputError: the recipe has an unknown option, or the observations are pictures or point
+            clouds.
     """
     seen = getattr(like, "single_observation_space", like.observation_space)
     acts = getattr(like, "single_action_space", like.action_space)

@@ -15,7 +15,7 @@ from torch import Tensor
 from generator.errors import InputError
 
 Seen = dict[str, Tensor]
-"""Observations by part, one row per world; the name "" stands for observations without parts."""
+"""Observations by part, one row per world; an observation without parts has the name ""."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +58,7 @@ class TensorWorlds:
             each world.
 
     Raises:
-        InputError: the environment has another autoreset mode.
+        InputError: the environment has a different autoreset mode.
     """
 
     def __init__(self, env: VectorEnv[Any, Any, Any]) -> None:
@@ -101,7 +101,7 @@ class TensorWorlds:
         return {name: self._tensor(part).float() for name, part in parts.items()}
 
     def _last(self, final: Any, cut: Int[Tensor, "k"]) -> Seen:
-        """Return the final observations of truncated worlds, from rows, parts or object arrays."""
+        """Return the final observations of truncated worlds, in whichever form they are given."""
         if isinstance(final, Mapping):
             return {name: self._tensor(part)[cut].float() for name, part in final.items()}
         if isinstance(final, np.ndarray) and final.dtype == object:

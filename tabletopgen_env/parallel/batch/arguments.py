@@ -76,7 +76,7 @@ def check_numbers(
 
 
 def _on_host(given: Any) -> Tensor:
-    """Return a value as a tensor on the host; a single 0.0 if it cannot be converted."""
+    """Return a value as a tensor on the host, or a single 0.0 if it cannot be converted."""
     try:
         return torch.as_tensor(given, device="cpu")
     except (TypeError, ValueError, RuntimeError, OverflowError):

@@ -1,4 +1,4 @@
-"""Banks of scenes for a batch: one union model, and one row of varying fields per scene."""
+"""Banks of scenes for a batch: one union model, and a row of varying fields for each scene."""
 
 from __future__ import annotations
 
@@ -66,15 +66,15 @@ class SceneBank:
         worlds: compiled scenes.
         max_objects: scenes with more objects are left out.
         max_parts: maximum number of convex parts per object. Parts of objects with more are merged,
-            and the gate runs on the scene again, which takes about a second; a scene that fails is
-            left out. None keeps all parts.
-        shape: shape of the union model, that of a bank which this bank will replace; scenes that do
-            not fit are left out. None fits all scenes.
+            and the scene is checked again by the physical gate, which takes about a second; a scene
+            that fails is left out. None keeps all parts.
+        shape: shape of the union model, taken from the bank that this one will replace; scenes that
+            do not fit it are left out. None selects a shape that fits all scenes.
         robot: the robot of the worlds; None for ``Panda()``.
         pictures: whether to prepare the scenes for rendering.
 
     Raises:
-        InputError: no scene is left, a limit is out of range, or a world has another robot.
+        InputError: no scene is left, a limit is out of range, or a world has a different robot.
     """
 
     def __init__(

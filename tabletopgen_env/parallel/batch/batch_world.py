@@ -23,8 +23,8 @@ DIVERGED = 1e10
 """Positions and velocities beyond this value have diverged; the bound is MuJoCo's mjMAXVAL."""
 
 SPOILING = ("NEFC", "NJMAX_NNZ", "BROADPHASE", "NARROWPHASE", "CCD")
-"""Overflow bits, by MuJoCo Warp's names, after which contacts or constraints are missing. The other
-bits report that a solver stopped early.
+"""MuJoCo Warp's names of the overflow bits after which contacts or constraints are missing. The
+other bits report that a solver stopped early.
 """
 
 Indices = Sequence[int] | Int[Tensor, "k"]
@@ -34,8 +34,9 @@ class BatchWorld:
     """Scenes of a bank, each with a robot, simulated together.
 
     It simulates as ``World`` does, with the same steps, servos and contacts, but in single
-    precision and without sleeping. Initially world k holds scene k of the bank, modulo the number
-    of scenes. On the CPU, equal calls give identical bytes; on a GPU the order of sums varies.
+    precision and without putting objects to sleep. Initially world k holds scene k of the bank,
+    modulo the number of scenes. On the CPU, equal calls give identical bytes; on a GPU the order of
+    sums varies.
 
     Attributes:
         bank: the scenes.
@@ -85,7 +86,7 @@ class BatchWorld:
 
     @property
     def overflows(self) -> int:
-        """The number of times a world needed more contacts or rows than available."""
+        """The number of times a world needed more contacts or rows than were available."""
         return int(self._counts[0])
 
     @property
@@ -100,7 +101,7 @@ class BatchWorld:
         valid.
 
         Raises:
-            InputError: the bank has another shape; create it with ``shape=``.
+            InputError: the bank has a different shape; create it with ``shape=``.
         """
         if bank.union.shape != self.bank.union.shape:
             raise InputError(
@@ -154,7 +155,7 @@ class BatchWorld:
     def step(self, ctrl: Float[Tensor, "w 8"], substeps: int) -> Bool[Tensor, "w"]:
         """Simulate ``substeps`` steps of ``TIMESTEP`` seconds in every world; return ``bad``.
 
-        The arm's servo commands are interpolated from the last call's to ``ctrl``, as in
+        The arm's servo commands are interpolated from those of the last call to ``ctrl``, as in
         ``World.step``; the gripper's command changes at once.
 
         Raises:
@@ -182,7 +183,7 @@ class BatchWorld:
     # -------------------------------------------------------------------------------------- parts
 
     def _take(self, bank: SceneBank) -> None:
-        """Load a bank's scenes, in order and repeatedly, into all worlds."""
+        """Load a bank's scenes into all worlds, in order, starting over after the last scene."""
         self.bank = bank
         shapes = {**self._arrays, **self._simulator.fields}
         self._rows = {

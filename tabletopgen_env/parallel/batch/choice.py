@@ -11,7 +11,7 @@ from ...scenes.lookup import graded_of
 
 
 class EpisodeChoice:
-    """Draws episodes of a deck on the host and records which world plays which.
+    """Draws episodes of a deck on the host, and records which world plays which episode.
 
     ``sampler`` draws a bin of difficulty, weighted by the deck's number of episodes per bin; then
     one of the bin's episodes is drawn uniformly. Success rates stay with the sampler when the deck
@@ -49,11 +49,11 @@ class EpisodeChoice:
         return rows
 
     def forget(self, worlds: Int[np.ndarray, "k"]) -> None:
-        """Mark worlds as playing an episode that was not drawn, whose result is not recorded."""
+        """Mark worlds as playing an episode that was not drawn; its result is not recorded."""
         self._playing[worlds] = -1
 
     def record(self, ended: Bool[np.ndarray, "w"], successes: ArrayLike) -> None:
-        """Record the results of episodes, in the worlds whose episode has ended."""
+        """Record the results of the worlds whose episode has ended."""
         told = np.asarray(ended, bool) & (self._playing >= 0)
         self.sampler.record(self._bins[self._playing[told]], np.asarray(successes)[told])
 

@@ -33,7 +33,7 @@ SCENES = 64
 
 @dataclass(frozen=True)
 class DeckConfig:
-    """Number of scenes and episodes, and limits on their size.
+    """Number of scenes and of episodes, and limits on the scenes.
 
     Args:
         scenes: number of scenes drawn from a source that generates them; None for ``SCENES``, or

@@ -97,7 +97,7 @@ def find_device(name: str | torch.device) -> torch.device:
 
 
 def to_device(array: np.ndarray, device: torch.device) -> Tensor:
-    """Return an array as a tensor on a device, floats in single precision."""
+    """Return an array as a tensor on a device, with floats in single precision."""
     made = torch.as_tensor(array, device=device)
     return made.float() if made.is_floating_point() else made
 

@@ -44,10 +44,10 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
     """A vector environment of ``num_envs`` worlds with generated tables, stepped on one device.
 
     It is the GPU counterpart of ``TabletopVectorEnv``. Observations, rewards and flags are torch
-    tensors on ``device``. When an episode ends, another one starts at another table within the same
+    tensors on ``device``. When an episode ends, another one starts on another table within the same
     step (``AutoresetMode.SAME_STEP``): ``infos["final_obs"]`` holds the last observations for the
-    worlds of ``infos["_final_obs"]``. Every ``reset`` draws from ``deck.episodes`` episodes per
-    scene, which ``TabletopEnv`` drew in advance.
+    worlds of ``infos["_final_obs"]``. Every ``reset`` draws from the ``deck.episodes`` episodes per
+    scene that ``TabletopEnv`` drew in advance.
 
     ``infos`` holds tensors with one row per world: "reward_terms" by name, "success" (and
     "is_success"), "goals" (index of the active goal, and number of goals), "episode_row" (row in
@@ -56,8 +56,8 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
     worlds continue. In a step that ends episodes, "final_info" holds the infos of the ended
     episodes, and the other entries those of the new ones.
 
-    Worlds are simulated in single precision and without sleeping; otherwise they equal those of
-    ``TabletopEnv``.
+    Worlds are simulated in single precision and without putting objects to sleep; otherwise they
+    equal those of ``TabletopEnv``.
 
     Args:
         num_envs: number of worlds.
@@ -71,22 +71,22 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         limits: limits on contacts; None for ``BatchLimits.of`` the bank.
         max_episode_steps: the time limit; None for the task's.
         settings: settings of ``TabletopEnv``, with ``observation`` "state", "goal", "pixels" or
-            "pixels+state" without a hint, ``kinds`` ("rgb",), and ``randomization`` None or of the
-            start only.
+            "pixels+state" without a hint, ``kinds`` ("rgb",), and ``randomization`` None or limited
+            to the start.
 
     Attributes:
         world: the simulated worlds, with ``world.state`` as tensors.
         episodes: the episodes that resets draw from.
-        sampler: success rates by difficulty: the curriculum's own if ``scenes`` is one, otherwise
-            with a single bin. Every drawn episode that reaches its time limit counts; ``reset`` and
-            ``swap`` keep the counts.
+        sampler: success rates by difficulty: the curriculum's own if ``scenes`` is one, otherwise a
+            sampler with a single bin. Every drawn episode that reaches its time limit counts;
+            ``reset`` and ``swap`` keep the counts.
         idle: scenes without a valid task.
         failures: number of failed episodes.
 
     Raises:
         InputError: a setting is invalid or not available for batches, the device does not exist,
-            memory is insufficient, the extra ``gpu`` is missing or of another version, or no scene
-            is left.
+            memory is insufficient, the extra ``gpu`` is missing or has the wrong version, or no
+            scene is left.
         BundleError: no bundle matches ``scenes``.
     """
 
@@ -224,7 +224,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         return observation, reward, torch.zeros_like(truncated), truncated, infos
 
     def close_extras(self, **kwargs: Any) -> None:
-        """End the process that prepares other scenes, if there is one."""
+        """End the process that prepares new scenes, if there is one."""
         del kwargs
         if (order := getattr(self, "_coming", None)) is not None:
             order.close()
@@ -238,7 +238,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         return self.world.bank
 
     def prepare(self, seed: int) -> None:
-        """Start preparing other scenes and episodes in a background process, drawn with ``seed``.
+        """Start a background process that prepares other scenes and episodes, drawn with ``seed``.
 
         Scenes that do not fit this batch are left out. A preparation in progress is cancelled.
         """
@@ -247,9 +247,9 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self._coming = DeckOrder(self._plan, seed, self.bank.union.shape)
 
     def swap(self, wait: bool = False) -> bool:
-        """Switch to the prepared scenes if they are ready; return whether that was done.
+        """Switch to the prepared scenes if they are ready; return whether they were.
 
-        Nothing is recompiled. All episodes are over: call ``reset``.
+        Nothing is recompiled. All episodes end, so call ``reset`` afterwards.
 
         Args:
             wait: wait until the scenes are ready.
@@ -304,7 +304,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self._commands = restart(before, joints, mask.to(self.device))
 
     def _look(self) -> tuple[Readings, Agreement]:
-        """Return readings and agreement of goals; reorder slots where a goal became active."""
+        """Return the readings and goals' agreement; reorder slots where the active goal changed."""
         goals, state = self._goals, self.world.state
         touched = take_rows(state.touches, goals.target)
         seen = Readings(

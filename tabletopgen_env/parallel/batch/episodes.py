@@ -33,8 +33,8 @@ class DrawnEpisode:
     ``TabletopEnv.reset`` with ``seed`` draws the same episode. ``goals`` has one row; ``arm`` holds
     the joints (rad), ``ctrl`` the commands, ``poses`` the objects' positions and quaternions in the
     base frame, ``spot`` the position of the first goal's marker (base frame; below the floor if
-    there is no marker), ``instruction`` the text, and ``difficulty`` the scene's difficulty with
-    the episode's targets (``scenes.difficulty``).
+    there is no marker), ``instruction`` the instruction's text, and ``difficulty`` the scene's
+    difficulty with the episode's targets (``scenes.difficulty``).
     """
 
     seed: int
@@ -83,7 +83,7 @@ class EpisodeDraw:
             yield self._env.world
 
     def explain(self, error: InputError) -> InputError:
-        """Add to a bank's error the reason why scenes have no valid task."""
+        """Add the reason why scenes have no valid task to a bank's error."""
         if not self.left_out:
             return error
         first = self.left_out[0]
@@ -134,7 +134,7 @@ class EpisodeTable:
         goals: goals, with slots in place of object rows.
         spot: position of the first goal's marker, base frame, metres.
         instructions: texts of the instructions.
-        seeds: seeds with which ``TabletopEnv.reset`` draws the same episodes on the same scenes.
+        seeds: seeds with which ``TabletopEnv.reset`` draws the same episodes in the same scenes.
         difficulty: difficulty of each episode in [0, 1], on the host.
     """
 

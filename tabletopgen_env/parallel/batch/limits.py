@@ -1,4 +1,4 @@
-"""Limits on the contacts of a batch's worlds, and the memory that they take."""
+"""Limits on the contacts of a batch's worlds, and the memory that these take."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .union.slot_union import MODEL_FIELDS
 if TYPE_CHECKING:
     import mujoco
 
-# What one world takes if all objects overlap: shipped scenes with all objects at one point had up
+# What one world needs if all objects overlap: shipped scenes with all objects at one point had up
 # to 500 contacts and 300 pairs.
 _SPARE_CONTACTS, _SPARE_DEPTHS = 1024, 512
-_EPA_FACES, _EPA_HORIZON = 5, 24  # of MuJoCo Warp's penetration depth search
+_EPA_FACES, _EPA_HORIZON = 5, 24  # limits of MuJoCo Warp's penetration depth search
 _PER_ROW = 40  # bytes of solver memory per constraint row
 
 

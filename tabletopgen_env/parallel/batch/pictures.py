@@ -22,12 +22,12 @@ from .union.look_union import LookRows, LookUnion
 
 
 class BatchPictures:
-    """Renders the worlds of a bank like ``TabletopEnv`` for learning: without shadows, with haze.
+    """Renders a bank's worlds as ``TabletopEnv`` does for learning: without shadows, with haze.
 
     Glass is opaque, and so is the goal marker, which marks the episode's first goal.
 
     Args:
-        union: the model of pictures.
+        union: the model for rendering.
         config: cameras and picture size.
         worlds: number of worlds.
         device: device of the worlds.
@@ -77,7 +77,7 @@ class BatchPictures:
         self._haze = to_device(255 * np.array(HAZE), device)
 
     def draw(self, state: BatchState) -> dict[str, UInt8[Tensor, "w h v 3"]]:
-        """Render each camera; return pictures with values 0 to 255 by ``ObservationConfig.key``."""
+        """Render each camera; return pictures (0 to 255) keyed by ``ObservationConfig.key``."""
         self._place(state)
         warp, physics = self._engine.warp, self._engine.physics
         with warp.ScopedDevice(self._device):

@@ -1,4 +1,4 @@
-"""MuJoCo Warp's model and data of many worlds, and the three programs that run on them."""
+"""MuJoCo Warp's model and data for many worlds, and the three programs that run on them."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Simulator:
         self.exchange(model)
 
     def exchange(self, model: mujoco.MjModel) -> None:
-        """Replace the model by one of the same shape, without compilation; then set all fields."""
+        """Replace the model with one of equal shape, without recompilation; then set all fields."""
         warp, physics = self._engine.warp, self._engine.physics
         # A field can mark a mesh as absent only if it has entries for more than one world.
         sizes = dict.fromkeys(MODEL_FIELDS, max(2, self._worlds))

@@ -44,9 +44,9 @@ class BatchState:
         slot_qvel: linear velocity of each object, and angular velocity in its own frame.
         slot_pos, slot_mat: centre of each object's box, and rotation from body to base.
         tcp_pos, tcp_mat: the tool centre point, and the hand's rotation.
-        marker: position of the goal marker, which is only rendered; a load hides it.
-        touches: whether the left finger, the right finger, or any part of the robot touches each
-            object in the last step; False after a load.
+        marker: position of the goal marker, which is only rendered; loading a scene hides it.
+        touches: whether the left finger, the right finger, or any part of the robot touched each
+            object in the last step; False after a scene is loaded.
         scene: index of each world's scene in the bank.
         filled, half_extent, table, yaw: see ``SceneBank``.
     """
@@ -77,7 +77,7 @@ class BatchState:
 
     @classmethod
     def of(cls, arrays: Mapping[str, Tensor], at: Addresses, worlds: int) -> BatchState:
-        """Return views of a simulator's arrays as state; the bank's arrays are not filled in."""
+        """Return views of a simulator's arrays as a state; the bank's arrays are not filled in."""
         qpos, qvel = arrays["qpos"], arrays["qvel"]
         slots = at.slot_bodies.stop - at.slot_bodies.start
 

@@ -3,8 +3,8 @@
 This package computes for n worlds what ``tasks``, ``goals``, ``observations`` and ``actions``
 compute for one world, with the same formulas, on the device of the arrays: NumPy for the slots of
 one process, torch for worlds on a GPU. Arrays follow the array API standard; each function takes
-its namespace from its arguments. All floats have one type: float64 agrees with the single
-environment to rounding, float32 to about 1e-6.
+its namespace from its arguments. All floats have the same type; results agree with the single
+environment up to rounding in float64, and to about 1e-6 in float32.
 
 ===============  =================================================================================
 ``readings``     quantities read from n worlds after a step

@@ -19,7 +19,7 @@ def namespace(array: Array) -> Any:
 
 
 def like(values: Float[np.ndarray, "..."], other: Array) -> Array:
-    """Convert numbers to an array with another's namespace, dtype and device."""
+    """Convert numbers to an array with the namespace, dtype and device of another array."""
     return namespace(other).asarray(np.array(values), dtype=other.dtype, device=device(other))
 
 

@@ -134,7 +134,7 @@ class GoalRows:
 
 
 def _outer_points(world: World, name: str) -> Float[np.ndarray, "p 3"]:
-    """Return the points of an object's collision shape that can be its lowest."""
+    """Return the points of an object's collision shape that can be its lowest point."""
     key = "outer points", name
     if key not in world.cached:
         world.cached[key] = outer_points(world.scene.object(name), POINTS)

@@ -1,4 +1,4 @@
-"""Goal vectors of n worlds: agreement of achieved with desired ones, and the resulting terms.
+"""Goal vectors of n worlds: agreement of achieved and desired ones, and the resulting terms.
 
 The formulas are those of ``tasks.task`` for one world; see its table for the entries and the terms.
 """
@@ -18,7 +18,7 @@ _LEAST = 1e-6  # metres; minimum semi-axis, for padding
 
 @dataclass(frozen=True, eq=False)
 class Agreement:
-    """Agreement of achieved with desired goal vectors, per goal.
+    """Agreement of achieved and desired goal vectors, for each goal.
 
     across, up: horizontal and vertical distance of each target from its region, metres; met:
     whether each goal is met (padding counts as met); used: which goals are not padding.

@@ -28,8 +28,8 @@ class SlotArrays:
 
     Attributes:
         actions: next actions, validated and clipped to their space.
-        observations: last observations: an array, or a dict of arrays as in their space; texts are
-            arrays of type "U".
+        observations: last observations: an array, or a dict of arrays as in their space; strings
+            are arrays of type "U".
         rewards, terminated, truncated: results of the last step.
         playing: whether each slot has an episode.
         over: whether the slot's episode is over, so that it must be reset.
@@ -56,7 +56,7 @@ class SlotArrays:
             self.observations[k] = observation
 
     def observe(self) -> Any:
-        """Return the observations of all slots as new arrays; texts as a tuple."""
+        """Return the observations of all slots as new arrays, and strings as a tuple."""
         return _each(_copy, self.observations)
 
 

@@ -17,7 +17,7 @@ from .slots import name_slot
 
 
 def check_actions(actions: Any, count: int, space: spaces.Box) -> Float[np.ndarray, "n a"]:
-    """Validate the actions of ``count`` slots, each as in ``actions.check_action``.
+    """Validate the actions of ``count`` slots, each as ``actions.check_action`` does.
 
     Raises:
         InputError: the number of actions is wrong, or an action is invalid; a note names the slot.
@@ -38,7 +38,7 @@ def check_actions(actions: Any, count: int, space: spaces.Box) -> Float[np.ndarr
 
 
 def read_mode(mode: str | AutoresetMode) -> AutoresetMode:
-    """Return the autoreset mode with a value ("NextStep") or name ("NEXT_STEP").
+    """Return the autoreset mode with the given value ("NextStep") or name ("NEXT_STEP").
 
     Raises:
         InputError: the mode does not exist.
@@ -51,7 +51,7 @@ def read_mode(mode: str | AutoresetMode) -> AutoresetMode:
 
 
 def read_seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int | None]:
-    """Return the seeds of all slots; a single seed is followed by consecutive ones.
+    """Return the seeds of all slots; for a single seed, the following slots get consecutive ones.
 
     Raises:
         InputError: a seed is invalid, or their number differs from the number of slots.
@@ -86,7 +86,7 @@ def read_mask(mask: Any, count: int) -> Bool[np.ndarray, "n"]:
 
 
 def _length(given: Any) -> int | str:
-    """Return the length of a value for messages, or its text if it has no length."""
+    """Return the length of a value for messages, or its representation if it has no length."""
     try:
         return len(given)
     except TypeError:

@@ -1,6 +1,6 @@
 """Infos of many slots in Gymnasium's vector format, and their transfer between processes.
 
-An info is a nested dict whose *leaves* are numbers and other values, mostly texts. The numbers of
+An info is a nested dict whose *leaves* are numbers and other values, mostly strings. The numbers of
 slot k, in the order of its leaves, are column k of a shared array. The list of leaves and the other
 values are sent only when they have changed, which is rare between steps.
 """
@@ -16,19 +16,19 @@ from gymnasium.vector import VectorEnv
 from jaxtyping import Float
 
 NUMBERS = 64
-"""Maximum count of numbers per slot in the array; further numbers are sent with each step."""
+"""Maximum number of values per slot in the array; further values are sent with each step."""
 
 _KINDS: Mapping[type, type] = {float: float, np.float64: float, int: int, bool: bool}
 _FIXED = (str, bytes, type(None), np.generic, *_KINDS)  # types with immutable values
 _LARGEST = 2**53  # floats represent integers exactly up to here
 
 Leaf = tuple[tuple[str, ...], type | None]
-"""The path of a leaf in its info, and the type of its number; None for other values."""
+"""The path of a leaf in its info, and its type if it is a number, otherwise None."""
 
 
 @dataclass(frozen=True, eq=False)
 class InfoChange:
-    """Changes of a slot's info besides its numbers: all its leaves and other values."""
+    """The changes to a slot's info other than its numbers: all its leaves and other values."""
 
     slot: int
     leaves: tuple[Leaf, ...]
@@ -107,7 +107,7 @@ class InfoReader:
         return info
 
     def _form_of(self, infos: dict[str, Any]) -> dict[str, Any]:
-        """Return infos with each array of numbers replaced by its row and type."""
+        """Return the structure of infos: each array of numbers is replaced by its row and type."""
         change = self._known[0]
         assert change is not None
         numbers = [(path, kind) for path, kind in change.leaves if kind is not None]
@@ -123,7 +123,7 @@ def _take_apart(
     numbers: list[float],
     others: list[Any],
 ) -> None:
-    """Append the leaves of an info below ``path``, its numbers and its other values to lists."""
+    """Append an info's leaves below ``path``, its numbers and its other values to the lists."""
     for key, value in info.items():
         kind = _KINDS.get(type(value))
         exact = kind is not int or abs(value) <= _LARGEST
@@ -159,7 +159,7 @@ def _equal(a: Any, b: Any) -> bool:
 
 
 def _fill(form: dict[str, Any], numbers: Float[np.ndarray, "m n"]) -> dict[str, Any]:
-    """Return the infos of a form as new arrays with the current numbers."""
+    """Return the infos with the given structure as new arrays filled with the current numbers."""
     filled: dict[str, Any] = {}
     for key, part in form.items():
         if isinstance(part, dict):

@@ -44,7 +44,7 @@ def check_joint(config: EnvConfig) -> None:
 class JointSlots(SlotSet):
     """Slots whose control, observations and rewards are computed in one pass.
 
-    Results agree with ``SlotSet`` to rounding, not to the bit.
+    Results agree with those of ``SlotSet`` up to rounding, but not bit for bit.
 
     Args:
         envs: unwrapped environments of one task and one config.

@@ -72,7 +72,7 @@ class ShardPlace:
 
 @dataclass(frozen=True)
 class ShardAnswer:
-    """The answer to a request: changes of infos, and a value or the first slot's error."""
+    """The answer to a request: changes to infos, and a value or the first slot's error."""
 
     changes: tuple[InfoChange, ...] = ()
     value: Any = None

@@ -137,7 +137,7 @@ class ShardSlots:
     # --------------------------------------------------------------------------------- processes
 
     def _start(self, parts: ShardParts) -> Float[np.ndarray, "m n"]:
-        """Start the processes and share the arrays; return the array of infos' numbers."""
+        """Start the processes and share the arrays; return the array for the numbers in infos."""
         count: int = self._firsts[-1]
 
         def take(shape: tuple[int, ...], dtype: Any) -> np.ndarray:

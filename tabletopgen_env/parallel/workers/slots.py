@@ -99,7 +99,7 @@ class SlotSet:
 
 
 def attempt(work: Callable[[int], Any], k: int, first: int = 0) -> Any:
-    """Return the result of ``work`` for slot ``k``, or the error it raises with the slot noted."""
+    """Return the result of ``work`` for slot ``k``, or its error with a note on the slot."""
     try:
         return work(k)
     except Exception as error:

@@ -1,4 +1,4 @@
-"""The formats of a dataset, each with a writer that receives episodes one by one."""
+"""The formats of datasets, each with a writer that receives episodes one by one."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Writer(Protocol):
         ...
 
     def finish(self) -> None:
-        """Write the dataset's entries after the last episode."""
+        """Write the entries of the dataset itself, after the last episode."""
         ...
 
     def close(self) -> None:
@@ -61,7 +61,7 @@ def writer(
     env: gym.Env[Any, Any],
     lerobot: LeRobotConfig,
 ) -> Writer:
-    """Return the writer of a format for the dataset ``place``, in its own folder."""
+    """Return a format's writer for the dataset at ``place``, in a folder of its own."""
     if format == "minari":
         from .minari_writer import MinariWriter
 

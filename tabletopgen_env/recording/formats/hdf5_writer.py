@@ -63,7 +63,7 @@ def whole_group(parent: h5py.Group, name: str) -> Iterator[h5py.Group]:
 
 
 def fill_group(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
-    """Write arrays, lists of texts or numbers, and nested groups into a group."""
+    """Write arrays, lists of strings or numbers, and nested groups into a group."""
     import h5py
 
     for name, value in arrays.items():

@@ -77,7 +77,7 @@ class MinariWriter:
 
 @contextmanager
 def _minari_root(folder: Path) -> Iterator[None]:
-    """Have Minari create datasets in a folder, which it only reads from the environment."""
+    """Make Minari create datasets in a folder, through the environment variable that it reads."""
     before = os.environ.get("MINARI_DATASETS_PATH")
     os.environ["MINARI_DATASETS_PATH"] = str(folder)
     try:

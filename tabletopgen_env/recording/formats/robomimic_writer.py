@@ -1,6 +1,6 @@
 """Datasets in robomimic's layout: one HDF5 file with a group per demonstration.
 
-The layout is https://robomimic.github.io/docs/datasets/overview.html.
+The layout is described at https://robomimic.github.io/docs/datasets/overview.html.
 """
 
 from __future__ import annotations

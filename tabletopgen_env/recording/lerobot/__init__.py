@@ -16,6 +16,6 @@ The format is described at https://huggingface.co/docs/lerobot/lerobot-dataset-v
 ======================================================  =========================================
 
 An episode is written to its own folder as soon as it is complete (``segments``), and the dataset is
-assembled from these folders at the end (``assembly``). Nothing is encoded twice, and an interrupted
-recording can be resumed with identical bytes as result.
+assembled from these folders at the end (``assembly``). Nothing is encoded twice. An interrupted
+recording can be resumed, and the result has identical bytes.
 """

@@ -36,8 +36,8 @@ class Limits:
     """Maximum size of files and folders.
 
     Attributes:
-        data_mb: size of a table, 2^20 bytes.
-        video_mb: size of a video, 2^20 bytes.
+        data_mb: size of a table, in units of 2^20 bytes.
+        video_mb: size of a video, in units of 2^20 bytes.
         files: number of files in a folder ("chunk").
     """
 

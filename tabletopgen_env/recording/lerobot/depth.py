@@ -1,8 +1,8 @@
 """Quantisation of depth to 12 bits, with finer steps near the camera.
 
 ``q = 4095 (ln(d + s) - ln(a + s)) / (ln(b + s) - ln(a + s))`` for a depth of ``d`` metres from ``a
-= 0.01`` to ``b = 10`` with ``s = 3.5``, the values of LeRobot. A step of ``q`` is 1.2 mm at 0.1 m,
-1.5 mm at 1 m and 4.4 mm at 10 m.
+= 0.01`` to ``b = 10`` with ``s = 3.5``, which are LeRobot's values. A step of ``q`` is 1.2 mm at
+0.1 m, 1.5 mm at 1 m and 4.4 mm at 10 m.
 """
 
 from __future__ import annotations

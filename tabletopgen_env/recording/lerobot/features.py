@@ -60,7 +60,7 @@ HINT_NAMES = (
     *(f"grasp_hint.from_tool.{k}" for k in _XYZ),
     *(f"grasp_hint.{k}" for k in ("turn", "opening", "breadth", "rise", "stage")),
 )
-"""Its further entries with ``grasp_hint``."""
+"""Further entries of ``observation.environment_state`` if there is a ``grasp_hint``."""
 
 _COUNTERS: Mapping[str, str] = MappingProxyType(
     {
@@ -76,7 +76,7 @@ _COUNTERS: Mapping[str, str] = MappingProxyType(
 def step_values(
     episode: RecordedEpisode, privileged: bool
 ) -> dict[str, Shaped[np.ndarray, "t *d"]]:
-    """Return the tables' values of each step, by feature, without counters and pictures.
+    """Return the table values for each step, keyed by feature, excluding counters and pictures.
 
     Observations are those before the step; results of the step begin with ``next.``.
     """

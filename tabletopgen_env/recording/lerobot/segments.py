@@ -17,9 +17,9 @@ from generator.io.bounded import is_count, parse_object, read_regular
 from ..summaries import RowSummary
 
 DATA, ABOUT = "data.parquet", "episode.json"
-"""The files of a segment beside its videos: the table of its steps, and its metadata."""
+"""The files of a segment other than its videos: the table of its steps, and its metadata."""
 
-_MOST_BYTES = 1 << 24  # of a metadata file
+_MOST_BYTES = 1 << 24  # maximum size of a metadata file, bytes
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,7 +31,7 @@ class Segment:
         number: number of the episode among those played.
         length: number of steps.
         task: the instruction.
-        facts: further columns of the table of episodes.
+        facts: additional columns of the table of episodes.
         summaries: summaries of its features, by name.
     """
 
@@ -81,7 +81,7 @@ class SegmentStore:
         return Path(tempfile.mkdtemp(prefix="new-", dir=self._folder))
 
     def publish(self, segment: Segment, index: int) -> None:
-        """Publish a segment, whose files are in a folder from ``begin``, as the ``index``-th."""
+        """Publish the segment whose files are in a folder from ``begin`` as segment ``index``."""
         about = {
             "number": segment.number,
             "length": segment.length,

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import av
 
 GOP = 2
-"""Interval between key frames: as in LeRobot, for fast seeking."""
+"""Interval between key frames, in frames: as in LeRobot, for fast seeking."""
 _NONE: Mapping[str, str] = MappingProxyType({})
 
 
@@ -131,7 +131,7 @@ def encode(
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Make the AV1 encoder print errors only, a setting that it reads from the environment."""
+    """Make the AV1 encoder print only errors, through the environment variable that it reads."""
     before = os.environ.get("SVT_LOG")
     os.environ["SVT_LOG"] = before or "1"
     try:

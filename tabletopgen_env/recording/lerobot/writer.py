@@ -33,11 +33,11 @@ LIMITS = Limits()
 
 _ROBOT = "panda"
 _FEATURES = "features.json"  # files beside the first episode
-_MOST_BYTES = 1 << 20  # for the features
+_MOST_BYTES = 1 << 20  # maximum size of the features' file, bytes
 
 
 class LeRobotWriter:
-    """Writes a new folder; completed episodes are stored beside it and found on resuming.
+    """Writes a new folder; completed episodes are stored beside it, for resuming.
 
     Raises:
         InputError: pictures have an odd size, which videos do not support.
@@ -119,7 +119,7 @@ class LeRobotWriter:
         self.kept += 1
 
     def _counters(self, steps: int, task: str) -> dict[str, Shaped[np.ndarray, "t"]]:
-        """Return the columns of every LeRobot dataset."""
+        """Return the columns that every LeRobot dataset has."""
         frames = np.arange(steps, dtype=np.int64)
         known = self._tasks.get(task, len(self._tasks))
         return {
@@ -163,7 +163,7 @@ def _summarize_pictures(rows: Shaped[np.ndarray, "t h w *c"]) -> RowSummary:
 
 
 def _episode_columns(episode: RecordedEpisode) -> dict[str, Any]:
-    """Return an episode's further columns in the table of episodes."""
+    """Return an episode's additional columns in the table of episodes."""
     facts = {n: v for n, v in episode.facts.items() if n not in ("instruction", "steps")}
     views = {
         f"cameras/{camera}/intrinsics": views["intrinsics"][0].reshape(-1).tolist()

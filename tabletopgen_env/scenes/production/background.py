@@ -46,10 +46,10 @@ class FailedScene:
 
 
 class Background:
-    """Generates scenes in ``count`` processes at a time, in a temporary folder.
+    """Generates scenes in up to ``count`` processes at a time, in a temporary folder.
 
-    ``rest`` is the pause after a failure in seconds, doubled for each further consecutive one;
-    scenes that take longer than ``timeout`` seconds are cancelled.
+    ``rest`` is the pause in seconds after a failure, doubled for each consecutive failure; scenes
+    that take longer than ``timeout`` seconds are cancelled.
 
     Raises:
         StorageError: no temporary folder can be created.

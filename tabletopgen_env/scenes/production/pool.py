@@ -42,8 +42,8 @@ class RenewalPace:
 class ScenePool:
     """At most ``size`` scenes, oldest first, renewed from ``fresh`` with ``seed`` at a ``pace``.
 
-    The first scenes are ``initial``, or generated immediately; ``workers`` processes generate
-    others, or this process if 0.
+    The first scenes are ``initial``, or generated immediately; ``workers`` processes generate the
+    others, or this process does if it is 0.
 
     Raises:
         InputError: a text cannot be planned.
@@ -97,7 +97,7 @@ class ScenePool:
     # ---------------------------------------------------------------------------------- renewing
 
     def _keep_step(self, background: Background, due: bool) -> None:
-        """Add the scene that is due, in the order of the orders, and keep the workers busy.
+        """Add the scene that is due, in the order in which scenes were ordered; keep workers busy.
 
         The sequence of scenes is thus independent of the speed of the processes; a draw waits for a
         scene that is due but not complete.

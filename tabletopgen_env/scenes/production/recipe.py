@@ -26,7 +26,7 @@ MOST_SEEDS = 2**30
 """Exclusive upper bound of recipes' seeds; further attempts use seeds above it."""
 
 Maker = Callable[[str | ScenePlan, int], Scene]
-"""A function that generates a scene from a text or plan, and a seed."""
+"""A function that generates a scene from a prompt or a plan, and from a seed."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,11 @@ class SceneRecipe:
     """All inputs of a scene generated on demand: equal recipes generate equal scenes.
 
     Attributes:
-        what: a text, or the distribution that the plan is drawn from.
+        what: a prompt, or the distribution from which the plan is drawn.
         seed: seed of the plan and of all later stages, in [0, 2^30).
         making: "compose" (text to plan to layout, about a second), "generate" (all stages of the
             paper, with the embedded backends) or "module:function" for your own function, which
-            takes a text or ``ScenePlan``, and a seed, and returns a ``Scene``.
+            takes a prompt or a ``ScenePlan``, and a seed, and returns a ``Scene``.
         rules: rules that the scene must satisfy.
     """
 
@@ -67,7 +67,7 @@ class SceneRecipe:
         return self.making in (COMPOSE, GENERATE) or not isinstance(self.what, str)
 
     def plan(self) -> ScenePlan:
-        """Return the planned objects of the table, without generating it.
+        """Return the objects planned for the table, without generating it.
 
         Raises:
             InputError: the text cannot be planned.

@@ -1,1 +1,1 @@
-"""A single model that fits many scenes, and each scene as a row of its varying fields."""
+"""A single model that fits many scenes, with a row of varying fields for each scene."""

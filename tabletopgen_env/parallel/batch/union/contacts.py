@@ -1,4 +1,4 @@
-"""Detection of the objects that the robot touches, from the contacts of all worlds."""
+"""Detection of the objects that the robot touches, based on the contacts of all worlds."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ LEFT, RIGHT = 2, 3
 
 
 class TouchReader:
-    """Computes from contacts which objects the robot touches.
+    """Determines from the contacts which objects the robot touches.
 
     Args:
-        union: the model whose geoms make contact.
+        union: the model whose geoms are in contact.
         worlds: number of worlds.
         device: device of the contacts.
     """
@@ -30,7 +30,7 @@ class TouchReader:
     def read(
         self, geoms: Int[Tensor, "c 2"], worlds: Int[Tensor, "c"], count: Int[Tensor, "1"]
     ) -> Bool[Tensor, "w s 3"]:
-        """Return whether left finger, right finger and any part of the robot touch each object.
+        """Return whether the left finger, right finger or any robot part touches each object.
 
         ``geoms`` and ``worlds`` describe the contacts, of which the first ``count`` are valid.
         """

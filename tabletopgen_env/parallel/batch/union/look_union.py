@@ -1,4 +1,4 @@
-"""One model that renders any of many scenes, and each scene as a row of its varying fields.
+"""A single model that can render many scenes, with a row of varying fields for each scene.
 
 The model is never simulated: poses of geoms, cameras and sun are written for each world from the
 bodies of the simulated union.
@@ -30,7 +30,7 @@ _AWAY = np.array([0.0, 0.0, -1000.0])  # metres: position of absent geoms
 
 @dataclass(frozen=True, eq=False)
 class LookRows:
-    """Fields that vary between scenes (n), of geoms (g) and cameras (c), relative to their bodies.
+    """Fields of geoms (g) and cameras (c) that vary between scenes (n), relative to their bodies.
 
     ``data`` and ``material`` are indices of meshes and materials, -1 for none.
     """
@@ -48,7 +48,7 @@ class LookRows:
 
 
 class LookUnion:
-    """The model of pictures for a bank's scenes.
+    """The model that renders the pictures of a bank's scenes.
 
     Attributes:
         model: MuJoCo's model: floor, pedestal, marker, table, one mesh per slot, and the robot.
@@ -122,7 +122,7 @@ def _all_parts(look: SceneLook) -> tuple[DrawnPart, ...]:
 
 
 def _spec(look: SceneLook, skins: dict[str, Skin], slots: int) -> mujoco.MjSpec:
-    """Build the specification; all geoms are on the world, in the order of ``LookUnion.bodies``."""
+    """Build the specification; all geoms are in the world body, in ``LookUnion.bodies`` order."""
     import mujoco
 
     spec, kinds = mujoco.MjSpec(), mujoco.mjtGeom
@@ -191,7 +191,7 @@ def _paint(material: mujoco.MjsMaterial, texture: str) -> None:
 
 
 def _shell() -> mujoco.mjtMeshInertia:
-    """Set the mesh inertia to that of a shell, which is valid for open surfaces too."""
+    """Set the mesh inertia to that of a shell, which is also valid for open surfaces."""
     import mujoco
 
     return mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL

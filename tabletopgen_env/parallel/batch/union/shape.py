@@ -18,7 +18,7 @@ Room = Mapping[GeomKind, int]
 
 @dataclass(frozen=True)
 class UnionShape:
-    """Geoms of each slot (a free body for one object) and of the static body (``fixed``).
+    """Numbers of geoms of each slot (a free body for one object) and of the static body, ``fixed``.
 
     Models of equal shape use the same compiled kernels.
     """

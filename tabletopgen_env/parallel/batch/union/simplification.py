@@ -41,14 +41,14 @@ def cap_world(world: World, most: int, robot: Panda) -> World:
     return World(capped, robot, world.mount)
 
 
-_GAP = 1e-3  # maximum distance of neighbours, metres
+_GAP = 1e-3  # maximum distance between neighbours, metres
 
 
 def cap_parts(scene: Scene, most: int) -> Scene:
     """Return the scene with at most ``most`` convex parts for each object.
 
-    Poses, masses and inertias are unchanged, and so are objects within the limit. Merged shapes are
-    slightly larger: run the gate on the scene again.
+    Poses, masses and inertias do not change, nor do objects within the limit. Merged shapes are
+    slightly larger, so check the scene again with the gate.
 
     Raises:
         InputError: ``most`` is below 1.

@@ -53,8 +53,9 @@ class SlotUnion:
         shape: the shape.
         model: MuJoCo's model, with every slot empty.
         addresses: addresses of joints, slots and the tool centre point.
-        sides: for each body, 0 not the robot's, 1 robot, 2 left finger, 3 right finger.
-        slot_of: slot of each geom, -1 for geoms that are not an object's.
+        sides: label of each body: 1 for the robot, 2 for its left finger, 3 for its right finger, 0
+            for all other bodies.
+        slot_of: slot of each geom, -1 for geoms that do not belong to an object.
 
     Args:
         shape: number of geoms of each body.
@@ -85,7 +86,7 @@ class SlotUnion:
         """Build the row of a scene whose objects go into ``slots`` (``UnionShape.assign``).
 
         Raises:
-            InputError: the scene was compiled with another robot.
+            InputError: the scene was compiled with a different robot.
         """
         if not np.array_equal(content.robot, self._robot):
             raise InputError(

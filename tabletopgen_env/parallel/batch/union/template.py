@@ -25,8 +25,8 @@ FIXED = "fixed"
 """Name of the body with the geoms of table and pedestal."""
 
 FLOOR_HALF = (20.0, 20.0, 0.1)
-"""Half extents of the floor, metres. The floor is a box, since nothing may be a kilometre below a
-plane.
+"""Half extents of the floor, metres. The floor is a box, since an absent geom a kilometre below a
+plane would be in contact with it.
 """
 
 PARKED, PARKED_APART = 50.0, 3.0
@@ -52,7 +52,7 @@ _SKEW = {
 
 @dataclass(frozen=True)
 class Addresses:
-    """Addresses in the model's arrays. Slots are in order everywhere.
+    """Addresses in the model's arrays, all in the order of the slots.
 
     ``arm_qpos`` and ``arm_dof`` are the seven joints, ``finger_qpos`` the two slides,
     ``slot_bodies`` one body per slot, ``slot_qpos`` 7 entries per slot (position and quaternion),
@@ -158,7 +158,7 @@ def _add_room(body: mujoco.MjsBody, room: Room) -> None:
 
 
 def _span(starts: Sequence[int], size: int = 1) -> slice:
-    """Return the slice of entries of ``size`` each that begin at ``starts``, without gaps."""
+    """Return the slice that covers adjacent blocks of ``size`` entries beginning at ``starts``."""
     first = starts[0] if starts else 0
     assert list(starts) == [first + size * k for k in range(len(starts))], starts
     return slice(first, first + size * len(starts))
