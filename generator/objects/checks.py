@@ -156,7 +156,7 @@ def check_parts(models: Iterable[Model]) -> Iterator[CheckResult]:
     vertices = max(len(part.vertices) for model in models for part in model.parts)
     most = f"{vertices} in a part, at most {MAX_PART_VERTICES}"
     yield CheckResult("part vertices", vertices <= MAX_PART_VERTICES, most)
-    yield _first("parts inside the mesh", map(_overhang, models))
+    yield _first("parts within the box", map(_overhang, models))
     yield _first("parts reach the bottom", map(_gap, models))
     yield _first("parts not flat", map(_thickness, models))
 

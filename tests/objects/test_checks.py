@@ -65,7 +65,7 @@ CHANGES: dict[str, tuple[Callable[[Shape], Shape], str]] = {
     "torn mesh": (tear, "closed surface"),
     "inside out": (flip, "positive volume"),
     "floating part": (lambda made: move_parts(made, 0.002), "parts reach the bottom"),
-    "part outside": (lambda made: move_parts(made, 0.02), "parts inside the mesh"),
+    "part outside": (lambda made: move_parts(made, 0.02), "parts within the box"),
     "no parts": (lambda made: replace(made, parts=()), "convex parts"),
     "many parts": (lambda made: replace(made, parts=3 * made.parts), "convex parts"),
     "large": (lambda made: made.scale(3.0), "nominal size"),
