@@ -71,7 +71,7 @@ def _draw_rotation(rng: np.random.Generator) -> Float[np.ndarray, "3 3"]:
 
 
 def _turn_down(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
-    """Return a rotation that takes a unit vector to -z, and axes to axes if it is one of them."""
+    """Return a rotation that turns a unit vector to -z; for an axis, it maps axes to axes."""
     side = np.eye(3)[int(np.abs(way).argmin())]
     side = side - way * (way @ side)
     side = side / np.linalg.norm(side)

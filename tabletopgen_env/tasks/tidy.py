@@ -1,8 +1,8 @@
 """Tidy: put the small objects on the table into one tray, box or bowl.
 
-The targets are two to four objects that fit together beside the present contents, the nearest to
-the container first. ``reset`` option: ``goal``, the name of the container. Goals: `Into`. Few
-tables have a container for several objects; the tables in ``SCENES`` do.
+The targets are two to four objects that fit into the container together, beside its contents; the
+nearest objects come first. ``reset`` option: ``goal``, the name of the container. Goals: `Into`.
+Few tables have a container for several objects; the tables in ``SCENES`` do.
 """
 
 from __future__ import annotations
