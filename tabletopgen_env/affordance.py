@@ -144,7 +144,7 @@ def why_not_liftable(obj: Object) -> str | None:
 
 
 def is_too_wide(obj: Object) -> bool:
-    """Return whether the resting object is too wide for the fingers from every side."""
+    """Return whether the resting object is too wide for the fingers in every direction."""
     return grasp_width(obj) > WIDEST
 
 
@@ -284,7 +284,7 @@ def scan_surface(
 def cells_under(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
-    """Yield each part over a grid, with the cells within its bounds and their positions."""
+    """Yield each part on a grid, with the cells within its bounds and their positions."""
     for part in parts:
         low, high = part.bounds
         i, j = (
@@ -312,7 +312,7 @@ def part_span(
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
     """Return which of the points (x, y) lie over a part, and its lower and upper surface there.
 
-    These are the highest downward-facing and the lowest upward-facing plane of its hull.
+    The surfaces are the highest downward-facing and the lowest upward-facing plane of its hull.
     """
     low, high = part.bounds[:, :2]
     near = np.flatnonzero(((points >= low) & (points <= high)).all(1))

@@ -1,7 +1,7 @@
 """A small network that rates a grasp for each turn of the hand and each place.
 
-The height maps are rotated to each of ``TURNS`` turns, such that the fingers open along the first
-axis, and all pass through the same convolutions. A grasp therefore looks the same in every
+The height maps are rotated for each of the ``TURNS`` turns so that the fingers open along the first
+axis, and all of them pass through the same convolutions. A grasp therefore looks the same in every
 orientation of the object (after the rotated inputs of Zeng et al., Learning Synergies between
 Pushing and Grasping, 2018).
 

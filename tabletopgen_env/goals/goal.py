@@ -1,7 +1,7 @@
 """The goals of tasks: an object, a region and a state.
 
-A goal requires its target, an object or the tool centre point, to be in a *region*, an upright
-elliptic cylinder that may move with another object, and in a *state* (at rest, released, held ...).
+A goal requires its target (an object or the tool centre point) to be in a *region* (an upright
+elliptic cylinder that may move with another object) and in a *state* (at rest, released, held ...).
 
 ==========  ==================================================  ===================================
 goal        region for the centre of the target                 state

@@ -104,7 +104,7 @@ class GraspBench:
         model.geom_friction[:] = self._friction
         model.geom_friction[self._pads, :2] *= rng.uniform(*FRICTION)
         mujoco.mj_resetData(model, data)
-        # The tool is at ``position`` with ``rotation`` in the object, hence the object in the world
+        # The pose of the tool in the object's frame determines the pose of the object.
         hand = grasp.rotation @ turned
         turn = self._axes @ hand.T
         position = grasp.position + grasp.rotation @ off

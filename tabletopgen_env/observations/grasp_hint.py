@@ -108,8 +108,8 @@ class GraspHint:
     """The grasp of the active target, which moves with the object, and then its place.
 
     The grasp is planned again when the object has come to rest elsewhere, untouched by the robot,
-    or was lost. ``planned`` is the grasp as planned, ``drop`` the current place, if any, ``choose``
-    the grasp planner, and ``place`` an optional planner of places.
+    or has been lost. ``planned`` is the grasp as it was planned, ``drop`` is the current place, if
+    any, ``choose`` plans grasps, and the optional ``place`` plans places.
     """
 
     def __init__(self, kind: HintKind = "planned", place: Placer | None = None) -> None:
@@ -138,7 +138,7 @@ class GraspHint:
             self._take(world, goal.target)
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
-        """Return the grasp of an object at its current pose, None unless it is the target."""
+        """Return the grasp of an object at its current pose, or None if it is not the target."""
         if self.planned is None or self._target != name:
             return None
         return self._carry(world, name, self.planned)

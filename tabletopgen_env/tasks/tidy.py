@@ -86,7 +86,7 @@ def _together(world: World, container: Object, things: list[Object]) -> list[Obj
 
 
 def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
-    """Return whether an object fits beside the contents, or on top of a central one."""
+    """Return whether ``second`` fits beside a centred ``first``, or on top of it."""
     on_top = resting_height(first) + INSIDE <= hollow.depth
     beside = grasp_width(first) / 2 + grasp_width(second)
     return on_top or beside <= float(hollow.semi.min())

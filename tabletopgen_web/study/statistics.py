@@ -84,7 +84,7 @@ class Exclusions:
 
 @dataclass(frozen=True)
 class StudyReport:
-    """The figures of a study; ``raters`` is the number of counted raters of ``read``."""
+    """The figures of a study; ``raters`` is how many of the ``read`` raters are counted."""
 
     study: str
     title: str
@@ -167,7 +167,7 @@ def _resample(raters: int, seed: int) -> Int[np.ndarray, "b r"]:
 def _mean(
     sums: Sequence[float], counts: Sequence[float], drawn: Int[np.ndarray, "b r"]
 ) -> CountedMean:
-    """Return the mean from raters' ``sums`` of ``counts`` values."""
+    """Return the mean of all values, given each rater's ``sums`` and ``counts`` of values."""
     total, count = np.array(sums, float), np.array(counts, float)
     mean = float(total.sum() / count.sum())
     if len(sums) < 2:

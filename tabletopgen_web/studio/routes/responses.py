@@ -40,7 +40,7 @@ def answer(value: Any, status: int = 200, headers: Mapping[str, str] | None = No
 
 
 def answer_file(path: Path, *, attach: bool = False) -> Response:
-    """Return a file response, with ``attach`` as a download."""
+    """Return a file response, as a download if ``attach`` is true."""
     kind = _TYPES.get(path.suffix.lower(), "application/octet-stream")
     return FileResponse(path, media_type=kind, filename=path.name if attach else None)
 
