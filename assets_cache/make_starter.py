@@ -1,7 +1,7 @@
 """Regenerate the starter bundles: ``python -m assets_cache.make_starter``.
 
-Fourteen tables over eight themes and several table outlines go into ``assets_cache/starter``, and
-the tables for specific tasks into ``assets_cache/tasks``: composed, checked and published. The same
+It composes, checks and publishes fourteen tables of eight themes and several outlines in
+``assets_cache/starter``, and the tables for specific tasks in ``assets_cache/tasks``. The same
 catalogue gives the same bundles, byte for byte; unchanged bundles keep their certificates. Certify
 the others afterwards; an interrupted certification resumes::
 
@@ -39,7 +39,7 @@ PROMPTS: Mapping[str, str] = {
     "vanity": "a round vanity table with a lipstick, a perfume bottle, a cream jar and a mirror",
     "lab": "a lab bench with a beaker, a flask, a test tube rack, a bottle and a notebook",
 }
-"""Names and texts of the tables for any task."""
+"""Names and prompts of the tables for any task."""
 
 _KITCHEN = (
     "A wooden kitchen table with a large bowl, a wide cutting board, a small cucumber, a carrot "
@@ -48,7 +48,7 @@ _KITCHEN = (
 _COFFEE = "A round coffee table with a cup, an apple and a book"
 
 Recipe = tuple[str, int]
-"""A text and a seed."""
+"""A prompt and a seed."""
 
 STARTERS: Mapping[str, Recipe] = {
     name: (prompt, 5 * number) for number, (name, prompt) in enumerate(PROMPTS.items())
@@ -92,7 +92,7 @@ def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
     """Replace the folders of bundles in ``here``, by name, once all scenes are composed.
 
     Raises:
-        SceneError: a scene does not come to rest soundly, or all weigh too much.
+        SceneError: a scene fails the checks, or the bundles are too large in total.
     """
     with tempfile.TemporaryDirectory(dir=here, prefix=".starter-") as made:
         paths, kept = [], 0
@@ -109,7 +109,7 @@ def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
 
 
 def keep_certificates(old: Path, new: Path) -> int:
-    """Copy certificates to the bundles in ``new`` that they fit; return their number.
+    """Copy each certificate to its bundle in ``new`` if it is still valid; return their number.
 
     Damaged certificates, and those of another scene, are not copied.
     """
@@ -133,7 +133,7 @@ def main() -> int:
     """Regenerate the shipped bundles.
 
     Raises:
-        SceneError: a scene does not come to rest soundly, or all weigh too much.
+        SceneError: a scene fails the checks, or the bundles are too large in total.
     """
     remake(Path(__file__).parent, {"starter": STARTERS, "tasks": TASKS})
     return 0

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from generator.scene import Scene
 
 STARTER = "starter"
-"""Argument of :func:`find` for the shipped bundles for any task."""
+"""The argument of :func:`find` that selects the shipped bundles for any task."""
 
 _VARIABLE = "TABLETOPGEN_CACHE"  # names a folder of bundles
 _STARTERS = Path(__file__).parent / "starter"
@@ -40,7 +40,7 @@ def roots(cache: str | Path | None = None) -> tuple[Path, ...]:
 
 
 def entries(cache: str | Path | None = None) -> list[Path]:
-    """Return all bundles of the store, by name, without those shadowed by an earlier place."""
+    """Return all bundles of the store by name; the first folder that has a name wins."""
     found = {path.name: path for root in reversed(roots(cache)) for path in _bundles(root)}
     return [found[name] for name in sorted(found)]
 
@@ -50,9 +50,9 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
 
     Args:
         wanted: a scene's name, a folder's name, a digest or its first 6 digits, a glob on folder
-            names ("office*"), the path of a bundle or of a folder of bundles (names come before a
-            folder of one part, "tables"), a glob of bundles' paths, or "starter" for the shipped
-            tables for any task; those for one task have names ("kitchen-task-*").
+            names ("office*"), the path of a bundle or of a folder of bundles (a single word such as
+            "tables" is looked up as a name first), a glob of bundles' paths, or "starter" for the
+            shipped tables for any task; those for one task have names ("kitchen-task-*").
         cache: a folder of bundles to search first.
 
     Raises:
@@ -150,7 +150,7 @@ def clear(cache: str | Path | None = None) -> int:
 
 
 def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
-    """Return the defects of each bundle of the store by folder name; an empty list means none.
+    """Return the defects of each bundle in the store, by folder name; an empty list means none.
 
     Bundles that are removed in the meantime are omitted.
     """

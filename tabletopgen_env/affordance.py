@@ -24,7 +24,7 @@ GRIPPER_OPENING = 0.08
 """Maximum opening of the Franka hand, metres."""
 
 FINGER_CLEARANCE = 0.006
-"""Opening that must remain free, both sides together, metres."""
+"""Total clearance on the two sides of an object between the open fingers, metres."""
 
 WIDEST = GRIPPER_OPENING - FINGER_CLEARANCE
 """Width of the widest object that the fingers can span, metres."""
@@ -33,17 +33,17 @@ MAX_MASS = 1.5
 """Largest mass to grasp by friction, kg (the arm's payload is 3 kg)."""
 
 MIN_HEIGHT = 0.012
-"""Height of the flattest object that the fingers can take from a table top, metres."""
+"""Height of the flattest object that the fingers can pick up from a table top, metres."""
 
 WALL_DEPTH = 0.015
 """Minimum depth of a hollow that counts as an opening, metres."""
 
 THICKEST_WALL = 0.03
-"""Maximum thickness of a wall that is grasped at its rim, metres."""
+"""Maximum thickness of a wall that can be grasped at its rim, metres."""
 
 WIDEST_FLARE = 0.5
-"""Maximum outward slope of a wall that is grasped at its rim (metres per metre). A hand that points
-straight down slips off walls that slope more."""
+"""Maximum outward slope of a wall that can be grasped at its rim (metres per metre). A hand that
+points straight down slips off steeper slopes."""
 
 LEVEL = 0.003
 """Maximum unevenness of a flat top, metres."""
@@ -87,7 +87,7 @@ def collision_points(obj: Object) -> Float[np.ndarray, "n 3"]:
 def outer_points(obj: Object, most: int) -> Float[np.ndarray, "n 3"]:
     """Return the hull vertices of an object's collision parts, in the body frame.
 
-    At most ``most`` vertices are returned: the extreme ones in as many directions.
+    At most ``most`` vertices are returned, each the outermost one in some direction.
     """
     points = hull_points(collision_points(obj))
     if len(points) <= most:
@@ -144,7 +144,7 @@ def why_not_liftable(obj: Object) -> str | None:
 
 
 def is_too_wide(obj: Object) -> bool:
-    """Return whether the resting object is too wide for the fingers from every side."""
+    """Return whether the resting object is too wide for the fingers in every direction."""
     return grasp_width(obj) > WIDEST
 
 
@@ -200,7 +200,7 @@ def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
 
 
 def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Opening | None:
-    """Return the opening with this rim over the cells ``inner``, or None if it is too shallow."""
+    """Return the opening over the cells ``inner`` with this rim, or None if it is too shallow."""
     low, high, x, y, top = scan
     if not inner.any():
         return None
@@ -251,7 +251,7 @@ def plateau(obj: Object) -> Plateau | None:
 
 
 def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
-    """Return the cells outside the solid, and those cells of the solid that touch them."""
+    """Return the cells outside the solid, and the cells of the solid that touch them."""
     # Parts may leave hairline gaps between them.
     whole = np.asarray(ndimage.binary_fill_holes(np.isfinite(top)), dtype=bool)
     return ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
@@ -284,7 +284,7 @@ def scan_surface(
 def cells_under(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
-    """Yield each part over a grid, with the cells within its bounds and their positions."""
+    """Yield each part on a grid, with the cells within its bounds and their positions."""
     for part in parts:
         low, high = part.bounds
         i, j = (
@@ -312,7 +312,7 @@ def part_span(
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
     """Return which of the points (x, y) lie over a part, and its lower and upper surface there.
 
-    These are the highest downward-facing and the lowest upward-facing plane of its hull.
+    The surfaces are the highest downward-facing and the lowest upward-facing plane of its hull.
     """
     low, high = part.bounds[:, :2]
     near = np.flatnonzero(((points >= low) & (points <= high)).all(1))

@@ -1,4 +1,4 @@
-"""The environment: scene source × robot × task × action × observation × reward."""
+"""The environment: it combines scene source, robot, task, action, observation and reward."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     page). They need not be certified. A certificate applies to the original arrangement of the
     table: if ``randomization`` has moved objects, or if the certificate does not cover the task,
     targets and goals are drawn freely. A scene whose certificate lists only instances that the
-    expert fails has no valid task.
+    expert failed has no valid task.
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name that SB3 expects),
     "instruction", "scene", "target" (of the active goal; None for the tool), "goal" (the object
@@ -263,12 +263,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def active(self) -> int:
-        """The index of that goal in the episode."""
+        """The index of the first unmet goal in the episode."""
         return self._active
 
     @property
     def order(self) -> list[str]:
-        """The objects by slot in the state."""
+        """The objects in the order of their slots in the state."""
         return self._order
 
     @property
@@ -277,7 +277,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._views.mode == "goal"
 
     def follow(self, active: int, terms: Mapping[str, float]) -> dict[str, Any]:
-        """Take over the result of a step that was simulated elsewhere; return its info.
+        """Adopt the result of a step that was simulated elsewhere; return its info.
 
         ``active`` is the index of the first unmet goal, ``terms`` are the reward terms.
         """
@@ -430,7 +430,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         }
 
     def _drawer(self, size: tuple[int, int], profile: Profile = "fast") -> Drawer:
-        """Return the drawer of a picture size, created on first use and again after a fork."""
+        """Return the renderer for a picture size, created on first use and again after a fork."""
         key = profile, size, os.getpid()
         if key not in self._drawers:
             self._drawers[key] = drawer(self._config.render.renderer, *size, profile)
@@ -438,14 +438,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
 
 class GoalTabletopEnv(TabletopEnv):
-    """The environment with goal-dict observations, whose reward follows from the two goals alone.
+    """The environment with goal-dict observations; the two goals alone determine the reward.
 
     Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with relabelled goals.
     """
 
     @property
     def weights(self) -> Mapping[str, float]:
-        """Weights of the reward terms that follow from goals."""
+        """Weights of the reward terms that the goals determine."""
         return GOAL_WEIGHTS
 
     def compute_reward(self, achieved_goal: np.ndarray, desired_goal: np.ndarray, info: Any) -> Any:

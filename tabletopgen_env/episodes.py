@@ -35,8 +35,8 @@ class Held:
 class EndOnSuccess(gym.Wrapper):
     """Terminates an episode once success has held, as this package's evaluations do.
 
-    For evaluation in other libraries. Do not train on the dense reward with it: that reward is
-    highest while the task remains solved.
+    Use it for evaluation in other libraries, but do not train on the dense reward with it, because
+    that reward is highest while the task remains solved.
     """
 
     def __init__(self, env: gym.Env[Any, Any], steps: int = HOLD) -> None:

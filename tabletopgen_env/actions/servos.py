@@ -40,7 +40,7 @@ _NO_NUMBERS = "cmMSU"  # complex numbers, times, strings: NumPy would cast them 
 
 @dataclass(frozen=True)
 class Servos:
-    """The rate of servo commands and the interpretation of the gripper entry."""
+    """The rate of the servo commands, and the meaning of an action's gripper entry."""
 
     hz: int = CONTROL_HZ
     gripper: GripperMode = "continuous"
@@ -72,7 +72,7 @@ class Servos:
 
     @property
     def slack(self) -> float:
-        """The maximum lead relative to that at ``CONTROL_HZ``: longer actions move farther."""
+        """The maximum lead as a multiple of that at ``CONTROL_HZ``; longer actions move farther."""
         return max(1.0, self.share)
 
     def command(

@@ -43,7 +43,7 @@ _RESTORE = (
 
 @dataclass(frozen=True, eq=False)
 class GraspDetector:
-    """Detects grasps of an object in depth images; ``weights`` as for ``rate``."""
+    """Detects grasps of an object in depth images; ``rate`` describes ``weights``."""
 
     weights: Mapping[str, Float32[np.ndarray, "..."]]
 
@@ -110,7 +110,7 @@ def read_detector(path: Path = PATH) -> GraspDetector:
 
 
 def shipped_digest() -> str:
-    """Return a digest of the shipped weights, on which detections depend."""
+    """Return a digest of the shipped weights, since detections depend on them."""
     return hashlib.sha256(PATH.read_bytes()).hexdigest()[:16]
 
 

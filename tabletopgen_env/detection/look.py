@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..world.world import World
 
 CELLS, CELL, STEP = 64, 0.004, 0.002
-"""Number of cells along a side of a map; cell size and height step, metres."""
+"""Number of cells along a side of a map, and the cell size and height step in metres."""
 
 
 @dataclass(frozen=True, eq=False)

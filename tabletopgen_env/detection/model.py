@@ -18,7 +18,7 @@ _RARE = 50.0  # weight of the classification loss: positive cells are rare
 
 
 class GraspNetwork(nn.Module):
-    """The network of ``network`` for batches; its ``weights`` fit ``network.rate``."""
+    """The network in ``network`` for batches; ``network.rate`` accepts its ``weights``."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -32,7 +32,7 @@ class GraspNetwork(nn.Module):
         return rate_output(values.unflatten(0, seen.shape[:2]), torch.from_numpy(MIDDLES.copy()))
 
     def weights(self) -> dict[str, Tensor]:
-        """Return the weights by their names in ``network``."""
+        """Return the weights under the names that ``network`` uses."""
         named = self.layers.state_dict().items()
         return {key: value.detach().half().contiguous() for key, value in named}
 
@@ -40,8 +40,8 @@ class GraspNetwork(nn.Module):
 class GraspBatch(NamedTuple):
     """A batch of network inputs, and the targets at p = TURNS * PLACES**2 places.
 
-    ``share`` is a place's probability among the best grasps, ``possible`` whether it has any grasp,
-    and ``grasp`` its best one: along, across, height, width and room (metres).
+    ``share`` is the target probability that a place has the best grasp, ``possible`` tells whether
+    it has any grasp, and ``grasp`` is its best one: along, across, height, width and room (metres).
     """
 
     seen: Float[Tensor, "b t 3 n n"]

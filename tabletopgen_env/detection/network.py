@@ -1,9 +1,9 @@
 """A small network that rates a grasp for each turn of the hand and each place.
 
-The height maps are rotated to each of ``TURNS`` turns, such that the fingers open along the first
-axis, and all pass through the same convolutions. A grasp therefore looks the same in every
-orientation of the object (the rotated inputs of Zeng et al., Learning Synergies between Pushing and
-Grasping, 2018).
+The height maps are rotated for each of the ``TURNS`` turns so that the fingers open along the first
+axis, and all of them pass through the same convolutions. A grasp therefore looks the same in every
+orientation of the object (after the rotated inputs of Zeng et al., Learning Synergies between
+Pushing and Grasping, 2018).
 
 The network runs on NumPy, so environments need no torch, can be forked and stepped from several
 threads, and get bitwise identical results on any number of cores. ``model`` is its torch version
@@ -24,7 +24,7 @@ TURNS = 12
 """Number of turns of the hand, over half a revolution."""
 
 PLACES, PLACE = 24, 0.01
-"""Number of places along a side of the rated grid; their size, metres."""
+"""Number of places along a side of the rated grid, and the size of a place in metres."""
 
 SEEN = 2 * PLACES
 """Number of input cells along a side, two per place."""
@@ -54,12 +54,12 @@ LAYERS = (
     Layer(32, 32, 3, 1, 1),
     Layer(32, 7, 1),
 )
-"""The layers of the network, with a ReLU between them; see ``rate_output`` for the last
-channels."""
+"""The layers of the network, with a ReLU between them; see ``rate_output`` for the channels of the
+last one."""
 
 HEIGHT = 0.05  # input unit of height, metres
 UNITS = (PLACE, PLACE, HEIGHT, 0.04, 0.02)
-"""Output units of along, across, height, width and room of ``Rated``, metres."""
+"""Metres per unit of network output for along, across, height, width and room of ``Rated``."""
 
 DEEPEST = 2.0  # depths below the object's top are clipped to this, in units of HEIGHT
 
@@ -84,7 +84,7 @@ class Rated(NamedTuple):
 
 
 def rate_output(out: Any, middles: Any) -> Rated:
-    """Return the output (..., 7, i, j) of the last layer as ratings; for arrays or tensors."""
+    """Convert the output (..., 7, i, j) of the last layer to ratings; for arrays or tensors."""
     best, possible, *answers = (out[..., k, :, :] for k in range(7))
     along, across, *rest = (part * unit for part, unit in zip(answers, UNITS, strict=True))
     return Rated(best, possible, middles[:, None] + along, middles + across, *rest)
@@ -93,7 +93,7 @@ def rate_output(out: Any, middles: Any) -> Rated:
 def turn_views(
     heights: UInt8[np.ndarray, "2 64 64"], facing: float
 ) -> Float32[np.ndarray, "t 3 48 48"]:
-    """Return the input of the network: height maps at each turn, from ``facing`` (radians) on.
+    """Return the network's input: height maps at each turn, starting at ``facing`` (radians).
 
     Channels: the height of the object, the height of everything else, and the object's depth below
     its top.

@@ -1,7 +1,7 @@
 """The goals of tasks: an object, a region and a state.
 
-A goal requires its target, an object or the tool centre point, to be in a *region*, an upright
-elliptic cylinder that may move with another object, and in a *state* (at rest, released, held ...).
+A goal requires its target (an object or the tool centre point) to be in a *region* (an upright
+elliptic cylinder that may move with another object) and in a *state* (at rest, released, held ...).
 
 ==========  ==================================================  ===================================
 goal        region for the centre of the target                 state
@@ -89,7 +89,7 @@ class Goal(ABC):
         target: the object to move; None for the tool centre point.
         reference: the object that carries the region, if any.
         spot: the point to mark, world frame, if there is one.
-        released: whether only releasing remains once the target is in the region.
+        released: whether the target only has to be released once it is in the region.
         sentence: the instruction, with placeholders for the names of target and reference.
     """
 
@@ -133,7 +133,7 @@ class Reached(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Raised(Goal):
-    """An object held in the air above its start; ``start`` was its centre, world frame."""
+    """An object held in the air above its start; ``start`` is its initial centre, world frame."""
 
     target: str
     start: Float[np.ndarray, "3"]
@@ -216,7 +216,7 @@ class OnSpot(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Into(Goal):
-    """An object in a container's hollow; ``height`` is the target's at its start, metres."""
+    """An object in a container's hollow; ``height`` is the resting target's own height, metres."""
 
     target: str
     reference: str
@@ -226,7 +226,7 @@ class Into(Goal):
     sentence = "put {target} into {reference}"
 
     def region(self, world: World) -> Region:
-        """Return the clear opening, from the hollow's floor to a target's height above the rim."""
+        """Return the clear opening, from its floor to the target's height above the rim."""
         hollow, name = self.opening, self.reference
         rotation, top = world.rotation(name), hollow.rim + self.height
         local = np.array([*hollow.center, (hollow.floor + top) / 2])

@@ -16,8 +16,8 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
     """Return a phrase that refers to ``obj`` alone in ``scene``, such as "the red mug".
 
     The phrase is the label if it is unique; the label with its colour if the colours in the plan
-    differ; otherwise it counts from the left, viewed along ``yaw`` (of the robot's x axis,
-    radians). ``absent`` objects are not counted.
+    differ; otherwise the phrase counts from the left, as seen in the direction ``yaw`` (that of the
+    robot's x axis, radians). ``absent`` objects are not counted.
     """
     alike = [o for o in scene.objects if o.label == obj.label and o.name not in absent]
     colors = {o.name: _color(scene, o.name) for o in alike}
@@ -33,7 +33,7 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
 
 
 def _rightwards(obj: Object, yaw: float) -> float:
-    """Return the rightward position of an object viewed along ``yaw``, metres."""
+    """Return how far right an object is, as seen in the direction ``yaw``, metres."""
     x, y, _ = obj.pose.position
     return float(x * math.sin(yaw) - y * math.cos(yaw))
 

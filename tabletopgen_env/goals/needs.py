@@ -1,15 +1,15 @@
-"""Required objects of tables generated for a task, by name.
+"""Objects that tables generated for a task must have, by name.
 
 For each need, a table has one object drawn from the alternatives (``SceneDistribution.needs``). The
-lists follow from the variants in the catalogue: objects that the hand can grasp or push, or that
-can carry others. The task determines whether a table has a valid instance;
-``benchmarks/fresh_tables.py`` measures how often.
+lists are based on the random variants of the catalogue's objects: they name objects that the hand
+can grasp or push, or that can carry others. The task determines whether a table has a valid
+instance; ``benchmarks/fresh_tables.py`` measures how often.
 """
 
 from __future__ import annotations
 
 Need = tuple[str, ...]
-"""The alternatives of one need; several make up ``generator.language.distribution.Needs``."""
+"""The alternatives for one need; ``generator.language.distribution.Needs`` has several needs."""
 
 STANDING: Need = (
     "toy block", "building brick", "die", "puzzle cube", "salt shaker", "cream jar",
@@ -29,7 +29,7 @@ TINY: Need = (
     "nail polish", "thread spool", "chess piece", "glue stick", "egg", "strawberry", "mushroom",
     "garlic", "pill bottle", "lipstick", "wristwatch",
 )  # fmt: skip
-"""Small objects of which several fit into a tray."""
+"""Objects so small that several fit into a tray."""
 
 TRAYS: Need = ("large tray", "tray", "large basket", "basket", "large desk tray")
 """Containers for several objects."""

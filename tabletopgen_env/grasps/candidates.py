@@ -55,7 +55,7 @@ def find_candidates(
 
 
 def approaches(directions: int, rng: np.random.Generator) -> list[Float[np.ndarray, "3 3"]]:
-    """Return rotations that each turn one approach direction to straight down."""
+    """Return rotations that each turn one approach direction straight down."""
     k = np.arange(directions) + 0.5
     polar, turn = np.arccos(1 - 2 * k / max(directions, 1)), _GOLDEN * k
     spread = np.column_stack(
@@ -71,7 +71,7 @@ def _draw_rotation(rng: np.random.Generator) -> Float[np.ndarray, "3 3"]:
 
 
 def _turn_down(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
-    """Return a rotation that takes a unit vector to -z, and axes to axes if it is one of them."""
+    """Return a rotation that turns a unit vector to -z; for an axis, it maps axes to axes."""
     side = np.eye(3)[int(np.abs(way).argmin())]
     side = side - way * (way @ side)
     side = side / np.linalg.norm(side)

@@ -1,6 +1,6 @@
 """Grasp trials in MuJoCo: the Panda's hand closes on a single object, lifts and shakes it.
 
-The hand is fixed and gravity varies instead: acceleration of the hand by a is equivalent to gravity
+The hand is fixed and gravity varies instead: an acceleration a of the hand is equivalent to gravity
 g - a, and a slow rotation of the hand to a rotation of gravity. The object floats while the fingers
 close, so that it can yield, as in C. Eppner, A. Mousavian, D. Fox, "ACRONYM: a large-scale grasp
 dataset based on simulation", ICRA 2021. Three stages follow in order:
@@ -45,7 +45,7 @@ ERROR = (0.0025, float(np.deg2rad(3.0)))
 """Standard deviations of the hand's position along each axis (m) and rotation about each (rad)."""
 
 FRICTION = (0.5, 1.0)
-"""Range of the factor on the friction of the finger pads, 1.3."""
+"""Range of the factor applied to the friction coefficient of the finger pads, which is 1.3."""
 
 GRAVITY, SWING = 9.81, 5.0
 """Accelerations of the lift and of the shake, m/s²."""
@@ -104,7 +104,7 @@ class GraspBench:
         model.geom_friction[:] = self._friction
         model.geom_friction[self._pads, :2] *= rng.uniform(*FRICTION)
         mujoco.mj_resetData(model, data)
-        # The tool is at ``position`` with ``rotation`` in the object, hence the object in the world
+        # The pose of the tool in the object's frame determines the pose of the object.
         hand = grasp.rotation @ turned
         turn = self._axes @ hand.T
         position = grasp.position + grasp.rotation @ off
@@ -169,7 +169,7 @@ class GraspBench:
 
 
 def _pulls(stage: str) -> Iterator[Float[np.ndarray, "3"]]:
-    """Yield the gravity of a stage (m/s², along the axes of the object when the hand closed)."""
+    """Yield the gravity of a stage (m/s², in the object's frame when the hand closed)."""
     span = _STEP * _EVERY
     if stage == "lift":
         for k in range(round((_RAMP + _HOLD) / span)):

@@ -24,7 +24,7 @@ class FlatState:
         world: the world.
         goal: the active goal.
         order: the objects by slot, the goal's target first; see ``modes.slot_order``.
-        bare: whether to omit all entries but 0-267.
+        bare: whether to keep only entries 0-267.
         hinted: whether to append the entries of ``grasp_hint``.
     """
 

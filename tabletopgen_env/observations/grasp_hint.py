@@ -31,11 +31,11 @@ The source of the hint:
 ``"detected"`` also uses information that a real robot would have to perceive: the maps have no
 noise, exclude the arm, and show occluded surfaces. The centre, heading and box of each object are
 exact, as in the rest of the state, and so are its lowest point, its pose in the hand, and whether
-it is at rest. Objects without a planned grasp are not drawn as targets.
+it is at rest. Objects without a planned grasp are not chosen as targets.
 
-In both modes the hint gives the path, which the policy has to follow.
+In both modes the hint gives a path, and the policy has to follow it.
 
-With the target between both fingers the path leads straight up and then, unless the goal only
+Once the target is between both fingers, the path leads straight up and then, unless the goal only
 requires lifting, to the place of release. That place is shown until the object is released and at
 rest elsewhere; the grasp that lost it is not shown again if there are others. Entry 6 is 0 within 2
 cm of the vertical through the end of the path.
@@ -108,8 +108,8 @@ class GraspHint:
     """The grasp of the active target, which moves with the object, and then its place.
 
     The grasp is planned again when the object has come to rest elsewhere, untouched by the robot,
-    or was lost. ``planned`` is the grasp as planned, ``drop`` the current place, if any, ``choose``
-    the grasp planner, and ``place`` an optional planner of places.
+    or has been lost. ``planned`` is the grasp as it was planned, ``drop`` is the current place, if
+    any, ``choose`` plans grasps, and the optional ``place`` plans places.
     """
 
     def __init__(self, kind: HintKind = "planned", place: Placer | None = None) -> None:
@@ -138,7 +138,7 @@ class GraspHint:
             self._take(world, goal.target)
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
-        """Return the grasp of an object at its current pose, None unless it is the target."""
+        """Return the grasp of an object at its current pose, or None if it is not the target."""
         if self.planned is None or self._target != name:
             return None
         return self._carry(world, name, self.planned)
@@ -200,7 +200,7 @@ class GraspHint:
         return GraspPlan(grasp, wrap(plan.yaw + turn), at)
 
     def _is_elsewhere(self, world: World, name: str) -> bool:
-        """Return whether the object rests at another place, or tilted, since the last plan."""
+        """Return whether the object has come to rest elsewhere, or tilted, since the last plan."""
         speed = world.velocity(name)[:3]
         if float(speed @ speed) > _STILL**2:
             return False
@@ -210,7 +210,7 @@ class GraspHint:
 
 
 def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
-    """Return the hint of a setting, None for no hint.
+    """Return the hint for a setting; None if the setting is no hint.
 
     Raises:
         InputError: the setting is unknown.
@@ -229,7 +229,7 @@ def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
 def _rise(
     world: World, name: str, end: Float[np.ndarray, "3"], depth: float, broad: float
 ) -> float:
-    """Return entry 6 on the way to ``end``, with a load ``depth`` deep and ``broad`` wide."""
+    """Return entry 6 on the way to ``end``; the load is ``depth`` deep and ``broad`` wide."""
     tool = world.data.site_xpos[world.tcp]
     if math.hypot(*(end - tool)[:2]) <= NEAR:
         return 0.0

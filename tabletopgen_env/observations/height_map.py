@@ -19,8 +19,8 @@ Values are heights above the table top in steps of 2 mm: 0 where there is nothin
 cm). The maps follow target and goal as they move. If the tool itself is the target (Reach), all
 values are 0.
 
-The maps are idealised: they have no noise, show every surface that is exposed to above even if a
-camera's view of it is occluded, exclude the robot, and separate the target from the other objects.
+The maps are idealised: they have no noise, show every surface that is visible from above, even if
+something hides it from a camera, exclude the robot, and separate the target from the other objects.
 They are computed from the collision shapes. With noise in the observation (``randomization``) the
 frame is that of the noisy pose in the state. No planner is involved: the maps contain no
 information about grasps or places of release.

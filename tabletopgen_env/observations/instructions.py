@@ -43,9 +43,9 @@ _NUMBERS_ONLY = "stable_baselines3"
 class InstructionText(spaces.Text):
     """The space of an instruction as text.
 
-    It warns once if Stable-Baselines3 is loaded, which fails on ``spaces.Text`` with an unrelated
-    message. The check runs on construction and when ``shape`` is read, as every environment of that
-    library does, so the import order does not matter.
+    It warns once if Stable-Baselines3 is loaded, because that library fails on ``spaces.Text`` with
+    an unrelated message. The check runs on construction and when ``shape`` is read, as it is for
+    every environment in that library, so the import order does not matter.
     """
 
     def __init__(self) -> None:

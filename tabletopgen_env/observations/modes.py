@@ -52,8 +52,8 @@ The modes
 ``point_cloud+state``  the same with ``state``
 =====================  ========================================================================
 
-With ``instruction`` other modes with pictures or points include the instruction, too (see
-``instructions``); with ``target_mark`` pictures mark the target, and with ``calibration`` the
+With ``instruction``, the other modes with pictures or points include the instruction too (see
+``instructions``); with ``target_mark``, the pictures mark the target, and with ``calibration``, the
 observation includes the calibration of each camera (see ``views``).
 
 ``geometry="height_map"`` adds the entry ``height_map`` (see ``height_map``); the mode ``state`` is

@@ -21,7 +21,7 @@ from ..world.world import World
 from .bounds import ROBOT_BOUNDS, Noise
 
 SHARED = 32
-"""Number of entries shared with the flat state, whose others need more than joint sensors."""
+"""Number of entries shared with the flat state; its other entries need more than joint sensors."""
 
 PROPRIO_BOUNDS = np.append(ROBOT_BOUNDS[:SHARED], 1.0)
 """Largest magnitude of each entry."""

@@ -1,15 +1,16 @@
 """Domain randomisation: variation between episodes of the same scene.
 
 Without it (``randomization=None``, the default) the start of an episode depends only on its scene,
-target and goal. Episodes differ if one of these is drawn, as marked spots are, but Lift at one
-table has only as many starts as liftable objects. ``randomization="starts"`` slightly perturbs the
-arm joints, and moves objects by up to 3 cm along x and y and by up to 15 degrees, as ``certify``,
-``record`` and the training recipes do; "light" slightly randomises everything else, except delays
-and distractors; "strong" strongly randomises everything else; a ``Randomization`` sets each switch.
+target and goal. Episodes differ if one of these is drawn at random, as marked spots are; Lift at
+one table has only as many starts as there are liftable objects. ``randomization="starts"`` slightly
+perturbs the arm joints, and moves objects by up to 3 cm along x and y and by up to 15 degrees, as
+``certify``, ``record`` and the training recipes do; "light" slightly randomises everything else,
+except delays and distractors; "strong" strongly randomises everything else; a ``Randomization``
+sets each switch.
 
 Each switch is off by default and draws from a separate random stream, so enabling or changing one
-does not affect the draws of the others. (Which of the draws of "start" has enough room does depend
-on the effects of "poses" and "table".) ``reset`` restores the compiled world exactly and then
+does not affect the draws of the others. (There is one exception: "poses" and "table" affect which
+of the draws of "start" has enough room.) ``reset`` restores the compiled world exactly and then
 applies the new draws.
 
 ===============  ==================================================================================

@@ -69,7 +69,7 @@ def draw_poses(
 
 
 def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
-    """Rearrange the world's scene; return the entries of ``drawn`` that had to stay in place.
+    """Rearrange the world's scene; return the names in ``drawn`` that had to stay in place.
 
     The world must be at its start, and is at its new start afterwards.
     """
@@ -121,7 +121,7 @@ def _find_misplaced(
 
 
 def _over_the_edge(scene: Scene, before: Scene, name: str) -> bool:
-    """Return whether an object projects farther over the table's edge than before, if at all."""
+    """Return whether an object projects over the table's edge, and farther than before."""
     outline = scene.table.outline
     now, then = (inside_margin(footprint(s.object(name)), outline).min() for s in (scene, before))
     return bool(now < min(then, 0.0))
@@ -165,7 +165,7 @@ def _restless(
 def draw_distractors(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, Any]:
-    """Draw how many objects may stay beside those of the task, and the order of removal."""
+    """Draw how many objects may stay besides those of the task, and the order of removal."""
     low, high = settings.distractors or (0, 0)
     order = [world.names[k] for k in rng.permutation(len(world.names))]
     return {"most": int(rng.integers(low, high + 1)), "order": order}

@@ -38,8 +38,8 @@ class Feasible:
     def now(self) -> bool:
         """Return whether the goals can be reached from the current arrangement.
 
-        No object may touch the robot, targets to push need a stroke, and targets that had a
-        reachable grasp must still have one.
+        No object may touch the robot, the robot must have a stroke for each target to push, and
+        targets that had a reachable grasp must still have one.
         """
         world = self._world
         return (

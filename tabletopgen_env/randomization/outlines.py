@@ -24,7 +24,7 @@ def hull(outlines: Sequence[Outline]) -> Outline:
 
 
 def carry(outline: Outline, centre: Point, moves: Moves) -> Outlines:
-    """Return an outline rotated about ``centre`` and translated, for each of the moves."""
+    """Return the outline after each of the moves: rotated about ``centre``, then translated."""
     c, s = np.cos(moves[:, 2, None]), np.sin(moves[:, 2, None])
     x, y = (outline - centre).T
     turned = np.stack([c * x - s * y, s * x + c * y], -1)
@@ -34,9 +34,10 @@ def carry(outline: Outline, centre: Point, moves: Moves) -> Outlines:
 def keeps(
     own: Outlines, other: Outline, was: Outline, others: Outline, room: float
 ) -> Bool[np.ndarray, "c"]:
-    """Return which outlines stay ``room`` away from another, or as far as ``was`` from ``others``.
+    """Return which outlines are at least ``room``, or the original distance, from ``other``.
 
-    ``was`` and ``others`` are the original outlines of the two in the scene.
+    ``was`` and ``others`` are the original outlines of the moved object and of ``other``; their
+    distance is sufficient if it is smaller than ``room``.
     """
     if not near(own, other, room):
         return np.ones(len(own), bool)
@@ -47,7 +48,7 @@ def keeps(
 
 
 def near(own: Outlines, other: Outline, room: float) -> bool:
-    """Return whether the bounding boxes of outlines come within ``room`` of that of another."""
+    """Return whether the common bounding box of outlines is within ``room`` of another's."""
     low, high = own.min((0, 1)) - room, own.max((0, 1)) + room
     return bool((low <= other.max(0)).all() and (high >= other.min(0)).all())
 

@@ -64,7 +64,8 @@ class Randomization:
         move: maximum move of objects along x and y, metres, up to 0.2.
         turn: maximum rotation of objects about the vertical, radians, up to pi.
         table_height: maximum change of the table's height, metres, up to 0.08.
-        distractors: minimum and maximum number of objects beside those of the task; None keeps all.
+        distractors: minimum and maximum number of objects besides those of the task; None keeps
+            all.
         start_joints: maximum offset of each arm joint, radians, up to 0.1.
         start_move: maximum move of objects along x and y at the start, as far as there is room,
             metres, up to 0.2.
@@ -171,7 +172,7 @@ PRESETS: Mapping[str, Randomization] = MappingProxyType(
         ),
     }
 )  # fmt: skip
-"""Presets by name: "none" for settings that require a string (recipes); "starts", as for
+"""Presets by name: "none", for settings that must be strings, as in recipes; "starts", as used for
 certificates; "light" for small variations of everything but delays and distractors; "strong" for
 large ones."""
 

@@ -1,6 +1,6 @@
 """Perturbed starts: offsets of the arm's joints and of object poses.
 
-Objects are displaced after the goal is drawn, by a move along x and y and a yaw. An object and
+After the goal is drawn, objects are moved along x and y and rotated by a yaw. An object and
 everything that it carries or touches move together, as a *bundle*. Each bundle takes the first of
 ``len(_SHARES)`` draws, of decreasing size, that satisfies these conditions:
 
@@ -11,10 +11,10 @@ everything that it carries or touches move together, as a *bundle*. Each bundle 
   the goals;
 - marked spots, push paths, and the destinations of objects remain free.
 
-Without such a draw the bundle stays in place. If the expert then finds no stroke for a target to
-push, or no reachable grasp of a target to lift (``feasible``), all draws are scaled by ``_LESS``,
-and then by zero. Objects on the flat top stay at rest, so no simulation is needed. Goals that refer
-to an object's start position follow it (``goals.goal.begin_goals``); marked spots are fixed.
+If no draw does, the bundle stays in place. If the expert then finds no stroke for a target to push,
+or no reachable grasp of a target to lift (``feasible``), all draws are scaled by ``_LESS``, and
+then by zero. Objects on the flat top stay at rest, so no simulation is needed. Goals that refer to
+an object's start position follow it (``goals.goal.begin_goals``); marked spots are fixed.
 """
 
 from __future__ import annotations

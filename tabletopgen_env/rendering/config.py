@@ -61,7 +61,7 @@ class ObservationConfig:
             preset of cameras and sizes, "maniskill" or "droid" (``PRESETS``).
         kinds: images per camera, from "rgb", "depth" and "segmentation".
         image_size: height and width of the pictures in pixels, or one number for both; or a mapping
-            from camera to size. None means the preset's size, else 128.
+            from camera to size. None means the preset's size, or 128 without a preset.
         points: number of points in a point cloud.
         grasp_hint: appends a grasp of the target, or its place of release, to the state: "planned"
             (or True) by the expert's planners, "detected" by a network from height maps; see
@@ -71,7 +71,7 @@ class ObservationConfig:
             available for "goal", whose goals hindsight replay replaces.
         instruction: form of the instruction in modes with pictures or points: "text", "tokens",
             "embedding" (``observations.instructions``) or "none". None means "text" with
-            "pixels+proprio", else "none".
+            "pixels+proprio", and "none" otherwise.
         target_mark: mark of the target in pictures: an "overlay" on the colours, a "mask" as a
             separate entry, or "none"; see ``views``.
         calibration: whether to add an entry with each camera's calibration; see ``views``.

@@ -67,14 +67,14 @@ _FORKED = (
 
 
 def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> Drawer:
-    """Return a drawer of pictures of ``height`` x ``width``.
+    """Return a renderer for pictures of ``height`` x ``width`` pixels.
 
     "auto" means GL if available, else software, with a warning if GL is unavailable because of a
     fork. The software renderer draws shadows in the profile "full".
 
     Raises:
         InputError: the choice is unknown.
-        BackendError: "gl" is required but not available, or not after a fork.
+        BackendError: "gl" is required, but OpenGL is not available, or not after a fork.
     """
     if choice not in RENDERERS:
         raise InputError(f"Unknown renderer {choice!r}." + choices(str(choice), RENDERERS))
@@ -92,7 +92,7 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
 
 
 class GlDrawer(Drawer):
-    """Drawer with MuJoCo's OpenGL renderer: one GL context, and the meshes of a few worlds.
+    """Renders with MuJoCo's OpenGL renderer: keeps one GL context and the meshes of a few worlds.
 
     A copy in a forked process neither draws nor frees resources.
     """

@@ -1,4 +1,4 @@
-"""Image kinds, renderers and profiles, and the interface of drawers."""
+"""Image kinds, renderers and profiles, and the interface that rendering backends implement."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Kind = Literal["rgb", "depth", "segmentation"]
 
 
 class Drawer(Protocol):
-    """Draws worlds at a fixed picture size."""
+    """A rendering backend: draws worlds at a fixed picture size."""
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
@@ -47,4 +47,4 @@ class Drawer(Protocol):
 
 
 DrawerOf = Callable[[tuple[int, int]], Drawer]
-"""Returns a drawer for a height and width, pixels."""
+"""Returns a rendering backend for a height and width, pixels."""

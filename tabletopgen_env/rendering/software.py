@@ -1,4 +1,4 @@
-"""Drawer without OpenGL: the model's visible geoms as triangles, drawn in software."""
+"""Rendering without OpenGL: draws the model's visible geoms as triangles in software."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 @dataclass(frozen=True, eq=False)
 class VisibleGeom:
-    """One visible geom: a triangle mesh in its own frame, uv, and its texture times ``tint``."""
+    """A visible geom: triangle mesh in its own frame, uv, and a texture to multiply by ``tint``."""
 
     geom: int
     vertices: Float[np.ndarray, "n 3"]

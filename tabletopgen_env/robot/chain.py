@@ -1,4 +1,4 @@
-"""Forward kinematics of the arm in MuJoCo: frames and Jacobian in microseconds.
+"""Forward kinematics of the arm in MuJoCo: frames and Jacobian, computed in microseconds.
 
 The chain consists of the modified Denavit-Hartenberg transforms (Craig's convention)
 ``Rot_x(alpha) Trans_x(a) Rot_z(q) Trans_z(d)`` of ``franka.JOINTS``, in the frame of the base.

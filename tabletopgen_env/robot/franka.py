@@ -22,7 +22,7 @@ HALF_PI = float(np.pi / 2)
 class Joint:
     """One arm joint, with the modified DH frame that precedes it.
 
-    ``a``, ``d`` in metres, ``alpha`` in radians: the link's frame in its parent's is
+    ``a`` and ``d`` are in metres, ``alpha`` in radians; the link's frame in its parent's is
     ``Rot_x(alpha) Trans_x(a) Rot_z(q) Trans_z(d)``. ``low`` and ``high`` bound q (radians),
     ``velocity`` is in rad/s, ``torque`` in N m, ``stiffness`` and ``damping`` are the position
     servo's gains (N m/rad, N m s/rad).

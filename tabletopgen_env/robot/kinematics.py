@@ -197,10 +197,10 @@ def solve_ik(
 def is_beyond_reach(position: Float[np.ndarray, "3"]) -> bool:
     """Return whether a tool position is too far for a downward-pointing hand at every yaw.
 
-    The position is in the base frame, metres. Beyond reach, the wrist would be farther from the
-    shoulder than the elbow extends, by more than the tolerance of ``IkSolution.solved``, so
-    ``solve_ik`` cannot solve the pose. Positions that are not beyond reach may still have no
-    solution.
+    The position is in the base frame, metres. It is beyond reach if the wrist would have to be
+    farther from the shoulder than the elbow allows, by more than the tolerance of
+    ``IkSolution.solved``; ``solve_ik`` then cannot solve the pose. Positions that are not beyond
+    reach may still have no solution.
     """
     x, y, z = position.tolist()
     aside = max(math.hypot(x, y) - franka.JOINTS[6].a, 0.0)

@@ -32,7 +32,7 @@ GAP = 0.012
 """Gap between pedestal and table edge, metres."""
 
 LIFT = 0.01
-"""Height of the base above the table top, metres: its foot projects over the edge."""
+"""Height of the base above the table top, metres, since its foot projects over the edge."""
 
 NEAREST = 0.30
 """Minimum horizontal distance from the base at which the hand can point straight down, metres."""
@@ -114,7 +114,7 @@ def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
 def clear_of_tall(
     scene: Scene, mount: Mount, name: str, points: Float[np.ndarray, "n 2"]
 ) -> Bool[np.ndarray, "n"]:
-    """Return which points (x, y, world) no tall object except ``name`` separates from the base.
+    """Return which points (x, y, world) have no tall object but ``name`` between them and the base.
 
     Tall objects and obstruction are defined as in ``obstacle``.
     """
@@ -212,7 +212,7 @@ def _obstacle(
 def _score(
     mount: Mount, spots: Float[np.ndarray, "n 3"], boxes: Sequence[_Box], rising: Sequence[_Box]
 ) -> float:
-    """Return the score of a mount: objects reached, table reached, clearance, and viewer's side."""
+    """Score a mount by the objects and table area reached, clearance, and the viewer's side."""
     covered = float(mount.reaches(spots).mean())
     reached = crowded = 0.0
     if boxes:

@@ -137,7 +137,7 @@ def spot_of(
 def _is_brought_to(
     world: World, obj: Object, plan: GraspPlan, point: Float[np.ndarray, "2"]
 ) -> bool:
-    """Return whether the arm can place ``obj``, held by ``plan``, on a point at some yaw."""
+    """Return whether the arm can place ``obj``, held as in ``plan``, on a point at some yaw."""
     center = np.array([*point, world.scene.table.height + rest_height(world, obj.name)])
     held = plan.grasp.point - world.position(obj.name)
     return any(

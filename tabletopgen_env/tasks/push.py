@@ -35,7 +35,7 @@ SLENDER = 1.2
 """Maximum height of a target as a multiple of its smallest width: more slender objects topple."""
 
 LEAST_GRIP = 0.5
-"""Minimum friction coefficient with the table that a push must overcome without toppling."""
+"""Least friction coefficient with the table at which a target must slide without toppling."""
 
 LONGEST = 2.0
 """Maximum length of a target along the push, as a multiple of its breadth."""
@@ -106,7 +106,7 @@ def tips(obj: Object) -> bool:
 
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
-    """Draw the end of a push: along a path free of other objects, with room for the hand behind."""
+    """Draw the end of a push, with a path free of objects and room for the hand at its start."""
     begin, table = obj.pose.position[:2], world.scene.table
     outline, others = world.footprints[obj.name], beside(world, obj.name)
     radius = float(np.linalg.norm(outline - begin, axis=1).max())

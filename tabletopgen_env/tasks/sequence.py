@@ -1,6 +1,6 @@
 """Sequence: several steps at one table, in the order of a sentence.
 
-Without a preset two or three steps are drawn: objects are placed into containers, on flat tops of
+Without a preset, two or three steps are drawn: objects are placed into containers, on flat tops of
 others or on marked spots, each object once. A preset has fixed steps:
 
 ================  ==============================================================================
@@ -47,7 +47,7 @@ from .swap import Swap
 from .task import Choice, Episode, Task, episode
 
 NEEDS: Needs = (SMALL, SMALL, (*FLAT, *TRAYS))
-"""Required objects of tables for drawn steps: two to move, and a destination for one."""
+"""Objects that tables for drawn steps must have: two to move, and a destination for one."""
 
 _APART = 0.2  # minimum distance of two marked spots, metres
 
@@ -212,7 +212,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
 ) -> Goal | None:
-    """Return a goal of ``obj`` clear of ``busy`` objects and the spots of ``before``, or None."""
+    """Return a goal for ``obj`` clear of ``busy`` objects and spots of ``before``, or None."""
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
     ways: list[Goal] = []

@@ -15,11 +15,12 @@ met        the share of the goals that are met
 success    all goals are met
 =========  ========================================================================================
 
-In reach, grasp and lift a met goal counts 1 and a future one 0; they also count in full while the
-active target is in its region and only has to be released. The dense reward is a weighted sum of
-the terms; the weights sum to 1, and the reward is 1 if and only if the task has succeeded. The
-sparse reward is 0 on success and -1 otherwise. With goal-dict observations the reward must follow
-from goal vectors alone: sparse as above, dense 0.5 place + 0.5 met.
+For reach, grasp and lift, a met goal counts as 1 and a future one as 0; the active goal also counts
+as 1 while its target is in the region and only has to be released. The dense reward is a weighted
+sum of the terms; the weights sum to 1, and the reward is 1 if and only if the task has succeeded.
+The sparse reward is 0 on success and -1 otherwise. With goal-dict observations, the reward must
+depend on the goal vectors alone: the sparse reward is as above, the dense one is 0.5 place + 0.5
+met.
 
 A goal vector has eight entries per goal: the centre x, y, z of its region in the base frame (m),
 the semi-axes x', y' (m), yaw (rad), semi-axis z (m), and 1 for the required state. In an achieved
@@ -182,7 +183,7 @@ class Task(ABC):
     # -------------------------------------------------------------------------------------- reward
 
     def goal_terms(self, gaps: list[Gap]) -> dict[str, float]:
-        """Return the terms that follow from the goal vectors: place, met, success."""
+        """Return the terms that the goal vectors determine: place, met, success."""
         count = len(gaps)
         place = [1 / (1 + math.sqrt(g.across * g.across + g.up * g.up) / PLACE_SCALE) for g in gaps]
         for first, second in self.aside.items():

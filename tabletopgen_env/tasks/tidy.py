@@ -1,8 +1,8 @@
 """Tidy: put the small objects on the table into one tray, box or bowl.
 
-The targets are two to four objects that fit together beside the present contents, the nearest to
-the container first. ``reset`` option: ``goal``, the name of the container. Goals: `Into`. Few
-tables have a container for several objects; the tables in ``SCENES`` do.
+The targets are two to four objects that fit into the container together, beside its contents; the
+nearest objects come first. ``reset`` option: ``goal``, the name of the container. Goals: `Into`.
+Few tables have a container for several objects; the tables in ``SCENES`` do.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def _together(world: World, container: Object, things: list[Object]) -> list[Obj
 
 
 def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
-    """Return whether an object fits beside the contents, or on top of a central one."""
+    """Return whether ``second`` fits beside a centred ``first``, or on top of it."""
     on_top = resting_height(first) + INSIDE <= hollow.depth
     beside = grasp_width(first) / 2 + grasp_width(second)
     return on_top or beside <= float(hollow.semi.min())

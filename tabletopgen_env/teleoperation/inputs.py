@@ -39,7 +39,7 @@ VIEWS: Mapping[CameraName, tuple[tuple[float, float], tuple[float, float]]] = Ma
 """Directions of a camera's right and forward axes in the base frame, x and y."""
 
 SLOWLY = 0.3
-"""Share of full speed with shift."""
+"""Fraction of full speed while shift is pressed."""
 
 _DEAD = 0.15  # dead zone of a stick
 _KEYS: Mapping[str, tuple[int, float]] = MappingProxyType({
@@ -76,7 +76,7 @@ class HumanInput:
 
 @dataclass(frozen=True, eq=False)
 class Command:
-    """The command of an input: an "ee_delta" action, whether there was any motion, and events."""
+    """The command for an input: an "ee_delta" action, whether it moves anything, and events."""
 
     action: Float[np.ndarray, "5"]
     acts: bool
@@ -96,7 +96,7 @@ class Operator:
         self.gripper = 1.0
 
     def read(self, given: HumanInput) -> Command:
-        """Return the command of an input; event keys and buttons count when they are pressed."""
+        """Return the command for an input; event keys and buttons count once per press."""
         before, self._before = self._before, given
         right, away, up, turn = _motion(given)
         grips = _goes_down(_GRIP_KEY, _GRIP_BUTTON, before, given)

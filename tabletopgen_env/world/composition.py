@@ -61,7 +61,7 @@ def compose(
 ) -> mujoco.MjSpec:
     """Return the specification of ``scene`` with ``robot`` at ``mount``.
 
-    The robot is added to ``base``, a specification of the scene; None builds one.
+    The robot is added to ``base``, a specification of the scene; if it is None, one is built.
     """
     import mujoco
 
@@ -119,7 +119,7 @@ def side_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
 
 
 def _framing(scene: Scene, mount: Mount, around: float, width: int, height: int) -> Camera:
-    """Return a camera that frames table and arm, at ``around`` about the vertical, base frame."""
+    """Return a camera that frames table and arm; ``around`` is its bearing in the base frame."""
     turn = rotation_z(mount.yaw)
     outline = np.asarray(scene.table.outline, float)
     top = np.column_stack([outline, np.full(len(outline), scene.table.height)])

@@ -11,7 +11,7 @@ T = TypeVar("T")
 
 
 class PerObject(dict[str, T]):
-    """Results of ``find`` by object name, each computed on first access and cached."""
+    """The results of ``find`` by object name, each computed on first access and then cached."""
 
     def __init__(self, scene: Scene, find: Callable[[Object], T]) -> None:
         super().__init__()

@@ -1,9 +1,9 @@
 """The room around the table: floor, sky and lights, adjusted for a well-exposed picture.
 
-A white table top in the sun has four fifths of full brightness and the floor about two fifths, so
-that tables of any colour stand out. The sun shines from behind the front camera towards the robot,
-so that the visible sides are lit and the arm's shadow falls away from the table. Behind table and
-robot the floor fades into haze.
+A white table top in the sun is at four fifths of full brightness and the floor at about two fifths,
+so that tables of any colour stand out. The sun shines from behind the front camera towards the
+robot, so that the visible sides are lit and the arm's shadow falls away from the table. Behind
+table and robot the floor fades into haze.
 """
 
 from __future__ import annotations

@@ -62,8 +62,8 @@ class World:
     """A compiled scene with a robot, and its state.
 
     Attributes:
-        scene: the scene, without supports that its report refutes.
-        bundle: the bundle folder from which it was read, None otherwise.
+        scene: the scene, without the supports that its report found not to hold.
+        bundle: the bundle folder from which it was read; None if it was not read from one.
         mount: the pose of the robot's base in the world frame.
         model, data: the MuJoCo model and data.
         state: live views of the robot and the objects in ``data``.

@@ -20,9 +20,10 @@ KEPT = 16
 
 
 class WorldCache:
-    """The ``size`` most recently used worlds by scene key: a reset only writes their state.
+    """Keeps the ``size`` most recently used worlds by scene key, so that a reset only writes state.
 
-    New worlds, with ``robot`` at the table, are copied from ``masters``; None compiles each.
+    New worlds, with ``robot`` at the table, are copied from ``masters``; if that is None, each is
+    compiled.
     """
 
     def __init__(self, robot: Panda, size: int, masters: Masters | None = None) -> None:
@@ -60,7 +61,7 @@ class _Master:
 
 
 class Masters:
-    """The ``size`` most recently used scenes, compiled once with ``robot``, for copying.
+    """Keeps the ``size`` most recently used scenes, compiled once with ``robot``, to be copied.
 
     The methods are thread-safe. Each copy has its own model, since environments write to it.
     """

@@ -17,7 +17,7 @@ CONTROL_HZ = 20
 """Recorded states per second."""
 
 TRIES = 4
-"""Maximum number of seeds tried for an episode that the expert solves."""
+"""Maximum number of seeds to try until the expert solves an episode."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,7 +73,7 @@ class PlayRow:
 
 
 def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> RecordedPlay:
-    """Record the scripted expert in one episode of a task at a bundle.
+    """Record the scripted expert in one episode of a task in a bundle's scene.
 
     At most ``tries`` seeds are tried, starting at ``seed``. The result is the first episode that
     the expert solves, or else the last one that it attempts.

@@ -19,7 +19,7 @@ START = "home"
 
 
 def robot_document(scene: Scene, files: frozenset[str]) -> str:
-    """Return the MJCF of ``scene`` with the arm at its mount in environments.
+    """Return the MJCF of ``scene`` with the arm mounted as in the environments.
 
     It is the model that environments simulate, so recorded states match. It refers only to the
     files of the bundle, ``files``.

@@ -79,8 +79,8 @@ class SceneRow:
         id: the name of the bundle's folder.
         name, kind, prompt: name and provenance of the scene; ``kind`` is "text", "image",
             "compose", "import" or similar.
-        asked: requests of the edits, in order.
-        theme: the kind of table in the text, or else in the scene's name; "" for none.
+        asked: the user's edit requests, in order.
+        theme: the kind of table named in the prompt, or else in the scene's name; "" for none.
         seed: the seed of the scene; None if it is not recorded.
         difficulty: difficulty for manipulation, in [0, 1]; None if it was not computed.
         thumbnail: path of a small picture, relative to the page's JSON file; None without one.
@@ -176,7 +176,7 @@ def _thing(entry: Mapping[str, Any], model: Mapping[str, Any]) -> ThingRow:
 
 
 def theme_of(words: str) -> str:
-    """Return the kind of table that a text names, "" if it names none."""
+    """Return the kind of table that a prompt names, "" if it names none."""
     from generator.language.semantics.tone import find_theme
 
     return find_theme(_WORD.findall(words.lower())) or ""

@@ -99,7 +99,7 @@ def scene_folder(
 
 
 def _is_data(name: str) -> bool:
-    """Return whether a bundle's file is served; a bundle may also list scripts or web pages.
+    """Return whether a bundle's file is served: not scripts or web pages, which it may also list.
 
     The archive of the bundle contains all files.
     """
@@ -149,7 +149,7 @@ def _downloads(
     files: dict[str, bytes],
     report: Callable[[str], None],
 ) -> list[dict[str, Any]]:
-    """Add the bundle and its exports as one file each; return their entry in ``view.json``."""
+    """Add the bundle and each export as a file to download; return their entry in ``view.json``."""
     made = {f"{name}.zip": ("Bundle (MJCF)", archive(name, held))}
     for kind in formats:
         report(kind)

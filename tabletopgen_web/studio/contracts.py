@@ -94,7 +94,7 @@ class JobEvent:
 
 @dataclass(frozen=True)
 class StudioScene(SceneRow):
-    """A scene of the list: its gallery entry, and more.
+    """A scene in the list: its gallery entry, and more facts about it.
 
     ``place`` (``in`` in JSON) is the location of its bundle, ``saved`` whether the user's store
     also has it; ``digest`` is the end of its name; ``parent`` is the scene from which it was
@@ -164,10 +164,10 @@ class RoleRow:
 
 @dataclass(frozen=True)
 class EstimateRow:
-    """The first requests of a job to servers, and their maximum cost. Nothing was sent.
+    """The first requests that a job would send to servers, and their maximum cost.
 
-    ``calls`` has a line per call; later calls depend on the answers. ``asks_servers`` is false if a
-    job is free.
+    Nothing was sent. ``calls`` has a line per call; later calls depend on the answers.
+    ``asks_servers`` is false if a job is free.
     """
 
     roles: tuple[RoleRow, ...]

@@ -127,7 +127,7 @@ class StudioFolder:
             lock.release()
 
     def announce(self, address: str) -> None:
-        """Record the studio's address, without its token, for the error of a second studio."""
+        """Record the studio's address, without its token, for a second studio's error message."""
         facts = json.dumps({"process": os.getpid(), "address": address})
         write_whole(self.root / _WHO, facts, _ADDRESS, "Free space there.")
 

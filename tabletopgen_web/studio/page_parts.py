@@ -30,7 +30,7 @@ def write_view(bundle: Path, folder: Path) -> None:
 
 
 def play_episode(bundle: Path, task: str, seed: int) -> RecordedPlay:
-    """Record the scripted expert in one episode of a task at a scene.
+    """Record the scripted expert in one episode of a task in a scene.
 
     Raises:
         SceneError: the scene has no valid task, or the expert cannot solve it with this seed.

@@ -86,7 +86,7 @@ class EditSpec:
 
 @dataclass(frozen=True)
 class EpisodeSpec:
-    """An episode of a task at a scene, played by the scripted expert."""
+    """An episode of a task in a scene, played by the scripted expert."""
 
     scene: str
     task: str

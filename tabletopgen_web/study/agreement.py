@@ -19,14 +19,14 @@ def krippendorff(units: Iterable[Sequence[int]], metric: Metric) -> float | None
     """Return Krippendorff's alpha: 1 for agreement, 0 for chance level, negative below chance.
 
     ``units`` holds the values of each unit, in any order; units with fewer than two values are
-    ignored. With o the coincidences of values c and k within units, where each unit's pairs have
-    the weight 1 / (number of values - 1), and n their sums::
+    ignored. Let o_ck count the pairs of values c and k within units, each pair with the weight 1 /
+    (its unit's number of values - 1), and let n be the sums of o. Then::
 
         alpha = 1 - (n - 1) sum_ck o_ck d_ck / sum_ck n_c n_k d_ck
 
-    d is 1 for different values (nominal), or the square of the sum of n from c to k minus half of
-    n_c and n_k (ordinal, with sorted values). Returns None if alpha is undefined, because there are
-    too few units or all values are equal.
+    For nominal values, d is 1 if they differ; for ordinal ones, which are sorted, it is the square
+    of the sum of n from c to k, less half of n_c and half of n_k. The result is None if alpha is
+    undefined, because there are too few units or all values are equal.
     """
     paired = [list(unit) for unit in units if len(unit) > 1]
     values = sorted({value for unit in paired for value in unit})

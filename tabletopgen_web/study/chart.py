@@ -91,5 +91,5 @@ def _errors(means: Sequence[float], intervals: Sequence[Interval | None]) -> np.
 
 
 def _plain(name: str) -> str:
-    """Return a name without markup, and without a first character that hides it from the legend."""
+    """Return a name without markup or a first character that would hide it from the legend."""
     return name.replace("$", r"\$").removeprefix("_")

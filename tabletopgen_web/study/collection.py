@@ -16,7 +16,7 @@ from .design import MAX_SCENES, Drawing
 from .pictures import ENDINGS, decode, digest_of, encode, read_picture
 
 ABOVE = ".above"
-"""Suffix of the stem of a plain picture from above: ``desk.above.png`` beside ``desk.png``."""
+"""File suffix of a plain picture's view from above: ``desk.above.png`` beside ``desk.png``."""
 
 _MAX_ENTRIES = 5000  # maximum number of entries of a folder
 
@@ -97,7 +97,7 @@ def collect(
 
 
 def _rename(inputs: Sequence[_Input]) -> list[_Input]:
-    """Return the inputs with distinct names: bundles of several pictures may share one."""
+    """Return the inputs with distinct names, since bundles of different pictures may share one."""
     stems = [one.stem for one in inputs]
     return [
         one if stems.count(one.stem) == 1 else replace(one, stem=f"{one.stem}-{one.digest[:6]}")

@@ -40,8 +40,8 @@ class StudyOptions:
         min_seconds: Minimum time of a rater; by default 25 s per scene.
         attention: Attention checks per rater: the number of scenes with an additional item that
             tells the rater which number to choose.
-        post: Path on the page's own server to which answers are sent, instead of a file, if the
-            page comes from a server. {study} in it stands for the study's id.
+        post: Path on the page's own server to which a page from a server sends the answers, instead
+            of saving a file. {study} in it stands for the study's id.
     """
 
     title: str = ""

@@ -74,7 +74,7 @@ def read_template() -> str:
 
 
 def fill(template: str, facts: Mapping[str, Any]) -> str:
-    """Insert a study's data into the built page, with a policy that allows nothing but that page.
+    """Insert a study's data into the built page, with a policy that allows only that page's code.
 
     Raises:
         InputError: the built page has no placeholder, or the result is too large.

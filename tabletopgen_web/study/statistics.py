@@ -37,9 +37,9 @@ class CountedMean:
 class MethodFigures:
     """Figures of a method.
 
-    ``means`` has a mean per entry of ``CRITERIA``, ``average`` is that of the first three, as in
-    Table 2; ``chosen`` is the number of choices of this method, ``share`` their share with Wilson's
-    interval ``share_interval``.
+    ``means`` has a mean per entry of ``CRITERIA``, and ``average`` is the mean of the first three,
+    as in Table 2. ``chosen`` is how often this method was chosen, ``share`` that number as a share
+    of all choices, and ``share_interval`` its Wilson interval.
     """
 
     method: str
@@ -55,8 +55,9 @@ class PairFigures:
     """Comparison of two methods.
 
     ``rate`` is the share of rated scenes in which the first method has the higher overall score,
-    with ties counted as half; ``chosen`` and ``other_chosen`` are the numbers of choices of either
-    method, ``chosen_share`` is the first's share of both with Wilson's interval, None without any.
+    with ties counted as half. ``chosen`` and ``other_chosen`` are how often each of the two was
+    chosen; ``chosen_share`` is the first's share of both, with Wilson's interval, or None if
+    neither was chosen.
     """
 
     method: str
@@ -83,7 +84,7 @@ class Exclusions:
 
 @dataclass(frozen=True)
 class StudyReport:
-    """The figures of a study; ``raters`` is the number of counted raters of ``read``."""
+    """The figures of a study; ``raters`` is how many of the ``read`` raters are counted."""
 
     study: str
     title: str
@@ -166,7 +167,7 @@ def _resample(raters: int, seed: int) -> Int[np.ndarray, "b r"]:
 def _mean(
     sums: Sequence[float], counts: Sequence[float], drawn: Int[np.ndarray, "b r"]
 ) -> CountedMean:
-    """Return the mean from raters' ``sums`` of ``counts`` values."""
+    """Return the mean of all values, given each rater's ``sums`` and ``counts`` of values."""
     total, count = np.array(sums, float), np.array(counts, float)
     mean = float(total.sum() / count.sum())
     if len(sums) < 2:

@@ -98,7 +98,7 @@ def _count(folder: Path) -> int:
 
 
 def _size(folder: Path, but: Path) -> int:
-    """Return the total size of a folder's files in bytes, except one; 0 if it does not exist."""
+    """Return the total size of all but one of a folder's files, bytes; 0 without a folder."""
     paths = [path for path in folder.iterdir() if path != but] if folder.is_dir() else []
     return sum(path.stat().st_size for path in paths)
 

@@ -78,7 +78,7 @@ class PictureShelf:
         """Return a picture as PNG, upright and at its working size.
 
         Raises:
-            RefusedError: there is none of that id.
+            RefusedError: no picture has this id.
         """
         shown = self.path(name).with_suffix(".png")
         return read_regular(shown, "The picture", InputError, max_bytes=4 * MAX_BYTES)

@@ -50,7 +50,7 @@ class SceneLibrary:
         return found
 
     def list_rows(self) -> list[StudioScene]:
-        """Return a row for every scene: the workspace first, newest first."""
+        """Return a row for every scene: those of the workspace first, the newest at the top."""
         stored = _stored_names()
         rows = [(path, replace(self._read_row(path, place), saved=path.name in stored))
                 for path, place in self._places().values()]  # fmt: skip
@@ -124,7 +124,7 @@ class SceneLibrary:
     def history(self, scene: str) -> tuple[list[EditRow], list[str]]:
         """Return the steps that led to a scene, including it, and the scenes edited from it.
 
-        Of the latter, those of the workspace come first, newest first.
+        The scenes edited from it are sorted: the workspace's first, from new to old.
 
         Raises:
             RefusedError: the scene does not exist.

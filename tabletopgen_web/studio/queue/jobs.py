@@ -33,7 +33,7 @@ MOST_LOG = 64 * 2**10
 """Number of characters at the end of a job's log that are stored."""
 
 MOST_INTERRUPTED = 3
-"""Maximum number of interrupted runs before a job is not restarted automatically."""
+"""Number of interrupted runs after which a job is no longer restarted automatically."""
 
 _MAX_JOBS = 5000  # stored jobs; the oldest finished ones are dropped
 _MAX_DELETED = 1000  # stored removal events, for clients that reconnect
@@ -158,9 +158,9 @@ class JobStore(JobHistory):
             self._remove(job)
 
     def recover(self) -> list[str]:
-        """Queue the jobs again that were running when the server ended; return their ids.
+        """Queue again the jobs that were running when the server ended; return their ids.
 
-        A job during which the server ended repeatedly stays interrupted.
+        A job stays interrupted if the server ended during several of its runs.
         """
         rows = self._select("SELECT id, runs FROM jobs WHERE state IN ('running', 'interrupted') "
                             "AND (state = 'running' OR error IS NULL)")  # fmt: skip

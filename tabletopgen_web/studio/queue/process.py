@@ -1,4 +1,4 @@
-"""The process of one job: its order, its messages, and its end.
+"""The process of one job: the order that it receives, its messages, and its end.
 
 The process receives one line of JSON and sends lines of JSON. It ends when its standard input is
 closed, which also happens if the server is killed. It runs in a new session, so its children end
@@ -37,7 +37,7 @@ _AFTER = 5.0  # seconds that pipes may stay open after the process has ended
 
 @dataclass(frozen=True)
 class JobEnding:
-    """Exit of a process: ``code`` as in ``subprocess``; ``late`` after a timeout."""
+    """How a process ended: ``code`` as in ``subprocess``; ``late`` after a timeout."""
 
     code: int
     late: bool = False

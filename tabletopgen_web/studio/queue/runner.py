@@ -16,7 +16,7 @@ from .jobs import JobStore
 from .process import JobProcess
 
 Order = Callable[[JobRow], Mapping[str, Any]]
-"""Creates the order of a job; raises a TabletopError if it cannot start."""
+"""Creates the order for a job's process; raises a TabletopError if the job cannot start."""
 
 _LOG = logging.getLogger(__name__)
 _AGAIN = 2.0  # seconds between attempts to take a job, or to record a result

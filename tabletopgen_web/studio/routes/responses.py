@@ -40,7 +40,7 @@ def answer(value: Any, status: int = 200, headers: Mapping[str, str] | None = No
 
 
 def answer_file(path: Path, *, attach: bool = False) -> Response:
-    """Return a file response, with ``attach`` as a download."""
+    """Return a file response, as a download if ``attach`` is true."""
     kind = _TYPES.get(path.suffix.lower(), "application/octet-stream")
     return FileResponse(path, media_type=kind, filename=path.name if attach else None)
 
@@ -69,7 +69,7 @@ def list_files(static: Path) -> Mapping[str, Path]:
 
 
 async def show(scope: Scope, receive: Receive, send: Send) -> None:
-    """Return a file of the page; other paths that are not endpoints do not exist."""
+    """Return a file of the page, or the error 404 for any other path that is not an endpoint."""
     request = Request(scope, receive)
     path = services_of(request).files.get(scope["path"])
     if path is None or request.method not in ("GET", "HEAD"):

@@ -30,7 +30,7 @@ async def show_study(request: Request) -> Response:
 async def add_answer(request: Request) -> Response:
     """Store a rater's answer: an object with the rater's id in ``rater``.
 
-    Answers of a served study must be complete, and have lower limits.
+    Answers to a served study must be complete, and lower limits apply to them.
     """
     services, payload = services_of(request), await read_json(request, MAX_ANSWER_BYTES)
     study = request.path_params["study"]

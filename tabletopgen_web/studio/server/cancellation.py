@@ -1,4 +1,4 @@
-"""Cancellation of requests whose client has left, or when the studio ends."""
+"""Cancellation of requests when their client leaves or the studio ends."""
 
 from __future__ import annotations
 

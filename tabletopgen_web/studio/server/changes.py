@@ -1,4 +1,4 @@
-"""Notification of many waiters about changes of the studio's state."""
+"""Notification of waiting tasks about changes to the studio's state."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""Access control: the page at the printed address, and programs with the token.
+"""Access control for the page at the printed address and for programs with the token.
 
-Raters of a study have a separate token, which permits the study's page and submission of answers.
+Raters of a study have a separate token, which gives access only to the study's page and to sending
+answers.
 
 Every request must use this server's own host name (which prevents DNS rebinding), and requests that
 change something must come from its own page. The headers of every response forbid embedding,

@@ -46,10 +46,10 @@ def bind(host: str, port: int) -> Iterator[socket.socket]:
 
 
 class HastyProtocol(H11Protocol):
-    """Closes connections without a complete request head in time, since connections are limited."""
+    """Closes connections that send no complete head in time, since their number is limited."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:
-        """Start to wait for a request."""
+        """Start waiting for a request."""
         super().connection_made(transport)
         self._late: asyncio.TimerHandle | None = None
         self._wait()
@@ -78,7 +78,7 @@ class HastyProtocol(H11Protocol):
 
 
 class _Server(uvicorn.Server):
-    """Notifies the application of the process's end at once, before all responses are sent."""
+    """Tells the application at once that the process ends, before all responses are sent."""
 
     def __init__(self, config: uvicorn.Config, stop: Callable[[], None]) -> None:
         super().__init__(config)

@@ -88,7 +88,7 @@ class StudioServices:
             self.pictures.path(spec.picture)
 
     async def estimate(self, request: Mapping[str, Any]) -> Mapping[str, Any]:
-        """Return the requests of a job to servers, from a dry run in a separate process.
+        """Return the requests that a job would send to servers, from a dry run in another process.
 
         Raises:
             TabletopError: the job is invalid, or the dry run fails.
