@@ -224,7 +224,7 @@ def _time(look: Look) -> str:
           aliases=("microwave oven", "countertop microwave"), themes=("kitchen",), roles=("big",),
           colors=("white", "silver"))  # fmt: skip
 def microwave(look: Look) -> Shape:
-    """A microwave oven with a dark window, a handle, and a clock and keys or two dials."""
+    """A microwave oven with a dark window, a handle, and either a clock and keys or two dials."""
     x, y, h = look.between(0.42, 0.5), look.between(0.3, 0.36), look.between(0.24, 0.29)
     color = look.color(*SHELLS)
     shell = look.surface(color, "metal" if look.chance(0.3) else "plastic")

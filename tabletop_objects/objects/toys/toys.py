@@ -421,7 +421,7 @@ def die(look: Look) -> Shape:
           themes=("toys", "sports", "pets"), roles=("round",), colors=("red", "blue"),
           common=True)  # fmt: skip
 def ball_(look: Look) -> Shape:
-    """A tennis ball, baseball or play ball, a basketball, or a football."""
+    """A tennis ball, baseball, play ball, basketball or football."""
     kind = int(look.rng.integers(5))
     seams: list[Solid] = []
     ink = (240, 240, 236)
