@@ -1,4 +1,4 @@
-"""Values: a mesh, its convex parts, physics and size, in metres, kilograms and radians, z up.
+"""Value types for meshes, convex parts, physics and sizes; metres, kilograms, radians, z up.
 
 *Canonical frame* of a model: its mesh fills the unit box ``[-0.5, 0.5]^3``; ``Model.size`` is its
 extent in metres. *Texture coordinates* have u to the right and v upwards, so row 0 of a texture is
@@ -163,9 +163,9 @@ class ConvexPart:
 class Slot:
     """A slot of a holder for one object.
 
-    ``at`` is the position of the centre of the object's underside in the holder's canonical frame,
-    ``yaw`` the object's rotation relative to the holder in radians, and ``name`` the object's name,
-    if it is known.
+    ``at`` is where the centre of the object's underside goes, in the holder's canonical frame;
+    ``yaw`` is the object's rotation relative to the holder, in radians; and ``name`` is the
+    object's name, if it is known.
     """
 
     at: Float[np.ndarray, "3"]
@@ -197,7 +197,7 @@ class Physics:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A canonical 3D model m_i (Sec. 3.2): +z up, unit box.
+    """A canonical 3D model m_i (Sec. 3.2 of the paper): +z up, filling the unit box.
 
     ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
     pieces in the canonical frame; without any, assembly decomposes the mesh. A ``container`` can

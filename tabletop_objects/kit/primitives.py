@@ -208,7 +208,7 @@ def standing(*profile: tuple[float, float], sides: int = 24, at: Point = (0, 0, 
 
 
 def lies(solid: Solid, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
-    """Return a solid along z laid down along +x, with its bottom at ``x``."""
+    """Return a solid that extends along z, laid down along +x, with its bottom at ``x``."""
     return solid.turn(1, np.pi / 2).move(x, y, z)
 
 

@@ -385,7 +385,7 @@ class Category:
             front), "big" (too wide for a small gripper), "edible", "screen".
         colors: usual colours.
         state: how the object stands or lies.
-        noun: name in a sentence; by default the key with spaces.
+        noun: name in a sentence; by default the key with spaces for underscores.
         opened: key of the open or empty category to use when something is put inside.
         holder: the row of slots, if it is a rack.
         common: whether it may appear on random tables.

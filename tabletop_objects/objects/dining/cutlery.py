@@ -267,7 +267,7 @@ def _metal(look: Look) -> Tile:
 
 
 def _grip_paint(look: Look) -> tuple[str, Tile]:
-    """Return the kind of a handle, "metal" or "sleeve", and the tile of the sleeve."""
+    """Return the kind of handle, "metal" or "sleeve", and the tile of the sleeve."""
     color = look.own_color("black", "white", "brown", "red", "teal", "sky", "cream")
     sleeve = look.pick([surfaces.wood(look.rng, (150, 98, 60)), surfaces.plain(color),
                         surfaces.speckles(look.rng, color, 5, 32)])  # fmt: skip

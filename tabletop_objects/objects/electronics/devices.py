@@ -19,7 +19,7 @@ DARK: RGB = (32, 32, 35)
           aliases=("quadcopter", "quadrocopter", "camera drone", "mini drone", "toy drone"),
           themes=("electronics",), roles=("big",), colors=("white", "gray"))  # fmt: skip
 def drone(look: Look) -> Shape:
-    """A quadcopter standing on its feet: a body, four arms with rotors and a camera."""
+    """A quadcopter standing on its feet: a body, four arms with rotors, and a camera."""
     k = look.between(0.88, 1.08)
     color = look.color("white", "gray", "black", "charcoal", "orange", "red")
     tile = look.surface(color, "plastic")

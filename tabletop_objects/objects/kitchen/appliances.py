@@ -33,7 +33,7 @@ from .grills import _panel, griddle, turn_knob
           assembled=True, aliases=("egg timer", "cooking timer"), themes=("kitchen",),
           colors=("red", "white"))  # fmt: skip
 def kitchen_timer(look: Look) -> Shape:
-    """A kitchen timer: a round dial on a foot, or a twistable egg or tomato."""
+    """A kitchen timer: a round dial on a foot, or an egg or a tomato that twists."""
     d = look.between(0.06, 0.072)
     color = look.color("red", "white", "yellow", "sky", "orange", "mint", "black", "silver")
     skin = look.surface(color, "plastic")

@@ -424,7 +424,7 @@ class Lute:
         head: length of the head.
         strings: number of strings.
         deep: depth of the body.
-        face: colours of the face; if empty, it has the colour of the back.
+        face: colours of the face; if empty, the face has the colour of the back.
         hole: radius of the sound hole; 0 for none.
         round_back: whether the back bulges like half a pear.
     """

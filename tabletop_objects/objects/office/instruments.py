@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, tint_color
           colors=("black",))  # fmt: skip
 @from_pieces()
 def weather_vane(look: Look) -> Pieces:
-    """A weather vane: a cockerel and an arrow above compass letters on a foot."""
+    """A weather vane on a foot: a cockerel and an arrow above compass letters."""
     tile = metal(look, "black", "copper", "charcoal", "bronze")
     foot, post = (standing((0.05, 0), (0.048, 0.008), (0.012, 0.016)),
                   straight((0, 0, 0.01), (0, 0, 0.2), 0.004, 10))  # fmt: skip

@@ -768,7 +768,7 @@ def cup_and_ball(look: Look) -> Shape:
           aliases=("praxinoscope", "stroboscope", "phenakistoscope"), themes=("toys",),
           colors=("black",))  # fmt: skip
 def zoetrope(look: Look) -> Shape:
-    """A zoetrope: a slotted drum on a foot with a strip of pictures inside."""
+    """A zoetrope: a slotted drum on a foot, with a strip of pictures inside."""
     color = look.color("black", "red", "navy", "wooden")
     k = look.between(0.85, 1.15)
     foot = standing((0.045, 0), (0.045, 0.008), (0.012, 0.018), (0.009, 0.06), sides=24)
