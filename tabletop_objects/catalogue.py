@@ -22,7 +22,7 @@ from .kit.surfaces import Look, size_factor
 from .values import Extent, Holder, Mesh, Model, Physics, parts_to_unit_box, to_unit_box
 
 _VARIATION = 0.5, 2.0  # mass of a variant relative to the nominal mass
-_WALL_DENSITY = 2000.0  # kg/m^3; matters only multiplied by the wall thickness
+_WALL_DENSITY = 2000.0  # kg/m^3; only its product with the wall thickness matters
 
 INDEX = Path(__file__).with_name("index.json")
 OBJECTS = f"{__package__}.objects"
@@ -59,7 +59,7 @@ class _Deferred:
 
 
 def read_module(module: str) -> Mapping[str, Category]:
-    """Return the categories a module declares: decorated functions first, then ``CATEGORIES``."""
+    """Return a module's categories: its decorated functions first, then its ``CATEGORIES``."""
     content = vars(import_module(module))
     drawn = [c for c in content.values() if isinstance(c, Category)]
     own = [c for c in drawn if c.shape.__module__ == module]  # skip imported categories
@@ -117,7 +117,7 @@ def search(text: str, limit: int = 10) -> tuple[Category, ...]:
 
 @cache
 def _names() -> Mapping[str, str]:
-    """Return the key for each name; keys win over aliases, and lower ranks over higher ones."""
+    """Return the key of each name; keys take precedence over aliases, low ranks over high ones."""
     known = load_index().values()
     names = {alias: c.key for c in reversed(tuple(known)) for alias in c.aliases}
     names |= {name: c.key for c in known for name in (c.key.replace("_", " "), c.noun)}
@@ -150,7 +150,7 @@ def build(
 def look_of(
     category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
 ) -> Look:
-    """Return the seeded choices for a variant of a category; ``attributes`` override them."""
+    """Return a seed's choices for a variant of a category; ``attributes`` override them."""
     digest = hashlib.sha256(category.key.encode()).digest()
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, int.from_bytes(digest[:4], "big")])
     return Look(rng, attributes)
@@ -162,9 +162,9 @@ def load_category(category: Category) -> Category:
 
 
 def find_declaration(key: str) -> Category | None:
-    """Return the category that a module declares with this key, indexed or not, or None.
+    """Return the category declared with this key, whether or not it is indexed, or None.
 
-    Only the module that declares it is imported.
+    Only the module that contains the declaration is imported.
     """
     found = _search_sources(key)
     if found is None:
@@ -174,7 +174,7 @@ def find_declaration(key: str) -> Category | None:
 
 
 def find_source(category: Category) -> tuple[Path, int]:
-    """Return the file that declares a category, and the line number (from 1)."""
+    """Return the file that declares a category, and the line number, counted from 1."""
     if isinstance(draw := category.shape, _Deferred):
         path = Path(__file__).parent.joinpath(*draw.module.split(".")[1:]).with_suffix(".py")
         line = _find_line(path, category.key)
@@ -201,10 +201,10 @@ def _find_line(path: Path, key: str) -> int:
 
 
 def model_of(category: Category, look: Look, size: Extent | None = None) -> Model:
-    """Draw one variant in its canonical frame and set its density so that its mass is right.
+    """Draw one variant in its canonical frame, with the density that gives it the right mass.
 
-    ``size`` overrides the variant's extent and the attribute "size". Hollow objects are shells:
-    when scaled, their mass grows with the surface area at constant wall thickness.
+    ``size`` overrides the variant's extent and the attribute "size". Hollow objects are shells of
+    constant wall thickness, so their mass grows with their surface area when they are scaled.
     """
     made = category.shape(look)
     if style := look.attributes.get("style", ""):

@@ -5,13 +5,13 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Collection, Iterable
 
-_SIMILAR = 60.0  # out of 100; minimum similarity of a misspelt name
+_SIMILAR = 60.0  # minimum similarity of a misspelt name, out of 100
 
 
 class TabletopError(Exception):
     """Base class of all errors the project raises deliberately.
 
-    The text is safe to print on a terminal: control characters in quoted text are escaped.
+    The message is safe to print on a terminal: control characters in quoted text are escaped.
     """
 
     def __str__(self) -> str:
@@ -33,16 +33,16 @@ def suggestion(wrong: str, names: Collection[str]) -> str:
     """Return " Did you mean 'mug'?" with the most similar name, or "" if none is similar."""
     from rapidfuzz import fuzz, process
 
-    latest = sorted(names, reverse=True)  # of equally similar versions the last one
+    latest = sorted(names, reverse=True)  # of equally similar names, the last is chosen
     near = process.extractOne(wrong, latest, scorer=fuzz.ratio, score_cutoff=_SIMILAR)
     return f" Did you mean {near[0]!r}?" if near else ""
 
 
 def require_known(value: object, known: Collection[str], unknown: str) -> None:
-    """Check that a value is one of the names ``known``; ``unknown`` begins the error message.
+    """Check that a value is one of ``known``; the error message begins with ``unknown``.
 
     Raises:
-        InputError: unknown value: "Unknown task 'Lif'. Did you mean 'Lift'? Available: ...".
+        InputError: the value is unknown: "Unknown task 'Lif'. Did you mean 'Lift'? Available: ...".
     """
     if not isinstance(value, str) or value not in known:
         raise InputError(f"{unknown} {value!r}." + choices(str(value), known))

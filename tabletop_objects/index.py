@@ -1,8 +1,8 @@
 """Write ``index.json``: ``python -m tabletop_objects.index``.
 
-The index holds the properties of every category. A category keeps its rank, which determines
-random draws and the category an ambiguous alias refers to; new categories are appended in
-alphabetical order of their keys.
+The index holds the properties of every category. Categories keep their ranks, because these affect
+random choices and decide which category an ambiguous alias refers to. New categories are appended
+in the alphabetical order of their keys.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Values: a mesh, its convex parts, physics and size, in metres, kilograms and radians, z up.
+"""Value types for meshes, convex parts, physics and sizes; metres, kilograms, radians, z up.
 
 *Canonical frame* of a model: its mesh fills the unit box ``[-0.5, 0.5]^3``; ``Model.size`` is its
 extent in metres. *Texture coordinates* have u to the right and v upwards, so row 0 of a texture is
@@ -43,11 +43,11 @@ def frozen_array(
 ) -> np.ndarray:
     """Return a read-only copy of ``value`` with ``dtype``, checked for shape and finiteness.
 
-    A read-only array of this type that is not a view is returned without a copy. ``None`` in
+    A read-only array of this type that is not a view is returned as it is. ``None`` in
     ``shape`` accepts any length along that axis; ``maximum`` bounds the absolute values.
 
     Raises:
-        InputError: wrong number of axes or length, a NaN or infinity, or a number out of bounds.
+        InputError: the shape is wrong, or a number is NaN, infinite or out of bounds.
     """
     array = value if _is_frozen(value, dtype) else np.array(value, dtype=dtype)
     if array.shape != shape and not _fits(array.shape, shape):
@@ -163,9 +163,9 @@ class ConvexPart:
 class Slot:
     """A slot of a holder for one object.
 
-    ``at`` is the position of the centre of the object's underside in the holder's canonical frame,
-    ``yaw`` the object's rotation relative to the holder in radians, and ``name`` the object's name,
-    if it is known.
+    ``at`` is where the centre of the object's underside goes, in the holder's canonical frame;
+    ``yaw`` is the object's rotation relative to the holder, in radians; and ``name`` is the
+    object's name, if it is known.
     """
 
     at: Float[np.ndarray, "3"]
@@ -197,10 +197,10 @@ class Physics:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A canonical 3D model m_i (Sec. 3.2): +z up, unit box.
+    """A canonical 3D model m_i (Sec. 3.2 of the paper): +z up, filling the unit box.
 
     ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
-    pieces in the canonical frame; without parts, assembly decomposes the mesh. A ``container`` can
+    pieces in the canonical frame; without any, assembly decomposes the mesh. A ``container`` can
     hold objects. ``orientation`` is the modeler's optional estimate of the object's rotation in the
     picture, as a matrix whose columns are the model's axes in the world. ``slots`` are the slots of
     a holder. Bundles store neither ``orientation`` nor ``slots``. ``stand_in`` marks a plain
@@ -266,14 +266,14 @@ class Holder:
 
     Attributes:
         stance: how objects stand in their slots.
-        room: the largest object that fits: across the row, along y, and up, in metres.
+        room: extent of the largest object that fits, in metres along the holder's x, y and z.
     """
 
     stance: Stance
     room: Extent
 
     def stand(self, extent: Extent) -> Extent:
-        """Return the extent of an object standing in its slot: across, along and up, in metres."""
+        """Return the extent of an object in its slot, in metres along the holder's x, y and z."""
         narrow, middle, longest = sorted(extent)
         if self.stance == "edge":
             return narrow, longest, middle
@@ -285,12 +285,12 @@ class Holder:
 
 
 def write_room(extent: Extent) -> str:
-    """Return an extent as the value of a holder's attribute "room"."""
+    """Format an extent as the value of a holder's attribute "room"."""
     return " ".join(f"{side:.4f}" for side in extent)
 
 
 def read_room(text: str | None, usual: Extent) -> Extent:
-    """Return the extent in an attribute "room", or ``usual`` if there is none."""
+    """Parse the extent in an attribute "room"; return ``usual`` if there is none."""
     if text is None:
         return usual
     across, along, up = (float(word) for word in text.split())

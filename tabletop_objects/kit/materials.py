@@ -47,9 +47,9 @@ def drink_color(look: Look) -> RGB | None:
 
 
 def contents(look: Look, radius: float, height: float) -> list[tuple[Solid, Tile]] | None:
-    """Return the contents of a round vessel of the given radius, filled to ``height``, in metres.
+    """Return the contents of a round vessel with the given radius and fill height, in metres.
 
-    Returns an empty list if the vessel's state is "empty", and None if its state names no contents.
+    Returns an empty list if the vessel's state is "empty", and None if it does not name contents.
     """
     state = look.attributes.get("state", "")
     if state == "empty":
@@ -69,11 +69,11 @@ WORDS = ("COFFEE", "HELLO", "TEA", "HOME", "MONDAY", "CLUB", "RUN", "LOVE", "#1"
 
 
 def glaze_tile(look: Look, color: RGB, *, words: bool = False) -> Tile:
-    """Return the tile for the outside of crockery; u runs around (0.5 faces the viewer), v upwards.
+    """Return the tile for the outside of crockery: u runs around it (0.5 in front), v upwards.
 
     The glaze is plain, banded, dipped, speckled, reactive, striped, dotted, checked, leafy or
-    floral, or with ``words`` also printed with a word or a badge. A requested material is left
-    plain.
+    floral; with ``words``, it can also have a printed word or badge. If a material is requested,
+    it is left plain.
     """
     other = look.own_color(
         "white", "navy", "terracotta", "teal", "cream", "mustard", "black", "coral"

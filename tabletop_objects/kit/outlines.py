@@ -68,7 +68,7 @@ def smooth(points: Any, steps: int = 5) -> Float[np.ndarray, "k d"]:
 
 
 def inset(outline: Any, distance: float) -> Float[np.ndarray, "m 2"]:
-    """Return a convex outline shrunk so that the sides of its box move in by ``distance``."""
+    """Return a convex outline shrunk so that its bounding box loses ``distance`` on each side."""
     low, high = outline.min(0), outline.max(0)
     middle, half = (low + high) / 2, (high - low) / 2
     return middle + (outline - middle) * np.maximum(1 - distance / half, 0.02)

@@ -56,8 +56,8 @@ def flat_foot(points: Any, share: float = 0.12) -> ConvexPart:
     """Return the hull of ``points`` with its lowest fraction ``share`` flattened onto z = 0.
 
     An object that is drawn with a flat spot gets a matching flat collision shape and does not
-    roll. A larger flat spot than the drawn one would leave a visible gap when the object leans
-    against another one.
+    roll. If its flat spot were larger than the drawn one, a gap would be visible when the object
+    leans against another one.
     """
     p = np.array(points, float)
     p[p[:, 2] < share * p[:, 2].max(), 2] = 0.0
@@ -65,7 +65,7 @@ def flat_foot(points: Any, share: float = 0.12) -> ConvexPart:
 
 
 def _extremes(points: np.ndarray) -> np.ndarray:
-    """Select at most 32 points that span the hull well, starting with the lowest."""
+    """Return at most 32 points that span most of the hull, in their original order."""
     middle = (points.min(0) + points.max(0)) / 2
     span = np.maximum(np.ptp(points, axis=0), 1e-9)
     unit = (points - middle) / span
@@ -97,8 +97,9 @@ def ring_parts(
     """Return the wall of a hollow round object as convex wedges.
 
     ``outer`` and ``inner`` are (radius, z) points of the outside and the inside of the wall, at
-    most 6 together. Each wedge is a convex hull with one extra corner on the outside, so an inside
-    that bulges outwards is filled up to its chord. ``stretch`` scales x and y.
+    most 6 in total. Each wedge is a convex hull with one extra corner on the outside. Where the
+    inside bulges outwards, the wedges are too thick: their inner faces are flat. ``stretch`` scales
+    x and y.
     """
     angles = 2 * np.pi * np.arange(2 * wedges + 1) / (2 * wedges)
     parts = []
@@ -116,7 +117,7 @@ def bowl_parts(
 ) -> tuple[ConvexPart, ...]:
     """Return the wall of a round bowl as two rings of wedges that leave the inside free.
 
-    ``outer`` and ``inner`` are (radius, z) points from the bottom up, equally many on each side.
+    ``outer`` and ``inner`` are (radius, z) points from the bottom up, the same number on each side.
     """
     sides = [[(float(r), float(z)) for r, z in side] for side in (outer, inner)]
     last, middle = len(sides[0]) - 1, (len(sides[0]) - 1) // 2

@@ -78,7 +78,7 @@ def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
 
 
 def spread(points: Float[np.ndarray, "n m 3"], thick: float) -> Solid:
-    """Return a sheet over a grid of points, ``thick`` high, with its picture upright from above.
+    """Return a sheet ``thick`` high over a grid of points; its picture is upright seen from above.
 
     ``points`` form the underside: rows run from front to back, columns from left to right.
     """
@@ -102,7 +102,7 @@ def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) ->
 
 
 def rod(points: Any, radius: Any, sides: int = 8, steps: int = 4) -> Solid:
-    """Return a round rod along a smooth curve; ``radius`` is one number, or several in order."""
+    """Return a round rod along a smooth curve; ``radius`` is one number, or several along it."""
     path = smooth(points, steps)
     if np.ndim(radius):
         radius = np.interp(
@@ -208,7 +208,7 @@ def standing(*profile: tuple[float, float], sides: int = 24, at: Point = (0, 0, 
 
 
 def lies(solid: Solid, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
-    """Return a solid along z laid down along +x, with its bottom at ``x``."""
+    """Return a solid that extends along z, laid down along +x, with its bottom at ``x``."""
     return solid.turn(1, np.pi / 2).move(x, y, z)
 
 
@@ -230,7 +230,7 @@ def disc(
     top: float | None = None,
     sides: int = 24,
 ) -> Solid:
-    """Return an upright cylinder, or a cone with upper radius ``top``; ``at`` is its bottom."""
+    """Return an upright cylinder, or a cone with upper radius ``top``; it stands on ``at``."""
     bevel = 0.0 if top is not None else min(0.1 * h, 0.1 * r)
     return cylinder(r, h, sides, top=top, bevel=bevel).move(*at)
 
@@ -245,7 +245,7 @@ def drum(
     sides: int = 24,
     bevel: float = 0.0,
 ) -> Solid:
-    """Return a cylinder, or a cone with end radius ``top``, that starts at ``at`` along an axis."""
+    """Return a cylinder along ``axis`` from ``at``, or a cone with ``top`` as its end radius."""
     made = cylinder(radius, long, sides, top=top, bevel=bevel)
     if axis == 0:
         made = made.turn(1, np.pi / 2)
@@ -269,7 +269,7 @@ def hull_solid(points: Any) -> Solid:
 
 
 def on_a_face(solid: Solid) -> Solid:
-    """Return a convex solid resting on its largest face, with a preference for downward faces."""
+    """Return a convex solid turned onto its largest face; faces that point down are preferred."""
     v, f = solid.vertices, solid.faces
     cross = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
     size = np.linalg.norm(cross, axis=1)
@@ -285,7 +285,7 @@ def on_a_face(solid: Solid) -> Solid:
 def plate(
     outline: Any, h: float, z: float = 0.0, *, at: Point = (0, 0, 0), bevel: float = 0.0
 ) -> Solid:
-    """Return a flat plate of an outline (x, y) in either direction; ``at`` is on its underside."""
+    """Return a plate from an outline (x, y; either orientation); ``at`` is on its underside."""
     points = np.asarray(outline, float)
     x, y = points.T
     area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))
@@ -293,13 +293,13 @@ def plate(
 
 
 def press_flat(solid: Solid, depth: float) -> Solid:
-    """Return a solid centred at the origin, flattened ``depth`` below it and raised onto z = 0."""
+    """Return a solid flattened below z = -``depth`` and raised so that it stands on z = 0."""
     flat = solid.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], -depth)]))
     return flat.move(z=depth)
 
 
 def planter(look: Look, r: float, h: float) -> Pieces:
-    """Return a plant pot of clay, glaze or basketwork (tapered, straight or bellied) with soil."""
+    """Return a glazed or wicker plant pot (tapered, straight, bellied or faceted) with soil."""
     color = look.color(*("terracotta", "terracotta", "white", "gray", "teal", "cream", "black",
                          "mustard"), *("pink", "sky", "brown"))  # fmt: skip
     kind = look.pick(["rimmed", "straight", "belly", "faceted"])
@@ -344,8 +344,8 @@ def vessel(
 ) -> Solid:
     """Return a bottle's body up to its mouth at height ``h``; ``waist`` adds a grip in the middle.
 
-    The body is straight up to z = ``shoulder`` and has the radius ``neck`` above z = ``rise``.
-    Texture coordinate v is proportional to z along the outside, so labels sit at known heights.
+    The wall is straight below z = ``shoulder``; above z = ``rise``, its radius is ``neck``.
+    Texture coordinate v is proportional to z on the outside, so that labels have known heights.
     """
     t = np.linspace(0, 1, 6)[1:-1]
     bow = [(neck + (r - neck) * (0.5 + 0.5 * np.cos(np.pi * k)), shoulder + (rise - shoulder) * k)

@@ -135,7 +135,7 @@ def landscape(rng: np.random.Generator, width: int = 192, height: int = 128) -> 
 
 
 def artwork(rng: np.random.Generator, width: int = 128, height: int = 128) -> Tile:
-    """Return a random picture: a landscape, portrait, flowers, skyline, blocks, arcs or waves."""
+    """Return a random picture: a landscape, portrait or skyline, flowers, blocks, arcs or waves."""
     kind = rng.integers(7)
     if kind == 0:
         return landscape(rng, width, height)
@@ -216,7 +216,7 @@ CODE: tuple[RGB, ...] = ((206, 144, 110), (110, 180, 230), (200, 200, 206), (130
 
 
 def desktop(rng: np.random.Generator, width: int = 256, height: int = 160) -> Tile:
-    """Return a computer screen: windows, code, charts, a table, a call, a picture, or blank."""
+    """Return a computer screen: off, or with windows, code, charts, a table, call or picture."""
     kind = int(rng.integers(8))
     if kind == 0:
         return _off(width, height)
@@ -303,7 +303,7 @@ def _call(image: Canvas, rng: np.random.Generator) -> None:
 
 
 def apps(rng: np.random.Generator, width: int = 96, height: int = 192) -> Tile:
-    """Return a phone or tablet screen: icons, lock screen, chat, music, map or feed, or dark."""
+    """Return a phone or tablet screen: off, locked, or with icons, a chat, music, map or feed."""
     kind = int(rng.integers(7))
     if kind == 0:
         return _off(width, height)
@@ -380,7 +380,7 @@ FRONT = (0.3, 0.7)
 def label(
     rng: np.random.Generator, title: str, color: RGB, ground: RGB, *, width: int = 256
 ) -> Tile:
-    """Return a wrap-round product label with its title in front, small print and barcode behind."""
+    """Return a wrap-round product label: a title in front, small print and a barcode behind."""
     image = canvas(width, 128, ground)
     kind = int(rng.integers(6))
     front = image[:, int(FRONT[0] * width) : int(FRONT[1] * width)]
@@ -586,7 +586,7 @@ def wrap(
 ) -> Tile:
     """Return a print that wraps around a packet; ``share`` is the relative width of its front.
 
-    The first front, with the title, is in the middle (u = 0.5), the second one opposite.
+    Each front shows the title. The first is in the middle (u = 0.5), the second opposite it.
     """
     image = canvas(320, 160, ground)
     lines(image, look.rng, (0.06, 0.28, 0.13, 0.5), 7, tint_color(color, 0.7))

@@ -158,7 +158,7 @@ Pieces = list[tuple[Solid, Tile]]
 def put_down(
     pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0, foot: float = 0.0
 ) -> Shape:
-    """Return a shape of pieces; its parts are the hulls of ``bodies`` (by default of all pieces).
+    """Return a shape made of pieces; its parts are the hulls of ``bodies``, by default all pieces.
 
     Points below z = 0 are flattened onto it, which gives round objects a flat base. ``foot`` is
     the lowest fraction of each part that is also flattened, so that round objects do not roll.
@@ -170,7 +170,7 @@ def put_down(
 
 
 def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.ndarray:
-    """Lower the points in the lowest fraction ``share`` of the height above ``low`` to ``low``."""
+    """Lower points to z = ``low`` if they are in the lowest fraction ``share`` of the height."""
     made = points.copy()
     made[made[:, 2] < low + share * (made[:, 2].max() - low), 2] = low
     return made
@@ -179,7 +179,7 @@ def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.
 def settle(
     pieces: Pieces, flat: float = 0.06, *, hulls: Sequence[Sequence[int]] | None = None
 ) -> Shape:
-    """Return pieces placed on the table, with the fraction ``flat`` of their height flattened.
+    """Return pieces standing on the table, with the lowest ``flat`` of their height flattened.
 
     ``hulls`` lists the pieces in each collision part; by default one part contains all.
     """
@@ -221,14 +221,14 @@ def vessel_shape(
     opacity: float = 1.0,
     fine: int = 28,
 ) -> Shape:
-    """Return an open vessel with extra pieces and with one more collision part for each body."""
+    """Return an open vessel with extra pieces and one more collision part for each body."""
     made, parts = open_vessel(profile, wall, bottom, fine)
     more: tuple[ConvexPart, ...] = tuple(hull_part(above(b.vertices)) for b in bodies)
     return shape([(made, tile), *extra], (*parts, *more), opacity).scale(factor)
 
 
 def keep_still(draw: ShapeFunction) -> ShapeFunction:
-    """Add a thin flat collision part below most of each variant, so that it cannot roll."""
+    """Add a thin, flat collision part at the bottom of each variant, so that it cannot roll."""
 
     @wraps(draw)
     def make(look: Look) -> Shape:
@@ -284,7 +284,7 @@ def _turn_down(normal: np.ndarray) -> np.ndarray:
 
 
 def _margin(ground: np.ndarray, center: np.ndarray) -> float:
-    """Return the distance of a point inside the hull of ``ground`` (n, 2); negative outside."""
+    """Return how far a point is inside the hull of ``ground`` (n, 2); negative if it is outside."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -302,7 +302,7 @@ def from_pieces(
     Args:
         foot: the lowest fraction of each convex part that is flattened.
         bodies: the number of leading pieces that collide, or their indices; None means all.
-        spread: the range by which variants differ in size.
+        spread: the fraction by which the size of variants varies.
         opacity: the opacity of the whole object.
     """
 
@@ -336,7 +336,7 @@ def in_sizes(spread: float) -> Callable[[ShapeFunction], ShapeFunction]:
 
 
 def vary(sizes: float = 0.15, shades: float = 0.12) -> Callable[[ShapeFunction], ShapeFunction]:
-    """Also vary the size and shade of variants by up to these fractions."""
+    """Vary the size and the shade of variants by up to these fractions."""
 
     def decorate(draw: ShapeFunction) -> ShapeFunction:
         @wraps(draw)
@@ -376,19 +376,19 @@ class Category:
         size: nominal extent (length x, depth y, height z) in metres in the usual pose.
         mass: kilograms at the nominal size.
         material: one of ``FRICTION``.
-        hollow: walls have constant thickness: mass grows with the surface area, not the volume.
-        assembled: made of parts; all variants have about the same mass.
-        friction: sliding friction coefficient; by default that of the material.
+        hollow: its walls have a constant thickness, so mass grows with the surface area.
+        assembled: it is made of parts, so all variants have about the same mass.
+        friction: sliding friction coefficient; by default the material's.
         aliases: other names, singular.
         themes: themes of scenes with this object; the first one is the folder of its module.
         roles: "container" (holds objects), "support" (carries objects), "flat", "tall", "round" (no
             front), "big" (too wide for a small gripper), "edible", "screen".
         colors: usual colours.
         state: how the object stands or lies.
-        noun: name in a sentence; by default the key with spaces.
-        opened: key of the open or empty variant to use when something is put inside.
-        holder: the row of slots of a rack.
-        common: random tables use only common objects.
+        noun: name in a sentence; by default the key with spaces for underscores.
+        opened: key of the open or empty category to use when something is put inside.
+        holder: the row of slots, if it is a rack.
+        common: whether it may appear on random tables.
     """
 
     key: str
@@ -423,12 +423,12 @@ class Category:
 
     @property
     def sliding_friction(self) -> float:
-        """The sliding friction coefficient, by default that of the material."""
+        """The sliding friction coefficient, by default the material's."""
         return FRICTION[self.material] if self.friction is None else self.friction
 
     @property
     def growth(self) -> float:
-        """The exponent of a variant's relative box volume in its mass."""
+        """The power of the bounding box's volume to which a variant's mass is proportional."""
         if self.assembled or self.material == "device":
             return 0.0
         return 2 / 3 if self.hollow else 1.0
@@ -446,7 +446,7 @@ class Category:
 
     @property
     def density(self) -> float:
-        """The effective density of a generated mesh that fills two fifths of its box, in kg/m^3."""
+        """The density, in kg/m^3, of a generated mesh that fills two fifths of its bounding box."""
         return float(np.clip(self.mass / (0.4 * np.prod(self.size)), 20.0, 8000.0))
 
 

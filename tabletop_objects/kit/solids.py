@@ -122,7 +122,7 @@ def refine(solid: Solid) -> Solid:
 
 
 def _lanes(points: Float[np.ndarray, "k d"], closed: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Return point indices with sharp corners duplicated, and which neighbours span a surface."""
+    """Return point indices with sharp corners duplicated, and which adjacent pairs are joined."""
     ring = np.concatenate([points, points[:1]]) if closed else points
     steps = np.diff(ring, axis=0)
     lengths = np.linalg.norm(steps, axis=1, keepdims=True)
@@ -195,14 +195,14 @@ def loft(
     profile: Float[np.ndarray, "k d"] | None = None,
     loop: bool = False,
 ) -> Solid:
-    """Return the solid through a stack of rings.
+    """Return the solid that connects a stack of rings.
 
     Each ring is closed and counter-clockwise seen from the last ring's side. ``outline`` is the
     flattened ring that closes the two ends and determines sharp edges; None means that the ends
     shrink to a point and the rings are smooth. ``profile`` is the curve along which the rings run
-    (default: through their first points). ``v`` is the vertical texture coordinate of each ring;
-    a loop needs one more value, for the first ring, at the end. u runs once around. ``loop``
-    joins the last ring to the first.
+    (default: through their first points). ``loop`` joins the last ring to the first. Texture
+    coordinate u runs once around; ``v`` is the vertical coordinate of each ring, and in a loop ends
+    with one more value, for the first ring.
     """
     rings = np.asarray(rings, float)
     if loop:
@@ -300,9 +300,9 @@ def lathe(
     """Return the solid of revolution of ``profile`` (k points of radius, z) about the z axis.
 
     The profile starts and ends on the axis (radius 0), or with ``loop`` is a closed curve away
-    from it. It is counter-clockwise, with the material on its left: from the centre of the bottom
+    from it. It runs counter-clockwise, with the material on its left: from the centre of the bottom
     outwards, up the outside, and back down the inside of hollow objects. u runs around (0.5 faces
-    the viewer at -y), v along the profile or as given for each point.
+    the viewer at -y); v runs along the profile, or is given for each point.
     """
     profile = np.asarray(profile, float)
     angles = np.pi / 2 + 2 * np.pi * np.arange(segments) / segments
@@ -346,8 +346,8 @@ def tube(
 ) -> Solid:
     """Return a round rod along ``path`` (k points), closed at its ends.
 
-    ``radius`` is a number or one per point. ``squash`` is the ratio of height to width of the
-    section, whose width stays as level as the path allows.
+    ``radius`` is one number, or one per point. ``squash`` is the height of the cross-section
+    relative to its width, which stays as level as the path allows.
     """
     section = ellipse(2, 2 * squash, sides)
     return sweep(path, section, radius, loop=loop)

@@ -1,6 +1,6 @@
 """Drawing styles and requested colours, applied to the finished shape of any category.
 
-A style changes a shape in metres: its solids, its tiles and, if solids grow, its convex parts.
+A style changes a shape's solids and tiles and, if the solids grow, its convex parts.
 """
 
 from __future__ import annotations
@@ -43,7 +43,9 @@ _LIGHT = np.array([-0.45, -0.55, 0.7])
 
 
 def apply_style(made: Shape, style: str) -> Shape:
-    """Return a shape in one of the ``STYLES``, in any case, with "_" or "-"; "" changes nothing.
+    """Return a shape in a style; "" changes nothing.
+
+    The style is one of ``STYLES``, in upper or lower case, with "_" or "-".
 
     Raises:
         InputError: the style is unknown.
@@ -91,7 +93,7 @@ def cartoon(made: Shape) -> Shape:
 
 
 def _refined_within(solid: Solid, edge: float, maximum: int) -> Solid:
-    """Return a solid with triangles split until edges are at most ``edge`` or faces ``maximum``."""
+    """Split a solid's triangles until no edge exceeds ``edge``, to at most ``maximum`` faces."""
     for _ in range(3):
         p = solid.vertices[solid.faces]
         longest = np.linalg.norm(p - np.roll(p, 1, 1), axis=-1).max()
@@ -174,7 +176,7 @@ def low_poly(made: Shape) -> Shape:
 
 
 def _facet(piece: Piece) -> Piece:
-    """Return a piece decimated with one colour per facet; a simple piece keeps its solid."""
+    """Return a decimated piece with one colour per facet; a simple piece keeps its solid."""
     solid = piece.solid
     tile = flatten(piece.tile, 3, 1.25, 1.04)
     span = np.sort(np.ptp(solid.vertices, axis=0))
@@ -199,7 +201,7 @@ def _facet(piece: Piece) -> Piece:
 
 
 def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
-    """Return a coarser closed solid in the same box, and the nearest original face of each face."""
+    """Return a coarser closed solid in the same box, and for each face the nearest original one."""
     import fast_simplification
     from scipy.spatial import KDTree
 
@@ -273,7 +275,7 @@ _CONTRAST = 0.6
 
 
 def show_color(made: Shape, word: str) -> Shape:
-    """Return a shape that visibly has a colour: the largest tile is painted if too little shows it.
+    """Return a shape that clearly shows a colour; if needed, its largest tile is painted in it.
 
     The shape is unchanged if ``word`` does not name a colour.
     """
@@ -295,7 +297,7 @@ def show_color(made: Shape, word: str) -> Shape:
 
 
 def _share(tile: Tile, color: RGB) -> float:
-    """Return the fraction of a tile in about the given colour, in lighter or darker tones too."""
+    """Return the fraction of a tile with about the given colour, including its tints and shades."""
     pixels, asked = tile.reshape(-1, 3).astype(float), np.array(color)
     tones, tone = pixels - pixels.mean(1, keepdims=True), asked - asked.mean()
     strength, wanted = np.linalg.norm(tones, axis=1), float(np.linalg.norm(tone))

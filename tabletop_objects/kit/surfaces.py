@@ -110,7 +110,7 @@ def plain(color: RGB) -> Tile:
 
 
 def speckles(rng: np.random.Generator, color: RGB, amount: float = 6.0, side: int = 64) -> Tile:
-    """Return a slightly uneven surface: plastic, painted metal, ceramic or the skin of fruit."""
+    """Return a slightly uneven surface, for plastic, painted metal, ceramic and fruit skin."""
     shade = noise(rng, side, side, (5, 5), 2) * amount
     return _tile(np.array(color) + shade[..., None])
 
@@ -225,7 +225,7 @@ def fit(tile: Tile, height: int, width: int) -> Tile:
 
 
 def gradient(bottom: RGB, top: RGB, rng: np.random.Generator, amount: float = 5.0) -> Tile:
-    """Blend two colours from the bottom up, slightly unevenly: ripe fruit, glazes and sunsets."""
+    """Blend two colours from the bottom up, a bit unevenly, for ripe fruit, glazes and sunsets."""
     side = 64
     t = np.linspace(1, 0, side)[:, None] + 0.12 * noise(rng, side, side, (4, 4), 2)
     t = np.clip(t, 0, 1)[..., None]
@@ -244,7 +244,7 @@ def grid(line: RGB, ground: RGB, rows: int, columns: int, side: int = 128, width
 
 
 def knitting(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
-    """Return strands of yarn wound in slanted rows."""
+    """Return yarn wound in slanted rows."""
     side = 128
     y, x = np.mgrid[0:side, 0:side] / side
     phase = 2 * np.pi * (rows * y + 2 * np.sin(2 * np.pi * x) + rng.random())
@@ -268,7 +268,7 @@ def scratches(rng: np.random.Generator, color: RGB, strokes: RGB, count: int = 6
 
 
 def leaf(rng: np.random.Generator, color: RGB) -> Tile:
-    """Return a dark green leaf with a pale midrib along v and side veins."""
+    """Return a leaf in ``color`` with side veins and a pale midrib along v."""
     side = 64
     y, x = np.mgrid[0:side, 0:side] / side
     rib = np.exp(-(((x - 0.5) / 0.03) ** 2))
@@ -353,7 +353,7 @@ class Look:
         return Look(self.rng, {}).color(*palette, spread=spread)
 
     def surface(self, color: RGB, default: str = "plastic") -> Tile:
-        """Return a tile of the requested material (by default ``default``) in ``color``.
+        """Return a tile of the requested material, or else of ``default``, in ``color``.
 
         A requested wood or metal has its usual colour unless a colour is also requested.
         """

@@ -280,7 +280,7 @@ def _panel(look: Look, title: str, color: RGB, ground: RGB, size: tuple[int, int
           aliases=("cream cheese box", "box of cream cheese", "soft cheese", "cheese spread",
           "cream cheese tub"), themes=("breakfast", "kitchen"), colors=("blue",))  # fmt: skip
 def cream_cheese(look: Look) -> Shape:
-    """Cream cheese in a silvery box shaped like a brick, or in a tub with a printed lid."""
+    """Cream cheese in a silvery, brick-shaped packet, or in a tub with a printed lid."""
     color = look.color("blue", "navy", "sky", "green", "teal", "red")
     ground = look.pick([(246, 246, 244), (206, 210, 216), (228, 236, 244)])
     word = look.pick(["CREAM", "CHEESE", "CREAM CHEESE", "SPREAD"])

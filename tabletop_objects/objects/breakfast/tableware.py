@@ -43,7 +43,7 @@ def butter_dish(look: Look) -> Shape:
           aliases=("eggcup", "egg holder", "egg stand"), themes=("breakfast",),
           roles=("container", "round"), colors=("white", "yellow"))  # fmt: skip
 def egg_cup(look: Look) -> Shape:
-    """An egg cup on a foot."""
+    """A footed egg cup."""
     r, h = look.between(0.031, 0.034), look.between(0.054, 0.064)
     tile, plain = china(look, "white", "yellow", "sky", "red", "mint", "wooden", "pink")
     side = [(0.42 * r, 0.45 * h), (0.8 * r, 0.58 * h), (0.97 * r, 0.8 * h), (r, h)]

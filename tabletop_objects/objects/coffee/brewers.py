@@ -160,7 +160,7 @@ def coffee_filter(look: Look) -> Shape:
           "coffee cone"), themes=("coffee",), roles=("container", "round"),
           colors=("white",))  # fmt: skip
 def coffee_dripper(look: Look) -> Shape:
-    """A pour-over coffee dripper: a ribbed cone with a handle on a flat foot, open at the top."""
+    """A pour-over coffee dripper: an open, ribbed cone with a handle and a flat base."""
     k = look.between(0.94, 1.08)
     color = look.color("white", "red", "black", "teal", "clear", "brown")
     r, h = 0.058 * k, 0.075 * k
@@ -441,7 +441,7 @@ def _spout(start: tuple[float, float], end: tuple[float, float], low: float, top
           aliases=("tea pot", "pot of tea"), themes=("coffee", "dining", "kitchen"),
           colors=("white", "teal", "cream"), common=True)  # fmt: skip
 def teapot(look: Look) -> Shape:
-    """A round, tall or flat teapot with its spout on the left and a handle on the right or top."""
+    """A round, tall or flat teapot with a spout on the left and a handle on the right or on top."""
     r, h = look.between(0.062, 0.078), look.between(0.1, 0.125)
     color = look.color(*("white", "white", "teal", "cream", "navy", "terracotta", "black", "pink",
                          "sage"), *("mustard", "sky", "brown", "red"))  # fmt: skip

@@ -304,7 +304,7 @@ def brownie(look: Look) -> Shape:
 
 
 def _wedge(r: float, angle: float, low: float, high: float) -> Solid:
-    """Return a slice of a round object with its tip to the front."""
+    """Return a slice of a round object with its tip pointing to the front."""
     a = np.linspace(np.pi / 2 - angle / 2, np.pi / 2 + angle / 2, 9)
     outline = np.concatenate([[(0, 0)], np.column_stack([r * np.cos(a), r * np.sin(a)])])
     return prism(outline - [0, 0.55 * r], low, high)
@@ -314,7 +314,7 @@ def _wedge(r: float, angle: float, low: float, high: float) -> Solid:
           aliases=("slice of cake", "piece of cake", "cake piece", "slice of chocolate cake"),
           themes=("coffee",), roles=("edible",), colors=("brown", "pink"))  # fmt: skip
 def cake_slice(look: Look) -> Shape:
-    """A slice of layer cake with its tip to the front and cream and a berry on top."""
+    """A slice of layer cake with cream and a berry on top and its tip pointing to the front."""
     r, angle, h = look.between(0.095, 0.115), look.between(0.7, 0.9), look.between(0.06, 0.075)
     tone = look.color("brown", "cream", "pink", "yellow", "white")
     sponge = surfaces.spots(look.rng, look.pick([(226, 184, 118), (110, 68, 44), (170, 44, 46)]),

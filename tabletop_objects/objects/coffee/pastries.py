@@ -23,7 +23,7 @@ CREAM: RGB = (250, 244, 230)
           aliases=("fruit scone", "cheese scone", "rock cake", "soda scone"),
           themes=("coffee", "tea"), roles=("edible", "round"))  # fmt: skip
 def scone(look: Look) -> Shape:
-    """A tall scone, split around its middle, with fruit in it or with cream and jam on it."""
+    """A tall scone, split around its middle, with fruit inside or cream and jam on top."""
     r, h = look.between(0.032, 0.037), look.between(0.042, 0.05)
     low = lathe([(0, 0), (0.94 * r, 0), (0.97 * r, 0.45 * h), (0, 0.45 * h)], 26)
     top = lathe([(0, 0.47 * h), (r, 0.48 * h), (0.98 * r, 0.86 * h), (0.8 * r, h), (0, h)], 26)
@@ -115,7 +115,7 @@ def edge(corners: np.ndarray, steps: int) -> np.ndarray:
 
 
 def stack(ring: np.ndarray, levels: list[tuple[float, float]]):
-    """Return the solid through copies of ``ring``, one for each (scale, z) of ``levels``."""
+    """Return the solid that joins scaled copies of ``ring``, one per (scale, z) in ``levels``."""
     return loft(np.stack([np.column_stack([ring * f, np.full(len(ring), z)]) for f, z in levels]),
                 ring)  # fmt: skip
 

@@ -53,7 +53,7 @@ def easel(look: Look) -> Shape:
           aliases=("bottle of paint", "paint", "paint pot"), themes=("craft",),
           roles=("tall", "round"), colors=("red", "blue", "yellow"), common=True)  # fmt: skip
 def paint_bottle(look: Look) -> Shape:
-    """A bottle of paint with a pump, a nozzle or a wide cap and a label in the paint's colour."""
+    """A bottle of paint with a label in the paint's colour and a pump, a nozzle or a wide cap."""
     r, h = look.between(0.033, 0.04), look.between(0.128, 0.152)
     color = look.color(
         *("red", "blue", "yellow", "green", "purple", "orange", "teal", "pink", "white", "brown")
@@ -153,7 +153,7 @@ def crayon(look: Look) -> Shape:
           aliases=("box of crayons", "pack of crayons", "crayon pack", "wax crayons"),
           themes=("craft", "toys"), colors=("yellow",))  # fmt: skip
 def crayon_box(look: Look) -> Shape:
-    """An open box of crayons with their tips in two rows."""
+    """An open box of crayons in two rows, with their tips visible."""
     rows, columns = 2, look.pick([4, 6, 8])
     r, long = 0.0045, 0.088
     x, y, h = columns * 2.15 * r + 0.004, rows * 2.15 * r + 0.004, 0.068
@@ -394,7 +394,7 @@ def glue_stick(look: Look) -> Shape:
           "mini mannequin", "tailors dummy", "mannequin head", "artist mannequin",
           "wooden mannequin"), themes=("craft",), roles=("tall",), colors=("beige",))  # fmt: skip
 def mannequin(look: Look) -> Shape:
-    """A dressmaker's mannequin without head or arms, on a stand."""
+    """A dressmaker's mannequin on a stand, without a head or arms."""
     color = look.color("beige", "cream", "white", "black", "pink", "gray")
     levels = [(0.036, 0.03, 0.09), (0.046, 0.036, 0.105), (0.033, 0.027, 0.14),
               (0.042, 0.034, 0.17), (0.046, 0.032, 0.19), (0.02, 0.018, 0.21),

@@ -51,7 +51,7 @@ def patch(look: Look) -> Shape:
           "lace trim", "pompom trim", "elastic roll", "roll of elastic"), themes=("craft",),
           colors=("red", "pink"), state="lying flat")  # fmt: skip
 def ribbon(look: Look) -> Shape:
-    """A reel of ribbon on its side, with its end hanging loose."""
+    """A reel of ribbon on its side, with the end of the ribbon hanging loose."""
     r, wide = look.between(0.026, 0.034), look.between(0.014, 0.024)
     color = look.color("red", "pink", "gold", "blue", "green", "purple", "white", "silver")
     sheen = surfaces.brushed_metal(look.rng, color)

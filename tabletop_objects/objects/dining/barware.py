@@ -321,7 +321,7 @@ def ice_cube(look: Look) -> Shape:
 
 
 def _spout(kind: str) -> Callable[[Look], Shape]:
-    """Return the shape function of a pourer or an aerator for a bottle, lying flat."""
+    """Return the shape function of a bottle pourer or aerator, lying flat."""
 
     def make(look: Look) -> Shape:
         k, color = (look.between(0.9, 1.12), look.color("silver", "silver", "gold", "black")

@@ -164,7 +164,7 @@ def wine_bottle(look: Look) -> Shape:
 
 
 def sauce_bottle(look: Look) -> Shape:
-    """A bottle of ketchup, mustard or hot sauce: a squeeze bottle standing on its cap, or glass."""
+    """A squeeze bottle standing on its cap, or a glass bottle, of ketchup, mustard or hot sauce."""
     r, h = look.between(0.028, 0.034), look.between(0.14, 0.17)
     color = look.color("red", "yellow", "red", "brown", "green", "cream", "orange", "black")
     kind = look.pick(["squeeze", "squeeze", "glass", "turned"])
@@ -196,7 +196,7 @@ def sauce_bottle(look: Look) -> Shape:
 
 
 def _in(look: Look, color: str) -> Look:
-    """Return a look in ``color`` unless another colour is requested."""
+    """Return a look that requests ``color``, unless it already requests another."""
     return Look(look.rng, {"color": color, **look.attributes})
 
 
@@ -205,7 +205,7 @@ def _in(look: Look, color: str) -> Look:
           "barbecue sauce", "bbq sauce bottle"), themes=("dining", "kitchen"),
           roles=("tall", "round"), colors=("red",))  # fmt: skip
 def ketchup(look: Look) -> Shape:
-    """A red bottle of ketchup: a squeeze bottle standing on its cap, or glass."""
+    """Ketchup in a red squeeze bottle standing on its cap, or in a glass bottle."""
     return sauce_bottle(_in(look, look.pick(["red", "red", "crimson"])))
 
 
@@ -213,7 +213,7 @@ def ketchup(look: Look) -> Shape:
           aliases=("bottle of mustard", "yellow mustard", "mustard", "mustard container"),
           themes=("dining", "kitchen"), roles=("tall", "round"), colors=("yellow",))  # fmt: skip
 def mustard_bottle(look: Look) -> Shape:
-    """A yellow bottle of mustard: a squeeze bottle standing on its cap, or glass."""
+    """Mustard in a yellow squeeze bottle standing on its cap, or in a glass bottle."""
     return sauce_bottle(_in(look, look.pick(["yellow", "yellow", "gold", "mustard"])))
 
 
@@ -223,7 +223,7 @@ def mustard_bottle(look: Look) -> Shape:
           themes=("dining", "kitchen"), roles=("tall", "round"),
           colors=("cream", "olive"))  # fmt: skip
 def salad_dressing(look: Look) -> Shape:
-    """A slim-waisted bottle of salad dressing with herbs or two layers and a wide cap."""
+    """A slim-waisted, wide-capped bottle of salad dressing, with herbs in it or in two layers."""
     r, h = look.between(0.03, 0.036), look.between(0.19, 0.225)
     color = look.color("cream", "white", "olive", "orange", "amber", "mustard", "pink", "green")
     layered = look.chance(0.4)

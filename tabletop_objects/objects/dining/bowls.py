@@ -39,7 +39,7 @@ CHINA = ("white", "white", "cream", "sky", "navy", "sage", "terracotta", "black"
 
 
 def china(look: Look, *palette: str) -> tuple[surfaces.Tile, surfaces.Tile]:
-    """Return a tile for a vessel glazed outside and plain inside, and its plain glaze."""
+    """Return a tile that is decorated outside and plain inside, and a tile of the plain glaze."""
     color = look.color(*(palette or CHINA))
     plain = look.surface(color, "ceramic")
     return surfaces.stack((glaze_tile(look, color), 50), (plain, 50), side=160), plain
@@ -75,7 +75,7 @@ def gravy_boat(look: Look) -> Shape:
           aliases=("soup tureen", "soup terrine", "covered dish"), themes=("dining",),
           roles=("big", "round"), colors=("white",))  # fmt: skip
 def tureen(look: Look) -> Shape:
-    """A soup tureen with two handles and a domed lid, with a ladle handle sticking out."""
+    """A soup tureen with two handles, a domed lid, and a ladle whose handle sticks out."""
     r, h = look.between(0.095, 0.115), look.between(0.11, 0.13)
     tile, plain = china(look)
     body = lathe([(0, 0), (0.6 * r, 0), (0.58 * r, 0.1 * h), (0.82 * r, 0.3 * h), (r, 0.62 * h),

@@ -21,7 +21,7 @@ from ...values import ConvexPart, Holder, Slot, read_room
           themes=("dining", "living"), roles=("tall",), colors=("brass", "silver"),
           opened="empty_candlestick")  # fmt: skip
 def candlestick(look: Look) -> Shape:
-    """A candlestick with a candle: turned, slim or a saucer with a ring, or a candelabrum."""
+    """A candle in a turned, slim or saucer-shaped candlestick, or a candelabrum with candles."""
     color = look.color("brass", "silver", "gold", "black", "copper", "white", "wooden")
     skin = look.surface(color, look.pick(["metal", "ceramic"]))
     wax = surfaces.speckles(
@@ -128,7 +128,7 @@ _DEPTH = 0.036  # metres
 
 
 def _socket(half: float, at: tuple[float, float, float]) -> tuple[Solid, list[ConvexPart]]:
-    """Return a candle socket of half width ``half`` for a slot, with its walls."""
+    """Return a socket for a candle of half width ``half``, and its walls as collision parts."""
     hole, sides = half + _PLAY, 8
     outer = hole + 0.004
     turn = np.pi / sides
@@ -172,7 +172,7 @@ def empty_candlestick(look: Look) -> Shape:
 
 
 def empty_candelabra(look: Look) -> Shape:
-    """An empty candelabra with arms in one plane and a socket on each."""
+    """An empty candelabra with arms in one plane, each carrying a socket."""
     a, b, _ = read_room(look.attributes.get("room"), _ROOM)
     count = max(1, min(9, int(look.attributes.get("places", 3))))
     half, arms = max(a, b) / 2, max(count, 3)

@@ -197,7 +197,7 @@ def serving_spoon(look: Look) -> Shape:
           themes=("dining", "coffee"), roles=("flat",), colors=("silver",),
           state="lying flat")  # fmt: skip
 def teaspoon(look: Look) -> Shape:
-    """A small spoon: a tablespoon at two thirds of its size."""
+    """A small spoon: a tablespoon scaled to two thirds of its size."""
     return spoon(look).scale(0.7)
 
 
@@ -235,7 +235,7 @@ def salad_servers(look: Look) -> Shape:
 
 
 def _bend(solid: Solid, length: float, dip: float) -> Solid:
-    """Return flat cutlery with a raised neck, resting on its two ends."""
+    """Return flat cutlery bent to raise its neck, so that it rests on its two ends."""
     return solid.bend(lambda p: np.column_stack([p[:, :2], p[:, 2] + dip
                                                  * np.clip(np.cos(np.pi * p[:, 0] / length), 0,
                                                            1)]))  # fmt: skip
@@ -248,7 +248,7 @@ def _slice(solid: Solid, edges: list[float]) -> list[ConvexPart]:
 
 
 def _mirror(half: list[tuple[float, float]]) -> np.ndarray:
-    """Return a closed symmetric outline from its lower half, given from left to right."""
+    """Return a closed, symmetric outline whose lower half is ``half``, from left to right."""
     lower = np.array(half, float)
     upper = lower[::-1] * [1, -1]
     return np.concatenate([lower, upper[np.abs(upper[:, 1]) > 1e-9]])
@@ -267,7 +267,7 @@ def _metal(look: Look) -> Tile:
 
 
 def _grip_paint(look: Look) -> tuple[str, Tile]:
-    """Return the kind of a handle, "metal" or "sleeve", and the tile of the sleeve."""
+    """Return the kind of handle, "metal" or "sleeve", and the tile of the sleeve."""
     color = look.own_color("black", "white", "brown", "red", "teal", "sky", "cream")
     sleeve = look.pick([surfaces.wood(look.rng, (150, 98, 60)), surfaces.plain(color),
                         surfaces.speckles(look.rng, color, 5, 32)])  # fmt: skip

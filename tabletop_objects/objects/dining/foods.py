@@ -297,7 +297,7 @@ def pool(r: float, low: float, z: float) -> Solid:
           "pad thai", "plate of noodles", "udon", "noodle dish", "bowl of udon"),
           themes=("dining",), roles=("edible", "round"), colors=("white", "navy"))  # fmt: skip
 def noodles(look: Look) -> Shape:
-    """A bowl of fried noodles with vegetables and chopsticks across it."""
+    """A bowl of fried noodles with vegetables, and chopsticks lying across it."""
     r, h, dish, tile = filled_bowl(look)
     tone = look.pick([(232, 190, 100), (214, 160, 84), (240, 214, 140)])
     bed = lathe([(0, 0.5 * h), (0.84 * r, 0.8 * h), (0.5 * r, 1.02 * h), (0, 1.1 * h)], 26)
@@ -664,7 +664,7 @@ def _bun(look: Look) -> surfaces.Tile:
 
 
 def _drooping(p: np.ndarray, r: float) -> np.ndarray:
-    """Return points, with those beyond radius ``r`` bent down."""
+    """Return the points, bent downwards outside the radius ``r``."""
     beyond = np.maximum(np.hypot(p[:, 0], p[:, 1]) - r, 0)
     return np.column_stack([p[:, :2], p[:, 2] - 0.7 * beyond])
 

@@ -70,7 +70,7 @@ def serving_platter(look: Look) -> Shape:
           "cheese dome"), themes=("dining",), roles=("big", "round", "tall"),
           colors=("silver",))  # fmt: skip
 def cloche(look: Look) -> Shape:
-    """A dome of steel or glass with a knob, over a plate."""
+    """A steel or glass dome with a knob, covering a plate."""
     r, h = look.between(0.115, 0.14), look.between(0.1, 0.13)
     plate = lathe([(0, 0), (0.8 * r, 0), (1.12 * r, 0.012), (1.12 * r, 0.015), (0.8 * r, 0.006),
                    (0, 0.006)], 36)  # fmt: skip
@@ -91,7 +91,7 @@ def cloche(look: Look) -> Shape:
           aliases=("turntable tray", "rotating tray"), themes=("dining",),
           roles=("support", "flat", "round", "big"), colors=("wooden",))  # fmt: skip
 def lazy_susan(look: Look) -> Shape:
-    """A round turntable for dishes on a low foot."""
+    """A lazy Susan: a round turntable for dishes, on a low base."""
     r, h = look.between(0.17, 0.2), look.between(0.03, 0.04)
     color = look.color("wooden", "tan", "white", "black", "brown")
     skin = look.surface(color, "wood")

@@ -42,7 +42,7 @@ def shrimp(look: Look) -> Shape:
 
 
 def claw(s: int, at: tuple[float, float], size: float, turn: float) -> Solid:
-    """Return an open claw at the end of an arm; ``s`` is its side."""
+    """Return an open claw at the end of an arm, on the side ``s`` (-1 or 1)."""
     palm = ellipsoid(1.0, 0.62, 0.42, 12, 6)
     finger = limb([(0.3, 0.16, 0), (0.7, 0.24, 0), (1.05, 0.06, 0)], [0.16, 0.13, 0.03], 6)
     thumb = limb([(0.3, -0.16, 0), (0.62, -0.26, 0), (0.95, -0.1, 0)], [0.12, 0.1, 0.03], 6)

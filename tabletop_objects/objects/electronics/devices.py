@@ -19,7 +19,7 @@ DARK: RGB = (32, 32, 35)
           aliases=("quadcopter", "quadrocopter", "camera drone", "mini drone", "toy drone"),
           themes=("electronics",), roles=("big",), colors=("white", "gray"))  # fmt: skip
 def drone(look: Look) -> Shape:
-    """A quadcopter standing on its feet: a body, four arms with rotors and a camera."""
+    """A quadcopter standing on its feet: a body, four arms with rotors, and a camera."""
     k = look.between(0.88, 1.08)
     color = look.color("white", "gray", "black", "charcoal", "orange", "red")
     tile = look.surface(color, "plastic")
@@ -88,7 +88,7 @@ def power_supply(look: Look) -> Shape:
           aliases=("surveillance camera", "cctv camera", "ip camera", "cctv", "baby camera"),
           themes=("electronics",), colors=("white",))  # fmt: skip
 def security_camera(look: Look) -> Shape:
-    """A bullet security camera with a dark glass front, on a foot."""
+    """A bullet-shaped security camera on a foot, with a dark glass front."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "white", "black", "gray")
     tile = look.surface(color, "plastic")

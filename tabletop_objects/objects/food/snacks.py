@@ -348,7 +348,7 @@ def _long_roll(long: tuple[float, float], ridged: bool) -> Callable[[Look], Shap
           aliases=("single crisp", "single chip"), themes=("food",), roles=("edible",),
           colors=("amber",), state="lying flat")  # fmt: skip
 def potato_crisp(look: Look) -> Shape:
-    """A thin, crisp, golden potato crisp with blisters and brown spots."""
+    """A thin, golden potato crisp with blisters and brown spots."""
     outline = ellipse(look.between(0.042, 0.056), look.between(0.034, 0.042), 24)
     outline = outline * (1 + 0.05 * look.rng.normal(size=(24, 1)))
     color = look.color("amber", "gold")

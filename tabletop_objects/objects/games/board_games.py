@@ -21,7 +21,7 @@ BRIGHT: tuple[RGB, ...] = ((204, 52, 48), (52, 104, 190), (70, 150, 80), (244, 2
 
 
 def properties(look: Look, color: RGB) -> surfaces.Tile:
-    """Return a game board with coloured street fields around its border."""
+    """Return a game board with coloured streets around its border."""
     image = prints.canvas(256, 256, tint_color(color, 1.5))
     prints.fill(image, 0.13, 0.13, 0.74, 0.74, tint_color(color, 1.3))
     for n in range(9):
@@ -121,7 +121,7 @@ def noughts(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def mills(look: Look, color: RGB) -> surfaces.Tile:
-    """Return a mill board: three nested squares with pieces on their corners."""
+    """Return a nine men's morris board: three nested squares with pieces on their corners."""
     ink = readable_on(color)
     image = surfaces.fit(surfaces.wood(look.rng, color), 176, 176).copy()
     for low in (0.1, 0.23, 0.36):
@@ -199,7 +199,7 @@ def star(look: Look, color: RGB) -> surfaces.Tile:
 
 
 def board(x: float, y: float, draw: Print, palette: tuple[str, ...], kind: str = "card"):
-    """Return the shape function of a board of the given size with a print."""
+    """Return the shape function of a printed board of the given size."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)
@@ -351,7 +351,7 @@ def kerplunk(look: Look) -> Shape:
           "jenga tower", "block tower", "tower of blocks", "stacking tower", "jenga block tower",
           "toy block tower"), themes=("games",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def tumbling_tower(look: Look) -> Shape:
-    """A tower of wooden bars, three in each layer, with alternating directions."""
+    """A tower of wooden bars in layers of three, each layer at right angles to the next."""
     layers = int(look.rng.integers(14, 19))
     color = look.color("wooden", "tan", "beige")
     woods = [surfaces.wood(look.rng, tint_color(color, f), side=64) for f in (0.9, 1.0, 1.15)]

@@ -70,7 +70,7 @@ def casino_plaque(look: Look) -> Shape:
           aliases=("poker chip case", "poker set", "poker case", "poker chip set",
           "casino chip case"), themes=("games",), roles=("big",), colors=("silver",))  # fmt: skip
 def chip_case(look: Look) -> Shape:
-    """An open metal case with chips, cards and dice in its tray and its lid up."""
+    """An open metal case with its lid up, and with chips, cards and dice in its tray."""
     k, color = look.between(0.85, 1.05), look.color("silver", "black", "silver", "maroon")
     x, y, h = 0.3 * k, 0.2 * k, 0.05 * k
     base = block(x, y, h, 0.008, 0.002)
@@ -137,7 +137,7 @@ def roulette_wheel(look: Look) -> Shape:
           "spinning prize wheel"), themes=("games",), roles=("tall",),
           colors=("wooden",))  # fmt: skip
 def prize_wheel(look: Look) -> Shape:
-    """An upright wheel of fortune with coloured sectors on a stand, with a pointer on top."""
+    """An upright wheel of fortune on a stand, with coloured sectors and a pointer on top."""
     r, color = look.between(0.11, 0.14), look.color("wooden", "black", "white", "red")
     t, z = 0.012, r + 0.035
     wheel = facing(cylinder(r, t, 48)).move(y=t / 2, z=z)

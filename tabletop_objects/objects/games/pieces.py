@@ -23,7 +23,7 @@ COLORS = ("cream", "black", "white", "brown", "charcoal", "tan")
 
 
 def _body(r: float, h: float, neck: float) -> list[tuple[float, float]]:
-    """Return the turned profile of a chess piece up to ``h``: foot, waist and collar."""
+    """Return the profile of a turned chess piece up to the height ``h``: foot, waist and collar."""
     return [(0, 0), (r, 0), (r, 0.14 * r), (0.94 * r, 0.34 * r), (0.78 * r, 0.5 * r),
             (0.8 * r, 0.62 * r), (0.55 * r, 0.9 * r), (neck * r, 0.62 * h), (neck * r, 0.86 * h),
             (1.75 * neck * r, 0.9 * h), (1.75 * neck * r, 0.94 * h), (neck * r, h)]  # fmt: skip

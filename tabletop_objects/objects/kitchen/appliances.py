@@ -33,7 +33,7 @@ from .grills import _panel, griddle, turn_knob
           assembled=True, aliases=("egg timer", "cooking timer"), themes=("kitchen",),
           colors=("red", "white"))  # fmt: skip
 def kitchen_timer(look: Look) -> Shape:
-    """A kitchen timer: a round dial on a foot, or a twistable egg or tomato."""
+    """A kitchen timer: a round dial on a foot, or an egg or a tomato that twists."""
     d = look.between(0.06, 0.072)
     color = look.color("red", "white", "yellow", "sky", "orange", "mint", "black", "silver")
     skin = look.surface(color, "plastic")
@@ -224,7 +224,7 @@ def _time(look: Look) -> str:
           aliases=("microwave oven", "countertop microwave"), themes=("kitchen",), roles=("big",),
           colors=("white", "silver"))  # fmt: skip
 def microwave(look: Look) -> Shape:
-    """A microwave oven with a dark window, a handle, and a clock and keys or two dials."""
+    """A microwave oven with a dark window, a handle, and either a clock and keys or two dials."""
     x, y, h = look.between(0.42, 0.5), look.between(0.3, 0.36), look.between(0.24, 0.29)
     color = look.color(*SHELLS)
     shell = look.surface(color, "metal" if look.chance(0.3) else "plastic")

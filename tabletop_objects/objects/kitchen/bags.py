@@ -114,7 +114,7 @@ INKS = ("red", "blue", "green", "navy", "orange", "teal", "brown", "crimson")
 def _fronts(look: Look, x: float, y: float, ground: RGB, front: surfaces.Tile) -> surfaces.Tile:
     """Return a print around a packet of depth y and width x, with two fronts and small print.
 
-    u = 0 is a corner: ``packet`` over ``rectangle`` starts at the left front corner.
+    u = 0 is at the left front corner, where a ``packet`` with a ``rectangle`` as outline starts.
     """
     width = 384
     image = prints.canvas(width, 160, ground)

@@ -184,7 +184,7 @@ def ready_meal(look: Look) -> Shape:
           "packet of cookies", "packet of crackers", "cracker packet"), themes=("kitchen", "tea"),
           colors=("blue", "red"))  # fmt: skip
 def cookie_box(look: Look) -> Shape:
-    """A box of biscuits with biscuits shown on its front."""
+    """A box of biscuits with a picture of biscuits on its front."""
     x, y, h = look.between(0.15, 0.19), look.between(0.05, 0.065), look.between(0.1, 0.13)
     color = look.color("blue", "red", "green", "purple", "yellow", "brown", "teal", "pink")
     image = prints.canvas(176, 112, color)
@@ -213,7 +213,7 @@ def cookie_box(look: Look) -> Shape:
           "pudding mix", "chocolate pudding box", "gelatin", "baking mix", "gelatin packet",
           "jelly packet"), themes=("kitchen",), colors=("brown", "red"))  # fmt: skip
 def pudding_box(look: Look) -> Shape:
-    """A small box of pudding or jelly powder with a dish of it shown on the front."""
+    """A small box of pudding or jelly powder with a picture of the dessert on its front."""
     x, y, h = look.between(0.085, 0.11), look.between(0.03, 0.04), look.between(0.075, 0.09)
     color = look.color("brown", "red", "yellow", "green", "orange", "crimson", "blue")
     word = look.pick(["PUDDING", "PUDDING", "JELLY", "CHOCOLATE", "GELATIN"])
@@ -377,7 +377,7 @@ def juice_carton(look: Look) -> Shape:
           "wine crate", "milk crate"), themes=("kitchen",), roles=("container", "big"),
           colors=("wooden",))  # fmt: skip
 def crate(look: Look) -> Shape:
-    """An open crate: wood with slats, or plastic with holes."""
+    """An open crate: a wooden one with slats, or a plastic one with holes."""
     x, y, h = look.between(0.28, 0.34), look.between(0.2, 0.24), look.between(0.11, 0.14)
     color = look.color("wooden", "tan", "brown", "beige", "wooden")
     skin = look.surface(color, "wood")

@@ -29,7 +29,7 @@ from .nuts import Heap, heap
           aliases=("bread cube", "cube of bread", "bread crouton", "toasted bread cube"),
           themes=("kitchen",), roles=("edible",), colors=("cream",))  # fmt: skip
 def crouton(look: Look) -> Shape:
-    """A crouton: a cube of white bread crumb with holes and with crust on one side."""
+    """A crouton: a cube of white bread with holes in it and crust on one side."""
     x = look.between(0.019, 0.024)
     color = look.color("cream", "beige", "amber")
     crumb = surfaces.spots(look.rng, tint_color(color, 1.25), tint_color(color, 0.85), 0.2)
@@ -105,7 +105,7 @@ def bread_loaf(look: Look) -> Shape:
           aliases=("crust", "crust of bread", "bitten toast"), themes=("kitchen",),
           colors=("brown",))  # fmt: skip
 def bread_crust(look: Look) -> Shape:
-    """A bitten end piece of a slice of bread."""
+    """A crust of bread: the bitten end of a slice."""
     color = look.color("brown", "tan", "wooden")
     k = look.between(0.85, 1.2)
     a = np.linspace(0.1, np.pi - 0.1, 9)

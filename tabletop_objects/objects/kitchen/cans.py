@@ -24,7 +24,7 @@ WORDS = ("COLA", "FIZZ", "LIME", "ORANGE", "TONIC", "CHERRY", "BERRY", "ROOT")
           "pepsi"), themes=("kitchen", "dining", "office", "gaming"), roles=("round", "tall"),
           colors=("red", "blue"))  # fmt: skip
 def soda_can(look: Look) -> Shape:
-    """An aluminium can of soda or energy drink, tapered at both ends, with its pull tab."""
+    """An aluminium can of soda or energy drink, tapered at both ends, with a pull tab."""
     slim = look.chance(0.3)
     r, h = (0.0265, look.between(0.134, 0.16)) if slim else (0.033, look.between(0.115, 0.125))
     color = look.color("red", "blue", "green", "orange", "silver", "purple", "black", "yellow",
@@ -127,7 +127,7 @@ Make = Callable[[Look], Shape]
 
 def tin(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, float], lid: str
         ) -> Make:  # fmt: skip
-    """Return a labelled round tin; ``form`` is its radius and height, its lid "push" or "ring"."""
+    """Return a labelled tin; ``form`` is its radius and height, ``lid`` is "push" or "ring"."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)
@@ -211,7 +211,7 @@ def _draw(front: prints.Canvas, what: str, x: float, y: float, r: float) -> None
 
 
 def _label(look: Look, title: str, color: RGB, ground: RGB, what: str) -> surfaces.Tile:
-    """Return a wrap-round label with a title over a picture, bands, and small print behind."""
+    """Return a wrap-round label with bands, a title over a picture, and small print at the back."""
     image = prints.canvas(320, 160, ground)
     band = look.pick([0.07, 0.12])
     prints.fill(image, 0, 0, 1, band, color)

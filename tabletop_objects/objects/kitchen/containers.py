@@ -23,7 +23,7 @@ from .bags import panel
           "tub of maggots"), themes=("kitchen", "dining", "craft"), roles=("container", "big"),
           colors=("tan", "brown"), common=True)  # fmt: skip
 def basket(look: Look) -> Shape:
-    """A woven basket that is open at the top and holds other objects."""
+    """A woven basket, open at the top, that can hold other objects."""
     color = look.color("tan", "brown", "beige", "wooden", "white")
     weave = surfaces.basketwork(look.rng, color)
     dark = surfaces.speckles(look.rng, tint_color(color, 0.75), 6, 32)
@@ -154,7 +154,7 @@ def food_container(look: Look) -> Shape:
           aliases=("ice tray", "ice cube mould", "ice cube mold"), themes=("kitchen",),
           colors=("sky", "white"))  # fmt: skip
 def ice_cube_tray(look: Look) -> Shape:
-    """A tray of twelve or more ice cube compartments, some with ice in them."""
+    """A tray with twelve or more compartments for ice cubes, some with ice in them."""
     columns, rows = look.pick([6, 7, 8]), 2
     pitch, h = look.between(0.034, 0.038), look.between(0.028, 0.034)
     x, y = columns * pitch + 0.012, rows * pitch + 0.012

@@ -299,7 +299,7 @@ def _mesh_disc(r: float) -> Head:
           aliases=("lidded tea bowl", "chinese tea bowl", "lidded cup"), themes=("kitchen",),
           roles=("round",), colors=("white",))  # fmt: skip
 def gaiwan(look: Look) -> Shape:
-    """A gaiwan: a Chinese tea bowl with a lid on its saucer."""
+    """A gaiwan: a Chinese tea bowl with a lid and a saucer."""
     k, color = look.between(0.88, 1.1), look.color("white", "sky", "mint", "teal", "cream", "red")
     saucer = lathe(
         [(0, 0), (0.03, 0), (0.055, 0.012), (0.056, 0.015), (0.03, 0.005), (0, 0.005)], 32

@@ -54,7 +54,7 @@ def pizza_cutter(look: Look) -> Shape:
           aliases=("mandolin slicer", "vegetable slicer", "mandoline slicer"), themes=("kitchen",),
           roles=("big",), colors=("white", "black"))  # fmt: skip
 def mandoline(look: Look) -> Shape:
-    """A mandoline slicer: a sloping board on a foot with a slanted blade."""
+    """A mandoline slicer: a sloping board with a slanted blade, on a foot."""
     x, y = look.between(0.28, 0.34), look.between(0.1, 0.12)
     color = look.color("white", "black", "red", "green", "sage", "silver")
     skin = look.surface(color, "plastic")
@@ -144,7 +144,7 @@ def cheese_plane(look: Look) -> Shape:
           aliases=("wire cheese slicer", "cheese slicer board"), themes=("kitchen", "dining"),
           colors=("wooden",))  # fmt: skip
 def cheese_wire(look: Look) -> Shape:
-    """A cheese board with a wire on a bow for cutting cheese."""
+    """A cheese board with a cutting wire stretched in a bow."""
     k = look.between(0.92, 1.08)
     color = look.color("wooden", "white", "cream")
     x, y = 0.22 * k, 0.14 * k
@@ -169,7 +169,7 @@ HUES = ("white", "green", "red", "gray", "black", "teal", "yellow")
           aliases=("spiraliser", "vegetable spiralizer", "spiral slicer"), themes=("kitchen",),
           roles=("big",), colors=("white", "green"))  # fmt: skip
 def spiralizer(look: Look) -> Shape:
-    """A spiralizer with a crank: a courgette against a toothed blade, with spirals in front."""
+    """A spiralizer: a crank, a courgette pressed against a toothed blade, and spirals in front."""
     k, color = look.between(0.88, 1.05), look.color(*HUES)
     rails = [box(0.26, 0.014, 0.018).move(y=s * 0.05, z=0.008) for s in (-1, 1)]
     ends = [block(0.018, 0.12, 0.13, 0.006).move(x) for x in (-0.09, 0.06)]

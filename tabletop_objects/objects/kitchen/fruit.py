@@ -400,7 +400,7 @@ class Globe:
     """A round fruit with a width in the range ``d`` (metres) and the relative height ``tall``.
 
     ``skin`` names its surface, ``bumps`` is its number of warts, spikes or hairs, and ``top`` names
-    the kind of its top. ``pear`` makes it narrower upwards; ``lying`` lays it on its side.
+    what is on its top. ``pear`` narrows it towards the top; ``lying`` lays it on its side.
     """
 
     d: tuple[float, float]
@@ -421,7 +421,7 @@ def _ways(count: int, low: float = -0.72, high: float = 0.97) -> Float[np.ndarra
 
 
 def _over(kind: Globe, r: float, one: Callable[[], Solid], sink: float) -> Solid:
-    """Return a copy of ``one`` (standing on z = 0) at every point of the skin, slightly sunk in."""
+    """Return copies of ``one`` (standing on z = 0), spread over the skin and slightly sunk in."""
     made = []
     for polar, around in _ways(kind.bumps):
         solid = one().move(z=-sink).turn(1, polar).turn(2, around)

@@ -208,7 +208,7 @@ _Placed = tuple[float, float, float, float, float, float]  # dimensions of a box
 
 
 def read_request(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
-    """Return the requested number of slots and the size of the objects for them."""
+    """Return the requested number of slots and the size of the objects they must hold."""
     count = int(look.attributes.get("places", places))
     return count, read_room(look.attributes.get("room"), room)
 
@@ -219,7 +219,7 @@ def centres(count: int, pitch: float) -> list[float]:
 
 
 def choose_slots(centres: list[float], count: int, z: float) -> list[Slot]:
-    """Return ``count`` slots spread over the row."""
+    """Return ``count`` slots spread evenly over the row."""
     which = np.linspace(0, len(centres) - 1, count).round().astype(int)
     return [Slot(np.array([centres[k], 0.0, z])) for k in which]
 
@@ -268,7 +268,7 @@ def empty_dish_rack(look: Look) -> Shape:
           aliases=("empty wine holder",), themes=("kitchen", "dining"), roles=("big",),
           colors=("wooden", "black"), holder=Holder("side", (0.11, 0.38, 0.11)))  # fmt: skip
 def empty_wine_rack(look: Look) -> Shape:
-    """An empty wooden rack for wine bottles that lie down."""
+    """An empty wooden rack in which wine bottles lie on their sides."""
     count, (a, b, c) = read_request(look, 4, (0.075, 0.31, 0.075))
     wood = look.surface(look.color("wooden", "brown", "black", "tan", "charcoal"), "wood")
     columns = max(2, min(3, count))
@@ -292,7 +292,7 @@ def empty_wine_rack(look: Look) -> Shape:
 @category("taco_holder", size=(0.192, 0.0958, 0.0493), mass=0.15, material="metal",
           aliases=("taco stand", "taco rack"), themes=("kitchen",), colors=("silver",))  # fmt: skip
 def taco_holder(look: Look) -> Shape:
-    """A taco holder: a wavy sheet, steel or coloured, with slots for three tacos."""
+    """A taco holder: a wavy steel or coloured sheet with slots for three tacos."""
     k, color = (look.between(0.88, 1.08), look.color("silver", "silver", "red", "yellow", "green",
                                                      "wooden"))  # fmt: skip
     x = np.linspace(-0.1, 0.1, 29)

@@ -56,7 +56,7 @@ def star_anise(look: Look) -> Shape:
           colors=("brown",), state="lying flat")  # fmt: skip
 @at_rest
 def clove(look: Look) -> Shape:
-    """A clove lying flat: a small nail shape with a four-cornered crown."""
+    """A clove lying flat, shaped like a small nail, with a four-cornered crown."""
     color = look.color("brown", "bronze", "maroon", "black")
     k = look.between(0.9, 1.25)
     stem = lathe([(0, 0), (0.0011, 0.0005), (0.0015, 0.006), (0.0021, 0.0095), (0, 0.0105)], 10)

@@ -108,7 +108,7 @@ def ice_cream_cone(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible", "round", "big"),
           colors=("tan",))  # fmt: skip
 def pie(look: Look) -> Shape:
-    """A round pie in its tin with a pastry lattice, or with a closed crust with slits."""
+    """A round pie in its tin, with a pastry lattice or a closed, slitted crust."""
     r, h = look.between(0.105, 0.125), look.between(0.035, 0.045)
     crust = surfaces.spots(look.rng, (216, 164, 96), (168, 112, 58), 0.2)
     tin = look.surface(look.color("silver", "silver", "white", "charcoal", "terracotta"), "metal")

@@ -20,7 +20,7 @@ from .fruit import peel_strip
           themes=("kitchen", "dining"), roles=("flat",), colors=("ivory",),
           state="lying flat")  # fmt: skip
 def fish_skeleton(look: Look) -> Shape:
-    """The bare bones of a fish with its head and tail."""
+    """The bare bones of a fish, with its head and tail."""
     k = look.between(0.9, 1.1)
     color = look.color("ivory", "white", "cream")
     spine = limb([(-0.07, 0, 0.004), (0, 0, 0.004), (0.09, 0, 0.004)], [0.0032, 0.003, 0.0018], 6)

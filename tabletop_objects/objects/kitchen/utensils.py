@@ -238,7 +238,7 @@ def pastry_brush(look: Look) -> Shape:
           "drawing board"), themes=("kitchen",), roles=("support", "flat", "big"),
           colors=("wooden",), state="lying flat", common=True)  # fmt: skip
 def cutting_board(look: Look) -> Shape:
-    """A rectangular or rounded board or a paddle, made of planks, end grain, plastic or slate."""
+    """A rectangular, rounded or paddle-shaped board of planks, end grain, plastic or slate."""
     x, y, h = look.between(0.26, 0.34), look.between(0.17, 0.23), look.between(0.011, 0.022)
     color = look.color("wooden", "tan", "beige", "brown", "bronze")
     kind = int(look.rng.integers(5))

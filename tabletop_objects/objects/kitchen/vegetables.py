@@ -37,7 +37,7 @@ def tomato(look: Look) -> Shape:
 
 
 def root(look: Look, length: float, radii: list[float]) -> Solid:
-    """Return a slightly bent round body along x with the given, evenly spaced radii."""
+    """Return a slightly bent, round body along x; ``radii`` are given at evenly spaced points."""
     bend = look.between(-0.008, 0.008)
     t = np.linspace(-1, 1, len(radii))
     radius = max(radii)
@@ -48,7 +48,7 @@ def root(look: Look, length: float, radii: list[float]) -> Solid:
 
 
 def halves(body: Solid, pieces: int) -> list[ConvexPart]:
-    """Return hulls of equal lengths of a lying body, each extended down to the table."""
+    """Return hulls of equally long pieces of a lying body, each extended down to the table."""
     p = body.vertices
     cuts = np.linspace(p[:, 0].min(), p[:, 0].max(), pieces + 1)
     width = (cuts[1] - cuts[0]) * 0.55
@@ -305,7 +305,7 @@ def _skin(look: Look, pod: Pod, color: RGB) -> surfaces.Tile:
 
 
 def pod_of(pod: Pod) -> Callable[[Look], Shape]:
-    """Return the shape function of one kind of long object."""
+    """Return the shape function of one kind of long fruit, vegetable or pod."""
 
     def make(look: Look) -> Shape:
         long, color = look.between(*pod.long), look.color(*pod.colors)

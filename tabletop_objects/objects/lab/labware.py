@@ -55,7 +55,7 @@ GLASS: RGB = (206, 222, 226)
 
 
 def marks(ground: RGB, count: int = 10) -> surfaces.Tile:
-    """Return glass with a scale on its front."""
+    """Return a glass tile with a scale on its front."""
     image = prints.canvas(96, 128, ground)
     for n in range(count):
         prints.fill(image, 0.44, 0.12 + 0.76 * n / count, 0.12 if n % 2 else 0.07, 0.012,
@@ -292,7 +292,7 @@ def _glass(color: RGB) -> surfaces.Tile:
 
 
 def _graduation(ground: RGB, ink: RGB = (70, 90, 100)) -> surfaces.Tile:
-    """Return glass with a measuring scale on the front."""
+    """Return a glass tile with a measuring scale on its front."""
     image = prints.canvas(128, 128, ground)
     for k in range(9):
         prints.fill(image, 0.46, 0.2 + 0.075 * k, 0.09 if k % 2 else 0.05, 0.014, ink)

@@ -305,7 +305,7 @@ def spacer_device(look: Look) -> Pieces:
           colors=("black",))  # fmt: skip
 @from_pieces(bodies=(0, 2, 3))
 def tourniquet(look: Look) -> Pieces:
-    """A tourniquet: a strap in a loop on its edge, with a black rod and a buckle in front."""
+    """A tourniquet: a looped strap standing on its edge, with a black rod and a buckle in front."""
     color = look.color("black", "orange", "blue", "red")
     loop = lathe([(0.045, 0), (0.047, 0), (0.047, 0.036), (0.045, 0.036)], 40, loop=True)
     tail = at_box(0.12, 0.0025, 0.036, (0.06, -0.046, 0)).turn(2, 0.04)

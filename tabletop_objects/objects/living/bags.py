@@ -269,7 +269,7 @@ def purse(look: Look) -> Shape:
           aliases=("clutch bag", "evening bag", "clutch purse"), themes=("living",),
           roles=("flat",), colors=("black", "gold"), state="lying flat")  # fmt: skip
 def clutch(look: Look) -> Shape:
-    """An evening bag with a flap like an envelope, lying flat."""
+    """An evening bag with a flap like an envelope's, lying flat."""
     x, y, h = look.between(0.22, 0.26), look.between(0.13, 0.15), look.between(0.026, 0.034)
     color = look.color("black", "gold", "silver", "red", "pink", "navy", "purple")
     body = pad(x, y, h, 0.01, soft=0.4, steps=4)
@@ -475,7 +475,7 @@ def bag_roll(look: Look) -> Shape:
           "cooling pack"), themes=("living",), roles=("flat",), colors=("blue",),
           state="lying flat")  # fmt: skip
 def ice_pack(look: Look) -> Shape:
-    """A flat, ribbed plastic ice pack of blue gel with a cap."""
+    """A flat, ribbed plastic ice pack with a cap, filled with blue gel."""
     k, color = look.between(0.9, 1.12), look.color("blue", "sky", "cyan", "white", "teal")
     body = pad(0.16 * k, 0.09 * k, 0.026 * k, 0.014 * k, soft=0.3)
     ribs = [

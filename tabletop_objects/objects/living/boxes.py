@@ -224,7 +224,7 @@ def treasure_chest(look: Look) -> Shape:
           aliases=("wood box", "open wooden box", "timber box"), themes=("living",),
           roles=("container",), colors=("wooden",))  # fmt: skip
 def wooden_box(look: Look) -> Shape:
-    """An open wooden box without its lid."""
+    """A wooden box without its lid."""
     x, y, h = look.between(0.17, 0.22), look.between(0.12, 0.15), look.between(0.07, 0.095)
     color = look.color("wooden", "tan", "brown", "white", "teal")
     t = 0.007
@@ -239,7 +239,7 @@ def wooden_box(look: Look) -> Shape:
           aliases=("musical box", "musical box toy"), themes=("living",),
           colors=("wooden", "red"))  # fmt: skip
 def music_box(look: Look) -> Shape:
-    """A music box with a crank and with its drum and comb visible on top."""
+    """A music box with a crank, its drum and comb visible on top."""
     color = look.color("wooden", "red", "brown", "teal", "navy", "pink")
     k = look.between(0.85, 1.2)
     base = block(0.09, 0.07, 0.045, 0.004, 0.002)

@@ -81,7 +81,7 @@ def cloth(look: Look, color: RGB) -> Tile:
 
 
 def mirror(half: list[tuple[float, float]]) -> np.ndarray:
-    """Return a symmetric outline from its right half, given from the bottom up."""
+    """Return a symmetric outline whose right half is ``half``, from the bottom up."""
     right = np.array(half, float)
     left = right[::-1] * [-1, 1]
     return np.concatenate([right, left[np.abs(left[:, 0]) > 1e-9]])

@@ -73,7 +73,7 @@ from .figurines import person
           aliases=("mylar balloon", "star balloon", "heart balloon", "helium balloon"),
           themes=("living",), colors=("silver", "gold"), state="lying flat")  # fmt: skip
 def foil_balloon(look: Look) -> Shape:
-    """A shiny foil balloon lying flat: a heart, a star or a disc, with its tail and ribbon."""
+    """A shiny foil balloon lying flat: a heart, a star or a disc, with a tail and a ribbon."""
     k = look.between(0.9, 1.1)
     color = look.color("silver", "gold", "pink", "red", "blue")
     kind = look.pick(["star", "heart", "star"])
@@ -1085,7 +1085,7 @@ def sparkler(look: Look) -> Shape:
           "egg painting kit", "easter egg dye", "egg dyeing kit"), themes=("living",),
           colors=("pink",))  # fmt: skip
 def egg_dye_kit(look: Look) -> Shape:
-    """A boxed egg dyeing kit with painted eggs and pots of colour on its front."""
+    """An egg dyeing kit in a box, with painted eggs and pots of colour printed on its front."""
     k, color = look.between(0.9, 1.1), look.color("pink", "yellow", "sky", "mint", "lavender")
     x, y, h = 0.15 * k, 0.045 * k, 0.18 * k
     image = prints.canvas(170, 200, color)
@@ -1111,7 +1111,7 @@ def egg_dye_kit(look: Look) -> Shape:
           colors=("cream",))  # fmt: skip
 @from_pieces(foot=0.03, bodies=4)
 def message_in_a_bottle(look: Look) -> Pieces:
-    """A corked bottle lying flat, with a rolled paper inside."""
+    """A corked bottle lying flat, with a rolled-up sheet of paper inside."""
     z = 0.034
     glass = surfaces.plain((168, 206, 190))
     hoops = [torus(r, 0.0016, 28, 5).turn(1, np.pi / 2).move(x, 0, z) for x,

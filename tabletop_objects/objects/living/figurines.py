@@ -229,7 +229,7 @@ def _robed_figure(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> D
 
 
 def _deity(many: bool, elephant: bool) -> Drawing:
-    """A seated Hindu deity with a tall crown and four arms, and a human or an elephant's head."""
+    """A seated Hindu deity with four arms, a tall crown, and the head of a human or an elephant."""
 
     def draw(look: Look) -> Pieces:
         tile = _cast(look, "gold", "bronze", "copper", "blue" if not elephant else "gold")
@@ -343,7 +343,7 @@ GOLD = (222, 180, 80)
 
 
 def _trunk(color: RGB, look: Look) -> tuple[Solid, Pieces]:
-    """Return the round coat of a figure (a hull) with trim, a belt and buttons."""
+    """Return a figure's round coat, alone for its hull, and with its trim, belt and buckle."""
     coat = lathe([(0, 0), (0.036, 0), (0.04, 0.014), (0.03, 0.056), (0.018, 0.078), (0, 0.082)], 22)
     trim = torus(0.037, 0.0055, 24, 8).move(z=0.0075)
     belt = torus(0.0372, 0.0045, 24, 6).scale(1, 1, 1.2).move(z=0.03)

@@ -319,7 +319,7 @@ def on_stem(
     head: Head, colors: tuple[str, ...], long: float, *, leaves: int = 2, nod: float = 0.5,
     leaf: tuple[float, float] = (0.06, 0.018), stem: RGB = (84, 126, 64),
 ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return the shape of a cut flower lying on the table with its blossom on the right.
+    """Return the shape function of a cut flower that lies with its blossom on the right.
 
     With the attribute "stands", the flower fits a vase: it is long and straight, with leaves only
     near its top.

@@ -75,7 +75,7 @@ STRING = (206, 208, 212)
 
 
 def _waist_outline(half: list[tuple[float, float]], k: float) -> np.ndarray:
-    """Return a closed outline along x from one of its sides, ``half``: (x, half width) points."""
+    """Return a closed outline along x; ``half`` lists (x, half width) points of one side."""
     curve = smooth(half, 4)
     lower = curve * [1, -1]
     upper = curve[::-1]
@@ -83,7 +83,7 @@ def _waist_outline(half: list[tuple[float, float]], k: float) -> np.ndarray:
 
 
 def _slabs(outline: np.ndarray, low: float, high: float, cuts: list[float]) -> list[ConvexPart]:
-    """Return convex parts of a plate of the given outline, cut at the given x values."""
+    """Return convex parts of a plate with the given outline, cut at the x values ``cuts``."""
     found = []
     for a, b in itertools.pairwise(cuts):
         inside = outline[(outline[:, 0] >= a - 1e-9) & (outline[:, 0] <= b + 1e-9)]
@@ -424,7 +424,7 @@ class Lute:
         head: length of the head.
         strings: number of strings.
         deep: depth of the body.
-        face: colours of the face; if empty, it has the colour of the back.
+        face: colours of the face; if empty, the face has the colour of the back.
         hole: radius of the sound hole; 0 for none.
         round_back: whether the back bulges like half a pear.
     """
@@ -637,7 +637,7 @@ def _bell(x: float, y: float, z: float, r: float, long: float) -> Solid:
 @at_rest
 @from_pieces(foot=0.0)
 def trombone(look: Look) -> Pieces:
-    """A trombone lying flat: a long slide, a bow and a wide bell."""
+    """A trombone lying flat: a long slide, a curved tube and a wide bell."""
     tile = metal(look, *BRASSY)
     z, r = 0.055, 0.0055
     slide = [straight((-0.1, y, z), (0.34, y, z), r) for y in (-0.075, -0.03)]

@@ -72,7 +72,7 @@ WHITE = surfaces.plain((244, 242, 238))
           themes=("living",), roles=("big",), colors=("brown",))  # fmt: skip
 @from_pieces(bodies=6)
 def ship_in_a_bottle(look: Look) -> Pieces:
-    """A sailing ship in a bottle on a stand; the bottle is drawn as a frame of glass rods."""
+    """A sailing ship in a bottle on a stand; the bottle is modelled as a frame of glass rods."""
     stand = [at_box(0.014, 0.09, 0.022, (x, 0, 0)) for x in (-0.06, 0.05)]
     z = 0.06
     floor = plate(rectangle(0.14, 0.07, 0.03), 0.012, z - 0.026)

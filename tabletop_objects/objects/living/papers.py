@@ -311,7 +311,7 @@ def folded_map(look: Look) -> Shape:
 
 
 def _sheet(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> Solid:
-    """Return a sheet 0.2 mm thick over four corners, with its picture upright from edge a-b."""
+    """Return a sheet 0.2 mm thick with the given corners; a-b is the lower edge of its picture."""
     low = np.stack([a, b, c, d])
     faces = [(4, 5, 6), (4, 6, 7), (0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5),
              (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7)]  # fmt: skip
@@ -487,7 +487,7 @@ def passport(look: Look) -> Shape:
 def _slip(
     look: Look, x: float, y: float, image: surfaces.Tile, color: tuple[float, float, float]
 ) -> Shape:
-    """Return a slightly curved card with a picture and a body in another colour."""
+    """Return a thin card with a picture on its face and a body in ``color``."""
     k = look.between(0.9, 1.15)
     card = box(x, y, 0.0012)
     face = box(x - 0.0006, y - 0.0006, 0.0003).move(z=0.0011)

@@ -374,7 +374,7 @@ def hamster_wheel(look: Look) -> Shape:
           aliases=("cat scratching post", "scratch post", "cat tree", "cat post", "cat scratcher"),
           themes=("living",), roles=("tall",), colors=("beige",))  # fmt: skip
 def scratching_post(look: Look) -> Shape:
-    """A scratching post: a sisal post with a plush base and top and a hanging ball."""
+    """A scratching post: a sisal post with a plush base, a plush top and a hanging ball."""
     k, color = look.between(0.85, 1.05), look.color("beige", "gray", "brown", "cream", "pink")
     r, h, side = 0.028 * k, 0.3 * k, 0.2 * k
     base, top = (block(side, side, 0.022, 0.02, 0.004),
@@ -432,7 +432,7 @@ def puppy_pad(look: Look) -> Shape:
           aliases=("bird stand", "parrot stand", "parrot perch"), themes=("living",),
           roles=("tall",), colors=("wooden",))  # fmt: skip
 def bird_perch(look: Look) -> Shape:
-    """A bird perch: a wooden bar on a post with two cups on a tray."""
+    """A bird perch: a wooden bar with a cup at each end, on a post that stands on a tray."""
     k, color = look.between(0.85, 1.1), look.color("wooden", "brown", "tan")
     tray = block(0.18 * k, 0.13 * k, 0.012, 0.02, 0.002)
     post = cylinder(0.009 * k, 0.19 * k, 14).move(z=0.01)

@@ -22,9 +22,9 @@ Point = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class PlantForm:
-    """A potted plant, in metres.
+    """The form of a potted plant; lengths are in metres.
 
-    ``form`` names its growth: "rosette" from the soil, "stems" with a leaf on each, "cane" with
+    ``form`` names how it grows: "rosette" from the soil, "stems" with a leaf on each, "cane" with
     tufts on trunks, "tree" with a crown, "frond" with feathered leaves, or "trap" with jaws.
     ``leaf`` is the length and width of a leaf, ``count`` the number of leaves, ``rise`` the height
     of stems or trunks, ``green`` its colours, and ``mark`` a second colour in the pattern ``skin``.
@@ -83,7 +83,7 @@ def _stem(top: Point, base: float, start: float) -> Solid:
 def _foliage(
     look: Look, kind: PlantForm, base: float, r: float
 ) -> tuple[list[Solid], list[Solid], list[Point]]:
-    """Return leaves, stems and possible positions of flowers."""
+    """Return leaves, stems and the positions where flowers can grow."""
     leaves: list[Solid] = []
     stems: list[Solid] = []
     tips: list[Point] = []
@@ -486,7 +486,7 @@ def bonsai(look: Look) -> Shape:
           aliases=("plant terrarium", "glass terrarium", "glass dome"), themes=("living",),
           roles=("tall", "round"), colors=("wooden",))  # fmt: skip
 def terrarium(look: Look) -> Shape:
-    """A terrarium: plants, moss and stones on a wooden base, under a dome drawn as its frame."""
+    """A terrarium: plants, moss and stones on a wooden base, under a dome modelled as a frame."""
     color = look.color("wooden", "brown", "black", "white", "tan")
     r, h = look.between(0.06, 0.075), look.between(0.13, 0.17)
     foot = cylinder(r, 0.018, 30, bevel=0.003)

@@ -125,7 +125,7 @@ def shoe_horn(look: Look) -> Shape:
           "moccasin", "espadrille", "ballet flat", "plimsoll", "miniature shoe"),
           themes=("living",), colors=("white", "black"))  # fmt: skip
 def shoe(look: Look) -> Shape:
-    """A trainer with laces and its toe on the left, sometimes a pair."""
+    """A laced trainer with its toe on the left, sometimes a pair of them."""
     k = look.between(0.9, 1.05)
     color = look.color("white", "black", "red", "blue", "gray", "navy", "green", "pink", "tan")
     other: RGB = look.own_color("white", "black", "orange", "lime", "navy", "red")
@@ -180,7 +180,7 @@ def _sole(grow: float = 1.0) -> np.ndarray:
 
 
 def _upper(levels: list[tuple[float, float, float, float]]) -> Solid:
-    """Return a body over the sole from (growth x, growth y, shift x, z) levels, bottom to top."""
+    """Return a body over the sole from levels (x scale, y scale, x shift, z), bottom to top."""
     base = _sole()
     return loft(np.stack([np.column_stack([base * [a, b] + [x, 0], np.full(len(base), z)])
                           for a, b, x, z in levels]), base)  # fmt: skip
@@ -191,7 +191,7 @@ def _upper(levels: list[tuple[float, float, float, float]]) -> Solid:
           "cowboy boot", "work boot", "wellie", "welly", "gumboot"), themes=("living",),
           colors=("brown", "black"))  # fmt: skip
 def boot(look: Look) -> Shape:
-    """An ankle boot with a heel and laces and its toe on the left."""
+    """A laced ankle boot with a heel, its toe on the left."""
     color = look.color("brown", "black", "tan", "red", "olive", "navy", "yellow")
     k = look.between(0.75, 0.9)
     hide = leather(look.rng, color)

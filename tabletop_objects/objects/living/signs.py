@@ -19,7 +19,7 @@ BLACK = surfaces.plain((34, 34, 37))
 
 
 def _sign(texts: tuple[str, ...], palette: tuple[str, ...], kind: str) -> Drawing:
-    """A sign with a word: wood on a foot, tin lying flat, letters on felt, or illuminated."""
+    """A sign with a word: wooden on a foot, tin and lying flat, a letter board, or illuminated."""
 
     def draw(look: Look) -> Pieces:
         text = look.pick(texts)
@@ -89,7 +89,7 @@ GOLD: RGB = (206, 172, 90)
 def sign(
     words: tuple[str, ...], x: float, h: float, kind: str, palette: tuple[str, ...]
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a lettered sign: on a stake and foot, on an easel, or a tent."""
+    """Return the shape function of a lettered sign on a stake or an easel, or folded as a tent."""
 
     def make(look: Look) -> Shape:
         k, color = look.between(0.9, 1.1), look.color(*palette)

@@ -154,7 +154,7 @@ def pebble(look: Look) -> Shape:
           aliases=("big stone", "boulder", "rough stone", "piece of rock"), themes=("living",),
           colors=("gray",))  # fmt: skip
 def rock(look: Look) -> Shape:
-    """A rough, broken stone with edges."""
+    """A rough, broken stone with sharp edges."""
     color = look.color("gray", "charcoal", "brown", "tan", "terracotta", "beige")
     x, y, h = look.between(0.07, 0.11), look.between(0.06, 0.08), look.between(0.045, 0.07)
     rough = look.rng.uniform(0.78, 1.12, (6, 9))

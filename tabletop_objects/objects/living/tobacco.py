@@ -14,7 +14,7 @@ from ...kit.surfaces import Look, plain, tint_color
 
 
 def _thirds(count: int) -> list[tuple[int, int]]:
-    """Return the ranges of four equal runs of ``count`` points along a hose."""
+    """Split ``count`` points along a hose into four equal runs; return their index ranges."""
     step = count // 4
     return [(n * step, (n + 1) * step if n < 3 else count) for n in range(4)]
 

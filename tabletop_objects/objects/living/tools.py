@@ -31,7 +31,7 @@ from ...kit.surfaces import RGB, Look, plain, tint_color
           aliases=("garden can", "plant waterer", "small watering can"), themes=("living",),
           roles=("tall",), colors=("green", "silver"))  # fmt: skip
 def watering_can(look: Look) -> Shape:
-    """A watering can with a rose on its spout on the left and handles on the right and on top."""
+    """A watering can with handles on the right and on top, and a spout with a rose on the left."""
     k = look.between(0.85, 1.1)
     color = look.color("green", "teal", "silver", "copper", "red", "yellow", "sky", "white", "pink")
     skin = look.surface(color, look.pick(["metal", "plastic"]))

@@ -20,7 +20,7 @@ from ...values import ConvexPart
           themes=("living",), roles=("tall",), colors=("brown", "navy"))  # fmt: skip
 @from_pieces(bodies=2)
 def urn(look: Look) -> Pieces:
-    """An urn with a lid and two handles on a foot."""
+    """A footed urn with a lid and two handles."""
     color = look.color("brown", "navy", "gold", "teal", "white", "charcoal")
     tile = (materials.glaze_tile(look, color) if look.chance(0.5)
             else metal(look, "brass", "bronze", "silver"))  # fmt: skip

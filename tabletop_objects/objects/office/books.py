@@ -128,7 +128,7 @@ BOARD = 0.0025
           themes=("office", "living", "coffee"), roles=("flat", "support", "big"),
           colors=("navy", "red"), state="lying open", common=True)  # fmt: skip
 def open_book(look: Look) -> Shape:
-    """An open book lying flat: two arched blocks of pages, printed or written on."""
+    """An open book lying flat: two arched blocks of printed or handwritten pages."""
     kind = look.pick(PAGES)
     w, y = look.between(0.125, 0.175), look.between(0.185, 0.245)
     thick, read = look.between(0.014, 0.034), look.between(0.25, 0.75)
@@ -179,7 +179,7 @@ def _floor(row: Float[np.ndarray, "k 3"]) -> Float[np.ndarray, "2 3"]:
 
 
 def _page(look: Look, kind: str, paper: RGB, side: int) -> Tile:
-    """Return the page left (-1) or right (1) of the spine, darker towards the spine."""
+    """Return the page to the left (-1) or right (1) of the spine, darker towards the spine."""
     image = prints.canvas(136, 192, paper)
     {"novel": _novel, "textbook": _textbook, "picture": _picture, "recipe": _recipe,
      "ruled": _rule, "music": _music}[kind](image, look, side)  # fmt: skip

@@ -109,7 +109,7 @@ LAPTOP_DARK = (40, 41, 45)
 def key_caps(
     rows: Sequence[Sequence[float]], x: float, y: float, rise: float, gap: float = 0.0022
 ) -> Solid:
-    """Return a block of tapered key caps on z = 0, x by y, that together show one texture."""
+    """Return a block of tapered key caps, x by y, on z = 0, that together show one texture."""
     caps, deep = [], y / len(rows)
     for j, row in enumerate(rows):
         edges = x * np.cumsum([0.0, *row]) / sum(row) - x / 2
@@ -249,7 +249,7 @@ SMALL = prints.QWERTY[1:]
           aliases=("computer keyboard",), themes=("office",), roles=("big", "flat"),
           colors=("black", "white"), state="lying flat", common=True)  # fmt: skip
 def keyboard(look: Look) -> Shape:
-    """A computer keyboard, slightly higher at the back: full size, without number pad, or small."""
+    """A computer keyboard, slightly higher at the back: full-size, without a keypad, or small."""
     rows, x = look.pick(
         [(prints.QWERTY, 0.37), (prints.QWERTY, 0.37), (NUMPAD, 0.44), (SMALL, 0.34)]
     )
@@ -599,7 +599,7 @@ def docking_station(look: Look) -> Shape:
           roles=("flat", "support", "big"), colors=("black", "blue"), state="lying flat",
           common=True)  # fmt: skip
 def mousepad(look: Look) -> Shape:
-    """A plain, printed or edged mouse pad."""
+    """A plain or printed mouse pad with an edge in another colour."""
     x, y = look.between(0.2, 0.27), look.between(0.17, 0.22)
     color = look.color("black", "charcoal", "blue", "red", "teal", "pink", "purple")
     other = look.own_color("red", "cyan", "lime", "violet", "orange", "white")

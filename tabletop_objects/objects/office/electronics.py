@@ -419,7 +419,7 @@ def laser_pointer(look: Look) -> Shape:
 
 
 def _handset(length: float, z: float) -> Solid:
-    """Return a telephone handset along x at height ``z``, with its ear and mouth pieces down."""
+    """Return a telephone handset along x at height ``z``, with its earpiece and mouthpiece down."""
     t = np.linspace(-1, 1, 9)
     path = np.column_stack([0.42 * length * t, 0 * t, z + 0.012 - 0.012 * np.abs(t) ** 2.5])
     grip = sweep(path, rectangle(0.034, 0.022, 0.008, 3))
@@ -641,7 +641,7 @@ def desk_lamp(look: Look) -> Shape:
 
 
 def _arm_lamp(look: Look, color: RGB) -> Shape:
-    """Return a lamp with two arms, or with one bow, on a heavy base."""
+    """Return a lamp with two arms, or with a single curved arm, on a heavy base."""
     skin = surfaces.speckles(look.rng, color, 3, 32)
     metal = look.pick(
         [skin, surfaces.brushed_metal(look.rng, look.own_color("brass", "silver", "copper"))]

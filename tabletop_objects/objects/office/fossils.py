@@ -66,7 +66,7 @@ def trilobite(look: Look) -> Pieces:
 
 
 def _tooth(long: float, serrated: bool) -> np.ndarray:
-    """Return the outline of a triangular tooth with two roots, in the plane."""
+    """Return the flat outline of a triangular tooth with two roots."""
     w = 0.78 * long
     left = smooth([(-0.5 * w, 0), (-0.36 * w, 0.35 * long), (-0.08 * w, 0.85 * long), (0, long)], 6)
     right = left[::-1] * [-1, 1]

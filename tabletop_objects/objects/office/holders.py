@@ -264,7 +264,7 @@ def _leaflet(look: Look, color: RGB, wide: int, tall: int) -> surfaces.Tile:
           aliases=("bill spike", "paper spike", "spindle of receipts", "order spike", "spike file"),
           themes=("office",), colors=("black",))  # fmt: skip
 def receipt_spike(look: Look) -> Shape:
-    """A spike with receipts on a round foot."""
+    """A spike with receipts on it, on a round base."""
     k = look.between(0.9, 1.1)
     color = look.color("black", "wooden", "silver", "red")
     foot = cylinder(0.04, 0.012, 28, bevel=0.002)

@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, tint_color
           colors=("black",))  # fmt: skip
 @from_pieces()
 def weather_vane(look: Look) -> Pieces:
-    """A weather vane: a cockerel and an arrow above compass letters on a foot."""
+    """A weather vane on a foot: a cockerel and an arrow above compass letters."""
     tile = metal(look, "black", "copper", "charcoal", "bronze")
     foot, post = (standing((0.05, 0), (0.048, 0.008), (0.012, 0.016)),
                   straight((0, 0, 0.01), (0, 0, 0.2), 0.004, 10))  # fmt: skip
@@ -66,7 +66,7 @@ def weather_vane(look: Look) -> Pieces:
           colors=("bronze",))  # fmt: skip
 @from_pieces(bodies=2)
 def sundial(look: Look) -> Pieces:
-    """A sundial: a round dial with hour lines, numbers and a triangular fin on a turned foot."""
+    """A sundial on a turned foot: a round dial with hour lines, numbers and a triangular fin."""
     color = look.color("bronze", "gray", "brass", "beige", "copper")
     image = prints.canvas(128, 128, color)
     dark = tint_color(color, 0.45)
@@ -274,7 +274,7 @@ def van_de_graaff_generator(look: Look) -> Pieces:
 @vary(0.08)
 @from_pieces()
 def radiometer(look: Look) -> Pieces:
-    """A light mill: a glass bulb on a foot, drawn as a cage, with four vanes inside."""
+    """A light mill: a glass bulb, modelled as a wire cage, on a foot, with four vanes inside."""
     foot = standing((0.035, 0), (0.034, 0.006), (0.012, 0.014), (0.01, 0.035), (0.016, 0.045))
     glass = surfaces.plain((206, 224, 232))
     hoops = [torus(0.04, 0.0012, 32, 5).turn(0, np.pi / 2).turn(2, a).move(z=0.085)

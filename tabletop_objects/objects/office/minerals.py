@@ -63,7 +63,7 @@ def _rough(colors: tuple[str, ...], skin: Skin, size: tuple[float, float, float]
 
 
 def _cubes(palette: tuple[str, ...]) -> Drawing:
-    """Cubic crystals that grow into each other."""
+    """Intergrown cubic crystals."""
 
     def draw(look: Look) -> Pieces:
         tile = shine(look, *palette)

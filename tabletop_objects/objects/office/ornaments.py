@@ -60,7 +60,7 @@ def picture_frame(look: Look) -> Shape:
           aliases=("world globe", "desk globe"), themes=("office", "living"), roles=("tall",),
           colors=("blue",), common=True)  # fmt: skip
 def globe(look: Look) -> Shape:
-    """A terrestrial globe on a foot with a tilted axis."""
+    """A terrestrial globe with a tilted axis, on a foot."""
     r = look.between(0.065, 0.08)
     sea: RGB = look.color("blue", "sky", "teal", "tan", "charcoal", "cream", "navy")
     land = surfaces.noise(look.rng, 96, 192, (4, 7), 3)
@@ -165,7 +165,7 @@ KINDS = ("leafy", "leafy", "broad", "succulent", "cactus", "blades", "bonsai", "
           themes=("office", "living", "coffee"), roles=("tall",), colors=("terracotta", "white"),
           common=True)  # fmt: skip
 def potted_plant(look: Look) -> Shape:
-    """A potted plant: leafy, broad-leaved, grassy or flowering, a succulent, cactus or bonsai."""
+    """A leafy, broad-leaved, grassy or flowering pot plant, a succulent, a cactus or a bonsai."""
     r, h = look.between(0.042, 0.062), look.between(0.065, 0.095)
     pieces = planter(look, r, h)
     green = look.own_color("green", "green", "green", "olive", "sage", spread=16)
@@ -293,7 +293,7 @@ def paperweight(look: Look) -> Shape:
           "sign", "name plaque", "house sign"), themes=("office",), roles=("flat",),
           colors=("red", "green"), state="lying flat")  # fmt: skip
 def shop_sign(look: Look) -> Shape:
-    """A hanging sign with its cord lying flat, lettered OPEN or CLOSED."""
+    """A hanging sign, lettered OPEN or CLOSED, lying flat with its cord."""
     k = look.between(0.92, 1.08)
     word = look.pick(["OPEN", "OPEN", "CLOSED"])
     color = look.color("red", "green", "navy", "black", "white", "wooden")

@@ -256,7 +256,7 @@ Print = Callable[[Look, prints.Canvas, RGB], None]
 def paper(
     x: float, y: float, mark: Print, *grounds: str, sheets: int = 1, accents: tuple[str, ...] = ()
 ) -> Drawing:
-    """A printed sheet of ``x`` by ``y`` metres, or several askew; ``mark`` prints them."""
+    """A sheet of ``x`` by ``y`` metres printed by ``mark``, on top of others lying askew if any."""
 
     def draw(look: Look) -> Pieces:
         ground = look.color(*grounds)
@@ -511,7 +511,7 @@ def paper_stack(look: Look) -> Shape:
           "letter to santa", "letter to father christmas"), themes=("office",), roles=("flat",),
           colors=("white", "cream"), state="lying flat")  # fmt: skip
 def letter(look: Look) -> Shape:
-    """A handwritten or typed letter with creases from folding in three."""
+    """A handwritten or typed letter with creases where it was folded in three."""
     x, y = look.between(0.15, 0.21), look.between(0.21, 0.28)
     color = look.color("white", "white", "cream", "ivory", "pink", "sky", spread=10)
     image = prints.canvas(144, 192, color)
@@ -547,7 +547,7 @@ def letter(look: Look) -> Shape:
           aliases=("price label", "price card", "price sign", "sale tag"), themes=("office",),
           roles=("flat",), colors=("white", "yellow"))  # fmt: skip
 def price_tag(look: Look) -> Shape:
-    """A price tag with a hole and a string lying flat, or a price tag on a small stand."""
+    """A price tag lying flat, with a hole and a string, or a price tag on a small stand."""
     color = look.color("white", "yellow", "tan", "red", "orange", "lime", "sky")
     price = f"{int(look.rng.integers(1, 99))}.{look.pick(['99', '50', '00', '95'])}"
     ink = readable_on(color)

@@ -654,7 +654,7 @@ def eraser(look: Look) -> Shape:
           assembled=True, aliases=("sharpener", "electric sharpener"), themes=("office", "craft"),
           colors=("red", "silver"))  # fmt: skip
 def pencil_sharpener(look: Look) -> Shape:
-    """A pencil sharpener: a small wedge with its blade, a tub, or one with a crank."""
+    """A pencil sharpener: a small wedge with a blade, a tub, or a machine with a crank."""
     color = look.color("red", "blue", "silver", "green", "yellow", "pink", "black", "orange")
     steel = surfaces.brushed_metal(look.rng, (196, 199, 204))
     dark = surfaces.plain((36, 36, 40))

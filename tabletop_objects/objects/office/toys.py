@@ -102,7 +102,7 @@ def linking_cubes(look: Look) -> Pieces:
           themes=("office",), colors=("red",))  # fmt: skip
 @from_pieces()
 def soma_cube(look: Look) -> Pieces:
-    """A cube puzzle of bent pieces."""
+    """A Soma cube: a puzzle cube made of angular pieces."""
     s = 0.02
     tones = [look.own_color(*PAINTS) for _ in range(7)]
     pieces: Pieces = []

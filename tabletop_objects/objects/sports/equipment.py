@@ -197,7 +197,7 @@ def golf_club(look: Look) -> Shape:
           aliases=("cricket stump", "wicket", "cricket wicket", "cricket bail", "set of stumps"),
           themes=("sports",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def cricket_stumps(look: Look) -> Shape:
-    """Three stumps in a base with two bails on top."""
+    """Three cricket stumps in a base, with two bails on top."""
     color = look.color("wooden", "tan", "yellow", "red", "blue")
     k = look.between(0.85, 1.15)
     base = block(0.1, 0.05, 0.014, 0.006, 0.003)

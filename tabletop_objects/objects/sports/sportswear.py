@@ -188,7 +188,7 @@ def roller_skate(look: Look) -> Shape:
           aliases=("figure skate", "skate", "hockey skate"), themes=("sports",), roles=("big",),
           colors=("white",))  # fmt: skip
 def ice_skate(look: Look) -> Shape:
-    """A laced boot on a steel blade that stands upright on its broad holder."""
+    """A laced boot on a steel blade, standing upright on a broad support."""
     color = look.color("white", "black", "white", "navy")
     k = look.between(0.95, 1.25)
     boot = _boot(0.13).move(z=0.052)

@@ -280,7 +280,7 @@ def snail(look: Look) -> Shape:
 class Beast:
     """A four-legged animal facing left, in units of its body's length.
 
-    ``body`` is the length, width and height; ``legs`` their length and radius. ``neck`` is the
+    ``body`` is its length, width and height; ``legs`` is their length and radius. ``neck`` is the
     position of the head's centre in front of the body (x) and above its centre (z), and the neck's
     radius. ``head`` is the length, width and height, and ``snout`` the length and height.
     """

@@ -138,7 +138,7 @@ def volcano(look: Look) -> Shape:
           aliases=("wind turbine model", "model wind turbine", "toy wind turbine", "windmill"),
           themes=("toys",), roles=("tall",), colors=("white",))  # fmt: skip
 def wind_turbine(look: Look) -> Shape:
-    """A white wind turbine on a green foot."""
+    """A white wind turbine on a green base."""
     color = look.color("white", "silver", "sky")
     k = look.between(0.8, 1.15)
     base = drum(0.045, 0.01, bevel=0.003)

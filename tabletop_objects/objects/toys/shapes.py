@@ -38,7 +38,7 @@ def paint(
 
 
 def same(*solids: Solid) -> Made:
-    """Return solids both as drawn and as collision solids."""
+    """Return the solids twice: as drawn solids and as collision solids."""
     return list(solids), list(solids)
 
 
@@ -69,7 +69,7 @@ def _half_round(k: float) -> Made:
 
 
 def _ring(outer: float, inner: float, height: float) -> Callable[[Look], Shape]:
-    """A ring or a piece of tube with a round section."""
+    """A ring or a piece of tube with a round cross-section."""
 
     def make_shape(look: Look) -> Shape:
         k = look.between(0.9, 1.12)

@@ -421,7 +421,7 @@ def die(look: Look) -> Shape:
           themes=("toys", "sports", "pets"), roles=("round",), colors=("red", "blue"),
           common=True)  # fmt: skip
 def ball_(look: Look) -> Shape:
-    """A tennis ball, baseball or play ball, a basketball, or a football."""
+    """A tennis ball, baseball, play ball, basketball or football."""
     kind = int(look.rng.integers(5))
     seams: list[Solid] = []
     ink = (240, 240, 236)
@@ -768,7 +768,7 @@ def cup_and_ball(look: Look) -> Shape:
           aliases=("praxinoscope", "stroboscope", "phenakistoscope"), themes=("toys",),
           colors=("black",))  # fmt: skip
 def zoetrope(look: Look) -> Shape:
-    """A zoetrope: a slotted drum on a foot with a strip of pictures inside."""
+    """A zoetrope: a slotted drum on a foot, with a strip of pictures inside."""
     color = look.color("black", "red", "navy", "wooden")
     k = look.between(0.85, 1.15)
     foot = standing((0.045, 0), (0.045, 0.008), (0.012, 0.018), (0.009, 0.06), sides=24)

@@ -253,7 +253,7 @@ def hairbrush(look: Look) -> Shape:
           aliases=("hair comb", "pocket comb", "barber comb"), themes=("vanity",), roles=("flat",),
           colors=("black",), state="lying flat")  # fmt: skip
 def comb(look: Look) -> Shape:
-    """A comb lying flat: one row of coarse and fine teeth, or a comb with a handle."""
+    """A comb lying flat, with one row of coarse and fine teeth, or with a handle."""
     long, wide = look.between(0.15, 0.19), look.between(0.028, 0.036)
     color = look.color("black", "black", "bronze", "pink", "sky", "wooden", "red", "white")
     skin = look.surface(color, "plastic")

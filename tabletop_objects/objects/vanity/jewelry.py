@@ -289,7 +289,7 @@ GEMS = ("red", "blue", "green", "purple", "teal", "white", "pink", "amber")
 
 
 def gold(look: Look, color: tuple[float, float, float]) -> surfaces.Tile:
-    """Return the brushed metal of a piece of jewellery in ``color``."""
+    """Return a tile of brushed metal in ``color`` for a piece of jewellery."""
     return surfaces.brushed_metal(look.rng, color)
 
 

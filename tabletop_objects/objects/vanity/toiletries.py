@@ -75,7 +75,7 @@ def loofah(look: Look) -> Shape:
           "packet tissues", "pack of wipes", "packet of wipes"), themes=("vanity",),
           colors=("sky", "blue"), state="lying flat")  # fmt: skip
 def tissue_pack(look: Look) -> Shape:
-    """A pocket pack of tissues with one pulled out of the slit."""
+    """A pocket pack of tissues with one tissue sticking out of its slit."""
     x, y, h = look.between(0.1, 0.115), look.between(0.053, 0.06), look.between(0.022, 0.028)
     color = look.color("sky", "blue", "green", "pink", "lavender", "white", "teal")
     body = pad(x, y, h, 0.006, soft=0.35, steps=3)
@@ -92,7 +92,7 @@ def tissue_pack(look: Look) -> Shape:
           aliases=("floss", "floss box", "box of dental floss"), themes=("vanity",),
           colors=("white", "mint"))  # fmt: skip
 def dental_floss(look: Look) -> Shape:
-    """A box of dental floss with an open lid and a bit of thread."""
+    """A box of dental floss with an open lid and some thread pulled out."""
     color = look.color("white", "mint", "blue", "teal", "pink", "green")
     k = look.between(0.9, 1.15)
     body = block(0.042, 0.018, 0.05, 0.008, 0.002)

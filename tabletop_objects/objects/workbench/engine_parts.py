@@ -97,7 +97,7 @@ def piston(look: Look) -> Pieces:
           themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces()
 def connecting_rod(look: Look) -> Pieces:
-    """A connecting rod lying flat: a big ring on the left, a small one on the right and a beam."""
+    """A connecting rod lying flat: a beam between a big ring on the left and a small one."""
     steel = metal(look, "silver", "gray", "charcoal")
     big = lathe([(0.02, 0), (0.032, 0), (0.032, 0.018), (0.02, 0.018)], 28, loop=True).move(x=-0.06)
     small = lathe([(0.01, 0), (0.018, 0), (0.018, 0.018), (0.01, 0.018)], 24, loop=True).move(

@@ -268,7 +268,7 @@ def micrometer(look: Look) -> Shape:
           aliases=("needle gauge", "thread gauge"), themes=("workbench",), roles=("flat",),
           colors=("silver",))  # fmt: skip
 def feeler_gauge(look: Look) -> Shape:
-    """A set of thin blades fanned out of a holder, lying flat."""
+    """A feeler gauge lying flat: a set of thin blades fanned out of a holder."""
     color = look.color("silver", "red", "black")
     k = look.between(0.85, 1.15)
     blades = [plate(rectangle(0.09, 0.012, 0.0059), 0.001,

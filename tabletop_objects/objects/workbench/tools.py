@@ -139,7 +139,7 @@ def chisel(look: Look) -> Shape:
           "printing roller", "lino roller"), themes=("workbench", "craft"), roles=("big",),
           colors=("red", "blue"), state="lying flat")  # fmt: skip
 def paint_roller(look: Look) -> Shape:
-    """A paint roller lying flat: a fleece on the left, a bent wire and a handle on the right."""
+    """A paint roller lying flat: a fleece roll on the left, a bent wire, and a handle."""
     k = look.between(0.85, 1.05)
     color = look.color("red", "blue", "green", "black", "orange", "wooden", "yellow")
     dip = look.pick([(240, 236, 226), (240, 236, 226), (90, 140, 200), (220, 90, 80),
