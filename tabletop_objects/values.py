@@ -17,13 +17,13 @@ from jaxtyping import Float, Int, UInt8
 from .errors import InputError
 
 FARTHEST = 1000.0
-"""No place, size or distance of a scene is larger, metres."""
+"""Maximum of all positions, sizes and distances in a scene, metres."""
 
 SMALLEST = 1e-6
-"""No extent of a thing is smaller, metres."""
+"""Minimum extent of an object, metres."""
 
 ArrayKind = tuple[type[np.generic], tuple[int | None, ...]]
-"""A type of numbers and a shape; None is any length."""
+"""The type and shape of an array; None stands for any length."""
 
 VECTOR: ArrayKind = (np.float64, (3,))
 POINTS: ArrayKind = (np.float64, (None, 3))
@@ -257,7 +257,7 @@ def parts_to_unit_box(
 Extent = tuple[float, float, float]
 
 Stance = Literal["edge", "end", "side"]
-"""On the edge as toast in its rack, on the end as a test tube, on the side as a bottle of wine."""
+"""On its edge like toast in a rack, on its end like a test tube, on its side like a wine bottle."""
 
 
 @dataclass(frozen=True)

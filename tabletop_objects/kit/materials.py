@@ -23,7 +23,7 @@ DRINKS: Mapping[str, RGB] = MappingProxyType(
         "ink": (28, 32, 80), "syrup": (150, 82, 26), "liquid": (120, 160, 190),
     }
 )  # fmt: skip
-"""Colours of liquids by word; a colour word beside it counts more ("blue liquid")."""
+"""Colours of liquids by word; an explicit colour word takes precedence ("blue liquid")."""
 
 FOODS: Mapping[str, RGB] = MappingProxyType(
     {

@@ -40,7 +40,7 @@ values are from their upper ends. MuJoCo takes the larger coefficient of the two
 
 
 MARGIN = 2
-"""Pixels of each tile's rim repeated around it in the atlas, against bleeding."""
+"""Width in pixels of the margin that repeats each tile's rim in the atlas, to prevent bleeding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,7 +152,7 @@ def pack(tiles: Sequence[Tile]) -> tuple[UInt8[np.ndarray, "h w 3"], Int[np.ndar
 
 
 Pieces = list[tuple[Solid, Tile]]
-"""Solids, each with the tile it shows."""
+"""Solids, each with its tile."""
 
 
 def put_down(
@@ -206,7 +206,7 @@ Drawing = Callable[[Look], Pieces]
 """Draws the pieces of one variant."""
 
 Bodies = int | Sequence[int] | None
-"""How many of the first pieces collide, or which ones; None stands for all."""
+"""The number of leading pieces that collide, or their indices; None stands for all."""
 
 
 def vessel_shape(
@@ -460,4 +460,4 @@ def _declaring(
 
 
 category = _declaring(Category)
-"""Decorator that makes a category of a drawing function: its key, then ``Category``'s facts."""
+"""Decorator that turns a drawing function into a category, given its key and other properties."""

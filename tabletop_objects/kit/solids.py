@@ -20,7 +20,7 @@ from ..values import frozen_array
 from .outlines import ellipse, inset, lift, rectangle
 
 SHARP = np.deg2rad(38.0)
-"""Edges that turn by more than this get vertices of their own on either side."""
+"""At an edge sharper than this angle, each side has its own vertices."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,7 +19,7 @@ from .solids import Solid, outward, refine, signed_volume
 from .surfaces import RGB, Tile, rgb
 
 MAX_FACES = 4800
-"""No style makes a shape of more faces than this."""
+"""Maximum number of faces of a styled shape."""
 
 THICKER = 0.005
 """How far a cartoon's surfaces move outwards, relative to the object's longest side."""
@@ -31,10 +31,10 @@ KEPT = (0.2, 0.32, 0.5, 0.7)
 """Shares of a solid's faces that low-poly keeps: the first that leaves it closed and whole."""
 
 FEW = 60
-"""A solid of at most this many faces is low-poly as it stands."""
+"""A solid with at most this many faces is already low-poly."""
 
 SHEET = 0.2
-"""Solids thinner than this, relative to their next side, keep their print in low-poly."""
+"""Low-poly keeps the print of solids thinner than this, relative to their second-shortest side."""
 
 STRAY = 0.06
 """How far low-poly may depart from a solid, relative to its longest side."""
@@ -256,22 +256,22 @@ STYLES: Mapping[str, Callable[[Shape], Shape]] = MappingProxyType(
 """The styles besides the plain one."""
 
 _LEAST = 0.25
-"""Share of the surface that shows the colour asked for."""
+"""Minimum fraction of the surface that shows a requested colour."""
 
 _GREY = 20.0
-"""How far a colour of no hue is from grey, RGB from 0 to 255."""
+"""How far from grey a colour without a hue can be (RGB from 0 to 255)."""
 
 _CLOSE = 60.0
-"""How much lighter or darker a grey is that is called alike."""
+"""How much lighter or darker one grey can be than another with the same name."""
 
 _ALIKE = 0.85
-"""Cosine of the angle between the hues of colours that are called alike."""
+"""Minimum cosine of the angle between the hues of two colours with the same name."""
 
 _STRONG = 0.35
-"""Least strength of a colour, in those of the one that it is called like."""
+"""Minimum strength of a colour relative to the requested colour."""
 
 _CONTRAST = 0.6
-"""How much of a tile's light and dark is kept where it is painted over."""
+"""How much of a tile's contrast is kept when it is painted over."""
 
 
 def show_color(made: Shape, word: str) -> Shape:
