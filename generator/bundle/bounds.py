@@ -63,7 +63,7 @@ class Bounds:
 
 
 BOUNDS = Bounds()
-"""Files that every bundle contains."""
+"""The limits on every bundle."""
 
 
 def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:

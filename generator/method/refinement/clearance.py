@@ -167,7 +167,7 @@ def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the outline with ``_CORNERS`` corners; minor ones are dropped, or the last repeated."""
+    """Return the outline with ``_CORNERS`` corners; drop minor ones or repeat the last."""
     while len(outline) > _CORNERS:
         before, after = outline - np.roll(outline, 1, 0), np.roll(outline, -1, 0) - outline
         lost = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
