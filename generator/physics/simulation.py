@@ -166,7 +166,7 @@ class Simulation:
 
     @contextmanager
     def conditions(self, lean: float, toward: float, timestep: float) -> Iterator[None]:
-        """Tilt gravity by ``lean`` towards ``toward`` (radians), and set the time step, for a while."""
+        """Tilt gravity by ``lean`` towards ``toward`` (radians) and set the time step meanwhile."""
         option = self.model.opt
         before = option.gravity.copy(), option.timestep
         across = np.array([np.cos(toward), np.sin(toward)]) * np.sin(lean)
