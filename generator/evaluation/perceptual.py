@@ -80,7 +80,7 @@ def _load_filters() -> Callable[[Tensor], tuple[Tensor, ...]]:
 
 
 def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return the built-in detector's EfficientNet-Lite0, tuned on our renders: strides 16 and 32."""
+    """Return the built-in detector's EfficientNet-Lite0, strides 16 and 32, tuned on renders."""
     from ..backends.embedded.eye.weights import load_weights
 
     encoder = load_weights().eye.encoder
