@@ -27,10 +27,15 @@ Evidence = Literal["meshes", "simulation", "usual size", "picture", "truth"]
 class DefectLimits:
     """Limits above which a deviation is a defect.
 
-    overlap: depth in metres. ``rule``: the criteria for standing still. usual_size: ratio of an
-    object's size to the usual one. gain: improvement (IoU) of the fit to an object's mask with
-    another yaw or size. yaw: radians, against a truth. ``scale``: ratio, against a truth. place:
-    fraction of the table's width, against a truth.
+    Attributes:
+        overlap: depth in metres.
+        rule: the criteria for standing still.
+        usual_size: ratio of an object's size to the usual one.
+        gain: improvement (IoU) of the fit to an object's mask with another yaw or size.
+        yaw: error of the yaw compared with the true scene, radians.
+        scale: ratio of the size to that in the true scene.
+        place: error of the position compared with the true scene, as a fraction of the table's
+            width.
     """
 
     overlap: float = THRESHOLD

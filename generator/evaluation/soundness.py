@@ -25,10 +25,13 @@ from ..scene import Scene
 class StillnessRule:
     """Criteria for standing still; lengths in metres, angles in radians, time in seconds.
 
-    seconds: simulated duration. drift, tilt: maximum displacement and rotation of an object in that
-    time. gap: an object floats if it has no support within this distance. timestep: time step of
-    the simulation; None uses the scene's own (2 ms). lean, toward: gravity is tilted by this angle,
-    in this direction (0 is +x, counter-clockwise).
+    Attributes:
+        seconds: simulated duration.
+        drift, tilt: maximum displacement and rotation of an object in that time.
+        gap: an object floats if it has no support within this distance.
+        timestep: time step of the simulation; None means the scene's own (2 ms).
+        lean, toward: angle by which gravity is tilted, and the direction towards which it is tilted
+            (0 is +x, counter-clockwise).
     """
 
     seconds: float = 5.0

@@ -34,8 +34,8 @@ class SceneDistribution:
             "slatted"); () means those that are usual for the theme.
         styles: one or more of "plain", "cartoon" and "low-poly".
         needs: objects on every table in addition to those of its theme. Each entry lists
-            alternatives, of which one is present; those of the table's theme are preferred, and all
-            others are equally likely. An alternative is a name in the catalogue, optionally
+            alternatives, one of which is present. All are equally likely, except that those of the
+            table's theme are preferred. An alternative is a name in the catalogue, optionally
             preceded by a size: "tray", "small cucumber". These objects count towards ``objects``;
             at least one other object is present.
 

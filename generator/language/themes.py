@@ -1,8 +1,8 @@
 """Kinds of table and their typical objects, with the functional relations between these.
 
 An entry of ``things`` is ``object`` or ``object relation target``; the target is an earlier object
-of the list, or "table". The first ``core`` entries are always present; which of the others are
-depends on the seed.
+of the list, or "table". The first ``core`` entries are always present; the others are drawn at
+random, by the seed.
 """
 
 from __future__ import annotations

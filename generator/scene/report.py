@@ -107,7 +107,7 @@ class Report:
         are meaningless.
     dropped: objects removed because the scene would not pass with them.
     lean: the tilt of gravity: 0 for none, None for the gate's default.
-    reach: distance from the best side of the table to the object farthest from that side.
+    reach: distance between the best side of the table and the object farthest from that side.
     misfit: for a scene made from a picture, one minus the overlap of outlines (Eq. 2), averaged
         over the objects, once before the joint refinement and once for the finished scene at rest.
     relations: outcomes of the planned relations.
