@@ -85,7 +85,7 @@ def _blank(text: str, spans: Iterable[Span]) -> str:
 
 
 def _drop_denied(words: Sequence[str]) -> list[str]:
-    """Return words without those in the scope of "not": "not too messy", "anything but cluttered"."""
+    """Return words without those that "not" denies: "not too messy", "anything but cluttered"."""
     reach, out = 0, []
     for k, word in enumerate(words):
         if word in _DENYING:

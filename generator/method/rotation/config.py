@@ -56,18 +56,17 @@ class RotationConfig:
             aspect ratio is lost.
         perspective: whether to view each object along its own ray; if False, all objects are viewed
             as if they were at the centre of the image.
-        refine_camera: whether to adjust also the camera's elevation for each candidate, within
+        refine_camera: whether to adjust the camera's elevation, too, for each candidate, within
             ``max_tilt``.
         max_tilt: maximum change of the elevation, radians; if 0, it is not changed.
-        refine_fit: whether to shift and scale also the candidates of partially occluded objects, by
-            at most ``max_fit`` of the crop's side, since their completed outlines are guesses. The
-            search is then also started with the object extending beyond its box, at each side where
-            it may be occluded. ``fit_cost`` is the loss added by a change of ``max_fit``.
+        refine_fit: whether to shift and scale the candidates of partially occluded objects as well,
+            by at most ``max_fit`` of the crop's side, since their completed outlines are guesses.
+            The search is then also started with the object extending beyond its box, at each side
+            where it may be occluded. ``fit_cost`` is the loss added by a change of ``max_fit``.
         relight: whether to apply the picture's light, a linear function of the surface normal, to
             each render before Eq. 4 compares the two.
         unsure: weight of the pixels where another instance may occlude this one.
-        device: torch device, "cpu" or "cuda". Only results from the CPU are reproducible bit for
-            bit.
+        device: torch device, "cpu" or "cuda". Only the CPU's results are reproducible bit for bit.
     """
 
     lambda_s: float = 0.5

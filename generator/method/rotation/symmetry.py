@@ -19,7 +19,8 @@ def looks_round(
 ) -> Bool[np.ndarray, "s"]:
     """Return which suspects are rotationally symmetric, that is, hardly changed by rotation.
 
-    ``close`` makes the objective that renders them; it is called only if there are suspects.
+    ``close`` is a function that makes the objective which renders them; it is called only if there
+    are suspects.
     """
     if not suspects.any():
         return np.zeros_like(suspects)
