@@ -1,4 +1,4 @@
-"""Bundles: a scene stored as a folder that anyone can load, and read back."""
+"""Bundles: scenes stored as folders that anyone can load, and the reading of these."""
 
 from __future__ import annotations
 

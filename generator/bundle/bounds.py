@@ -2,8 +2,8 @@
 
 The shipped tables have at most 7 models, 253 convex parts and 20,000 triangles per mesh. The limits
 allow 20 foreign models of 24,000 triangles, the modelers' default maximum, with textures of 2048
-texels per side. A bundle at all limits at once was verified in 10 s of one core with 1.3 GB, and
-loaded in 8 s with 0.8 GB.
+texels per side. A bundle that reaches all limits at once was verified in 10 s on one core with 1.3
+GB, and loaded in 8 s with 0.8 GB.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from ..errors import BundleError
 
 @dataclass(frozen=True)
 class Bounds:
-    """Maximum sizes and counts. ``all_`` fields count the whole bundle.
+    """Maximum sizes and counts; ``all_`` fields count the whole bundle.
 
     Attributes:
         files: listed files.
-        truth_bytes, file_bytes, all_bytes: bytes of ``scene.json``, of one listed file, of all of
-            them.
+        truth_bytes, file_bytes, all_bytes: bytes of ``scene.json``, of one listed file, and of all
+            listed files.
         models, objects: counts in the scene.
         parts, all_parts: convex parts of a model, an object or the table.
         part_vertices, all_part_vertices: points of a convex part.
         vertices, all_vertices: vertices of a mesh; ``all`` counts a mesh once per body that shows
             it.
-        faces, all_faces: likewise, triangles.
+        faces, all_faces: triangles, counted in the same way.
         texels, all_texels: texels of a picture; ``all`` counts the textures of different models.
     """
 
@@ -50,7 +50,7 @@ class Bounds:
     all_texels: int = 96 * 2**20
 
     def check(self, name: str, count: int, what: str) -> None:
-        """Check a count of the bundle against the field ``name``.
+        """Check a count of the bundle against the limit in the field ``name``.
 
         ``what`` is a sentence with a placeholder for the count: "scene.json has {} models".
 
@@ -63,7 +63,7 @@ class Bounds:
 
 
 BOUNDS = Bounds()
-"""Files that every bundle contains."""
+"""The limits on every bundle."""
 
 
 def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
@@ -89,7 +89,7 @@ def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
 
 
 def check_listed(files: object) -> None:
-    """Check the list of a bundle's files: their number, and their stated sizes.
+    """Check the list of a bundle's files: how many there are, and their stated sizes.
 
     Raises:
         BundleError: there are too many files, a file is too large, or the list is malformed.
@@ -111,13 +111,13 @@ def check_listed(files: object) -> None:
 def check_drawn(
     meshes: Sequence[tuple[int, int]], shown: Sequence[tuple[int, int]], texels: Sequence[int]
 ) -> None:
-    """Check meshes and textures, by their headers.
+    """Check meshes and textures by their headers.
 
-    ``meshes`` are the vertices and triangles of each stored mesh, ``shown`` those of each body's
-    mesh, ``texels`` those of each stored texture.
+    ``meshes`` are the numbers of vertices and triangles of each stored mesh, ``shown`` are those of
+    each body's mesh, and ``texels`` are the numbers of texels of each stored texture.
 
     Raises:
-        BundleError: they are out of bounds.
+        BundleError: they exceed the limits.
     """
     for name, at in (("vertices", 0), ("faces", 1)):
         BOUNDS.check(name, max((k[at] for k in meshes), default=0), f"a mesh has {{}} {name}")
@@ -129,7 +129,7 @@ def check_drawn(
 
 
 def _of(entry: object, key: str, kind: type, who: str) -> Any:
-    """Return a field that is a list or an object."""
+    """Return a field whose value is a list or an object."""
     value = cast("dict[str, Any]", entry).get(key) if isinstance(entry, dict) else None
     if type(value) is not kind:
         raise BundleError(f"{who} needs {key!r} as a JSON {'list' if kind is list else 'object'}.")

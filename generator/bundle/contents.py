@@ -1,4 +1,4 @@
-"""Meshes and pictures of a bundle: their header counts, and their decoding."""
+"""Meshes and pictures of a bundle: the counts in their headers, and their decoding."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _OBJ = re.compile(
 _LIMITS = PictureLimits(
     formats=("PNG",), max_bytes=BOUNDS.file_bytes, max_pixels=BOUNDS.texels, max_frames=1
 )
-_LEAST_AREA = 1e-3  # relative to twice the surface of a mesh, whose box is the unit box
+_LEAST_AREA = 1e-3  # relative to twice the surface of a mesh whose box is the unit box
 
 
 def picture_size(raw: bytes, name: str) -> tuple[int, int]:
-    """Return width and height of the PNG ``name``, from its header alone.
+    """Return the width and height of the PNG ``name``, from its header alone.
 
     Raises:
         BundleError: the file is not a PNG, or is out of bounds.
@@ -44,7 +44,7 @@ def picture_size(raw: bytes, name: str) -> tuple[int, int]:
 def decode_png(raw: bytes, name: str) -> UInt8[np.ndarray, "h w 3"]:
     """Return the colours of the PNG ``name``.
 
-    It is decoded in this process, since a bundle has many pictures and the bounds limit their cost.
+    It is decoded in this process, since a bundle has many pictures, whose cost the bounds limit.
 
     Raises:
         BundleError: the file is not a PNG, or is out of bounds.
@@ -80,7 +80,7 @@ def mesh_counts(raw: bytes) -> tuple[int, int]:
 def decode_obj(
     raw: bytes, name: str
 ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"]]:
-    """Return vertices, triangles and texture coordinates of the mesh ``name``.
+    """Return the vertices, triangles and texture coordinates of the mesh ``name``.
 
     Only the format written by ``mjcf.encode_obj`` is supported.
 

@@ -1,4 +1,4 @@
-"""A scene from the JSON of ``scene.json``: bounded, strictly typed, known fields only."""
+"""Decoding of a scene from ``scene.json``: bounded, strictly typed, and with known fields only."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .contents import decode_obj, decode_png, mesh_counts, picture_size
 from .encoder import HIDDEN
 from .fields import arguments, default_fields
 
-_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")  # as ``dumps`` writes controls
+_ESCAPE = re.compile(rb"(?<!\\)(?:\\\\)*\\(?:u00[01]|[bfr])")  # as ``dumps`` writes control codes
 _BESIDE_THE_SCENE = ("schema", "files", "instances")
 _Looks = tuple[str, str, float]  # paths of mesh and texture, and opacity
 
@@ -35,8 +35,8 @@ def loads(raw: bytes, where: str) -> dict[str, Any]:
     """Parse ``scene.json``.
 
     Raises:
-        BundleError: it is not a JSON object, or has a number that is not finite or a text with
-            terminal control characters.
+        BundleError: it is not a JSON object, or it contains a number that is not finite, or a text
+            with terminal control characters.
     """
     what = f"{where}: scene.json"
     payload = parse_object(raw, what, BundleError, max_bytes=BOUNDS.truth_bytes)
@@ -48,10 +48,11 @@ def loads(raw: bytes, where: str) -> dict[str, Any]:
 
 
 def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> Decoded:
-    """Return the scene of ``encode_scene``; ``file`` returns the content of a file by its path.
+    """Return the scene of ``encode_scene``; ``file`` returns a file's content, given its path.
 
     Raises:
-        BundleError: the scene is out of bounds, or a field, a mesh or a texture is not as encoded.
+        BundleError: the scene is out of bounds, or a field, a mesh or a texture is not as it was
+            encoded.
         InputError: a value violates its own constraints.
     """
     check_counts(dict(payload))
@@ -98,7 +99,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
 
 
 def _decode_report(entry: object) -> Report | None:
-    """Return a report; failures from an earlier version, without values, are kept as texts."""
+    """Return a report; failures without values, from an earlier version, are kept as texts."""
     if entry is None:
         return None
     what = "scene.json.report"
@@ -117,7 +118,7 @@ def _decode_report(entry: object) -> Report | None:
 
 
 def _check_models(models: Mapping[str, Any], used: Sequence[str]) -> None:
-    """Check that the listed models are exactly those used."""
+    """Check that the models listed are exactly those used."""
     for key in used:
         if key not in models:
             raise BundleError(
@@ -130,7 +131,7 @@ def _check_models(models: Mapping[str, Any], used: Sequence[str]) -> None:
 def _meshes(
     looks: Mapping[str, _Looks], bodies: list[str], file: Callable[[str], bytes]
 ) -> dict[_Looks, Mesh]:
-    """Return the textured meshes of the models, each file decoded once."""
+    """Return the textured meshes of the models; each file is decoded only once."""
     shapes = {shape: file(shape) for shape, _, _ in looks.values()}
     pictures = {picture: file(picture) for _, picture, _ in looks.values()}
     counts = {name: mesh_counts(raw) for name, raw in shapes.items()}

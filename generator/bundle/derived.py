@@ -1,4 +1,4 @@
-"""Checks that the derived ``scene.xml`` matches the values of ``scene.json``."""
+"""Checks that ``scene.xml``, which is derived, matches the values in ``scene.json``."""
 
 from __future__ import annotations
 
@@ -19,21 +19,22 @@ if TYPE_CHECKING:
     import mujoco
 
 _AT_START = " from its start"
-_MAX_CONTACTS = 4096  # at the start of a scene; a crowded table has a few hundred
+_MAX_CONTACTS = 4096  # contacts at the start of a scene; a crowded table has a few hundred
 
-# Attributes with computed numbers, which another machine may round differently.
+# Attributes whose numbers are computed, and may be rounded differently on another machine.
 _COMPUTED = frozenset(
     ["fullinertia", "mass", "pos", "quat", "qpos", "scale", "size", "vertex", "xyaxes"]
 )
-_ROUNDING = 1e-6  # relative to the attribute's largest number
+_ROUNDING = 1e-6  # relative to the largest number of the attribute
 _NUMBER = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[-+]?[0-9]+)?")
 _ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset></mujoco>'
 
 
 def check_xml(decoded: Decoded, raw: bytes) -> str:
-    """Compare a bundle's ``scene.xml`` with its values; return the document of the values.
+    """Compare a bundle's ``scene.xml`` with its values; return the document made from the values.
 
-    Everything must be equal except computed numbers, which another machine may round differently.
+    Everything must be equal except computed numbers, which may be rounded differently on another
+    machine.
 
     Raises:
         BundleError: the documents differ.
@@ -51,8 +52,8 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
 def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> mujoco.MjModel:
     """Return MuJoCo's model of a scene's document, with a single pixel for each texture.
 
-    Textures are built one at a time, since MuJoCo holds three copies of each while it builds.
-    ``contents`` are the files that the document refers to, by path.
+    Textures are built one at a time, since MuJoCo holds three copies of each while building.
+    ``contents`` are the files to which the document refers, by path.
 
     Raises:
         SceneError: MuJoCo cannot build the scene.
@@ -68,7 +69,7 @@ def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> m
 def check_starts(model: mujoco.MjModel, name: str) -> None:
     """Check that MuJoCo can compute the forces at the start of the scene ``name``.
 
-    Bodies that overlap completely have more contacts than its memory allows.
+    Bodies that overlap completely may have more contacts than fit in MuJoCo's memory.
 
     Raises:
         SceneError: the forces cannot be computed.
@@ -92,7 +93,7 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
 
 
 def _parse(raw: bytes, maximum: int) -> ET.Element:
-    """Parse plain elements of at most ``maximum`` bytes: no declarations, entities or comments."""
+    """Parse at most ``maximum`` bytes of plain elements: no declarations, entities or comments."""
     if len(raw) > maximum:
         raise BundleError(f"scene.xml does not match scene.json: it has {len(raw)} bytes.")
     if b"<!" in raw or b"<?" in raw:
@@ -104,7 +105,7 @@ def _parse(raw: bytes, maximum: int) -> ET.Element:
 
 
 def _difference(wanted: ET.Element, found: ET.Element) -> str:
-    """Describe where two elements differ; empty if they are equal."""
+    """Describe how two elements differ; empty if they are equal."""
     name = wanted.get("name", "")[:80]
     where = f"<{wanted.tag}{f' name={name!r}' if name else ''}>"
     if wanted.tag != found.tag:
@@ -123,7 +124,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
 
 
 def _close(key: str, wanted: str, found: str) -> bool:
-    """Return whether an attribute is computed, and its numbers agree within rounding."""
+    """Return whether an attribute is computed and its numbers agree to within rounding."""
     words = found.split(" ")
     if key not in _COMPUTED or not all(map(_NUMBER.fullmatch, words)):
         return False

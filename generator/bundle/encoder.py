@@ -1,4 +1,4 @@
-"""A scene as the JSON of ``scene.json``; ``decoder`` is the inverse."""
+"""Encoding of a scene as the JSON of ``scene.json``; ``decoder`` is the inverse."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from ..scene import ConvexPart, Model, Report, Scene, ScenePlan
 from ..scene.provenance import plain
 
 HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
-"""Characters that texts of a bundle must not contain: control characters, except newlines and tabs,
+"""Characters that texts in a bundle must not contain: control characters, except newlines and tabs,
 and marks that change the direction of writing."""
 
-_LENGTH, _UNIT, _MASS = 7, 6, 12  # decimals of metres, of canonical coordinates, of mass
+_LENGTH, _UNIT, _MASS = 7, 6, 12  # decimals of metres, canonical coordinates and mass
 
 
 def dumps(payload: Mapping[str, Any]) -> bytes:
-    """Return the canonical text of ``payload``: sorted keys, one line per key, arrays compact."""
+    """Return the canonical text of ``payload``: keys sorted, one line per key, arrays compact."""
     lines: list[str] = []
     for key in sorted(payload):
         value = payload[key]
@@ -100,7 +100,7 @@ def _encode_report(report: Report | None) -> dict[str, Any] | None:
 
 
 def _encode_plan(plan: ScenePlan | None) -> dict[str, Any] | None:
-    """Return the plan without empty groups, default families and usual densities."""
+    """Return the plan without empty groups, default families and the usual density."""
     encoded = _without_empty(_printable(plain(plan)), "groups")
     if encoded is not None:
         if encoded["density"] == "normal":
@@ -149,12 +149,12 @@ def _compact(value: Any) -> str:
 
 
 def one_line(text: str) -> str:
-    """Return a name or a label on one line, without unprintable characters."""
+    """Return a name or a label on a single line, without unprintable characters."""
     return "".join(c if c.isprintable() else " " for c in text)[:MAX_NAME_LENGTH]
 
 
 def _printable(value: Any) -> Any:
-    """Return JSON values without texts that would affect a terminal."""
+    """Return JSON values without any text that would affect a terminal."""
     if isinstance(value, str):
         return HIDDEN.sub(" ", value)
     if isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""JSON values converted by the annotations of dataclass fields, with strict types."""
+"""Strictly typed conversion of JSON values by the annotations of dataclass fields."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _MOST_INTEGER = 2**64
 def arguments(
     kind: type, entry: object, what: str, optional: Set[str] = frozenset(), **written: Any
 ) -> dict[str, Any]:
-    """Return a JSON object as a dataclass's arguments: all of its fields, each of its type.
+    """Return a JSON object as the arguments of a dataclass: all of its fields, each of its type.
 
-    ``what`` is its position, for messages: "objects[3]". ``optional`` fields may be absent, which
-    means their default, such as fields that earlier bundles lack. ``written`` maps fields with
-    another JSON type to that type, or to None if they are never written.
+    ``what`` is the object's position, for messages: "objects[3]". ``optional`` fields may be
+    absent, for example from earlier bundles; they then have their default values. ``written`` maps
+    fields that have another type in JSON to that type, or to None if they are never written.
 
     Raises:
         BundleError: a field is missing, unknown or of another type.
@@ -38,7 +38,7 @@ def arguments(
 def _fields(
     hints: Mapping[str, Any], required: Set[str], entry: object, what: str
 ) -> dict[str, Any]:
-    """Return the fields of a JSON object: known ones only, each of its type."""
+    """Return the fields of a JSON object: only known ones, each of its type."""
     if not isinstance(entry, dict):
         raise BundleError(f"{what} must be a JSON object, not {type(entry).__name__}.")
     values = typing.cast("dict[str, Any]", entry)
@@ -82,7 +82,7 @@ def numbers(value: object, what: str) -> np.ndarray:
     leaves: list[Any] = typing.cast("list[Any]", value if isinstance(value, list) else [None])
     while {type(leaf) for leaf in leaves} == {list}:
         leaves = list(itertools.chain.from_iterable(leaves))
-    # The types come first: in an array of texts, every entry has the length of the longest.
+    # Types are checked first, since in an array of texts each entry is as long as the longest.
     array = None
     if {type(leaf) for leaf in leaves} <= {int, float}:
         with contextlib.suppress(ValueError, OverflowError):
@@ -119,7 +119,7 @@ def _hints(kind: type) -> dict[str, Any]:
 
 @cache
 def default_fields(kind: type) -> frozenset[str]:
-    """Return the names of a dataclass's fields that have a default."""
+    """Return the names of a dataclass's fields that have default values."""
     empty = dataclasses.MISSING
     return frozenset(
         f.name

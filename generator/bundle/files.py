@@ -1,4 +1,4 @@
-"""Copies of bundles, and all files of a bundle, for archives and web servers."""
+"""Copies of bundles, and all files in a bundle, for archives and web servers."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _MOST_BESIDE = 64 * 2**20
 
 @steady
 def read_files(path: str | Path) -> dict[str, bytes]:
-    """Return the content of every file of a bundle by its path in it.
+    """Return the content of every file in a bundle, by its path in the bundle.
 
-    These are ``scene.json``, the files that it lists, each compared with its entry, and
+    The files are ``scene.json``, the files that it lists (each is compared with its entry), and
     accompanying files such as a certificate. Only ``load`` checks that they form a valid scene.
 
     Raises:
-        BundleError: there is no bundle, or a file is missing or was changed.
+        BundleError: there is no bundle, or a file is missing or has been changed.
     """
     folder = Path(path)
     payload = read_truth(folder)
@@ -34,10 +34,10 @@ def read_files(path: str | Path) -> dict[str, bytes]:
 
 
 def copy(path: str | Path, folder: str | Path) -> Path:
-    """Publish a copy of a bundle inside ``folder``, created if missing; return the copy's path.
+    """Publish a copy of a bundle in ``folder``, which is created if missing; return its path.
 
     Raises:
-        BundleError: there is no bundle, or a file is missing or was changed.
+        BundleError: there is no bundle, or a file is missing or has been changed.
         StorageError: the folder cannot be written, or the disk is full.
     """
     source = Path(path)

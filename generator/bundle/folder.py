@@ -1,7 +1,7 @@
-"""Bundles: a scene stored as a folder that anyone can load, and read back.
+"""Bundles: scenes stored as folders that anyone can load, and the reading of these.
 
 ``<name>-<digest12>/`` contains ``scene.json`` (the source of truth: every value, the report, and
-size and sha256 of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``,
+the size and sha256 of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``,
 ``textures/`` and pictures. A bundle is *published or absent* (``publication``). The digest is that
 of ``scene.json``, which refers to all other files by content, so the same scene gives the same
 folder, byte for byte.
@@ -40,7 +40,7 @@ SCHEMA = 1
 """Version of ``scene.json``; other versions are rejected."""
 
 BESIDE = frozenset({"certificate.json", "grasps.json", "ledger.json"})
-"""Files in a bundle's folder that ``scene.json`` need not list."""
+"""Files in a bundle's folder that need not be listed in ``scene.json``."""
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 _FOLDER = re.compile(r".*-([0-9a-f]{12})")
@@ -55,12 +55,12 @@ def save(
     segments: Segments | None = None,
     allow_failed: bool = False,
 ) -> Path:
-    """Publish ``scene`` as a bundle inside ``folder``, created if missing; return its path.
+    """Publish ``scene`` as a bundle in ``folder``, which is created if missing; return its path.
 
-    Numbers are rounded (lengths to 0.1 micrometre) when written. ``images`` are pictures by file
-    stem ("reference", "preview", ...), as pixels or PNG bytes; ``segments`` are the detections in
-    the reference picture, if there was one. ``allow_failed`` publishes a scene even if its report
-    failed or is missing.
+    Numbers are rounded (lengths to 0.1 micrometre) when written. ``images`` maps file stems
+    ("reference", "preview", ...) to pictures, as pixels or PNG bytes; ``segments`` are the
+    detections in the reference picture, if there was one. ``allow_failed`` publishes a scene even
+    if its report failed or is missing.
 
     Raises:
         SceneError: the report failed or is missing, or a picture is not a PNG or is too large to be
@@ -104,7 +104,7 @@ def load(path: str | Path) -> Scene:
 
 @steady
 def load_segments(path: str | Path) -> Segments | None:
-    """Read the detections in the bundle's reference picture; None if it stores none.
+    """Read the detections in the bundle's reference picture, or None if it stores none.
 
     Raises:
         BundleError: there is no bundle, or this part of it is damaged.
@@ -115,7 +115,7 @@ def load_segments(path: str | Path) -> Segments | None:
 
 @steady
 def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | None:
-    """Read and check a picture of a bundle ("reference", "preview", ...); None if it has none.
+    """Read and check a bundle's picture ("reference", "preview", ...); None if it is not there.
 
     Raises:
         BundleError: there is no bundle, or the picture is damaged.
@@ -130,7 +130,7 @@ def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | No
 
 @steady
 def load_pictures(path: str | Path) -> dict[str, bytes]:
-    """Read and check every picture of a bundle, as PNG bytes by stem.
+    """Read and check all pictures in a bundle, as PNG bytes by stem.
 
     Raises:
         BundleError: there is no bundle, or a picture is damaged.
@@ -143,7 +143,7 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
 
 @steady
 def load_verified(path: str | Path) -> Scene:
-    """Read a bundle like ``load``, build the visual geoms in MuJoCo, and read the segments.
+    """Read a bundle as with ``load``, build the visual geoms in MuJoCo, and read the segments.
 
     Raises:
         BundleError: there is no bundle, or it is invalid.
@@ -152,7 +152,7 @@ def load_verified(path: str | Path) -> Scene:
 
 
 def verify(path: str | Path) -> list[str]:
-    """Return the problems of a bundle on disk, or none; see :func:`check`."""
+    """Return the problems of a bundle on disk, or an empty list; see :func:`check`."""
     try:
         return check(path)
     except BundleError as error:
@@ -163,7 +163,7 @@ def verify(path: str | Path) -> list[str]:
 
 @steady
 def check(path: str | Path) -> list[str]:
-    """Check a bundle like ``load_verified``; return its files that ``scene.json`` does not list.
+    """Check a bundle as with ``load_verified``; return its files not listed in ``scene.json``.
 
     Raises:
         MissingError: there is no bundle.
@@ -179,7 +179,7 @@ def check(path: str | Path) -> list[str]:
 
 
 def check_name(name: str) -> None:
-    """Check that ``name`` is valid as the name of a scene and its folder.
+    """Check that ``name`` is a valid name for a scene and its folder.
 
     Raises:
         SceneError: it is not a valid folder name.
@@ -208,7 +208,7 @@ def _check_publishable(scene: Scene, allow_failed: bool) -> None:
 
 
 def _picture(stem: str, image: UInt8[np.ndarray, "h w c"] | bytes) -> tuple[str, bytes]:
-    """Return the name and content of a picture's file, after checking that it can be read back."""
+    """Return the name and content of a picture's file after checking that it can be read back."""
     if not _PICTURE.fullmatch(stem):
         raise SceneError(
             f"The picture name {stem!r} is invalid; use lower-case letters, digits and '_'."
@@ -229,7 +229,7 @@ def _fingerprint(content: bytes) -> dict[str, Any]:
 
 
 def read_truth(folder: Path) -> dict[str, Any]:
-    """Return the checked content of ``scene.json``."""
+    """Return the content of ``scene.json``, checked."""
     try:
         there = folder.is_dir()
     except OSError as error:
@@ -257,7 +257,7 @@ def read_truth(folder: Path) -> dict[str, Any]:
 
 
 def _read_all(folder: Path) -> tuple[Scene, dict[str, Any]]:
-    """Read and check everything in a bundle; return its scene and the content of ``scene.json``."""
+    """Read and check everything in a bundle; return the scene and the content of ``scene.json``."""
     payload = read_truth(folder)
     scene = _read(folder, payload, visuals=True)
     _read_segments(folder, payload)
@@ -313,7 +313,7 @@ def read_listed(folder: Path, name: str, entry: Any) -> bytes:
     """Read one listed file and compare it with its entry in ``scene.json``.
 
     Raises:
-        BundleError: it is missing, or differs from its entry.
+        BundleError: the file is missing, or differs from its entry.
     """
     content = read_inside(folder, name, entry["bytes"])
     if _fingerprint(content) != entry:
@@ -328,9 +328,9 @@ def read_inside(
     error: type[TabletopError] = BundleError,
     kind: Literal["bundle", "folder"] = "bundle",
 ) -> bytes:
-    """Read a regular file inside ``folder``, without links or ``..``, of at most ``limit`` bytes.
+    """Read a regular file in ``folder``, without links or ``..``, of at most ``limit`` bytes.
 
-    ``kind`` is the word for the folder in messages.
+    ``kind`` is what messages call the folder.
 
     Raises:
         TabletopError: ``error``, if the file is missing, too large, or not inside the folder.
@@ -362,7 +362,7 @@ def read_inside(
 
 @contextlib.contextmanager
 def _opened_inside(folder: Path, path: PurePosixPath) -> Generator[int, None, None]:
-    """Open a file inside ``folder`` step by step, so that no part of its path can become a link."""
+    """Open a file in ``folder`` step by step, so that no part of its path can become a link."""
     flags = os.O_RDONLY | os.O_CLOEXEC
     with contextlib.ExitStack() as opened:
         place = os.open(folder, flags | os.O_DIRECTORY)

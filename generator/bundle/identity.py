@@ -1,4 +1,4 @@
-"""Identity of a scene, from ``scene.json`` alone: its digest and the categories of its objects."""
+"""A scene's identity, from ``scene.json`` alone: its digest and its objects' categories."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def digest(scene: Scene) -> str:
 
 @steady
 def load_digest(path: str | Path) -> str:
-    """Read the ``digest`` of a bundle's scene, without its meshes.
+    """Read the ``digest`` of a bundle's scene without reading its meshes.
 
     Raises:
         BundleError: there is no bundle, or its ``scene.json`` is damaged.
@@ -51,7 +51,7 @@ def load_fingerprint(path: str | Path) -> str:
 
 @steady
 def load_kinds(path: str | Path) -> list[tuple[str, str]]:
-    """Read the category and the label of each object of a bundle, without its meshes.
+    """Read the category and label of each object in a bundle without reading its meshes.
 
     Raises:
         BundleError: there is no bundle, or its ``scene.json`` is damaged.
@@ -69,7 +69,7 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
 
 @steady
 def load_report(path: str | Path) -> dict[str, Any]:
-    """Read the gate's report of a bundle and the number of ``objects`` it covers, field by field.
+    """Read a bundle's gate report and the number of ``objects`` that it covers, field by field.
 
     Raises:
         BundleError: there is no bundle, or its ``scene.json`` is damaged or has no report.

@@ -1,9 +1,9 @@
 """Folders that are published or absent, even with concurrent writers, removers and readers.
 
-A bundle is built in a staging folder next to its destination and moved there by one rename; it is
-also removed by one rename, and deleted afterwards. Writers and removers therefore need no lock. A
-staging folder is locked by its process; a process that later writes or removes in the same place
-deletes those left by dead processes.
+A bundle is built in a staging folder next to its destination and moved there by a single rename. It
+is also removed by a single rename, and deleted afterwards. Writers and removers therefore need no
+lock. Each process locks its staging folder; processes that later write or remove bundles in the
+same place delete the staging folders of dead processes.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from ..io.files import remove_file, remove_tree
 
 _STAGING = ".staging-"
 _RANDOM = re.compile(re.escape(_STAGING) + r"[a-z0-9_]{8}")  # as named by ``tempfile.mkdtemp``
-_MARKER = ".tabletopgen-staging"  # marker file in each: folders of other programs are not touched
-_INNER = "new"  # the folder in it that is finally renamed
-_STALE = 60.0  # age in seconds at which an unlocked staging folder is removed
-_TRIES = 200  # exceeds any number of processes at one bundle
+_MARKER = ".tabletopgen-staging"  # marks staging folders; others are not touched
+_INNER = "new"  # the folder inside that is finally renamed
+_STALE = 60.0  # age, in seconds, at which an unlocked staging folder is removed
+_TRIES = 200  # exceeds any number of processes that use one bundle
 _OCCUPIED = frozenset({errno.ENOTEMPTY, errno.EEXIST, errno.ENOTDIR})
 _ABSENT = frozenset({errno.ENOENT, errno.ENOTDIR})
 
@@ -40,10 +40,10 @@ Reader = Callable[Concatenate[str | Path, P], R]
 def publish(
     folder: Path, name: str, files: Mapping[str, bytes], *, beside: Collection[str] = ()
 ) -> Path:
-    """Publish files, by their paths of at most two parts, as ``folder / name``; return that path.
+    """Publish files (paths of at most two parts) as ``folder / name``; return that path.
 
-    An existing folder with the same content, and possibly the files ``beside``, is kept; otherwise
-    it is replaced.
+    An existing folder is kept if it has the same content, and possibly the files ``beside``;
+    otherwise it is replaced.
 
     Raises:
         OSError: the folder cannot be written, or the disk is full.
@@ -65,7 +65,8 @@ def publish(
 def put_in_place(source: Path, target: Path, is_fine: Callable[[], bool]) -> None:
     """Rename a folder to ``target``; an existing target is kept if ``is_fine`` accepts it.
 
-    Otherwise the target is replaced; a link itself is replaced, not what it points to.
+    Otherwise the target is replaced. If it is a link, the link itself is replaced, not what it
+    points to.
 
     Raises:
         OSError: the folder cannot be written.
@@ -84,7 +85,7 @@ def put_in_place(source: Path, target: Path, is_fine: Callable[[], bool]) -> Non
 
 
 def discard(path: Path) -> bool:
-    """Remove a bundle so that no reader sees a part of it; return False if it does not exist.
+    """Remove a bundle so that no reader sees only part of it; return False if it does not exist.
 
     Raises:
         OSError: it cannot be removed.
@@ -99,10 +100,10 @@ def discard(path: Path) -> bool:
 
 @contextlib.contextmanager
 def staging_in(folder: Path) -> Generator[Path, None, None]:
-    """Yield a new folder, inside one in ``folder``, which is removed at the end unless renamed.
+    """Yield a new folder in a staging folder of ``folder``, removed at the end unless renamed.
 
     Raises:
-        OSError: it cannot be created or removed.
+        OSError: the folder cannot be created or removed.
     """
     sweep(folder)
     staging, lock = _make_staging(folder)
@@ -120,7 +121,7 @@ def staging_in(folder: Path) -> Generator[Path, None, None]:
 
 
 def sweep(folder: Path) -> None:
-    """Remove the staging folders that dead processes left in ``folder``, as far as possible."""
+    """Remove staging folders that dead processes left in ``folder``, as far as possible."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         left = [entry.name for entry in entries if _RANDOM.fullmatch(entry.name)]
         for name in left:
@@ -129,7 +130,7 @@ def sweep(folder: Path) -> None:
 
 
 def steady(read: Reader[P, R]) -> Reader[P, R]:
-    """Wrap a reader of bundles so that it sees complete bundles only: retry if one was replaced.
+    """Wrap a reader of bundles so that it sees only complete ones: it retries if one was replaced.
 
     ``read`` takes the bundle's path as its first argument, and raises BundleError or OSError if
     something in it is missing. If the bundle was removed in the meantime, that becomes a
@@ -161,24 +162,24 @@ def _holds(target: Path, files: Mapping[str, bytes], beside: Collection[str]) ->
         if found - set(beside) != set(files):
             return False
         return all(_content(target / path, len(files[path])) == files[path] for path in files)
-    except OSError:  # it is being removed
+    except OSError:  # the folder is being removed
         return False
 
 
 def _content(path: Path, size: int) -> bytes | None:
-    """Return the content of a regular file of that size; None for anything else."""
+    """Return the content of a regular file of the given size, or None for anything else."""
     descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
     with os.fdopen(descriptor, "rb") as file:
         return file.read() if os.fstat(descriptor).st_size == size else None
 
 
 def _make_staging(folder: Path) -> tuple[Path, int]:
-    """Return a new staging folder, and the file descriptor of its lock."""
+    """Return a new staging folder and the file descriptor of its lock."""
     for _ in range(_TRIES):
         staging = Path(tempfile.mkdtemp(prefix=_STAGING, dir=folder))
         try:
             lock = os.open(staging, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
-        except FileNotFoundError:  # removed by a process whose clock is far ahead
+        except FileNotFoundError:  # it was removed by a process whose clock is far ahead
             continue
         if _lock(lock) and _is_at(staging, lock):
             return staging, lock
@@ -189,12 +190,12 @@ def _make_staging(folder: Path) -> tuple[Path, int]:
 
 
 def _lock(descriptor: int) -> bool:
-    """Lock a new folder, unless a process whose clock is far ahead is about to remove it."""
+    """Lock a new folder unless a process whose clock is far ahead is about to remove it."""
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         return False
-    except OSError:  # file system without locks: it never counts as stale there
+    except OSError:  # file systems without locks: folders there never count as stale
         return True
     return True
 
@@ -206,14 +207,14 @@ def _remove_if_stale(folder: Path, name: str) -> None:
         if time.time() - os.fstat(lock).st_mtime > _STALE:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             held = os.listdir(lock)  # noqa: PTH208 - a descriptor
-            if _MARKER in held or not held:  # not marked: its process died before it was
+            if _MARKER in held or not held:  # not marked, because its process died first
                 _remove(folder / name)
     finally:
         os.close(lock)
 
 
 def _remove(staging: Path) -> None:
-    """Remove a staging folder, its marker last, so that an interruption leaves it marked."""
+    """Remove a staging folder, but its marker last, so that it stays marked if interrupted."""
     remove_tree(staging, _INNER)
     remove_file(staging, _MARKER)
     staging.rmdir()
@@ -223,7 +224,7 @@ def _remove(staging: Path) -> None:
 def _open(path: Path) -> Generator[int | None, None, None]:
     """Yield a descriptor of an existing folder, or None if it cannot be opened.
 
-    While it is open, no other folder has the same inode number.
+    While it is open, no other folder can have the same inode number.
     """
     try:
         descriptor = os.open(path, os.O_PATH | os.O_DIRECTORY | os.O_CLOEXEC)

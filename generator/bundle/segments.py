@@ -1,4 +1,4 @@
-"""Detections in the picture: every instance's visible pixels, as one indexed PNG and names."""
+"""Detections in the picture: each instance's visible pixels, as one indexed PNG, and the names."""
 
 from __future__ import annotations
 
@@ -21,15 +21,16 @@ from .encoder import one_line
 PATH = "stages/instances.png"
 """Path of the picture in a bundle."""
 
-_MOST = 255  # maximum number of instances with one byte per pixel
+_MOST = 255  # maximum number of instances that one byte per pixel can distinguish
 
 
 @dataclass(frozen=True, eq=False)
 class Segments:
     """The instances of a reference picture.
 
-    ``index`` has the picture's size; 0 is background, ``k`` is the instance ``names[k - 1]`` with
-    the label ``labels[k - 1]``. The table comes first and covers its pixels that no object covers.
+    ``index`` has the size of the picture; 0 is background, and ``k`` is the instance ``names[k -
+    1]`` with the label ``labels[k - 1]``. The table comes first; it has those of its pixels that no
+    object covers.
     """
 
     names: tuple[str, ...]
@@ -61,7 +62,7 @@ class Segments:
         return cls(tuple(i.name for i in ordered), tuple(i.label for i in ordered), index)
 
     def mask(self, name: str) -> Bool[np.ndarray, "h w"]:
-        """Return the visible pixels of the instance ``name``; none if there is no such instance."""
+        """Return the visible pixels of the instance ``name``; none if no instance has that name."""
         if name not in self.names:
             return np.zeros(self.index.shape, bool)
         return self.index == self.names.index(name) + 1

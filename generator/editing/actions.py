@@ -1,4 +1,4 @@
-"""The five edits of a finished scene; each reads a bundle and returns the edited scene."""
+"""The five edits of a finished scene; each takes a bundle and returns the edited scene."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ from .placement import beneath, loads, moved_by, moved_to, place_by_relations, p
 from .request import Planner, as_planned, understand, whereabouts
 
 ATTEMPTS = 4
-"""Number of positions tried."""
+"""Number of positions to try."""
 
 ASIDE = 0.02
-"""Displacement, metres, above which a warning reports that the exact position was not free."""
+"""Displacement, metres, above which a warning says that the exact position was not free."""
 
 LONG = 1.3
 """Ratio of length to width above which an object has a visible lengthwise direction."""
@@ -52,12 +52,13 @@ def swap(
     backends: Backends | None = None,
     config: Config | None = None,
 ) -> Edited:
-    """Replace an object by another one (Fig. 7): ``swap(bundle, "ukulele_1", "a banjo")``.
+    """Replace an object with another one (Fig. 7): ``swap(bundle, "ukulele_1", "a banjo")``.
 
-    The new object has its usual size, and the yaw of the old one if both are long. If there is no
-    room for it there, it stands at the nearest free position, with a warning. Objects on or in the
-    old object are set down on or in the new one. ``backends`` draw and model the new object; with
-    None it comes from the catalogue. The same bundle, edit and seed give the same scene.
+    The new object has its usual size, and the old object's yaw if both are long. If there is no
+    room for it in the same place, it is put at the nearest free position, with a warning. Objects
+    on or in the old object are set down on or in the new one. ``backends`` draw and model the new
+    object; if None, it comes from the catalogue. The same bundle, edit and seed give the same
+    scene.
 
     Raises:
         InputError: The scene has no such object, or the text does not name a known object.
@@ -106,8 +107,8 @@ def add(
 ) -> Edited:
     """Add an object to the table: ``add(bundle, "a red mug left of the laptop")``.
 
-    The text may include a position. It refers to objects of the scene by their nouns, or by their
-    names if several are alike. Seed and backends are as for ``swap``.
+    The text may include a position. It must refer to the scene's objects by their nouns, or by
+    their names if several are alike. For the seed and the backends see ``swap``.
 
     Raises:
         InputError: The text does not name a known object, or refers to one that is not in the
@@ -169,10 +170,11 @@ def move(
 ) -> Edited:
     """Move an object, together with the objects on and in it.
 
-    ``where`` is a text ("left of the laptop", "on book_2"), or x and y of its centre in metres
-    relative to the table's centre, +x right and +y away; None turns the object in place. ``turn``
-    is in radians, counter-clockwise seen from above. The reasoner of ``backends``, or the embedded
-    one, interprets the text; ``seed`` selects among positions.
+    ``where`` is a description ("left of the laptop", "on book_2"), or x and y of the object's
+    centre in metres relative to the table's centre, with +x right and +y away. If it is None, the
+    object is turned in place. ``turn`` is in radians, counter-clockwise seen from above. The
+    reasoner of ``backends``, or the embedded one, interprets the description; ``seed`` selects
+    among possible positions.
 
     Raises:
         InputError: The scene has no such object, or there is no valid position.
@@ -220,8 +222,8 @@ def restyle(
 ) -> Edited:
     """Rebuild some or all objects in another style, with the same sizes and positions.
 
-    The style is "plain", "cartoon" or "low-poly"; with backends, any word that they understand. The
-    table is unchanged. Seed and backends are as for ``swap``.
+    The style is "plain", "cartoon" or "low-poly" or, with backends, any word that they understand.
+    The table is unchanged. For the seed and the backends see ``swap``.
 
     Raises:
         InputError: The style or an object does not exist, or the catalogue lacks an object.
@@ -269,7 +271,7 @@ def _edit(
 
 
 def _body(name: str, model: Model, old: Object, yaw: float) -> Object:
-    """Return a model as an upright body at the position and on the support of ``old``."""
+    """Return a model as an upright body with the position and support of ``old``."""
     x, y, z = old.pose.position
     bottom = z - old.scale[2] / 2
     center = np.array([x, y, bottom + model.size[2] / 2])
@@ -278,7 +280,7 @@ def _body(name: str, model: Model, old: Object, yaw: float) -> Object:
 
 
 def _facing(old: Object, size: np.ndarray, natural: float) -> float:
-    """Return the yaw of a replacement: that of ``old`` if both are long, else its natural one."""
+    """Return a replacement's yaw: that of ``old`` if both are long, otherwise its natural yaw."""
     was, now = np.log(old.scale[0] / old.scale[1]), np.log(size[0] / size[1])
     if min(abs(was), abs(now)) < np.log(LONG):
         return natural
@@ -287,7 +289,7 @@ def _facing(old: Object, size: np.ndarray, natural: float) -> float:
 
 
 def _exchange(scene: Scene, name: str, new: Object) -> Scene:
-    """Return the scene with one object replaced, and the objects on or in it reassigned."""
+    """Return the scene with one object replaced and with the objects on or in it reassigned."""
 
     def exchange(thing: Object) -> Object:
         if thing.name == name:
@@ -314,7 +316,7 @@ def _check_move(where: object, turn: float) -> None:
 
 
 def _aside(wanted: Scene, done: Scene, name: str) -> tuple[str, ...]:
-    """Return a warning if an object is not where it was supposed to be."""
+    """Return a warning if an object is not where it was requested."""
     places = [s.object(name).pose.position[:2] for s in (wanted, done)]
     aside = float(np.linalg.norm(places[1] - places[0]))
     message = f"{name} was placed {100 * aside:.0f} cm away, where there is room for it."

@@ -1,4 +1,4 @@
-"""Settle an edited scene at successive positions until it passes the gate."""
+"""Settling of an edited scene at successive positions until it passes the gate."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ def settle_again(
     config: Config,
     loose: Collection[str] = (),
 ) -> Scene:
-    """Settle the edited scene, run the gate, and check that edited objects stay on their supports.
+    """Settle an edited scene, run the gate, and check that edited objects stay on their supports.
 
-    ``before`` is the scene at rest before the edit. ``wanted`` has all objects at their requested
-    poses; ``arranged`` has them on or just above their supports, without overlaps. Objects that the
-    edit does not disturb keep bitwise identical poses.
+    ``before`` is the scene at rest before the edit. ``wanted`` is the scene with all objects at
+    their requested poses; ``arranged`` has them on or just above their supports, without overlaps.
+    Objects that the edit does not disturb keep bitwise identical poses.
     """
     done = _settle(before, wanted, arranged, fresh, config.assembly)
     touched = [*fresh, *loose]
@@ -41,9 +41,9 @@ def _settle(
 ) -> Scene:
     """Settle new and displaced objects, those touching them, and those they disturb in turn.
 
-    All other objects are fixed meanwhile. The gate then checks the scene with all objects free; if
-    it fails, objects in indirect contact with edited ones may settle further. The tilt of gravity
-    is the one recorded for ``before``.
+    All other objects are fixed during this. The gate then checks the scene with all objects free;
+    if it fails, objects in indirect contact with edited ones may settle further. Gravity has the
+    tilt recorded for ``before``.
     """
     config = with_lean_of(before, config)
     gap = config.limits.gap
@@ -74,9 +74,9 @@ def try_places(
 ) -> Scene:
     """Try positions for ``name`` and return the first scene that passes the gate.
 
-    ``before`` is the scene before the edit. ``placed`` returns the scene with the object at its
-    position, given the number of the attempt. ``fresh`` names new objects, ``loose`` displaced
-    ones.
+    ``before`` is the scene before the edit. ``placed`` takes the number of an attempt and returns
+    the scene with the object at that attempt's position. ``fresh`` are the names of new objects,
+    ``loose`` those of displaced ones.
 
     Raises:
         SceneError: No position is free, or the object does not stay on its support. If only the
@@ -116,8 +116,9 @@ Pairs = frozenset[tuple[str, str]]
 def find_disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
     """Return the names of new or displaced objects and of those in contact with them.
 
-    ``before`` is the scene at rest before the edit. Removed objects count as displaced. Objects are
-    in contact within ``gap`` metres, or if one stands on or in the other, before or after the edit.
+    ``before`` is the scene at rest before the edit. Removed objects count as displaced. Two objects
+    are in contact if, before or after the edit, they are within ``gap`` metres of each other or one
+    stands on or in the other.
     """
     old, new = ({o.name: o for o in scene.objects} for scene in (before, now))
     changed = {n for n in {*old, *new} if not _unchanged(old.get(n), new.get(n))}
@@ -126,7 +127,7 @@ def find_disturbed(before: Scene, now: Scene, gap: float) -> frozenset[str]:
 
 
 def find_connected(before: Scene, now: Scene, names: Collection[str], gap: float) -> frozenset[str]:
-    """Return the names of objects connected to ``names`` by chains of contacts, before or now."""
+    """Return the names of objects linked to ``names`` by chains of contacts, before or after."""
     pairs, reached = _touching(before, gap) | _touching(now, gap), {*names}
     while more := {n for pair in pairs if reached & {*pair} for n in pair} - reached:
         reached |= more
@@ -146,7 +147,7 @@ def _unchanged(old: Object | None, new: Object | None) -> bool:
 
 
 def _touching(scene: Scene, gap: float) -> Pairs:
-    """Return the pairs of objects that touch, or of which one stands on or in the other."""
+    """Return the pairs of objects that touch or stand on or in each other."""
     names = [o.name for o in scene.objects]
     near = Simulation(scene).contacts(margin=gap).pairs.tolist()
     touching = {(names[a], names[b]) for a, b in near if min(a, b) >= 0}

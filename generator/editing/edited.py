@@ -15,7 +15,7 @@ from ..scene import TABLE, Edit, Object, Scene
 
 @dataclass(frozen=True, eq=False)
 class Opened:
-    """A bundle's scene, the sha256 of its ``scene.json``, and its other contents."""
+    """A bundle's scene, the sha256 of its ``scene.json``, and the bundle's other contents."""
 
     scene: Scene
     sha256: str
@@ -24,7 +24,7 @@ class Opened:
 
     @classmethod
     def read(cls, bundle: str | Path) -> Opened:
-        """Read a bundle and check every file.
+        """Read a bundle and check all of its files.
 
         Raises:
             BundleError: The bundle does not exist or is damaged.
@@ -56,7 +56,7 @@ class Edited:
 
     @classmethod
     def of(cls, opened: Opened, scene: Scene, edit: Edit, warnings: tuple[str, ...]) -> Edited:
-        """Return a settled and checked scene with the edit recorded in its provenance.
+        """Return a settled and checked scene, with the edit recorded in its provenance.
 
         For a composed scene, the relation outcomes in the report are updated.
 
@@ -79,7 +79,7 @@ class Edited:
         return cls(scene.replace(provenance=provenance), pictures, opened.segments)
 
     def save(self, folder: str | Path) -> Path:
-        """Publish the scene as a bundle under ``folder``; return the bundle's path.
+        """Publish the scene as a bundle in ``folder``; return the bundle's path.
 
         Raises:
             StorageError: The folder cannot be written, or the disk is full.
@@ -89,7 +89,7 @@ class Edited:
 
 
 def _list_broken(before: Scene, after: Scene) -> list[str]:
-    """Return a warning for each relation of the plan that an edit broke."""
+    """Return a warning for each planned relation that an edit broke."""
     known = {(o.name, o.kind, o.target) for o in list_unmet(before)}
     return [
         describe_unmet(o, after)

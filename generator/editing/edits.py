@@ -1,4 +1,4 @@
-"""Edits as data: an action, its words, and for a move an optional position or angle."""
+"""Edits as data: an action, its words and, for a move, an optional position or angle."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WORDS: dict[EditKind, tuple[int, int]] = {
     "move": (1, 2),
     "restyle": (1, 99),
 }
-"""Minimum and maximum number of words per action."""
+"""Minimum and maximum number of words for each action."""
 
 
 @dataclass(frozen=True)
@@ -28,12 +28,12 @@ class WordedEdit:
 
     Attributes:
         action: the kind of edit.
-        words: swap: an object's name, and its replacement; add: the object to add, with an optional
-            position; remove: a name; move: a name, with an optional position; restyle: a style,
-            then names.
-        to: for move, x and y of the object's centre in metres relative to the table's centre.
+        words: for swap, an object's name and its replacement; for add, a description of the object,
+            which may include a position; for remove, a name; for move, a name and an optional
+            position; for restyle, a style, then names.
+        to: for move, x and y of the object's centre, in metres relative to the table's centre.
         turn: for move, the rotation in degrees, counter-clockwise seen from above.
-        seed: the same bundle, edit and seed give the same scene.
+        seed: the random seed; the same bundle, edit and seed give the same scene.
     """
 
     action: EditKind
@@ -44,7 +44,7 @@ class WordedEdit:
 
     @property
     def is_complete(self) -> bool:
-        """Whether the action has all required values, and no others."""
+        """Whether the action has all the values it needs, and no others."""
         fewest, most = WORDS[self.action]
         fits = fewest <= len(self.words) <= most
         if self.action != "move":
@@ -53,7 +53,7 @@ class WordedEdit:
         return fits and (ways == 1 or (ways == 0 and self.turn is not None))
 
     def apply(self, bundle: str | Path, backends: Backends | None = None) -> Edited:
-        """Return the edited scene; ``backends`` make new objects, None uses the catalogue.
+        """Return the edited scene; ``backends`` make new objects; None means the catalogue.
 
         Raises:
             InputError: The scene has no such object, or the text does not name a known object.

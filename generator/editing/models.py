@@ -1,8 +1,8 @@
-"""The model of an object requested by an edit: from the catalogue, or drawn and modelled (Fig. 7).
+"""The model of an object that an edit requests: from the catalogue, or drawn and modelled (Fig. 7).
 
 Without backends, objects come from the catalogue, as in composed scenes. With backends, the object
-is made as in the paper: drawn by itself, cut out, modelled, turned upright, and its yaw in the
-drawing estimated.
+is made as in the paper: it is drawn by itself, cut out, modelled and turned upright, and its yaw in
+the drawing is estimated.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from ..method.rotation import estimate_rotations
 from ..scene import TABLE, Instance, Model, PlannedObject, PlannedTable, Reference, Scene, ScenePlan
 
 EASEL = PlannedTable(size=(0.5, 0.4, 0.74))
-"""Table on which a new object is drawn: small, so that the object is large in the drawing."""
+"""Table for drawing a new object: so small that the object appears large."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ def make(
 
 
 def check_known(planned: PlannedObject) -> None:
-    """Check that the catalogue contains an object.
+    """Check that the catalogue contains the object.
 
     Raises:
         InputError: It does not.
@@ -76,7 +76,7 @@ def check_known(planned: PlannedObject) -> None:
 
 
 def check_style(style: str) -> None:
-    """Check that the catalogue has a style.
+    """Check that the catalogue has the style.
 
     Raises:
         InputError: It does not.
@@ -93,9 +93,9 @@ def remodel(
     config: Config,
     seed: int,
 ) -> Model:
-    """Make the model of an object of the scene again, in another style, with the same size.
+    """Remake the model of an object in the scene in another style, at the same size.
 
-    An object of a composed scene keeps its other attributes.
+    Objects of a composed scene keep their other attributes.
 
     Raises:
         InputError, BackendError, SceneError: As for ``make``.
@@ -108,7 +108,7 @@ def remodel(
 
 
 def _same_look(scene: Scene, planned: PlannedObject, style: str) -> Model | None:
-    """Return the restyled model if the scene's plan and seed reproduce the current one."""
+    """Return the restyled model if the scene's plan and seed reproduce the current model."""
     plan, seed = scene.plan, scene.provenance.seed
     if plan is None or scene.provenance.kind != "compose":
         return None
@@ -145,7 +145,7 @@ def _draw(
 
 
 def _pick(found: Sequence[Instance], planned: PlannedObject) -> Instance:
-    """Return the instance of the object: the one with its noun, preferring the largest."""
+    """Return the largest instance with the object's noun or, if there is none, of any noun."""
     named = [i for i in found if i.label == planned.noun and i.name != TABLE]
     return max(named or found, key=lambda i: int(i.mask.sum()))
 

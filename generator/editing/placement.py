@@ -30,7 +30,7 @@ from .request import as_planned
 
 
 def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, turn: float) -> Scene:
-    """Return the scene with an object and its load moved to a position on the table, or turned."""
+    """Return the scene with an object and its load moved to a place on the table, or turned."""
     if where is None or thing.placement.on == TABLE:
         x, y, z = thing.pose.position
         position = np.array([*((x, y) if where is None else where), z])
@@ -51,7 +51,7 @@ def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, tur
 
 
 def moved_by(scene: Scene, thing: Object, place: Placement) -> Scene:
-    """Return the scene with an object and its load moved to a placement found by relations."""
+    """Return the scene with an object and its load moved to where the relations require it."""
     turn = place.yaw - thing.placement.yaw
     if place.on == TABLE == thing.placement.on:
         position = np.array([*place.translation[:2], thing.pose.position[2]])
@@ -68,7 +68,7 @@ def _with(scene: Scene, thing: Object) -> Scene:
 
 
 def _check_place(scene: Scene, name: str) -> None:
-    """Check that an object's position is free and on the table.
+    """Check that an object's requested position is free and on the table.
 
     The error names the nearest free position.
     """
@@ -87,18 +87,18 @@ def _check_place(scene: Scene, name: str) -> None:
     raise SceneError(f"{name} cannot stand at {x:.3f} {y:.3f} m: {why}. {tail}")
 
 
-_TOUCH = 1e-3  # metres: maximum distance of touching objects
+_TOUCH = 1e-3  # maximum distance between touching objects, metres
 
 
 def loads(scene: Scene, name: str) -> tuple[str, ...]:
-    """Return the names of all objects on or in an object, directly or indirectly, lowest first."""
+    """Return the names of all objects directly or indirectly on or in an object, lowest first."""
     chains = sorted(ancestry(scene.objects), key=len)
     names = [[scene.objects[k].name for k in chain] for chain in chains]
     return tuple(chain[0] for chain in names if name in chain[1:])
 
 
 def set_down(scene: Scene, names: Sequence[str]) -> Scene:
-    """Set objects and their loads down at the nearest free positions.
+    """Set objects, with their loads, down at the nearest free positions.
 
     Raises:
         SceneError: There is no room for an object, or it does not fit into its vessel.
@@ -127,10 +127,10 @@ def set_down(scene: Scene, names: Sequence[str]) -> Scene:
 def place_by_relations(
     scene: Scene, planned: PlannedObject, model: Model, yaw: float, away: Sequence[str], seed: int
 ) -> Placement:
-    """Return a free placement for an object by its relations to objects of the scene.
+    """Return a free placement for an object according to its relations to objects in the scene.
 
-    ``model`` has its final size; ``yaw`` is its yaw on the table, radians; objects ``away`` are
-    being moved and are ignored.
+    ``model`` has its final size; ``yaw`` is its yaw on the table, radians. The objects in ``away``
+    are being moved and are therefore ignored.
 
     Raises:
         SceneError: There is no room at the requested position.
@@ -157,7 +157,7 @@ def place_by_relations(
 def beneath(
     scene: Scene, planned: PlannedObject, away: Sequence[str] = ()
 ) -> tuple[PlannedObject, ...]:
-    """Return the targets of an object's relations, and the objects already on or in them."""
+    """Return the targets of an object's relations and the objects already on or in these."""
     targets = {r.target: r for r in planned.relations if r.target != TABLE}
     found = []
     for thing in scene.objects:
@@ -170,13 +170,13 @@ def beneath(
 
 
 def pose(thing: Object, placement: Placement) -> Object:
-    """Return an object placed upright at a placement."""
+    """Return an object that stands upright at a placement."""
     pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
     return replace(thing, placement=placement, pose=pose)
 
 
 def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
-    """Move an object and its load to a pose, turned by ``turn`` (radians) from its own."""
+    """Move an object and its load to a pose, rotated by ``turn`` (radians) from the current one."""
     start = scene.object(name).pose.position
     above = {*loads(scene, name)}
 

@@ -1,4 +1,4 @@
-"""Updates of a scene's plan after an edit; the plan determines names and sizes of objects."""
+"""Updates of a scene's plan after an edit; the plan determines the names and sizes of objects."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from ..scene import TABLE, PlannedGroup, PlannedObject, Relation, Scene
 
 
 def planned_things(scene: Scene) -> tuple[PlannedObject, ...]:
-    """Return the planned objects of a scene; empty without a plan."""
+    """Return the planned objects of a scene, or none if it has no plan."""
     return scene.plan.objects if scene.plan else ()
 
 
 def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
-    """Return the scene with ``new`` in place of ``old`` in its plan, if it has a plan."""
+    """Return the scene with ``new`` instead of ``old`` in its plan, if it has a plan."""
     known = {o.name: o for o in planned_things(scene)}
     if old not in known:
         return add_to_plan(scene, new)
@@ -24,17 +24,17 @@ def swap_in_plan(scene: Scene, old: str, new: PlannedObject) -> Scene:
 
 
 def add_to_plan(scene: Scene, new: PlannedObject) -> Scene:
-    """Return the scene with ``new`` added to its plan, with its relations to planned objects."""
+    """Return the scene with ``new``, and its relations to planned objects, added to its plan."""
     return _with(scene, [*planned_things(scene), new])
 
 
 def remove_from_plan(scene: Scene, names: Collection[str]) -> Scene:
-    """Return the scene with ``names`` and the relations to them removed from its plan."""
+    """Return the scene with ``names``, and the relations to them, removed from its plan."""
     return _with(scene, [o for o in planned_things(scene) if o.name not in names])
 
 
 def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
-    """Return the scene with new relations of an object in its plan, and none to it.
+    """Return the scene with an object's new relations, and no relations to it, in its plan.
 
     The moved object leaves its group.
     """
@@ -48,23 +48,23 @@ def move_in_plan(scene: Scene, name: str, relations: Sequence[Relation]) -> Scen
 
 
 def restyle_plan(scene: Scene, names: Collection[str], style: str) -> Scene:
-    """Return the scene with another style in its plan, if all its objects are restyled."""
+    """Return the scene with another style in its plan, provided all its objects are restyled."""
     if scene.plan is None or {o.name for o in scene.objects} - {*names}:
         return scene
     return scene.replace(plan=replace(scene.plan, style=style))
 
 
 def _held(relation: Relation, name: str) -> bool:
-    """Return whether a relation still holds after ``name`` moves: its load moves with it."""
+    """Return whether a relation still holds after ``name`` has moved together with its load."""
     return relation.target != name or relation.kind in ("on", "in")
 
 
 def _with(
     scene: Scene, objects: Sequence[PlannedObject], renamed: Mapping[str, str] | None = None
 ) -> Scene:
-    """Return the scene with ``objects`` in its plan, if it has one, without relations to others.
+    """Return the scene with only ``objects`` in its plan, if any, and no relations to others.
 
-    ``renamed`` maps members of groups to their new names, "" for those that left.
+    ``renamed`` maps members of groups to their new names, or to "" if they left the group.
     """
     if scene.plan is None:
         return scene

@@ -1,4 +1,4 @@
-"""Interpretation of an edit's text: the new object, and the existing objects it refers to."""
+"""Interpretation of an edit's text: the new object and the existing objects it refers to."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from ..scene import TABLE, Object, PlannedObject, Scene, ScenePlan
 from .plans import planned_things
 
 Planner = Callable[[str, int], ScenePlan]
-"""The ``plan_scene`` method of a reasoner."""
+"""A reasoner's ``plan_scene`` method."""
 
 
 @dataclass(frozen=True)
 class Asked:
     """A requested object.
 
-    Its name is new to the scene, unless an existing object moves. Its relations are to objects of
-    the scene, by name, or to the table.
+    Unless an existing object is moved, its name is new to the scene. Its relations refer to the
+    scene's objects by name, or to the table.
     """
 
     planned: PlannedObject
@@ -52,7 +52,7 @@ def understand(scene: Scene, text: str, planner: Planner, seed: int) -> Asked:
 
 
 def whereabouts(scene: Scene, thing: Object, where: str, planner: Planner, seed: int) -> Asked:
-    """Return an object of the scene with the relations of a text ("left of the laptop").
+    """Return an object of the scene with the relations described by a text ("left of the laptop").
 
     Raises:
         InputError: The text contains no position, or a reference matches no object or several.
@@ -69,7 +69,7 @@ def whereabouts(scene: Scene, thing: Object, where: str, planner: Planner, seed:
 
 
 def as_planned(scene: Scene, thing: Object) -> PlannedObject:
-    """Return the planned object of an object in the scene, without relations."""
+    """Return the planned object for an object in the scene, without relations."""
     planned = next((o for o in planned_things(scene) if o.name == thing.name), None)
     if planned is not None and planned.category == thing.model.category:
         return replace(planned, relations=())
@@ -77,7 +77,7 @@ def as_planned(scene: Scene, thing: Object) -> PlannedObject:
 
 
 def _in_words(scene: Scene, text: str) -> tuple[str, dict[str, str]]:
-    """Replace names of objects in a text by their nouns; also return the name for each noun."""
+    """Replace the names of objects in a text with nouns; also return the name for each noun."""
     named: dict[str, str] = {}
     for thing in scene.objects:
         pattern = rf"(?<![\w-])(?:the )?{re.escape(thing.name)}(?![\w-])"
@@ -106,7 +106,7 @@ def _subject(plan: ScenePlan, text: str) -> PlannedObject:
 
 
 def _resolve(scene: Scene, target: PlannedObject, named: dict[str, str]) -> str:
-    """Return the name of the object in the scene to which a planned target refers."""
+    """Return the name of the object in the scene that a planned target refers to."""
     if target.noun in named:
         return named[target.noun]
     fits = [o for o in scene.objects if _fits(o, target)]
@@ -128,7 +128,7 @@ def _fits(thing: Object, target: PlannedObject) -> bool:
 
 
 def _of_look(scene: Scene, things: Sequence[Object], target: PlannedObject) -> Sequence[Object]:
-    """Return the objects with the target's attributes, by the scene's plan; all if none matches."""
+    """Return the objects with the target's attributes in the scene's plan; all if none has them."""
     looks = {o.name: dict(o.attributes) for o in planned_things(scene)}
     alike = [t for t in things if target.attributes.items() <= looks.get(t.name, {}).items()]
     return alike or things

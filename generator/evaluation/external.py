@@ -1,4 +1,4 @@
-"""Read another method's result: one GLB per object, and a JSON file of transforms.
+"""Reading of another method's result: one GLB per object, and a JSON file with transforms.
 
 A folder contains ``transforms.json`` and the GLB files named in it. All lengths are in metres::
 
@@ -11,13 +11,14 @@ A folder contains ``transforms.json`` and the GLB files named in it. All lengths
 first rotated so that z points up (x stays x, y becomes z, z becomes -y). Then ``matrix`` (4 x 4,
 row-major, acting on column vectors) maps it to the world: +x right and +y away in the reference
 picture, +z up. The matrix may rotate, scale along the mesh's own axes, and translate; mirroring and
-shearing are invalid. The origin of the world is arbitrary: the scene is translated so that the
-table stands on the floor under the origin. For a method without a table, "table" is
+shearing are invalid. The origin of the world is arbitrary, since the scene is translated so that
+the table stands on the floor, centred over the new origin. For a method without a table, "table" is
 ``{"size": [x, y, z]}``: a block of that extent, with the centre of its top at ``"top": [x, y, z]``
 in the method's world. ``label`` (default: the name without its number), ``on`` ("table") and
 ``inside`` (false) are optional.
 
-The top of a table is its highest large level surface; for simulation it is a slab without the rim.
+The top of a table is its highest large, level surface. In simulation, the top is a slab without the
+rim.
 """
 
 from __future__ import annotations
@@ -55,26 +56,27 @@ from ..scene import (
 from ..scene.triangles import scaled_normals
 
 TRANSFORMS = "transforms.json"
-"""Name of the required file in a result's folder."""
+"""Name of the file that must be in a result's folder."""
 
 MOST_OBJECTS = 256
 _MAX_LENGTH = 100.0  # metres: larger values mean that the unit is wrong
 _SHEAR = 1e-3
-_TOP = 0.01  # metres: parts of the table this close to its level belong to the top
-_EVEN = 0.003  # metres: maximum unevenness of a top
-_LEVEL = 0.97  # minimum cosine of the slope of a level surface
+_TOP = 0.01  # metres; parts of the table this close to its level belong to the top
+_EVEN = 0.003  # metres; maximum unevenness of a top
+_LEVEL = 0.97  # minimum cosine of a level surface's slope
 _MIN_TOP = 0.03  # square metres
-_RIM = 0.04  # metres: maximum height of a rim above the top
+_RIM = 0.04  # metres; maximum height of a rim above the top
 _Z_UP = {"y": np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), "z": np.eye(3)}
 
 
 def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
-    """Read another method's result as a scene, at the given poses.
+    """Read another method's result as a scene, with objects at the given poses.
 
-    Objects are not moved, so overlapping or floating objects remain so. Mass and friction have this
-    project's defaults. ``decompose`` computes convex parts for simulation (seconds to a minute per
-    object, cached). Otherwise each object has its convex hull as its only part, which suffices for
-    meshes and pictures; a warning in the provenance records this.
+    Objects are not moved, so overlapping or floating objects remain so. Mass and friction are this
+    project's defaults. With ``decompose``, convex parts are computed for simulation (in seconds to
+    a minute per object; results are cached). Otherwise each object's only part is its convex hull,
+    which suffices for measurements of meshes and pictures; a warning in the provenance records
+    this.
 
     Raises:
         InputError: A file is missing, damaged, too large or outside the folder, or a value is not a
@@ -109,14 +111,14 @@ def _read(place: Path, name: str) -> bytes:
 
 
 class _Meshes:
-    """Meshes of a result's folder with z up; each file is read once."""
+    """The meshes in a result's folder, with z up; each file is read only once."""
 
     def __init__(self, place: Path, turn: Float[np.ndarray, "3 3"]) -> None:
         self._place, self._turn = place, turn
         self._known: dict[str, Mesh] = {}
 
     def of(self, entry: Mapping[str, Any]) -> Mesh:
-        """Return the mesh of the file named by an entry."""
+        """Return the mesh in the file named by an entry."""
         place, name = self._place, entry.get("glb")
         if not isinstance(name, str):
             raise InputError(f"{place}: the name of a file must be a string, got {name!r}.")
@@ -128,7 +130,7 @@ class _Meshes:
 
 
 def _table_mesh(place: Path, entry: Any, meshes: _Meshes) -> tuple[Mesh, Float[np.ndarray, "3"]]:
-    """Return the table in metres, and the translation that puts it under the origin."""
+    """Return the table in metres, and the translation that moves it under the origin."""
     if not isinstance(entry, dict):
         raise InputError(
             f"{place}: 'table' must have a 'glb' and a 'matrix', or a 'size'. See "
@@ -165,10 +167,10 @@ def _table(mesh: Mesh, what: str) -> Table:
 
 
 def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
-    """Return the height of the top: the highest level with half of the largest level area."""
+    """Return the height of the top: the highest level with half the area of the largest level."""
     normals = scaled_normals(triangles) / 2
     areas = np.linalg.norm(normals, axis=1)
-    level = np.abs(normals[:, 2]) > _LEVEL * areas  # faces may be oriented either way
+    level = np.abs(normals[:, 2]) > _LEVEL * areas  # faces may be oriented in either direction
     order = np.argsort(triangles[level].mean(1)[:, 2], kind="stable")
     heights, areas = triangles[level].mean(1)[order, 2], areas[level][order]
     sums = np.append(0.0, np.cumsum(areas))
@@ -217,7 +219,7 @@ def _object(
 def _pose(
     entry: Mapping[str, Any], what: str
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]:
-    """Return the scale along the mesh's axes, rotation and translation of an entry's matrix."""
+    """Return an entry's scale along the mesh's axes, rotation and translation, from its matrix."""
     matrix = _numbers(entry.get("matrix"), (4, 4), f"{what}: the matrix")
     linear, translation = matrix[:3, :3], matrix[:3, 3]
     scale = np.linalg.norm(linear, axis=0)
@@ -266,13 +268,13 @@ MOST_FACES = 400_000
 
 
 def read_glb(raw: bytes, what: str) -> Mesh:
-    """Return all meshes in a GLB file as one, with node transforms applied.
+    """Return all meshes in a GLB file as one mesh, with node transforms applied.
 
-    ``what`` is the subject of error messages. Only the base colour of materials is used: a texture
+    ``what`` is the subject of error messages. Only the materials' base colours are used: a texture
     if all faces share it, otherwise one colour per face. Files outside the GLB are not opened.
 
     Raises:
-        InputError: The file is not a GLB, damaged, without triangles, with NaN, or too large.
+        InputError: The file is not a GLB, is damaged, is too large, has no triangles or has NaN.
     """
     if raw[:4] != b"glTF":
         raise InputError(f"{what} is not a GLB file. Save each object as binary glTF.")
@@ -287,7 +289,7 @@ def read_glb(raw: bytes, what: str) -> Mesh:
 
 
 def _color(surface: ColoredSurface) -> Mesh:
-    """Return a mesh whose texture is a palette, with one texel per face."""
+    """Return a mesh whose texture is a palette with one texel per face."""
     corners = surface.vertices[surface.faces].reshape(-1, 3)
     count = len(surface.faces)
     colors = surface.colors_at(np.arange(count), np.full((count, 3), 1 / 3))
@@ -300,7 +302,7 @@ def _color(surface: ColoredSurface) -> Mesh:
 def _palette(
     colors: UInt8[np.ndarray, "m 3"],
 ) -> tuple[UInt8[np.ndarray, "1 k 3"], Int[np.ndarray, "m"]]:
-    """Return up to 512 colours as a texture of one row, and the column of each face."""
+    """Return up to 512 colours as a one-row texture, and the column of each face's colour."""
     coarse = (colors >> 5).astype(np.int64) @ [64, 8, 1]
     cells, index = np.unique(coarse, return_inverse=True)
     sums: Float[np.ndarray, "k 3"] = np.zeros((len(cells), 3))

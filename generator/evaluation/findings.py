@@ -1,4 +1,4 @@
-"""Defects of a scene, object by object: findings with value, limit and evidence."""
+"""Defects of a scene, object by object: findings with values, limits and evidence."""
 
 from __future__ import annotations
 
@@ -27,11 +27,15 @@ Evidence = Literal["meshes", "simulation", "usual size", "picture", "truth"]
 class DefectLimits:
     """Limits above which a deviation is a defect.
 
-    overlap: depth in metres. ``rule``: rule for standing still.
-    usual_size: ratio of an object's size to the usual one.
-    gain: improvement of the fit to the object's mask by another yaw or size (IoU).
-    yaw: radians, against a truth. ``scale``: ratio, against a truth.
-    place: fraction of the table's width, against a truth.
+    Attributes:
+        overlap: depth in metres.
+        rule: the criteria for standing still.
+        usual_size: ratio of an object's size to the usual one.
+        gain: improvement (IoU) of the fit to an object's mask with another yaw or size.
+        yaw: error of the yaw compared with the true scene, radians.
+        scale: ratio of the size to that in the true scene.
+        place: error of the position compared with the true scene, as a fraction of the table's
+            width.
     """
 
     overlap: float = THRESHOLD
@@ -51,7 +55,7 @@ class DefectLimits:
 
 @dataclass(frozen=True)
 class Finding:
-    """One defect of one object. ``value`` and ``limit`` are in ``unit``, None if not applicable.
+    """One defect of an object; ``value`` and ``limit`` are in ``unit``, or None if not applicable.
 
     ``other`` is the second object involved, or "table".
     """
@@ -80,7 +84,7 @@ class Finding:
 
 
 def of_collisions(found: Collisions, limits: DefectLimits) -> Iterator[Finding]:
-    """Yield one finding per overlap, with both objects involved."""
+    """Yield a finding for each overlap; it names both objects."""
     pairs = [(o.b, o.a, o.depth) for o in found.overlaps]
     pairs += [(o.a, o.b, o.depth) for o in found.sunk]
     for name, other, depth in pairs:
@@ -90,7 +94,7 @@ def of_collisions(found: Collisions, limits: DefectLimits) -> Iterator[Finding]:
 
 
 def of_soundness(found: Soundness) -> Iterator[Finding]:
-    """Yield a finding for each object that floats, hangs over the edge, or does not stand still."""
+    """Yield a finding for each object that floats, hangs over the edge or does not stand still."""
     rule = found.rule
     for thing in found.objects:
         if thing.floats:
@@ -113,7 +117,7 @@ def of_soundness(found: Soundness) -> Iterator[Finding]:
 
 
 def of_sizes(found: Sequence[UsualSize], limits: DefectLimits) -> Iterator[Finding]:
-    """Yield a finding for each object much larger or smaller than usual."""
+    """Yield a finding for each object that is much larger or smaller than usual."""
     for s in (s for s in found if _beyond(s.ratio, limits.usual_size)):
         text = f"is {s.ratio:.2f} times its usual size ({s.source})"
         yield Finding("wrong_size", s.name, text, "usual size", s.ratio, limits.usual_size, "x")
@@ -133,7 +137,7 @@ def of_fits(found: Sequence[SilhouetteFit], limits: DefectLimits) -> Iterator[Fi
 
 
 def of_comparison(compared: Comparison) -> Iterator[Finding]:
-    """Yield a finding for each object of the picture that is missing in the scene."""
+    """Yield a finding for each object in the picture that the scene lacks."""
     for score in (s for s in compared.scores if not s.built):
         yield Finding("missing", score.name, "is in the picture, but not in the scene", "picture")
 

@@ -1,8 +1,8 @@
-"""Scores by a judge (Sec. 4.1 and supplement, Sec. 8.2): VF, IA and PP from 1 to 7, and a ranking.
+"""Scores by a judge (Sec. 4.1; supplement, Sec. 8.2): VF, IA and PP from 1 to 7, and a ranking.
 
-The paper uses GPT-4o; this module accepts any backend with the ``Judge`` protocol, with its own
-wording of the criteria. Without a judge, ``marks_from_figures`` derives marks from measured values,
-and none for criteria without a measurement: realism cannot be derived from geometry.
+The paper uses GPT-4o; this module accepts any backend with the ``Judge`` protocol, and has its own
+wording of the criteria. Without a judge, ``marks_from_figures`` derives marks from measured values.
+There is no mark for realism, which cannot be measured from geometry.
 """
 
 from __future__ import annotations
@@ -39,10 +39,10 @@ CRITERIA: Mapping[str, str] = MappingProxyType(
         ),
     }
 )
-"""Criteria by key; 1 is very poor, 4 average, 7 excellent."""
+"""Criteria by key; 1 is very poor, 4 is average and 7 is excellent."""
 
 LEAST, MOST = 1.0, 7.0
-"""Minimum and maximum mark."""
+"""The lowest and the highest mark."""
 
 MEASURED = "measured figures, no judge"
 """Value of ``Marks.judge`` for ``marks_from_figures``."""
@@ -50,9 +50,9 @@ MEASURED = "measured figures, no judge"
 
 @dataclass(frozen=True)
 class Marks:
-    """Marks from 1 to 7 by criterion, None for a missing one; ``judge`` is their origin.
+    """Marks from 1 to 7 by criterion, or None if missing; ``judge`` is where they come from.
 
-    ``notes`` explain each mark derived from measured values, and each missing one.
+    ``notes`` explains each mark that was derived from measured values, and each missing mark.
     """
 
     judge: str
@@ -61,7 +61,7 @@ class Marks:
 
     @property
     def average(self) -> float | None:
-        """Mean over all criteria; None if a mark is missing."""
+        """The mean over all criteria, or None if a mark is missing."""
         given = [m for m in self.marks.values() if m is not None]
         return float(np.mean(given)) if given and len(given) == len(self.marks) else None
 
@@ -77,7 +77,7 @@ class Marks:
 
 
 def judge_scene(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Marks:
-    """Request marks from a judge, such as a reasoner, for the scene shown in ``pictures``.
+    """Ask a judge, such as a reasoner, to mark the scene shown in ``pictures``.
 
     ``reference`` is the picture from which the scene was made.
 
@@ -104,7 +104,7 @@ def judge_scene(judge: object, reference: Picture, pictures: Sequence[Picture]) 
 def rank_methods(
     judge: object, reference: Picture, methods: Mapping[str, Sequence[Picture]]
 ) -> tuple[str, ...]:
-    """Request an overall ranking of several methods' scenes from a judge, best first.
+    """Ask a judge to rank several methods' scenes overall, from best to worst.
 
     Raises:
         BackendError: ``judge`` is not a judge, or does not name each method exactly once.
@@ -127,13 +127,14 @@ def marks_from_figures(
     unsound: float,
     simulated: bool = True,
 ) -> Marks:
-    """Derive marks from measured values, all in [0, 1], by fixed rules; none for VF.
+    """Derive marks from measured values, all in [0, 1], by fixed rules; there is no mark for VF.
 
-    IA is 1 + 6 x (mean of ``iou`` and ``built``): the mean overlap of silhouettes with their masks,
-    and the fraction of the picture's objects that the scene has; None without a picture. PP is
-    1 + 6 x (1 - ``unsound``) x (1 - ``pair_collisions``)^10, since a scene with one pair in ten in
-    collision (Col_O) is already poor; ``unsound`` is the fraction of objects that overlap or, if
-    ``simulated``, float, hang over the edge or do not stand still.
+    IA is 1 + 6 x (mean of ``iou`` and ``built``), where ``iou`` is the mean overlap of silhouettes
+    with their masks, and ``built`` is the fraction of the picture's objects that the scene
+    contains. It is None without a picture. PP is 1 + 6 x (1 - ``unsound``) x (1 -
+    ``pair_collisions``)^10, since a scene in which one pair in ten collides (Col_O) is already
+    poor; ``unsound`` is the fraction of objects that overlap or, if ``simulated``, float, hang over
+    the edge or do not stand still.
     """
     notes = {"VF": "not marked: no measured value indicates how realistic a scene looks"}
     marks: dict[str, float | None] = {"VF": None, "IA": None}
@@ -152,7 +153,7 @@ def marks_from_figures(
 
 
 def as_judge(judge: object) -> Judge:
-    """Return ``judge`` if it has the methods of the ``Judge`` protocol.
+    """Return ``judge`` if it has all methods of the ``Judge`` protocol.
 
     Raises:
         BackendError: It lacks one of them.

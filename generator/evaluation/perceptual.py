@@ -2,8 +2,8 @@
 
 The published metrics need packages (the extras ``huggingface`` and ``lpips``) and weights that are
 already on this machine: nothing is downloaded. A missing metric is reported with the reason. The
-embedded metrics need neither, are different quantities, and have different names: their values must
-not be compared with those of the published metrics.
+embedded metrics need neither. They are different quantities with different names, and their values
+must not be compared with those of the published metrics.
 """
 
 from __future__ import annotations
@@ -33,18 +33,18 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 _PIP = "Run: pip install 'tabletopgen[lpips]'"
 _BATCH = 16
 _SIDE = 224
-"""Side in pixels to which pictures are resized before features are computed."""
+"""Side, in pixels, to which pictures are resized before features are computed."""
 
 
 class Missing(BackendError):
-    """Raised if a metric's package or weights are not on this machine."""
+    """A metric's package or weights are not on this machine."""
 
 
 @dataclass(frozen=True)
 class MapSimilarity:
-    """Cosine similarity of an encoder's feature maps per position, averaged; 1 for equal pictures.
+    """Cosine similarity of an encoder's feature maps, averaged over positions; 1 if equal.
 
-    ``load`` returns the encoder: images (n, 3, h, w) in [0, 1] to maps.
+    ``load`` returns the encoder, which maps images (n, 3, h, w) in [0, 1] to feature maps.
     """
 
     name: str
@@ -73,14 +73,14 @@ class MapSimilarity:
 
 
 def _load_filters() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return Eq. 4's Phi: colour and oriented edges, for layout and colour rather than meaning."""
+    """Return Phi of Eq. 4: colour and oriented edges, so layout and colour rather than meaning."""
     from ..backends.embedded.encoder import EmbeddedEncoder
 
     return EmbeddedEncoder().features
 
 
 def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return the eye's EfficientNet-Lite0, fine-tuned on our renders: strides 16 and 32."""
+    """Return the built-in detector's EfficientNet-Lite0, strides 16 and 32, tuned on renders."""
     from ..backends.embedded.eye.weights import load_weights
 
     encoder = load_weights().eye.encoder
@@ -89,7 +89,7 @@ def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
 
 @dataclass(frozen=True)
 class Lpips:
-    """LPIPS (R. Zhang et al., CVPR 2018) with AlexNet; 0 for equal pictures, lower is better."""
+    """LPIPS (R. Zhang et al., CVPR 2018) with AlexNet: 0 for equal pictures; lower is better."""
 
     name: str = "lpips"
     higher_is_better: bool = False
@@ -111,7 +111,7 @@ class Lpips:
         return module.LPIPS(net="alex", verbose=False).eval()
 
     def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
-        """Return the distance of each picture to the reference, at 224 x 224 pixels.
+        """Return the distance of each picture from the reference, at 224 x 224 pixels.
 
         Raises:
             Missing: The package or the weights are not on this machine.
@@ -129,9 +129,8 @@ class HubSimilarity:
     """Cosine similarity of a published vision model's image features; 1 for equal pictures.
 
     ``name`` is the model's name in the table of the ``huggingface`` backend, which pins its commit;
-    the model is only read from ``folder`` (see ``backends.installing.models_folder``). ``method``
-    is
-    the source of the features: "pooled" (of ``Dinov2Model``) or "image" (of ``CLIPModel``).
+    the model is read only from ``folder`` (see ``backends.installing.models_folder``). ``method``
+    is the source of the features: "pooled" (of ``Dinov2Model``) or "image" (of ``CLIPModel``).
     ``norm`` is the mean and standard deviation of RGB in [0, 1].
     """
 
@@ -177,12 +176,12 @@ class HubSimilarity:
 
 
 DINOV2 = HubSimilarity("dinov2", "pooled", IMAGENET)
-"""DINOv2 (M. Oquab et al., 2023)."""
+"""The DINOv2 model (M. Oquab et al., 2023)."""
 
 CLIP = HubSimilarity(
     "clip", "image", ((0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711))
 )
-"""CLIP (A. Radford et al., ICML 2021)."""
+"""The CLIP model (A. Radford et al., ICML 2021)."""
 
 EMBEDDED: Mapping[str, Metric] = MappingProxyType(
     {
@@ -193,22 +192,22 @@ EMBEDDED: Mapping[str, Metric] = MappingProxyType(
         )
     }
 )
-"""Metrics available in every installation."""
+"""Metrics that are available in every installation."""
 
 PUBLISHED: Mapping[str, Metric] = MappingProxyType({m.name: m for m in (Lpips(), DINOV2, CLIP)})
-"""Metrics of the paper."""
+"""The paper's metrics."""
 
 
 @dataclass(frozen=True)
 class Available:
-    """The metrics available on this machine, and the reasons why others are missing, by name."""
+    """The metrics available on this machine, and why others are missing, by name."""
 
     metrics: tuple[Metric, ...]
     missing: Mapping[str, str]
 
 
 def available(names: Sequence[str] = (*PUBLISHED, *EMBEDDED)) -> Available:
-    """Return which of the named metrics work on this machine, by loading each of them.
+    """Return which of the named metrics work on this machine; each is loaded to find out.
 
     Raises:
         BackendError: A metric does not exist.
@@ -237,7 +236,7 @@ def _package(name: str, metric: str) -> Any:
 
 
 def _tensor(pictures: Sequence[Picture]) -> Tensor:
-    """Return pictures as (n, 3, side, side) in [0, 1]."""
+    """Return pictures as an array (n, 3, side, side) in [0, 1]."""
     import torch
 
     side = _SIDE, _SIDE

@@ -1,4 +1,4 @@
-"""Evaluation of a whole scene: one value with all measurements and findings (Secs. 4.1 and 4.2)."""
+"""Evaluation of a whole scene: all measurements and findings in one value (Secs. 4.1 and 4.2)."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass(frozen=True, eq=False)
 class Evaluation:
-    """Results for one scene; parts that could not be measured are None or empty.
+    """The results for one scene; parts that could not be measured are None or empty.
 
-    ``notes`` list skipped parts with reasons. ``perceptual`` has each metric at its best view of
-    the sweep, ``missing`` the reasons for unavailable metrics. ``marks`` are derived from measured
-    values or given by a judge.
+    ``notes`` lists skipped parts with the reasons. ``perceptual`` has each metric at its best view
+    in the sweep; ``missing`` has the reasons why metrics are unavailable. ``marks`` are derived
+    from measured values or given by a judge.
     """
 
     scene: Scene
@@ -111,14 +111,14 @@ def evaluate(
 
     Args:
         scene: the scene, at its settled poses.
-        picture: the reference picture, required for all visual comparisons.
-        segments: its segmentation, required to compare silhouettes.
+        picture: the reference picture, which all visual comparisons require.
+        segments: the picture's segmentation, required to compare silhouettes.
         truth: the true scene, with objects of the same names.
-        limits: limits of defects.
+        limits: limits above which deviations are defects.
         simulate: whether to simulate the scene at rest in MuJoCo.
         metrics: perceptual metrics (see ``perceptual.available``); None skips the sweep.
         sweep: settings of the camera sweep.
-        judge: judge that marks the scene; None derives marks from measured values.
+        judge: judge that marks the scene; if None, marks are derived from measured values.
 
     Raises:
         InputError: A required picture is missing, or it does not match ``segments``.
@@ -172,8 +172,8 @@ def evaluate_bundle(
 ) -> Evaluation:
     """Evaluate a bundle, or a folder with another method's result (see ``external``), from disk.
 
-    The reference picture defaults to the one in the bundle. Without a picture, metrics are skipped,
-    with a note. Other ``options`` are those of :func:`evaluate`.
+    The reference picture defaults to the one in the bundle. Without a picture, metrics are skipped
+    and a note says so. Other ``options`` are those of :func:`evaluate`.
 
     Raises:
         BundleError: The bundle does not exist or is damaged.
@@ -196,7 +196,7 @@ def evaluate_bundle(
 def ranking(
     evaluations: Mapping[str, Evaluation], picture: Picture, judge: object
 ) -> tuple[str, ...]:
-    """Request a ranking of several methods' scenes of one picture from a judge, best first.
+    """Ask a judge to rank several methods' scenes of the same picture, from best to worst.
 
     Raises:
         BackendError: ``judge`` is not a ``Judge``, or does not name each method exactly once.
@@ -206,7 +206,7 @@ def ranking(
 
 
 def _draw(scene: Scene, compared: Comparison | None) -> Picture:
-    """Draw a scene from its picture's camera, or from the front and above if that is unknown."""
+    """Draw a scene from its picture's camera, or from the front and above if this is unknown."""
     from ..render.sheet import render_scene
 
     return render_scene(scene, camera=None if compared is None else compared.camera).image

@@ -1,8 +1,8 @@
-"""Physical soundness of a scene: objects that move, turn, float, or hang over the edge (Sec. 4.1).
+"""Physical soundness of a scene: objects that move, turn, float or hang over the edge (Sec. 4.1).
 
-The rule is that of the gate that published scenes pass. Here it is evaluated per object, for any
-scene, and can be varied (``VARIANTS``): a scene may satisfy the plain rule only by chance, for one
-time step or exactly vertical gravity.
+The rule is that of the gate which published scenes have passed. Here it is evaluated for each
+object of any scene, and can be varied (``VARIANTS``), since a scene may satisfy the plain rule only
+by chance: for one time step, or only if gravity is exactly vertical.
 """
 
 from __future__ import annotations
@@ -23,13 +23,15 @@ from ..scene import Scene
 
 @dataclass(frozen=True)
 class StillnessRule:
-    """Criteria for standing still. Lengths in metres, angles in radians, time in seconds.
+    """Criteria for standing still; lengths in metres, angles in radians, time in seconds.
 
-    seconds: simulated duration.
-    drift, tilt: maximum displacement and rotation of an object in that time.
-    gap: an object without a support within this distance floats.
-    timestep: time step of the simulation; None uses the scene's own (2 ms).
-    lean, toward: gravity is tilted by this angle, in this direction (0 is +x, counter-clockwise).
+    Attributes:
+        seconds: simulated duration.
+        drift, tilt: maximum displacement and rotation of an object in that time.
+        gap: an object floats if it has no support within this distance.
+        timestep: time step of the simulation; None means the scene's own (2 ms).
+        lean, toward: angle by which gravity is tilted, and the direction towards which it is tilted
+            (0 is +x, counter-clockwise).
     """
 
     seconds: float = 5.0
@@ -55,7 +57,7 @@ class StillnessRule:
 
 
 PLAIN = StillnessRule()
-"""5 s, 5 mm, 2 degrees."""
+"""The plain rule: 5 s, 5 mm, 2 degrees."""
 
 VARIANTS: Mapping[str, StillnessRule] = MappingProxyType(
     {"plain": PLAIN}
@@ -65,19 +67,20 @@ VARIANTS: Mapping[str, StillnessRule] = MappingProxyType(
         for k, way in enumerate(("+x", "+y", "-x", "-y"))
     }
 )
-"""The plain rule, with other time steps, and with gravity tilted by 2 degrees to four sides.
+"""The plain rule, and variants with other time steps or with gravity tilted by 2 degrees.
 
-Round objects must also remain still: their rolling resistance (``physics.mjcf.FLAT_SPOT``) holds
-them up to about six degrees. Beyond that they roll away.
+Gravity is tilted towards each of four sides. Round objects must also remain still: their rolling
+resistance (``physics.mjcf.FLAT_SPOT``) holds them up to about six degrees. Beyond that, they roll
+away.
 """
 
 
 @dataclass(frozen=True)
 class Behaviour:
-    """Behaviour of one object under a rule: metres, radians.
+    """The behaviour of one object under a rule, in metres and radians.
 
-    ``floats``: nothing supports it at the start. ``off_table``: its centre of mass is outside the
-    top's outline at the start. ``falls``: it has left the table by the end.
+    ``floats``: nothing supports it at the start. ``off_table``: at the start, its centre of mass is
+    outside the outline of the tabletop. ``falls``: it has left the table by the end.
     """
 
     name: str
@@ -90,7 +93,7 @@ class Behaviour:
 
 @dataclass(frozen=True)
 class Soundness:
-    """Behaviour of all objects of a scene under ``rule``, in the scene's order.
+    """The behaviour of all objects in a scene under ``rule``, in the scene's order.
 
     ``diverged``: the simulation diverged and was reset, so that its values are meaningless and no
     object counts as standing still.
@@ -102,7 +105,7 @@ class Soundness:
 
     @property
     def unstable(self) -> tuple[str, ...]:
-        """Names of objects that move or turn more than the rule allows, or fall."""
+        """Names of objects that move or turn more than the rule allows, or that fall."""
         return tuple(o.name for o in self.objects if self.moves(o))
 
     @property
@@ -126,7 +129,7 @@ class Soundness:
         return self.diverged or limits or thing.falls
 
     def facts(self) -> dict[str, Any]:
-        """Return the values as JSON: millimetres, degrees, seconds."""
+        """Return the values as JSON, in millimetres, degrees and seconds."""
         return {
             "seconds": self.rule.seconds,
             "stable": self.stable,

@@ -1,4 +1,4 @@
-"""Compare a scene with the true scene: yaw, position, size and support, object by object."""
+"""Comparison of a scene with the true one, by object: yaw, position, size and support."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from .surfaces.symmetry import order, yaw_error
 
 @dataclass(frozen=True)
 class PoseError:
-    """Errors of one object relative to the object with the same name.
+    """Errors of one object relative to the object with the same name in the true scene.
 
     yaw: difference about the vertical in [0, pi], modulo the true object's symmetry, radians.
-        Prints break symmetry: a book turned about has an error of pi.
+        Prints break symmetry: a book turned by half a turn has an error of pi.
     translation: distance of the box centres, metres; ``share`` is its ratio to the table's width.
     scale: geometric mean of the ratios of the extents, this scene over the true one;
         ``worst_axis`` is the ratio farthest from 1.
-    support: whether it stands on, or in, the same object.
-    symmetry: the true object's order of symmetry by shape and texture, infinity for a round one.
+    support: whether it stands on or in the same object.
+    symmetry: the true object's order of symmetry in shape and texture; infinity if it is round.
     """
 
     name: str
@@ -43,7 +43,7 @@ class PoseError:
 
 @dataclass(frozen=True)
 class TruthErrors:
-    """Errors of the objects in both scenes; ``missing`` and ``extra`` name the others."""
+    """Errors of the objects that are in both scenes; ``missing`` and ``extra`` name the others."""
 
     objects: tuple[PoseError, ...]
     missing: tuple[str, ...]
@@ -82,7 +82,7 @@ class TruthErrors:
 
 
 def truth_errors(scene: Scene, truth: Scene) -> TruthErrors:
-    """Compare the settled poses of two scenes, with objects matched by name.
+    """Compare the settled poses of two scenes whose objects are matched by name.
 
     The table's width is the true table's extent along x. Tables stand at the origin in both scenes.
     """
@@ -115,7 +115,7 @@ def _errors(ours: Object, true: Object, width: float) -> PoseError:
 
 @dataclass(frozen=True, eq=False)
 class UsualSize:
-    """An object's extent (metres) relative to the usual one for its noun.
+    """An object's extent (metres) relative to the usual extent for its noun.
 
     ``ratio`` is the ratio of the longest sides or the geometric mean over the axes, whichever is
     closer to 1, so that a closed laptop does not count as small.
@@ -128,7 +128,7 @@ class UsualSize:
 
 
 def usual_sizes(scene: Scene) -> tuple[UsualSize, ...]:
-    """Return the usual sizes of objects whose noun or plan determines one."""
+    """Return the usual sizes of those objects whose noun or plan determines one."""
     return tuple(
         UsualSize(thing.name, *known, _ratio(thing.scale, known[0]))
         for thing in scene.objects

@@ -1,1 +1,1 @@
-"""Text to scene plan: objects, their attributes, and their relations."""
+"""From text to scene plan: objects, their attributes, and their relations."""

@@ -12,31 +12,32 @@ from ..errors import InputError, choices
 from ..scene import OutlineKind, ScenePlan
 
 Needs = tuple[tuple[str, ...], ...]
-"""Required objects of a table: one of the listed objects for each entry."""
+"""The objects that a table needs; each entry lists alternatives, one of which is present."""
 
-_MAX_OBJECTS = 24  # maximum number of objects of a table
+_MAX_OBJECTS = 24  # maximum number of objects on a table
 PLAIN = "plain"
-"""Style without stylisation."""
+"""The style without any stylisation."""
 
 
 @dataclass(frozen=True)
 class SceneDistribution:
-    """Distribution of tables; each property is drawn uniformly and independently of the others.
+    """A distribution of tables; each property is drawn uniformly and independently of the others.
 
     A value listed twice is drawn twice as often. The distribution itself has no random state:
-    ``plan`` draws with the given generator, and an equal generator gives the same plan.
+    ``plan`` draws from the generator that it is given; equal generators give the same plan.
 
     Attributes:
-        themes: kinds of table, of ``themes_known()``; () for all of them.
-        objects: minimum and maximum number of objects, both in [1, 24]; a plan has fewer if the
-            theme does.
-        tables: shapes of the top ("rectangle", "square", "round", "oval", "triangle", "slatted");
-            () for those usual for the theme.
-        styles: "plain", "cartoon" and "low-poly".
-        needs: objects on every table in addition to those of its theme: for each entry, one of the
-            listed objects, all equally likely, with those of the table's theme preferred. An object
-            is a name of the catalogue, optionally after its size: "tray", "small cucumber". They
-            count towards ``objects``; at least one other object is present.
+        themes: kinds of table, from ``themes_known()``; () means all of them.
+        objects: minimum and maximum number of objects, both in [1, 24]; a plan has fewer if its
+            theme has fewer.
+        tables: shapes of the tabletop ("rectangle", "square", "round", "oval", "triangle",
+            "slatted"); () means those that are usual for the theme.
+        styles: one or more of "plain", "cartoon" and "low-poly".
+        needs: objects on every table in addition to those of its theme. Each entry lists
+            alternatives, one of which is present. All are equally likely, except that those of the
+            table's theme are preferred. An alternative is a name in the catalogue, optionally
+            preceded by a size: "tray", "small cucumber". These objects count towards ``objects``;
+            at least one other object is present.
 
     Raises:
         InputError: A name is unknown, or the range of objects is invalid.
@@ -72,7 +73,7 @@ class SceneDistribution:
         self._check_needs()
 
     def _check_needs(self) -> None:
-        """Convert the needs to tuples, and check that all their objects exist."""
+        """Convert the needs to tuples and check that all of their objects exist."""
         from .theme_content import read_need
 
         given = self.needs
@@ -91,7 +92,7 @@ class SceneDistribution:
         object.__setattr__(self, "needs", tuple(tuple(phrases) for phrases in given))
 
     def _check(self, name: str, known: Iterable[str]) -> None:
-        """Convert a field of names to a tuple, and check that all of them are known."""
+        """Convert a field of names to a tuple and check that all of them are known."""
         given = getattr(self, name)
         if isinstance(given, str):
             raise InputError(f"SceneDistribution.{name} must be a tuple, got the string {given!r}.")
@@ -104,7 +105,7 @@ class SceneDistribution:
         object.__setattr__(self, name, tuple(given))
 
     def plan(self, rng: np.random.Generator) -> ScenePlan:
-        """Draw the plan of one table with ``rng``."""
+        """Draw the plan of one table from ``rng``."""
         from .theme_content import furnish
 
         themes = self.themes or themes_known()

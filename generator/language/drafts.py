@@ -1,4 +1,4 @@
-"""Intermediate results of reading a text: drafts of objects, the table, warnings."""
+"""Intermediate results of reading a text: drafts of objects, the table, and warnings."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MAX_OBJECTS = 40
 
 @dataclass(eq=False)
 class Draft:
-    """An object during parsing; ``relations`` are (kind, Draft or "table")."""
+    """An object while the text is parsed; ``relations`` are (kind, Draft or "table")."""
 
     noun: str
     category: str | None
@@ -35,12 +35,12 @@ class Draft:
     position: str | None = None
     contents: str = ""
     told: bool = False
-    placed: bool = False  # the text states its position
-    counted: bool = False  # introduced by an article or a number
+    placed: bool = False  # the text states the object's position
+    counted: bool = False  # the object is introduced by an article or a number
     also: str = ""  # alternative noun: the tube of a "tube of paint"
 
     def relate(self, kind: str, target: Draft | str) -> None:
-        """Add a relation; it replaces a relation that was only assumed."""
+        """Add a relation; it replaces any relation that was only assumed."""
         if self.provisional:
             self.relations.clear()
             self.provisional = False
@@ -53,7 +53,7 @@ Group = list[Draft]
 
 @dataclass(frozen=True, eq=False)
 class Grouping:
-    """Objects arranged as a group: a row, a circle (around something), a heap, ..."""
+    """Objects arranged as a group: in a row, in a circle around something, as a heap, ..."""
 
     kind: GroupKind
     members: tuple[Draft, ...]
@@ -63,7 +63,7 @@ class Grouping:
 
 @dataclass(eq=False)
 class Reading:
-    """Everything read from the text so far."""
+    """Everything that has been read from the text so far."""
 
     objects: list[Draft] = field(default_factory=list)
     table: list[Noun] = field(default_factory=list)
@@ -71,7 +71,7 @@ class Reading:
     excluded: set[str] = field(default_factory=set)
     banned: set[str] = field(default_factory=set)
     groupings: list[Grouping] = field(default_factory=list)
-    people: int = 0  # seats to be laid with the theme's setting; 0 if not stated
+    people: int = 0  # number of seats to lay with the theme's setting, or 0 if not stated
     seated: bool = False  # the text states what each person gets
     laid: bool = False  # the people belong to the table: "a table for four"
     warnings: list[str] = field(default_factory=list)
@@ -79,7 +79,7 @@ class Reading:
     vague: bool = False
 
     def number(self, noun: Noun, rng: np.random.Generator) -> int:
-        """Return the number of objects of a noun phrase; vague amounts are drawn.
+        """Return the number of objects in a noun phrase; vague amounts are drawn at random.
 
         Raises:
             InputError: The number is not a positive integer, or exceeds the capacity of a table.
@@ -132,7 +132,7 @@ class Reading:
 
 
 def phrase_text(noun: Noun) -> str:
-    """Return a noun phrase approximately as written."""
+    """Return a noun phrase approximately as it was written."""
     amount = f"{noun.count:g} " if noun.count is not None else ""
     return amount + " ".join(noun.words)
 
@@ -140,7 +140,8 @@ def phrase_text(noun: Noun) -> str:
 def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
     """Return whether "an apple and a pear on a plate" may mean that the apple is on it too.
 
-    For other relations than "on" and "in", it may unless the first object has a relation already.
+    For relations other than "on" and "in", this is possible unless the first object already has a
+    relation.
     """
     target = targets[0]
     if isinstance(target, str) or kind not in ("on", "in"):
@@ -159,11 +160,11 @@ _CARRIERS = frozenset(
     {"basket", "bowl", "open_box", "pot", "tray", "tool_caddy", "empty_pencil_holder",
      "open_suitcase", "open_lunch_box", "open_jar", "empty_vase", "crate"}
 )  # fmt: skip
-"""Categories whose purpose is to hold objects: "a basket with pears" contains them."""
+"""Categories of objects that are made to hold others: "a basket with pears" contains them."""
 
 
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
-    """Return the relation of an object named with its owner: "in", "on" or "next_to"."""
+    """Return the relation of an object that is named with its owner: "in", "on" or "next_to"."""
     if owner.category is None:
         return "in" if held else "next_to"
     if is_lit(draft.category or "", owner.category):

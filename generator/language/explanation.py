@@ -1,4 +1,4 @@
-"""Explanation of how a text is interpreted, phrase by phrase."""
+"""Explanation, phrase by phrase, of how a text is interpreted."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ Role = Literal[
 
 @dataclass(frozen=True)
 class Explained:
-    """One phrase of a text, its interpretation, and the details."""
+    """One phrase of a text, how it is interpreted, and the details."""
 
     role: Role
     phrase: str
@@ -43,7 +43,7 @@ class Explained:
 
 
 def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
-    """Explain a text in order, followed by the plan's warnings and the unused phrases.
+    """Explain a text in its own order, followed by the plan's warnings and the unused phrases.
 
     Raises:
         InputError: The text cannot be planned.
@@ -71,7 +71,7 @@ def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
 
 
 def summarize(text: str, seed: int = 0) -> str:
-    """Return the plan as one line: "A round table of oak: laptop, 2 × red mug.".
+    """Return the plan as a single line: "A round table of oak: laptop, 2 × red mug.".
 
     Raises:
         InputError: The text cannot be planned.
@@ -116,7 +116,7 @@ def _noun(noun: Noun, text: str) -> Iterator[Explained]:
 
 
 def _is_used(word: str, noun: Noun) -> bool:
-    """Return whether a describing word applies to an object in the plan."""
+    """Return whether a descriptive word applies to an object in the plan."""
     values = {part for value in noun.attributes.values() for part in value.split()}
     varied = {part for each in noun.variants for value in each.values() for part in value.split()}
     known = word in values | varied | SIZES.keys() or word == noun.position

@@ -1,4 +1,4 @@
-"""The table described by a text: outline, material, colour, legs and size."""
+"""The table that a text describes: outline, material, colour, legs and size."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .vocabulary import COLORS, LEGS, OUTLINES, SHADES, SIZES, TABLE_MATERIALS
 _FACTORS = {"tiny": 0.75, "small": 0.85, "large": 1.2, "huge": 1.35}
 _LIMITS = ("long", 0.4, 2.4), ("deep", 0.35, 2.0), ("high", 0.25, 1.2)
 """Minimum and maximum length, depth and height of a table, metres."""
-_BOARDS = ("oak", "pine", "walnut")  # materials of slats
+_BOARDS = ("oak", "pine", "walnut")  # materials that slats can have
 _DEFAULT = Theme(
     (), ("rectangle",), ("oak", "walnut", "pine", "beech", "white"), (1.2, 0.7, 0.74), ()
 )
@@ -23,9 +23,9 @@ _DEFAULT = Theme(
 def plan_table(
     reading: Reading, theme: Theme | None, count: int, rng: np.random.Generator
 ) -> PlannedTable:
-    """Plan the table of a text for ``count`` objects; the theme and chance set open properties.
+    """Plan a text's table for ``count`` objects; theme and chance decide what the text leaves open.
 
-    A table of unspecified size is smaller for few objects.
+    A table whose size is not specified is smaller if there are few objects.
     """
     theme = theme or _DEFAULT
     outline = cast(OutlineKind, theme.outlines[int(rng.integers(len(theme.outlines)))])
@@ -59,7 +59,7 @@ def plan_table(
 def _limit_side(
     asked: float | None, limits: tuple[str, float, float], reading: Reading
 ) -> float | None:
-    """Clip a length to the range of tables, and add a warning if it changes."""
+    """Limit a length to the range for tables, and add a warning if this changes it."""
     if asked is None:
         return None
     side, least, most = limits
@@ -86,7 +86,7 @@ def _colors(words: list[str]) -> list[str]:
 def _size(
     reading: Reading, theme: Theme, outline: OutlineKind, words: list[str]
 ) -> tuple[float, float, float]:
-    """Return length, depth and height in metres: from lengths in the text, else from size words."""
+    """Return length, depth and height in metres, from lengths in the text, or else size words."""
     x, y, z = theme.size
     if outline in ("square", "round"):
         x = y = float(np.sqrt(x * y)) * (1.02 if outline == "round" else 1.0)

@@ -1,4 +1,4 @@
-"""Words to catalogue categories: exact names first, then reviewed synonyms; no fuzzy matching."""
+"""From words to catalogue categories: exact names, then reviewed synonyms; no fuzzy matching."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ IRREGULAR: Mapping[str, str] = MappingProxyType(
 )  # fmt: skip
 
 _SINGULAR = frozenset({"canvas", "atlas", "gas", "christmas", "pancreas", "madras", "thermos"})
-"""Singular nouns that end like plurals."""
+"""Singular nouns that end like a plural."""
 
 PLURAL_ONLY = frozenset(
     {"tweezers", "forceps", "scissors", "pliers", "tongs", "goggles", "spectacles", "sunglasses",
@@ -39,7 +39,7 @@ PLURAL_ONLY = frozenset(
      "calipers", "callipers", "scales", "overalls", "dungarees", "braces", "pruners", "loppers",
      "muffs"}
 )  # fmt: skip
-"""Plural nouns of single objects: "a pair of tweezers" is one."""
+"""Plural nouns that name a single object: "a pair of tweezers" is one object."""
 
 
 def tokens(text: str) -> list[str]:
@@ -56,7 +56,7 @@ def tokens(text: str) -> list[str]:
 
 
 def singular(word: str) -> str:
-    """Return the singular of an English noun by rule ("boxes" to "box")."""
+    """Return the singular of an English noun by rules ("boxes" becomes "box")."""
     if word in IRREGULAR:
         return IRREGULAR[word]
     if len(word) < 4 or not word.endswith("s") or word.endswith(("ss", "us", "is")):
@@ -90,7 +90,7 @@ NEVER_OBJECTS = PARTS | TABLE_NOUNS
 
 
 def _forms(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the candidate forms of a noun: as written, last word singular, first word singular."""
+    """Return a noun's possible forms: as written, last word singular, first word singular."""
     cut = words[-1] in PLURAL_ONLY
     last = (*words[:-1], words[-1][:-1] if cut else singular(words[-1]))
     first = (singular(words[0]), *words[1:])
@@ -99,13 +99,13 @@ def _forms(words: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def category_of(words: tuple[str, ...]) -> str | None:
-    """Return the category key named by exactly these words, or None."""
+    """Return the key of the category that exactly these words name, or None."""
     index = _index()
     return next((index[form] for form in _forms(words) if form in index), None)
 
 
 def is_plural(words: tuple[str, ...]) -> bool:
-    """Return whether a noun denotes several objects ("mugs", not "scissors" or "glass")."""
+    """Return whether a noun means several objects ("mugs", but not "scissors" or "glass")."""
     written = " ".join(words)
     index = _index()
     single = " ".join((*words[:-1], singular(words[-1])))
@@ -116,21 +116,21 @@ def is_plural(words: tuple[str, ...]) -> bool:
 
 
 def collective_of(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the categories denoted by a word for a mixed group, or an empty tuple."""
+    """Return the categories that a word for a mixed group stands for, or an empty tuple."""
     members = COLLECTIVES.get(" ".join(words), ())
     keys = (category_of(tuple(member.split())) for member in members)
     return tuple(key for key in keys if key is not None)
 
 
 def is_phrase_start(words: tuple[str, ...]) -> bool:
-    """Return whether these words, including "of" or "and", are one noun."""
+    """Return whether these words, including "of" or "and", form one noun."""
     return bool({"of", "and"} & set(words)) and (
         category_of(words) is not None or " ".join(words) in COLLECTIVES
     )
 
 
 def is_setting(word: str) -> bool:
-    """Return whether a word names a place or an aspect of the picture instead of an object."""
+    """Return whether a word names a place or an aspect of the picture rather than an object."""
     return word in PLACES or singular(word) in PLACES
 
 
@@ -141,6 +141,6 @@ def names() -> Collection[str]:
 
 @cache
 def vocabulary() -> frozenset[str]:
-    """Return all single words of all known nouns."""
+    """Return all single words that occur in known nouns."""
     names = [*_index(), *COLLECTIVES, *TABLE_NOUNS]
     return frozenset(word for name in names for word in name.split())

@@ -1,4 +1,4 @@
-"""Names of detected objects: the eye's guesses, or the words of a text, combined with sizes."""
+"""Names of detected objects: the detector's guesses or the words of a text, weighed with sizes."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from tabletop_objects import CATEGORIES, Category, find_category
 
 from ..scene import Instance, SizePrior
 
-_SURE = 0.55  # minimum probability for naming an object after its category
-_SPREAD = 0.3  # standard deviation of an object's size relative to the usual one, log
-_SHAPES = 0.4  # standard deviation of its proportions in the picture, log
-_MAX_DEVIATION = float(np.log(1.7))  # maximum deviation, log, from a category's usual size
-_TABLES = 0.35  # standard deviation of a table's size relative to the usual one, log
+_SURE = 0.55  # minimum probability at which an object is named after its category
+_SPREAD = 0.3  # standard deviation of an object's size relative to the usual one, logarithm
+_SHAPES = 0.4  # standard deviation of the object's proportions in the picture, logarithm
+_MAX_DEVIATION = float(np.log(1.7))  # maximum deviation from a category's usual size, logarithm
+_TABLES = 0.35  # standard deviation of a table's size relative to the usual one, logarithm
 _SHIFTS = np.linspace(-0.7, 0.7, 29)
-_UNLIKE = 0.003  # likelihood of a size and shape unusual for the category
+_UNLIKE = 0.003  # likelihood of a size and shape that are unusual for the category
 _ANY = 0.6  # likelihood of any size for an object without a category
-_LIKE = 0.03  # minimum probability for assigning a word to a doubtful object
+_LIKE = 0.03  # minimum probability at which a word is assigned to a doubtful object
 _SIZE_WEIGHT = 0.5  # weight of size and shape relative to appearance: both depend on proportions
-_MAX_UNLIKE = 5.0  # maximum cost of a size and shape unusual for the word
-_NO_SIZE = 2.0  # cost if a word or an object has no size
+_MAX_UNLIKE = 5.0  # maximum cost of a size and shape that are unusual for the word
+_NO_SIZE = 2.0  # cost if the word or the object has no size
 _LEFT_OUT = 6.0  # cost of leaving a doubtful object without a word
 _RARE = 1e-4  # minimum probability of any category
 
@@ -41,13 +41,13 @@ def weigh(
 ) -> Float[np.ndarray, "n k"]:
     """Update probabilities of names by sizes and shapes, given the most likely table size.
 
-    All objects share one table and thus one scale, which is chosen to maximise the joint likelihood
-    of the names, unless ``metric`` means that it was measured. Categories that were not evaluated
-    get the minimum likelihood. If an object is far too large or too small for a category at the
-    chosen scale, its probability moves to "unknown", regardless of appearance. ``names`` are the
-    probabilities of each object over the categories and, last, "unknown"; ``looks`` maps category
-    indices to the result of ``apparent_scale`` on a table of usual size, None for an object that is
-    cut off by the image border.
+    All objects share one table and thus one scale. It is chosen to maximise the joint likelihood of
+    the names, unless it was measured (``metric``). Categories that were not evaluated get the
+    minimum likelihood. If an object is far too large or too small for a category at the chosen
+    scale, its probability moves to "unknown", regardless of appearance. ``names`` are each object's
+    probabilities of the categories and, last, of "unknown". ``looks`` maps category indices to the
+    result of ``apparent_scale`` on a table of usual size; it is None for an object that the image
+    border cuts off.
     """
     shifts = np.zeros(1) if metric else _SHIFTS
     joint = [names * _likely(names, looks, shift) for shift in shifts]
@@ -81,7 +81,7 @@ def _likely(
 
 
 def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[str | None]:
-    """Return each object's noun, or None if no category is likely enough."""
+    """Return each object's noun, or None if no category is sufficiently likely."""
     best = names[:, :-1].argmax(1)
     return [
         CATEGORIES[keys[int(k)]].noun if p[k] > _SURE and p[k] > p[-1] else None
@@ -90,7 +90,7 @@ def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[st
 
 
 def shape_word(width: float, height: float, share: float) -> str:
-    """Return "tall", "flat", "round" or plain "object" from a mask's box and its fill ratio."""
+    """Return "tall", "flat", "round" or just "object" from a mask's box and its fill ratio."""
     if height > 1.6 * width:
         return "tall object"
     if width > 1.6 * height:
@@ -105,12 +105,12 @@ def assign(
     doubtful: Bool[np.ndarray, "n"] | None = None,
     metric: bool = False,
 ) -> list[tuple[int, int]]:
-    """Assign wanted words to objects such that the joint likelihood is maximal.
+    """Assign the given words to objects so that the joint likelihood is maximal.
 
-    ``likely`` is the visual probability of each word for each object, from 0 to 1; ``sizes`` is the
-    result of ``apparent_scale``, NaN if the word has no size. All objects share one table, as in
-    :func:`weigh`; its scale is optimised unless it was measured (``metric``). ``doubtful`` objects,
-    which may be parts of others, only get words that they resemble.
+    ``likely`` is the visual probability, from 0 to 1, of each word for each object; ``sizes`` is
+    the result of ``apparent_scale``, or NaN if the word has no size. All objects share one table,
+    as in :func:`weigh`; its scale is optimised unless it was measured (``metric``). ``doubtful``
+    objects, which may be parts of others, get only words that they resemble.
 
     Returns:
         Pairs (object, word); words or objects may remain unassigned.
@@ -134,5 +134,5 @@ def assign(
 
 
 def known_category(instance: Instance, size: SizePrior) -> Category | None:
-    """Return the catalogue's category for an instance's label or its prior's name, if any."""
+    """Return the catalogue's category for an instance's label or its usual size's name, if any."""
     return find_category(instance.label) or find_category(size.name.rstrip("_0123456789"))

@@ -1,4 +1,4 @@
-"""Text to scene plan (Sec. 3, Fig. 20) by rules and data: an English grammar, synonyms, themes."""
+"""From text to plan (Sec. 3, Fig. 20) by rules and data: an English grammar, synonyms, themes."""
 
 from __future__ import annotations
 
@@ -26,26 +26,26 @@ from .vessel_sizes import grow_carriers
 from .words.dictionary import warn_of_stand_ins
 
 _OWN = 3
-"""Number of kinds of objects from which a text is assumed to describe its own setting."""
+"""Number of kinds of object from which a text is assumed to describe a complete table."""
 
 _FULL: Mapping[Density, tuple[int, int]] = MappingProxyType(
     {"sparse": (3, 4), "normal": (5, 7), "dense": (10, 13)}
 )
-"""Minimum and maximum number of objects for a text with only a theme."""
+"""Minimum and maximum number of objects for a text that gives only a theme."""
 
 
 def plan_scene(prompt: str, seed: int, density: Density | None = None) -> ScenePlan:
     """Plan the tabletop scene that an English text describes.
 
-    Explicit objects, counts, attributes and relations are kept exactly. A text that only names a
-    kind of table ("an office desk"), or is vague ("some tools"), is filled with typical objects, up
-    to seven, or depending on ``density`` (None infers it from words such as "cluttered"). A noun
-    outside the catalogue becomes a "generic" object with a warning. The same text and seed give the
-    same plan.
+    Explicit objects, counts, attributes and relations are kept exactly. If a text only names a kind
+    of table ("an office desk") or is vague ("some tools"), typical objects are added: up to seven,
+    or as many as ``density`` implies (if it is None, it is inferred from words such as
+    "cluttered"). A noun outside the catalogue becomes a "generic" object with a warning. The same
+    text and seed give the same plan.
 
     Raises:
-        InputError: The text is empty, too long or not English, names nothing for a table, or has
-            impossible counts or contradictory relations.
+        InputError: The text is empty, too long or not English, names nothing that belongs on a
+            table, or has impossible counts or contradictory relations.
     """
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
     read = read_text(prompt, rng)
@@ -105,7 +105,7 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
 def _setting(
     name: str | None, people: int, reading: Reading, objects: Sequence[PlannedObject]
 ) -> PlaceSetting | None:
-    """Return the place setting for several people; None if there is none."""
+    """Return the place setting for several people, or None if there is none."""
     if people < 2:
         return None
     setting = setting_of(THEMES[name], objects, people) if name else None
@@ -133,7 +133,7 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
 
 
 def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGroup]]:
-    """Name the drafted objects and resolve references; return them and their groups."""
+    """Name the drafted objects and resolve references; return the objects and their groups."""
     drafts = [d for d in reading.objects if (d.category or d.noun) not in reading.banned]
     taken: Counter[str] = Counter()
     names: dict[int, str] = {}
@@ -166,13 +166,13 @@ def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGr
 
 
 def _is_along_side(group: Grouping) -> bool:
-    """Return whether a row is on the left or right of the table, so that it runs to the back."""
+    """Return whether a row is on the left or right of the table, and so runs from front to back."""
     places = [{kind for kind, to in d.relations if to == TABLE} for d in group.members]
     one_side = places[0] in ({"left_of"}, {"right_of"})
     return len(places) > 2 and one_side and all(place == places[0] for place in places)
 
 
-_LENGTHS = 0.01, 0.6  # metres: minimum and maximum length of an object on a table
+_LENGTHS = 0.01, 0.6  # minimum and maximum length of an object on a table, metres
 
 
 def _warn_of_lengths(reading: Reading) -> list[str]:
@@ -185,7 +185,7 @@ def _warn_of_lengths(reading: Reading) -> list[str]:
 
 
 def _size(draft: Draft) -> tuple[float, float, float] | None:
-    """Return the extent fixed by a length in the text, or that of an unknown noun's family."""
+    """Return the extent from a length in the text, or that of an unknown noun's family."""
     if not draft.lengths:
         return None if draft.category else stand_in_size(draft.family, draft.attributes)
     known = CATEGORIES[draft.category].size if draft.category else stand_in_size(draft.family)

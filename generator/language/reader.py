@@ -39,17 +39,17 @@ from .words.foreign import is_foreign
 from .words.spelling import correct
 
 MAX_CHARACTERS = 2000
-"""Maximum length of a text, characters."""
+"""Maximum length of a text, in characters."""
 
 NOT_UNDERSTOOD = "Not understood: "
-"""Start of a warning about a phrase that was not understood."""
+"""Start of every warning about a phrase that was not understood."""
 
 OTHER_LANGUAGE = (
     "The embedded planner only reads English, and this text is not English. Write it in English, "
     "or let a cloud reasoner plan it: 'tabletopgen generate TEXT --reasoner cloud', in Python "
     "Backends.select(reasoner='cloud')."
 )
-"""Error message for a text in another language."""
+"""Error message for a text in a language other than English."""
 
 EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
 _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
@@ -60,11 +60,11 @@ _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
 
 @dataclass(frozen=True)
 class ReadText:
-    """Result of reading a text.
+    """The result of reading a text.
 
     Attributes:
         sentences: its clauses and noun phrases, each with its position in the text.
-        reading: the requested objects, and phrases that were not understood.
+        reading: the requested objects, and the phrases that were not understood.
         fixes: misspelt words and their corrections.
     """
 
@@ -104,7 +104,7 @@ def read_text(prompt: str, rng: np.random.Generator) -> ReadText:
 def _number_warnings(use: NumberUse, lost: Sequence[str]) -> list[str]:
     """Return a warning for each unused number and each range.
 
-    Numbers in phrases that were not understood are skipped.
+    Numbers in phrases that were not understood are not mentioned.
     """
     lost_text = " ".join(lost).lower()
     named = (re.search(rf"(?<!\w){re.escape(n.text.lower())}(?!\w)", lost_text) for n in use.unused)
@@ -119,7 +119,7 @@ def _number_warnings(use: NumberUse, lost: Sequence[str]) -> list[str]:
 
 
 def _with_unread(error: InputError, use: NumberUse) -> InputError:
-    """Append numbers that could not be read to an error, if they may have caused it."""
+    """Add the numbers that could not be read to an error, if they may have caused it."""
     spoiling = (n for n in use.unused if n.role == "count" and (n.value is None or n.unit))
     unread = dict.fromkeys(n.text for n in spoiling)
     if not unread:
@@ -129,7 +129,7 @@ def _with_unread(error: InputError, use: NumberUse) -> InputError:
 
 
 def check_text(prompt: str) -> None:
-    """Check that a text is English and has a valid length.
+    """Check that a text is English and neither empty nor too long.
 
     Raises:
         InputError: The text is empty, too long, without words or not English.
@@ -151,7 +151,7 @@ def check_text(prompt: str) -> None:
 
 
 def _has_english(prompt: str) -> bool:
-    """Return whether any word is known to the planner, perhaps misspelt, or in a dictionary."""
+    """Return whether any word, perhaps misspelt, is known to the planner or in a dictionary."""
     known = _known_words()
     words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
     if any(word in known or lexicon.singular(word) in known for word in words):
@@ -166,7 +166,7 @@ def _known_words() -> frozenset[str]:
 
 
 def _undrawn(prompt: str) -> str:
-    """Return a prompt with "cartoon style" and similar phrases replaced by spaces."""
+    """Return a text with "cartoon style" and similar phrases replaced by spaces."""
     for phrase in DRAWN:
         pattern = rf"(?i)\b{phrase.replace(' ', '[ -]')}\b(?:[ -]styled?\b)?"
         found = re.search(pattern, prompt)

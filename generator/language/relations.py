@@ -1,4 +1,4 @@
-"""Consistency of planned relations: contradictions raise errors, implausible ones are replaced."""
+"""Consistency of planned relations: contradictions are errors, implausible ones are replaced."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def kind(word: str) -> RelationKind:
     """Return ``word`` as a relation kind.
 
     Raises:
-        InputError: It is not a relation kind.
+        InputError: The word is not a relation kind.
     """
     if word not in KINDS:
         raise InputError(f"{word!r} is not a relation; relations are {', '.join(sorted(KINDS))}.")
@@ -32,11 +32,11 @@ def kind(word: str) -> RelationKind:
 
 
 def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObject], list[str]]:
-    """Return the objects with consistent relations, and warnings for changed ones.
+    """Return the objects with consistent relations, and a warning for each changed relation.
 
-    "In" an object that is not a vessel becomes "on"; "in" or "on" an object that is too small
-    becomes "next to"; "in the middle of" or "at the edge of" another object becomes "on" or "next
-    to" it.
+    A relation "in" an object that is not a vessel becomes "on"; "in" or "on" an object that is too
+    small becomes "next to"; "in the middle of" another object becomes "on" it, and "at the edge of"
+    one "next to" it.
 
     Raises:
         InputError: An object is related to itself, has two supports, or is part of a cycle (a on b,
@@ -65,10 +65,10 @@ _PLACED = (*OPPOSITE, "next_to")
 
 
 def place_supports(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Transfer relations of supported objects to their supports.
+    """Transfer the relations of supported objects to their supports.
 
-    In "a flask on a tile in front of the stand", the tile is in front of the stand. A support with
-    relations of its own keeps them.
+    In "a flask on a tile in front of the stand", the tile is in front of the stand. A support that
+    has relations of its own keeps them.
     """
     under = {o.name: r.target for o in objects for r in o.relations
              if r.kind in _SUPPORTED and r.target != TABLE}  # fmt: skip
@@ -126,7 +126,7 @@ def _check_circles(objects: Sequence[PlannedObject]) -> None:
 
 
 def _circle(graph: dict[str, set[str]]) -> list[str]:
-    """Return the names along a cycle of a directed graph, or an empty list."""
+    """Return the names along a cycle in a directed graph, or an empty list."""
     done: set[str] = set()
 
     def visit(name: str, path: list[str]) -> list[str]:
@@ -145,7 +145,7 @@ def _circle(graph: dict[str, set[str]]) -> list[str]:
 
 
 def size_of(planned: PlannedObject) -> tuple[float, float, float]:
-    """Return the expected extent of a planned object, metres."""
+    """Return a planned object's expected extent, metres."""
     if planned.size is not None:
         return planned.size
     if planned.category == GENERIC:
@@ -154,7 +154,7 @@ def size_of(planned: PlannedObject) -> tuple[float, float, float]:
 
 
 def is_container(planned: PlannedObject) -> bool:
-    """Return whether objects can be put into a planned object."""
+    """Return whether other objects can be put into a planned object."""
     if "places" in planned.attributes:
         return True
     if planned.category == GENERIC:
@@ -169,22 +169,22 @@ _STEMS: Mapping[str, float] = {
     "spatula": 0.4, "whisk": 0.4, "ladle": 0.3, "fork": 0.6, "lollipop": 0.3, "hairbrush": 0.5,
     "paint_brush": 0.6, "makeup_brush": 0.6, "straw": 0.4, "skimmer": 0.3,
 }  # fmt: skip
-"""Width and height of a long object below its head, as fractions, when it is in a vessel."""
+"""Width and height below the head of a long object in a vessel, as fractions of its own."""
 
 
 def body_size(category: str) -> tuple[float, float, float]:
-    """Return the extent in metres of the part inside a vessel: a flower without its blossom."""
+    """Return the extent, in metres, of the part inside a vessel, such as a flower's stem."""
     x, y, z = CATEGORIES[category].size
     share = _STEMS.get(category, 1.0)
     return x, y * share, z * share
 
 
 _FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "laptop": 0.9}
-"""Fractions of the width and depth occupied by an object's foot."""
+"""Width and depth of an object's foot, as fractions of its own."""
 
 
 def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
-    """Return the extent of an object's foot, with the object's height, metres."""
+    """Return the extent of an object's foot, metres, with the object's full height."""
     x, y, z = size_of(planned)
     share = _FOOT.get(planned.category, 1.0)
     return x * share, y * share, z
@@ -199,7 +199,7 @@ def has_place(planned: PlannedObject, target: PlannedObject) -> bool:
 
 
 def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> Extent:
-    """Return the extent of an object in a vessel: long ones stand with the head above the rim."""
+    """Return an object's extent in a vessel, where long ones stand with the head above the rim."""
     x, y, z = standing_size(planned)
     stem = _STEMS.get(planned.category, 1.0)
     if x < 0.85 * min(vessel[:2]) or (stem == 1.0 and x < 2.2 * max(y, z)):
@@ -208,13 +208,13 @@ def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> E
 
 
 _CLOSED = frozenset({"jar", "bottle", "can", "tea_tin", "milk_carton", "screw_box", "wine_bottle"})
-"""Vessels with a lid, into which nothing is put."""
+"""Vessels with lids, into which nothing is put."""
 
 
 def _plausible(
     planned: PlannedObject, relation: Relation, by_name: dict[str, PlannedObject]
 ) -> Relation:
-    """Return the relation, or the closest plausible one."""
+    """Return the relation, or else the most similar plausible one."""
     if relation.target == TABLE:
         return relation
     target = by_name[relation.target]
@@ -237,7 +237,7 @@ def _plausible(
 
 
 def is_shallow(extent: tuple[float, float, float]) -> bool:
-    """Return whether objects lie on rather than in an object of this extent, as on a tray."""
+    """Return whether objects lie on, rather than in, an object of this extent, such as a tray."""
     return extent[2] < 0.3 * min(extent[:2])
 
 
@@ -247,7 +247,7 @@ def fits(
     outer: tuple[float, float, float],
     container: bool,
 ) -> bool:
-    """Return whether an object of extent ``inner`` fits on or in one of ``outer``, metres."""
+    """Return whether an object of size ``inner`` fits on or in one of size ``outer``, metres."""
     narrow, middle, longest = sorted(inner)
     if kind == "in":
         mouth = 0.85 * min(outer[:2])

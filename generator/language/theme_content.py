@@ -1,4 +1,4 @@
-"""Objects of a theme and place settings for tables that the text leaves open."""
+"""Objects of a theme, and place settings, for tables that the text leaves open."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .furniture import plan_table
 from .themes import THEMES, Theme
 
 Thing = tuple[str | None, RelationKind | None, str | None]
-"""A category, its relation and the related category; None if there is none."""
+"""A category, a relation and the related category; the latter two are None if there is none."""
 
 
 def fill(
@@ -33,8 +33,9 @@ def fill(
 ) -> list[PlannedObject]:
     """Add objects of a theme with their relations until the table has enough objects.
 
-    ``count`` is the minimum and maximum number, drawn by ``rng``; there are fewer if the theme is
-    exhausted. ``extras`` are drawn like the theme's objects outside its core.
+    ``count`` is the minimum and maximum number of objects; the number is drawn from ``rng``, and is
+    smaller if the theme is exhausted. ``extras`` are drawn like those objects of the theme that are
+    not in its core.
     """
     things = [thing(entry) for entry in theme.things]
     core = [] if objects else things[: theme.core]
@@ -63,7 +64,7 @@ HABITS: tuple[tuple[str, RelationKind, tuple[str, ...]], ...] = (
     ("wrist_rest", "in_front_of", ("keyboard",)),
     ("computer_mouse", "right_of", ("wrist_rest", "keyboard", "laptop")),
 )
-"""Usual positions of objects whose position the text does not state."""
+"""Usual positions of objects if the text does not state any."""
 
 
 def relate_by_habit(
@@ -71,7 +72,7 @@ def relate_by_habit(
 ) -> tuple[list[PlannedObject], list[PlannedGroup]]:
     """Return the objects and groups of a text with the usual relations added.
 
-    Only objects without relations get one. Several monitors stand side by side.
+    Only objects without relations get one. If there are several monitors, they stand side by side.
     """
     by_kind: dict[str, list[PlannedObject]] = {}
     for planned in objects:
@@ -90,7 +91,7 @@ def relate_by_habit(
 
 
 def thing(entry: str) -> Thing:
-    """Parse "mug right_of laptop" to category keys; None for nouns missing in the catalogue."""
+    """Parse "mug right_of laptop" to category keys; None for nouns that the catalogue lacks."""
     words = entry.split()
     at = next((i for i, w in enumerate(words) if w in relations.KINDS), len(words))
     key = lexicon.category_of(tuple(words[:at]))
@@ -105,7 +106,7 @@ def thing(entry: str) -> Thing:
 
 
 def read_need(phrase: str) -> PlannedObject | None:
-    """Parse a needed object: an optional size and a name; None if unknown.
+    """Parse a needed object, an optional size and a name; return None if it is unknown.
 
     "small cucumber" is the category cucumber with size "small".
     """
@@ -122,9 +123,10 @@ def supply(
     needs: Sequence[Sequence[str]],
     rng: np.random.Generator,
 ) -> list[PlannedObject]:
-    """Add one object for each of ``needs``, drawn from those listed and not yet present.
+    """Add one object for each of ``needs``, drawn from those listed and not already present.
 
-    Objects of the theme are preferred. A need whose objects are all present adds nothing.
+    Objects of the theme are preferred. If all objects of a need are already present, nothing is
+    added.
     """
     listed = {thing(entry)[0] for entry in THEMES[theme].things}
     out = list(objects)
@@ -152,9 +154,10 @@ def furnish(
 ) -> tuple[PlannedTable, list[PlannedObject]]:
     """Draw a table of a theme, and ``count`` objects for it, without a text.
 
-    The objects are the core of the theme, then others that the theme lists or the catalogue assigns
-    to it; fewer if the theme is exhausted. If ``outline`` is None, a usual shape is drawn. The last
-    objects fill the ``needs`` (see ``supply``), after at least one other object.
+    The objects are those in the core of the theme, then others that the theme lists or that the
+    catalogue assigns to it. There are fewer if the theme is exhausted. If ``outline`` is None, a
+    usual shape is drawn. The last objects fill the ``needs`` (see ``supply``), after at least one
+    other object.
 
     Raises:
         InputError: The theme does not exist.
@@ -176,7 +179,7 @@ def furnish(
 
 @dataclass(frozen=True)
 class PlaceSetting:
-    """Place setting of one person: objects and their relation to the first, and a centrepiece."""
+    """One person's place setting: objects, their relations to the first one, and a centrepiece."""
 
     things: tuple[tuple[str, RelationKind | None], ...]
     center: str
@@ -193,11 +196,11 @@ SETTINGS: Mapping[str, PlaceSetting] = MappingProxyType(
         ),
     }
 )
-"""Place settings, by the object of a theme that implies them."""
+"""Place settings, by the object in a theme that implies them."""
 
 
 def setting_of(theme: Theme, objects: Sequence[PlannedObject], people: int) -> PlaceSetting | None:
-    """Return the place setting of a table of ``theme``, None if the text describes its own."""
+    """Return the place setting of a ``theme``, or None if the text describes its own."""
     there = Counter(o.category for o in objects)
     for thing, setting in SETTINGS.items():
         if any(entry.startswith(f"{thing} ") for entry in theme.things):
@@ -209,9 +212,9 @@ def setting_of(theme: Theme, objects: Sequence[PlannedObject], people: int) -> P
 def place_settings(
     people: int, setting: PlaceSetting, objects: Sequence[PlannedObject], excluded: set[str]
 ) -> tuple[list[PlannedObject], list[PlannedGroup]]:
-    """Lay a table for a number of people; return the objects and the group of each seat.
+    """Lay a table for a number of people; return the objects and the group at each seat.
 
-    If the table would be too full, each person gets only the first objects of the setting.
+    If the table would be too full, each person gets only the setting's first objects.
     """
     taken = Counter(o.category for o in objects)
     room = MAX_OBJECTS - len(objects) - 1

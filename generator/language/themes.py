@@ -1,8 +1,8 @@
-"""Kinds of table and their typical objects, with functional relations between them.
+"""Kinds of table and their typical objects, with the functional relations between these.
 
 An entry of ``things`` is ``object`` or ``object relation target``; the target is an earlier object
-of the list, or "table". The first ``core`` entries are always present; the others are drawn by
-seed.
+of the list, or "table". The first ``core`` entries are always present; the others are drawn at
+random, by the seed.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from ..scene import OutlineKind
 
 @dataclass(frozen=True)
 class Theme:
-    """One kind of table: its names, its usual tables (size in metres), and its objects."""
+    """One kind of table: its names, its usual tables (sizes in metres), and its objects."""
 
     words: tuple[str, ...]
     outlines: tuple[OutlineKind, ...]
@@ -268,7 +268,7 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
         ),
     }
 )
-"""All themes by name; the first one with a phrase in the text applies, longer phrases first."""
+"""All themes by name; the first with a phrase in the text applies, longer phrases first."""
 
 DEFAULT_TABLES: Mapping[str, str] = MappingProxyType(
     {"desk": "office", "workbench": "workbench", "bench": "workbench", "counter": "kitchen",
@@ -276,4 +276,4 @@ DEFAULT_TABLES: Mapping[str, str] = MappingProxyType(
      "worktop": "kitchen", "workstation": "office", "workspace": "office", "desktop": "office",
      "worktable": "workbench", "tabletop": "coffee", "sideboard": "dining"}
 )  # fmt: skip
-"""Objects on a table if the text names neither an object nor a theme."""
+"""Objects on a table whose text names neither an object nor a theme."""

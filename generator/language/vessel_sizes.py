@@ -1,7 +1,7 @@
-"""Open variants and sizes of vessels and carriers for their contents.
+"""Open variants of vessels, and sizes of vessels and carriers, that suit their contents.
 
-A fruit bowl is larger than a cereal bowl, and a tray for a tea service larger than one for two
-cups: carriers are enlarged for their contents within a plausible range.
+A fruit bowl is larger than a cereal bowl, and a tray for a tea service is larger than one for two
+cups. Carriers are therefore enlarged, within a plausible range, to hold their contents.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ _GROWTH: Mapping[str, float] = {
     "tool_caddy": 1.4, "lunch_box": 1.3, "cooling_rack": 1.4, "baking_dish": 1.3, "desk_tray": 1.3,
     "bucket": 1.6, "open_ice_bucket": 1.3,
 }  # fmt: skip
-"""Maximum growth of a carrier relative to its usual size."""
+"""Maximum growth of a carrier, relative to its usual size."""
 
 _OTHERS = 1.25
 _PLACES = ("egg_carton",)
-"""Carriers with a slot for each object, empty if the text fills them."""
+"""Carriers that have a slot for each object, and are empty if the text fills them."""
 
-_FILLED = 0.34  # fraction of a vessel's mouth filled by a layer of objects
-_LAYERS = 1.6  # effective number of layers for more than three objects
+_FILLED = 0.34  # fraction of a vessel's mouth that a layer of objects fills
+_LAYERS = 1.6  # effective number of layers if there are more than three objects
 _FLAT = 0.22  # maximum ratio of thickness to width of objects filed in a box
 _MIN_WIDTH = 0.1  # minimum width of filed objects, metres
 _LITTLE = 1.35
 _FLOOR = 0.72  # width of a round vessel's floor, as a fraction of its box
-_COVERED = 0.7  # maximum fraction of a tray that is covered
+_COVERED = 0.7  # maximum fraction of a tray that objects cover
 
 
 def largest_size(category: str) -> Extent:
@@ -49,9 +49,10 @@ def largest_size(category: str) -> Extent:
 
 
 def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects with carriers enlarged for their contents.
+    """Return the objects, with carriers enlarged to hold their contents.
 
-    Closed or filled vessels with contents become open ones; a rack gets as many slots as it needs.
+    Closed or filled vessels that have contents become open ones; racks get as many slots as they
+    need.
     """
     objects = _open(objects)
     names = {o.name: o for o in objects}
@@ -76,7 +77,7 @@ def grow_carriers(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def holds_things(category: str) -> bool:
-    """Return whether a category is a vessel, possibly after its lid is removed."""
+    """Return whether a category is a vessel, possibly once its lid is removed."""
     return CATEGORIES[open_category(category)].container
 
 
@@ -103,7 +104,7 @@ def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects with candles "on" candlesticks put into their sockets."""
+    """Return the objects with candles that are "on" candlesticks put into their sockets."""
     kinds = {o.name: o.category for o in objects}
     return [
         replace(o, relations=tuple(
@@ -116,14 +117,14 @@ def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 _CAKES = frozenset({"birthday_cake", "cake", "cupcake"})
-"""Cakes that carry small candles."""
+"""Cakes that can carry small candles."""
 
 _FOLDED = frozenset({"blanket", "folded_towel", "tablecloth"})
-"""Cloths that the catalogue shows folded."""
+"""Cloths that are folded in the catalogue."""
 
 
 def _spread_cloths(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects with cloths that carry several objects spread out, unless "folded"."""
+    """Return the objects; cloths that carry several objects are spread out, unless "folded"."""
     held = Counter(r.target for o in objects for r in o.relations if r.kind == "on")
 
     def is_spread(planned: PlannedObject) -> bool:
@@ -134,7 +135,7 @@ def _spread_cloths(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def _clear_cakes(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects with cakes replaced by bare ones if the text puts candles on them."""
+    """Return the objects, with bare cakes in place of those on which the text puts candles."""
     cakes = {o.name for o in objects if o.category in _CAKES}
     small = {o.name for o in objects if o.category in ("candle", "birthday_candle")
              and any(r.kind == "on" and r.target in cakes for r in o.relations)}  # fmt: skip
@@ -171,7 +172,7 @@ def _is_holder(planned: PlannedObject) -> bool:
 
 
 def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
-    """Return the width of a vessel in which objects stand side by side, metres.
+    """Return the width, in metres, of a vessel in which objects can stand side by side.
 
     A circle of diameter 0.9 + 0.87 sqrt(n) holds about n unit circles; round vessels narrow
     downwards.
@@ -183,7 +184,7 @@ def _across(sizes: Sequence[Extent], vessel: PlannedObject) -> float:
 
 
 def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collection[str]) -> float:
-    """Return the growth factor required by an object's contents, at most its maximum."""
+    """Return the growth factor that an object's contents require, up to its maximum."""
     if not held:
         return 1.0
     usual = relations.size_of(planned)
@@ -198,11 +199,11 @@ def _factor(planned: PlannedObject, held: Sequence[PlannedObject], kinds: Collec
         ):
             sizes = [(z, max(x, y), min(x, y)) for x, y, z in sizes]  # filed on edge
     area = sum(float(size[0] * size[1]) for size in sizes)
-    tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # cannot be layered
+    tall = all(size[2] > max(*size[:2], 0.6 * usual[2]) for size in sizes)  # cannot form layers
     filled = _FILLED * (_LAYERS if len(held) > 3 and not tall else 1.0)
     room = usual[0] * usual[1] * (filled if inside else _COVERED)
     needed = float(np.sqrt(area / room)) if len(held) > 1 else 1.0
-    if inside and tall:  # small growth is determined by the layout
+    if inside and tall:  # the layout determines small growth
         needed = _across(sizes, planned) / min(usual[:2])
         needed = needed if needed > _LITTLE else 1.0
     for factor in np.linspace(1.0, most, 16):
@@ -242,7 +243,7 @@ _MEANT: Mapping[tuple[str, str], str] = MappingProxyType(
         for kind in kinds.split()
     }
 )
-"""Category of a bare word, given the category of its contents."""
+"""The category that a bare word means, given the category of its contents."""
 
 
 _POTTED = frozenset(
@@ -250,19 +251,19 @@ _POTTED = frozenset(
      "plant", "basil", "mint", "orchid", "snake_plant", "spider_plant"]
 )  # fmt: skip
 LOOSE: Mapping[str, str] = MappingProxyType({"chips_bag": "potato_crisp"})
-"""Packages of food, and the category of their contents in a bowl."""
+"""Packages of food, and the category of their contents when in a bowl."""
 _CANDLES = frozenset({"candle", "taper_candle", "long_candle"})
 _SOCKETS = frozenset({"empty_candlestick", "empty_candelabra"})
 _FLOWERS = ("rose", "tulip", "daisy", "carnation")
 
 
 def cut_category(category: str, vessel: str, number: int) -> str:
-    """Return the category of an object in a vessel: cut flowers in a vase.
+    """Return the category that an object has in a vessel, such as cut flowers in a vase.
 
-    ``number`` is the index among the vessel's contents.
+    ``number`` is the object's index among the vessel's contents.
     """
     if open_category(vessel) == "empty_vase":
-        if category == "vase":  # also the category of "flowers"
+        if category == "vase":  # "flowers" has this category too
             return _FLOWERS[number % len(_FLOWERS)]
         return "posy" if category == "bouquet" else category
     if category in _POTTED and open_category(vessel) == "plant_pot":
@@ -273,12 +274,12 @@ def cut_category(category: str, vessel: str, number: int) -> str:
 
 
 def is_lit(category: str, vessel: str) -> bool:
-    """Return whether an object is a candle and the vessel has a socket for it."""
+    """Return whether an object is a candle for which the vessel has a socket."""
     return category in _CANDLES and open_category(vessel) in _SOCKETS
 
 
 def open_category(category: str, noun: str = "", contents: str = "") -> str:
-    """Return the category of an object called ``noun`` when it holds ``contents`` (a category)."""
+    """Return the category of an object called ``noun`` if it holds the category ``contents``."""
     known = CATEGORIES.get(category)
     usual = known.opened if known is not None and known.opened else category
     return _MEANT.get((noun, contents), usual)

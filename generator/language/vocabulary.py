@@ -1,4 +1,4 @@
-"""Vocabulary of the text planner: numbers, relations, colours, tables, synonyms. Data only."""
+"""The planner's vocabulary: numbers, relations, colours, tables and synonyms. Only data."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ NUMBERS: Mapping[str, int] = MappingProxyType(
         "couple": 2, "trio": 3, "both": 2, "dozens": 36,
     }
 )  # fmt: skip
-"""Number words; "half a dozen", "two hundred" and "three pairs" are multiplied by the grammar."""
+"""Number words; the grammar multiplies "half a dozen", "two hundred" and "three pairs"."""
 
 VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
@@ -45,14 +45,14 @@ VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
         "numerous": (5, 6), "plenty": (4, 5),
     }
 )  # fmt: skip
-"""Vague amounts with their minimum and maximum number."""
+"""Vague amounts, with the minimum and maximum number that they mean."""
 
 DEFINITE = _words("the this that these those its his her my your their our")
 LOOSE_NOUNS = _words(
     "board brush tin ring case dish compact tube powder figure deck note paint "
     "cube cutter card server plug plane seal file lens clip roller driver"
 )
-"""Heads that name a known object alone, but hardly after an unknown word ("arduino board")."""
+"""Nouns that name a known object alone, but hardly after an unknown word ("arduino board")."""
 
 
 COLORS = _words(
@@ -90,16 +90,16 @@ STATES = _words(
     "peeled "
     "scented knitted crocheted engraved bound printed blank unlit wilted"
 )
-"""Describing words that are kept as an object's "state" or ignored; never objects themselves."""
+"""Descriptive words that become an object's "state" or are ignored; they are never objects."""
 
 PACKAGES = _words("bottle box bag jar tube can carton tin pack packet package canister")
-"""Packages named with their contents: "a bottle of nail polish" is one object."""
+"""Packages that are named with their contents: "a bottle of nail polish" is one object."""
 
 DRAWN: Mapping[str, str] = MappingProxyType(
     {"cartoon": "cartoon", "cartoonish": "cartoon", "toon": "cartoon", "comic": "cartoon",
      "low poly": "low-poly", "lowpoly": "low-poly", "low polygon": "low-poly"}
 )  # fmt: skip
-"""Drawing styles, by the phrases that request them."""
+"""Drawing styles, keyed by the phrases that request them."""
 
 STYLES = _words(
     "modern rustic vintage minimalist cozy cosy elegant messy cluttered tidy retro scandinavian "
@@ -161,7 +161,7 @@ PARTS = _words(
     "shape rim logo cover covers foot front back left right middle center "
     "centre centerpiece spout feet frame"
 )
-"""Parts and aspects of objects; never objects themselves."""
+"""Parts and aspects of objects, which are never objects themselves."""
 
 PLACES = _words(
     "floor room kitchen office workshop studio bedroom home house garage laboratory restaurant "
@@ -174,14 +174,14 @@ PLACES = _words(
     "arm gripper distance order place reach lighting hours hour world programmer student artist "
     "writer setting settings layout flu homework session"
 )
-"""Words for place, time and topic; never objects."""
+"""Words for places, times and topics, which are never objects."""
 
 OCCASIONS = frozenset(
     {"afternoon tea", "high tea", "coffee break", "game night", "movie night", "home bar",
      "counter display", "shop display", "window display", "market display", "product display",
      "spa set"}
 )  # fmt: skip
-"""Occasions and places of two words."""
+"""Occasions and places whose names have two words."""
 
 VAGUE_THINGS = _words(
     "things thing stuff items item objects object everything supplies etc "
@@ -213,7 +213,7 @@ SUBSTANCES = _words(
     "chips crisps popcorn nuts candy sweets liquid fluid solution broth cider whisky whiskey vodka "
     "rum gin champagne espresso cappuccino latte smoothie milkshake sake gravel compost"
 )
-"""Contents of vessels; they become the vessel's "state", unless they are objects themselves."""
+"""Contents of vessels, which become the vessel's "state" unless they are objects themselves."""
 
 SYNONYMS = _pairs(
     """
@@ -364,12 +364,12 @@ SYNONYMS = _pairs(
     controller: game controller, gamepad, joystick
     """
 )  # fmt: skip
-"""Synonyms of catalogue words (key, noun or alias), in addition to the catalogue's aliases."""
+"""Synonyms of catalogue words (keys, nouns or aliases), besides the catalogue's own aliases."""
 
 _BALLS = ("baseball", "tennis_ball", "cricket_ball", "golf_ball", "ball", "easter_egg",
           "basketball")  # fmt: skip
 _LONG = ("soldering_iron", "dagger", "baton", "flute", "chef_knife", "paint_brush")
-"""Objects put on a cradle."""
+"""Objects that can be put on a cradle."""
 
 MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
     {
@@ -410,7 +410,7 @@ MEANT_WITH: Mapping[str, tuple[tuple[str, str], ...]] = MappingProxyType(
         "chip": (("playing_cards", "poker_chips"),),
     }
 )
-"""Words whose category depends on other objects: pieces next to a chess board."""
+"""Words whose category depends on other objects, such as pieces next to a chess board."""
 
 COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -464,4 +464,4 @@ COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "salt and pepper shakers": ("salt shaker", "pepper shaker"),
     }
 )
-"""Words for mixed groups, and their categories."""
+"""Words for mixed groups, and the categories they stand for."""

@@ -1,4 +1,4 @@
-"""Arrangement by relations: sampled candidates, hard limits, and a score for natural placement."""
+"""Arrangement by relations: sampled candidates, hard limits and a score for natural placement."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _TRIES = 12
 class Layout:
     """Placements of all objects, and warnings about requests that could not be satisfied.
 
-    ``strain`` is the largest violation of a relation, see ``scores.violation``.
+    ``strain`` is the largest violation of any relation; see ``scores.violation``.
     """
 
     placements: tuple[Placement, ...]
@@ -40,15 +40,15 @@ def arrange(
     seed: int,
     yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> Layout:
-    """Place every planned object on (or on something on) the table, in the world frame.
+    """Place every planned object on the table, or on or in another object, in the world frame.
 
     Footprints keep a distance of ``GAP`` from each other and ``MARGIN`` from the table's edge.
     Several orders are tried; the arrangement with the lowest cost (violated relations, occlusion,
-    crowding) is returned. ``yaws`` are prescribed yaws of some objects, radians. The same input and
-    seed give the same layout.
+    crowding) is returned. ``yaws`` prescribes the yaws of some objects, in radians. The same input
+    and seed give the same layout.
 
     Raises:
-        SceneError: There is no free place for some object; the message names it.
+        SceneError: There is no free place for an object; the message names it.
     """
     outline = outline_of(table)
     best: State | None = None
@@ -82,11 +82,11 @@ def arrange_more(
     seed: int,
     yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> Layout:
-    """Place the objects of a plan that are not in ``placed``; the latter do not move.
+    """Place the objects of a plan that are not in ``placed``; those in ``placed`` do not move.
 
-    ``placed`` may contain objects that are not in the plan; ``models`` contains the models of all,
-    with their sizes; ``yaws`` are prescribed yaws of some objects, radians. An object without a
-    free place is left out with a warning. Only the new placements are returned.
+    ``placed`` may contain objects that are not in the plan; ``models`` contains the models of all
+    objects, at their final sizes; ``yaws`` prescribes the yaws of some objects, in radians. An
+    object without a free place is left out, with a warning. Only the new placements are returned.
     """
     outline = outline_of(table)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 5])
@@ -105,7 +105,7 @@ def arrange_more(
 
 
 BROKEN = 1.5
-"""Cost (see ``scores.violation``) at and above which a relation does not hold."""
+"""Cost (see ``scores.violation``) at or above which a relation does not hold."""
 
 
 def unmet_relations(
@@ -135,7 +135,7 @@ def _standing(model: Model, placement: Placement) -> Neighbour:
 
 
 def _without(plan: ScenePlan, name: str, placed: Mapping[str, Placement]) -> ScenePlan:
-    """Return the plan without an object and the objects on or in it."""
+    """Return the plan without the given object and without the objects on or in it."""
     gone = {name}
     while more := {o.name for o in plan.objects if support_of(o) in gone} - gone - {*placed}:
         gone |= more
@@ -163,7 +163,7 @@ def _place_all(
     state: State,
     yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> str | None:
-    """Place all remaining objects; return the name of the first one without a free place."""
+    """Place all remaining objects; return the name of the first one that has no free place."""
     supports = {o.name: support_of(o) for o in plan.objects}
     missing = [o for o in plan.objects if o.name not in state.places]
     standing = [o for o in missing if supports[o.name] is None]
@@ -212,7 +212,7 @@ def _find_awaited(
     units: Mapping[str, Unit],
     shapes: Mapping[str, Footprint],
 ) -> dict[str, list[Awaited]]:
-    """Return, for each object or unit, the objects to be placed beside it later."""
+    """Return, for each object or unit, the objects that will be placed beside it later."""
     whose = {name: (unit.planned.name, at) for unit in units.values()
              for name, at in unit.offsets.items()}  # fmt: skip
     sizes = {**{o.name: shapes[o.name] for o in alone}, **{n: u.shape for n, u in units.items()}}
@@ -231,13 +231,13 @@ def _find_awaited(
 
 
 def _rank(planned: PlannedObject, model: Model) -> float:
-    """Return the sort key of placement on or in other objects: into vessels, longest first."""
+    """Return the sort key for placing objects on or in others: into vessels, longest first."""
     inside = any(r.kind == "in" for r in planned.relations)
     return -float(model.size.max()) if inside else 0.0
 
 
 def _take_supports(group: PlannedGroup, supports: Mapping[str, str | None]) -> PlannedGroup:
-    """Replace the members of a group by their supports: cups on saucers become the saucers."""
+    """Replace the members of a group by their supports; for example, cups become their saucers."""
 
     def bottom(name: str) -> str:
         below = supports.get(name)
@@ -283,7 +283,7 @@ def _order(
     rng: np.random.Generator,
     units: Mapping[str, Unit],
 ) -> list[PlannedObject]:
-    """Order objects so that targets of relations come first, and larger objects before smaller.
+    """Order objects: targets of relations before others, and larger objects before smaller ones.
 
     Place settings come before everything else, since their places are fixed.
     """

@@ -1,7 +1,7 @@
 """Long objects in a vessel, each leaning in its own direction without intersections.
 
-Their feet stand at the far side of the floor and their stems at the rim, like flowers in a vase:
-lines twisted about the axis in this way pass each other.
+As with flowers in a vase, each foot is on the far side of the vessel's floor and each stem leans on
+the rim. Lines twisted about the axis in this way pass each other.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from ..scene import Model
 from .cavities import Cavity
 
 _SLICES = 18
-_POINTS = 40  # places compared along an object's axis
-_CLEAR = 6e-4  # minimum distance of objects from each other and from the wall, metres
-_HEAD = 1.25  # minimum ratio of a head's radius to its stem's
-_MANY = 7  # minimum number of objects for an inner ring
+_POINTS = 40  # number of positions compared along an object's axis
+_CLEAR = 6e-4  # minimum distance of an object from the others and from the wall, metres
+_HEAD = 1.25  # minimum ratio of the radius of an object's head to that of its stem
+_MANY = 7  # minimum number of objects for which some stand in an inner ring
 _TILT = np.deg2rad(58.0)  # maximum lean
 
 Rotation = Float[np.ndarray, "3 3"]
@@ -31,9 +31,9 @@ Rotation = Float[np.ndarray, "3 3"]
 
 @dataclass(frozen=True, eq=False)
 class Stem:
-    """A standing object along its height: its axis starts at ``foot``; all in metres.
+    """A standing object, described along its height: its axis starts at ``foot``; all in metres.
 
-    ``core`` is its typical radius; ``spheres`` are (x, y, z, radius) from the foot up.
+    ``core`` is its typical radius; ``spheres`` lists (x, y, z, radius) from the foot upwards.
     """
 
     foot: Float[np.ndarray, "3"]
@@ -44,7 +44,7 @@ class Stem:
 
 @dataclass(frozen=True, eq=False)
 class Stance:
-    """Rotation of an object in the vessel's frame, and the position of its foot, metres."""
+    """An object's rotation in the vessel's frame and the position of its foot, metres."""
 
     turn: Rotation
     foot: Float[np.ndarray, "3"]
@@ -52,9 +52,9 @@ class Stance:
 
 @dataclass(frozen=True)
 class _Ring:
-    """Target position of one of ``count`` objects: angle in radians, and fraction of the radius.
+    """Target position of one of ``count`` objects: angle in radians and fraction of the radius.
 
-    ``twist`` is the angle between its foot and the point opposite its top, radians.
+    ``twist`` is the angle between the foot and the point opposite the top, radians.
     """
 
     angle: float
@@ -64,7 +64,7 @@ class _Ring:
 
 
 def measure_stem(model: Model) -> Stem:
-    """Return the axis and thickness of a standing model, in the frame of its box."""
+    """Return the axis and thickness of a standing model, in the frame of its bounding box."""
     points = _surface(model)
     low, high = points[:, 2].min(), points[:, 2].max()
     edges = np.linspace(low, high, _SLICES + 1)
@@ -82,7 +82,7 @@ def measure_stem(model: Model) -> Stem:
 
 
 def _cover(slab: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "k 4"]:
-    """Return spheres in a row that cover a slice at height ``z``; flat slices need several."""
+    """Return a row of spheres that covers a slice at height ``z``; flat slices need several."""
     middle = (slab.min(0) + slab.max(0)) / 2
     _, axes = np.linalg.eigh(np.cov((slab - slab.mean(0)).T))
     spread = (slab - middle) @ axes
@@ -98,7 +98,7 @@ def _cover(slab: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "k 4"]
 
 
 def _surface(model: Model) -> Float[np.ndarray, "n 3"]:
-    """Return points on a model's collision shape, metres."""
+    """Return points on the surface of a model's collision shape, metres."""
     steps = 12
     weights = np.array([(i, j, steps - i - j) for i in range(steps + 1)
                         for j in range(steps + 1 - i)]) / steps  # fmt: skip
@@ -115,10 +115,10 @@ def _surface(model: Model) -> Float[np.ndarray, "n 3"]:
 def arrange_bunch(
     stems: Sequence[Stem], cavity: Cavity, upright: Sequence[bool], *, strict: bool
 ) -> list[Stance | None]:
-    """Return the stance of each object in a vessel; None for an object without room.
+    """Return the stance of each object in a vessel, or None for an object that has no room.
 
-    ``strict`` gives up at the first such object. Objects that are ``upright`` by themselves stand
-    straight if possible; all others lean against the rim.
+    With ``strict``, the search stops at the first such object. The ``upright`` objects, which stand
+    by themselves, stand straight if possible; all others lean against the rim.
     """
     order = sorted(range(len(stems)), key=lambda k: -stems[k].core)
     placed: list[tuple[Stem, Stance]] = []
@@ -142,7 +142,7 @@ def _stand(
     *,
     straight: bool,
 ) -> Stance | None:
-    """Return the best free stance of an object among those ``placed``."""
+    """Return an object's best stance that is clear of those ``placed``."""
     feet, tops, cost = _proposals(stem, cavity, ring, straight=straight)
     way = tops - feet
     lean = np.arctan2(np.hypot(way[:, 0], way[:, 1]), way[:, 2])
@@ -163,7 +163,7 @@ def _stand(
 
 
 def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
-    """Return the rotation that leans +z along ``axis``, with the -x side facing outwards."""
+    """Return the rotation that aligns +z with ``axis`` and turns the -x side outwards."""
     lean = float(np.arctan2(np.hypot(axis[0], axis[1]), axis[2]))
     heading = float(np.arctan2(axis[1], axis[0]))
     c, s = np.cos(lean), np.sin(lean)
@@ -172,9 +172,9 @@ def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
 
 
 def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
-    """Return the target position of an object by its number; with many, some stand inside.
+    """Return an object's target position by its index; if there are many, some stand inside.
 
-    All are twisted just enough to pass each other where they are closest to the axis.
+    All objects are twisted just enough to pass each other where they are closest to the axis.
     """
     inner = 0 if count < _MANY else round(count / 4)
     outer = count - inner
@@ -194,7 +194,7 @@ def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
 def _proposals(
     stem: Stem, cavity: Cavity, ring: _Ring, *, straight: bool
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Float[np.ndarray, "n"]]:
-    """Return feet on the floor, the points where the axes pass the rim, and costs."""
+    """Return candidate feet on the floor, the points where the axes pass the rim, and costs."""
     steps = (0.15, 0.3, 0.5, 0.75, 1.0, 1.3, 1.6, 2.0, 2.4, 2.8, 3.1)
     spread = np.array([0.0, *(s * v for v in steps for s in (1, -1))])
     twists = np.array([ring.twist] if ring.count == 1 else
@@ -207,7 +207,7 @@ def _proposals(
     feet = _at(cavity, ring.angle + turn + np.pi - twist, low, cavity.floor, stem.core)
     cost = 0.35 * np.abs(turn) + 1.5 * np.abs(high - ring.share)
     cost += 0.4 * np.abs(low - ring.share) + 0.2 * np.abs(twist - ring.twist)
-    if straight:  # the top is directly above the foot, anywhere on the floor
+    if straight:  # upright: the top is directly above the foot, anywhere on the floor
         tops = np.concatenate([feet + np.array([0, 0, cavity.depth]), tops])
         best = 0.15 if ring.count == 1 else 0.7 if ring.count < _MANY else ring.share
         cost = np.concatenate([0.05 * np.abs(turn) + 0.3 * np.abs(low - best), 3.0 + cost])
@@ -222,7 +222,7 @@ def _at(
     z: float,
     radius: float,
 ) -> Float[np.ndarray, "n 3"]:
-    """Return points at a height, at a fraction of the way from the axis to the wall."""
+    """Return points at a given height and fraction of the way from the axis to the wall."""
     ways = np.column_stack([np.cos(angle), np.sin(angle)])
     height = min(max(z, float(cavity.levels[0])), float(cavity.levels[-1]))
     probe = np.column_stack([cavity.middle + 1e-3 * ways, np.full(len(angle), height)])
@@ -246,7 +246,7 @@ def _is_free(
     cavity: Cavity,
     placed: Sequence[tuple[Stem, Stance]],
 ) -> Bool[np.ndarray, "n"]:
-    """Return which stances are clear of the vessel's wall and of the placed objects."""
+    """Return which stances are clear of the vessel's wall and of the objects already placed."""
     steps = np.linspace(0, stem.length, _POINTS)
     thick = _thickness(stem, steps)
     line = feet[:, None] + steps[None, :, None] * axes[:, None]

@@ -1,4 +1,4 @@
-"""The interior of a vessel, from its collision parts."""
+"""The interior of a vessel, derived from its collision parts."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from ..physics.parts import body_parts
 from ..scene import ConvexPart, Model
 
 SECTORS = 24
-"""Number of directions from a vessel's axis in which its wall is searched."""
+"""Number of directions around a vessel's axis in which its wall is searched for."""
 
 _LEVELS = 14
-_STEPS = 64  # steps between the axis and the outside
+_STEPS = 64  # steps from the axis to the outside
 _CLOSED = 0.9  # minimum fraction of directions with a wall at the rim
 _ANGLES = 2 * np.pi * np.arange(SECTORS) / SECTORS
 _WAYS = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])
-_ROUNDS = 3  # iterations that centre the axis between the walls
+_ROUNDS = 3  # number of iterations that centre the axis between the walls
 
 
 @dataclass(frozen=True, eq=False)
 class Cavity:
-    """Room reachable from above, metres, in the frame of the vessel's box.
+    """The space in a vessel that is reachable from above, metres, in the frame of the vessel's box.
 
     Attributes:
         middle: x and y of its axis.
@@ -53,7 +53,7 @@ class Cavity:
         return float(across.min())
 
     def wall(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
-        """Return the wall's distance from the axis at the height and in the direction of points."""
+        """Return the wall's distance from the axis at the given points' heights and directions."""
         offset = points[..., :2] - self.middle
         angle = np.arctan2(offset[..., 1], offset[..., 0]) % (2 * np.pi)
         sector = (angle / (2 * np.pi) * SECTORS).round().astype(int) % SECTORS
@@ -95,7 +95,7 @@ def _look_around(
     levels: Float[np.ndarray, "l"],
     reach: float,
 ) -> Float[np.ndarray, "l s"]:
-    """Return the distance of the first wall per level and direction; inf where there is none."""
+    """Return the distance of the first wall per level and direction, or inf if there is none."""
     away = np.linspace(0, reach, _STEPS)
     flat = middle + away[:, None, None] * _WAYS  # (steps, sectors, 2)
     points = np.empty((len(levels), SECTORS, _STEPS, 3))
@@ -107,7 +107,7 @@ def _look_around(
 
 
 def _inside(parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
-    """Return which points are inside a part."""
+    """Return which points are inside a collision part."""
     found = np.zeros(len(points), bool)
     for part in parts:
         low, high = part.bounds

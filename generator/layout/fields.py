@@ -1,4 +1,4 @@
-"""Height fields: resting heights of an object on or in a support, at all places at once."""
+"""Height fields: the heights at which an object rests on or in a support, for all positions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..scene import Model, Placement
 
 _CELLS = 52  # number of cells along the longer side of the support
 _FINEST = 0.0025  # side of a cell, metres
-_DENSITY = 1.6  # samples of a surface per cell side
+_DENSITY = 1.6  # surface samples per side of a cell
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,10 +41,10 @@ class HeightField:
     def resting(
         self, model: Model, yaw: float
     ) -> tuple[Float[np.ndarray, "nx ny"], Float[np.ndarray, "nx ny"]]:
-        """Return the heights of an object's centre when it rests with its centre in each cell.
+        """Return the heights of an object's centre when it rests centred on each cell.
 
-        The second array is the fraction of cells under its underside that are empty. If all of them
-        are empty, the height is -inf.
+        The second array is the fraction of the cells under the object that are empty. If all of
+        them are empty, the height is -inf.
         """
         start = Placement(model.name, yaw, np.zeros(3), model.size)
         points = samples(model, start, self.step)
@@ -66,12 +66,12 @@ class HeightField:
         return height, empty / max(len(known), 1)
 
     def place(self, cell: tuple[int, int]) -> Float[np.ndarray, "2"]:
-        """Return x and y of the centre of a cell, metres."""
+        """Return x and y of a cell's centre, metres."""
         return self.origin + self.step * np.asarray(cell, float)
 
 
 def field_of(model: Model, placement: Placement) -> HeightField:
-    """Return the height field of an object at its placement."""
+    """Return the height field of an object in its placement."""
     corners = model.mesh.vertices * placement.scale @ rotation_z(placement.yaw).T
     low = corners[:, :2].min(0) + placement.translation[:2]
     high = corners[:, :2].max(0) + placement.translation[:2]
@@ -82,7 +82,7 @@ def field_of(model: Model, placement: Placement) -> HeightField:
 
 
 def samples(model: Model, placement: Placement, step: float) -> Float[np.ndarray, "n 3"]:
-    """Sample an object's surface densely enough for at least one point per covered cell."""
+    """Sample an object's surface so densely that each cell it covers has at least one point."""
     vertices = np.asarray(model.mesh.vertices, float) * placement.scale
     vertices = vertices @ rotation_z(placement.yaw).T + placement.translation
     corners = vertices[model.mesh.faces]

@@ -1,4 +1,4 @@
-"""Footprints seen from above, as support functions for fast gaps between convex shapes."""
+"""Footprints: outlines seen from above, stored so that gaps between them are fast to compute."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ COUNT = 48
 
 _ANGLES = 2 * np.pi * np.arange(COUNT) / COUNT
 DIRECTIONS: Float[np.ndarray, "d 2"] = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])
-"""Unit vectors; the first is +x, and the one a quarter of the list later is +y."""
+"""Unit vectors, counter-clockwise from +x."""
 DIRECTIONS.setflags(write=False)
 
 RIGHT, BACK, LEFT, FRONT = 0, COUNT // 4, COUNT // 2, 3 * COUNT // 4
@@ -25,7 +25,7 @@ RIGHT, BACK, LEFT, FRONT = 0, COUNT // 4, COUNT // 2, 3 * COUNT // 4
 
 @dataclass(frozen=True, eq=False)
 class Footprint:
-    """An object's convex outline seen from above, about its centre, in metres, at one yaw.
+    """An object's convex outline seen from above at one yaw, relative to its centre, metres.
 
     ``reach[k]`` is its extent along direction k; ``outline`` is its convex hull.
     """
@@ -51,7 +51,7 @@ class Footprint:
         return (self.outline @ normals.T).max(0)
 
     def covering(self, other: Footprint) -> Footprint:
-        """Return the footprint of this object and another one centred on it."""
+        """Return the joint footprint of this object and another one centred on it."""
         outline = convex_outline(np.concatenate([self.outline, other.outline]))
         return Footprint(
             outline, np.maximum(self.reach, other.reach), self.height + other.height, self.yaw
@@ -60,9 +60,9 @@ class Footprint:
 
 @lru_cache(maxsize=64)
 def footprint(model: Model, yaw: float) -> Footprint:
-    """Return the footprint of a model at its own size, turned by ``yaw``.
+    """Return the footprint of a model at its own size, rotated by ``yaw``.
 
-    The cache helps because every layout attempt needs the footprints of the same objects.
+    It is cached because every layout attempt needs the footprints of the same objects.
     """
     points = model.mesh.vertices[:, :2] * model.size[:2] @ rotation_z(yaw)[:2, :2].T
     outline = convex_outline(points)
@@ -73,7 +73,7 @@ def footprint(model: Model, yaw: float) -> Footprint:
 def gaps(
     own: Footprint, centers: Float[np.ndarray, "m 2"], other: Footprint, at: Float[np.ndarray, "2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return a lower bound of the gap to ``other`` for each centre; negative if they overlap."""
+    """Return a lower bound of the gap to ``other`` for each centre; negative if the two overlap."""
     blocked = own.reach + np.roll(other.reach, COUNT // 2)
     return ((at - centers) @ DIRECTIONS.T - blocked).max(1)
 
@@ -81,7 +81,7 @@ def gaps(
 def margins(
     own: Footprint, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return the distance inside a convex counter-clockwise outline for each centre."""
+    """Return how far each centre is inside a convex, counter-clockwise outline."""
     normals, limits = _sides(outline)
     return (limits - own.along(normals) - centers @ normals.T).min(1)
 
@@ -89,7 +89,7 @@ def margins(
 def rim_distance(
     points: Float[np.ndarray, "m 2"], way: Float[np.ndarray, "2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return the distance from points to the rim of an outline along a unit vector.
+    """Return the distance from each point to an outline's rim in the direction of a unit vector.
 
     The outline is convex and counter-clockwise, and contains the points.
     """
@@ -102,7 +102,7 @@ def rim_distance(
 def _sides(
     outline: Float[np.ndarray, "k 2"],
 ) -> tuple[Float[np.ndarray, "k 2"], Float[np.ndarray, "k"]]:
-    """Return the outward normals of an outline's sides and their distances from the origin."""
+    """Return the outward normals of an outline's edges and their distances from the origin."""
     edges = np.roll(outline, -1, axis=0) - outline
     normals = np.column_stack([edges[:, 1], -edges[:, 0]])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)

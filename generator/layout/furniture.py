@@ -1,4 +1,4 @@
-"""Models of planned objects, and a table large enough for them."""
+"""Models of planned objects, and a table that is large enough for them."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ from .orientation import pose, stand_up
 from .scores import SIDES
 
 _FILLING: Mapping[Density, float] = {"sparse": 0.25, "normal": 0.42, "dense": 0.62}
-"""Maximum fraction of a tabletop covered by objects with their margins."""
+"""Maximum fraction of the tabletop that the objects and their margins may cover."""
 
 _MAX_GROWTH = 1.5  # maximum length of a table relative to the planned length
 _ROOM = 0.035  # margin around each object, metres
@@ -45,11 +45,11 @@ _ROOM = 0.035  # margin around each object, metres
 def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     """Build a catalogue model for every planned object, each with its own seed.
 
-    The plan's style determines the drawing style, if it is a style of the catalogue.
+    The plan's style is used if the catalogue has it.
 
-    Equal planned objects ("two red mugs") share a seed and look alike. A long thin object in a
+    Identical planned objects ("two red mugs") share a seed and look alike. A long, thin object in a
     vessel stands and leans, like a pencil in a mug, unless the vessel is as wide as the object is
-    long; objects with slots in a rack or a carton stand in their slots.
+    long. Objects for which a rack or a carton has slots stand in these slots.
     """
     models: dict[str, Model] = {}
     seeds: dict[tuple[str, str, str], int] = {}
@@ -81,7 +81,7 @@ def _put_in(
     models: Mapping[str, Model],
     rebuild: Callable[[PlannedObject], Model],
 ) -> dict[str, Model]:
-    """Return models by name as they stand in a vessel or a rack, including its own model."""
+    """Return the models as they stand in a vessel or a rack, by name, and the holder's own."""
     names = [planned.name for planned in held]
     if "places" not in target.attributes:
         return _put_in_vessel(target, held, models)
@@ -97,7 +97,7 @@ def _put_in(
 def _put_in_vessel(
     target: PlannedObject, held: Sequence[PlannedObject], models: Mapping[str, Model]
 ) -> dict[str, Model]:
-    """Return models by name in a vessel, including its own; long objects stand and lean."""
+    """Return the models in a vessel, and its own, by name; long objects stand and lean."""
     vessel = models[target.name]
     cavity = find_cavity(vessel)
     if cavity is None:
@@ -131,7 +131,7 @@ def find_fitted(plan: ScenePlan) -> set[str]:
 
 
 _FITTED = (ConvexPart(resting_ball(1.0, 1.0, 1.0).vertices - [0.0, 0.0, 0.5]),)
-"""Collision shape of a round object in a slot, in the canonical frame."""
+"""Collision shape of a round object that stands in a slot, in the canonical frame."""
 
 
 def _build(planned: PlannedObject, *, style: str, seed: int) -> Model:
@@ -146,9 +146,9 @@ def _build(planned: PlannedObject, *, style: str, seed: int) -> Model:
 
 
 def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0) -> PlannedTable:
-    """Return the planned table size, enlarged if the objects would be crowded.
+    """Return the planned table size, enlarged if the objects would otherwise be crowded.
 
-    ``growth`` (at least 1) enlarges it further, for another attempt.
+    ``growth`` (at least 1) enlarges it further for another attempt.
 
     Raises:
         SceneError: Even the largest plausible table is too small.
@@ -174,9 +174,9 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
 
 
 def _chain(standing: Sequence[PlannedObject], models: Mapping[str, Model], axis: int) -> float:
-    """Return the table length along an axis needed by chains of side-by-side objects, metres.
+    """Return the table length that chains of side-by-side objects need along an axis, metres.
 
-    Objects in the middle of the table need equal room on both sides.
+    Objects that belong in the middle of the table need equal room on both sides.
     """
     half = {o.name: float(footprint(models[o.name], 0.0).half[axis]) for o in standing}
     beside = [
@@ -205,7 +205,7 @@ def _supported(planned: PlannedObject) -> bool:
 def build_top(
     plan: ScenePlan, models: Mapping[str, Model], seed: int, growth: float = 1.0
 ) -> Model:
-    """Build the plan's table, large enough for its objects.
+    """Build the plan's table at a size that is large enough for its objects.
 
     Raises:
         SceneError: No plausible table is large enough.

@@ -12,17 +12,17 @@ from jaxtyping import Float
 from .footprint import Footprint
 
 _GAP = 0.002  # gap between neighbours in a layer, metres
-_ROUND = 1.4  # maximum ratio of length to width for a lattice
-_SHARE = 4  # one in this many objects lies on others
+_ROUND = 1.4  # maximum ratio of length to width of objects in a lattice
+_SHARE = 4  # one object in this many lies on others
 
 
 @dataclass(frozen=True, eq=False)
 class Pile:
-    """Positions of the members of a heap.
+    """Positions of the members of a heap or pyramid.
 
     Attributes:
-        offsets: position of each from the middle of the lowest layer, metres.
-        below: for each, the indices of the members it lies on; empty in the lowest layer.
+        offsets: position of each member relative to the middle of the lowest layer, metres.
+        below: for each member, the indices of those it lies on; empty in the lowest layer.
     """
 
     offsets: tuple[Float[np.ndarray, "2"], ...]
@@ -30,9 +30,9 @@ class Pile:
 
 
 def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
-    """Return the positions of a heap: a close layer, with one object in four on three others.
+    """Return the positions in a heap: a dense layer, with one object in four on three others.
 
-    None for objects too long to lie in a lattice.
+    Returns None if the objects are too long for a lattice.
     """
     pitch = _pitch(shapes)
     if pitch is None:
@@ -61,10 +61,10 @@ def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
 
 
 def pile_pyramid(shapes: Sequence[Footprint], *, balls: bool) -> Pile | None:
-    """Return the positions of a pyramid: rows (3, 2, 1), or triangles of balls (6, 3, 1).
+    """Return the positions in a pyramid: rows (3, 2, 1), or triangles of balls (6, 3, 1).
 
-    Members beyond complete rows widen the lowest row; balls that do not form a complete pyramid are
-    a heap. None for objects that are too long.
+    Members left over from complete rows widen the lowest row; balls that cannot form a complete
+    pyramid form a heap. Returns None if the objects are too long.
     """
     flat = not balls
     if balls and len(shapes) not in (4, 10, 20):
@@ -106,7 +106,7 @@ def _layer(size: int, flat: bool) -> int:
 
 
 def _pitch(shapes: Sequence[Footprint]) -> float | None:
-    """Return the distance between neighbours; None for long objects."""
+    """Return the distance between neighbours, or None for long objects."""
     halves = np.array([shape.half for shape in shapes])
     if (halves.max(1) > _ROUND * halves.min(1)).any():
         return None
@@ -114,7 +114,7 @@ def _pitch(shapes: Sequence[Footprint]) -> float | None:
 
 
 def _lattice(pitch: float, count: int) -> Float[np.ndarray, "n 2"]:
-    """Return the first positions of a triangular lattice about the centre of one triangle."""
+    """Return the first positions of a triangular lattice centred on one of its triangles."""
     reach = int(np.ceil(np.sqrt(count))) + 2
     a, b = np.meshgrid(np.arange(-reach, reach + 1), np.arange(-reach, reach + 1))
     points = np.column_stack([(a + b / 2).ravel(), (b * np.sqrt(3) / 2).ravel()]) * pitch

@@ -1,4 +1,4 @@
-"""Racks and boxes: models that stand in slots, flat objects filed on edge."""
+"""Racks, boxes and vessels: models that stand or lean in slots, and flat objects filed on edge."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from ..scene.quarter_turns import Steps, turn
 from .bunches import Stance, Stem, arrange_bunch, measure_stem
 from .cavities import SECTORS, Cavity, find_cavity
 
-_LEAN = np.deg2rad(9.0)  # tilt towards the end of the row
-_SQUARE = 1.2  # minimum ratio of corner distance to side distance of a box
+_LEAN = np.deg2rad(9.0)  # tilt of filed objects towards the end of the row
+_SQUARE = 1.2  # minimum ratio of a box's corner distance to its side distance
 _FLAT = 0.22  # maximum ratio of thickness to width of filed objects
 _MIN_WIDTH = 0.1  # minimum width of filed objects, metres
 _GAP = 8e-4  # gap between objects, metres
@@ -25,7 +25,7 @@ _GAP = 8e-4  # gap between objects, metres
 
 @dataclass(frozen=True)
 class _Box:
-    """Half extents of a box along and across a row of objects; axis 0 is x, 1 is y."""
+    """Half extents of a box along and across a row of objects; axis 0 is x, axis 1 is y."""
 
     length: float
     width: float
@@ -33,7 +33,7 @@ class _Box:
 
 
 def _boxes(cavity: Cavity) -> list[_Box]:
-    """Return the two possible rows in a rectangular vessel; none in a round one."""
+    """Return the two possible rows in a rectangular vessel, or none if it is round."""
     radii = cavity.radii[0]
     across, corner = radii[:: SECTORS // 4], radii[SECTORS // 8 :: SECTORS // 4]
     if corner.min() < _SQUARE * across.min():
@@ -43,7 +43,7 @@ def _boxes(cavity: Cavity) -> list[_Box]:
 
 
 def is_flat(model: Model) -> bool:
-    """Return whether a lying object is flat and wide like a book or a record."""
+    """Return whether a lying object is flat and wide, like a book or a record."""
     x, y, z = (float(v) for v in model.size)
     return z < _FLAT * min(x, y) and min(x, y) > _MIN_WIDTH
 
@@ -51,14 +51,14 @@ def is_flat(model: Model) -> bool:
 def file_away(
     things: Mapping[str, Model], cavity: Cavity
 ) -> dict[str, tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]] | None:
-    """Return the rotation and centre of each flat lying object filed in a box.
+    """Return the rotation and centre of each flat object when filed in a box.
 
-    None if the box is round, or has no room for the row.
+    Returns None if the box is round or has no room for the row.
     """
     sizes = [np.sort(np.asarray(m.size, float)) for m in things.values()]
     thick = sum(float(size[0]) for size in sizes) / np.cos(_LEAN) + _GAP * len(sizes)
     for box in _boxes(cavity):
-        for side in (1, 2):  # standing heights: on the longer edge, or on the shorter one
+        for side in (1, 2):  # height when standing on the longer edge, or on the shorter one
             tall = max(min(float(size[side]), cavity.depth) for size in sizes)
             wide = max(float(size[3 - side]) for size in sizes)
             start = _start(box, wide, cavity)
@@ -69,7 +69,7 @@ def file_away(
 
 
 def _start(box: _Box, wide: float, cavity: Cavity) -> float:
-    """Return the distance from the end where a row fits in width: corners may have posts."""
+    """Return the distance from the box's end at which a row fits; its corners may have posts."""
     for start in np.linspace(0.0, 0.2 * box.length, 12):
         ends = np.array([[start - box.length, s * wide / 2, z] for s in (-1, 1)
                          for z in (cavity.floor, cavity.rim)])  # fmt: skip
@@ -106,7 +106,7 @@ def _row(
 
 
 def _on_edge(model: Model, side: int) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation that stands a lying object on edge, ``side`` upright and facing +x."""
+    """Return the rotation that stands a lying object on edge, with ``side`` up and facing +x."""
     face = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # z to x, x to -z
     if (model.size[0] <= model.size[1]) == (side == 1):
         return face
@@ -114,14 +114,14 @@ def _on_edge(model: Model, side: int) -> Float[np.ndarray, "3 3"]:
 
 
 LIES = 0.95
-"""Maximum length of a long object that lies in a vessel, as a fraction of the vessel's mouth."""
+"""Maximum length of an object that lies in a vessel, as a fraction of the mouth's width."""
 
 _SLENDER = 1.9  # minimum ratio of height to width of objects that lean in a vessel
-_WIDER = 1.1  # minimum ratio of the widths of an object's head and its other end
-_BLOSSOM = 4.0  # minimum ratio of head to stem for objects with a visible head
-_SHOWN = 0.56  # maximum fraction of the length of such objects inside a vessel
+_WIDER = 1.1  # minimum ratio between the widths of an object's head and its other end
+_BLOSSOM = 4.0  # minimum ratio of head width to stem width for objects whose head must be visible
+_SHOWN = 0.56  # maximum fraction of such an object's length that is inside a vessel
 _FEW = 4  # maximum number of objects of equal length in a vessel
-_LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # relative lengths of flowers standing together
+_LENGTHS = (1.0, 0.92, 1.06, 0.96, 1.1)  # relative lengths of flowers that stand together
 _LARGER = (1.0, 1.12, 1.25, 1.4, 1.55)  # growth factors of a vessel, tried until all objects fit
 
 _WAYS: Mapping[str, tuple[Steps, ...]] = {
@@ -131,11 +131,11 @@ _WAYS: Mapping[str, tuple[Steps, ...]] = {
             (("x", 90), ("z", 90))),
     "side": ((("x", 90),), (), (("z", 90),), (("y", 90), ("z", 90))),
 }  # fmt: skip
-"""Rotations to try, for each stance in a holder."""
+"""Rotations to try for each stance in a holder."""
 
 
 def stand_in_holder(model: Model, holder: Holder) -> Model:
-    """Return a model turned as it stands in its slot of a holder."""
+    """Return a model rotated as it stands in its slot of a holder."""
     wanted = np.array(holder.stand((float(model.size[0]), float(model.size[1]),
                                     float(model.size[2]))))  # fmt: skip
     turned = [turn(model, steps) for steps in _WAYS[holder.stance]]
@@ -143,19 +143,19 @@ def stand_in_holder(model: Model, holder: Holder) -> Model:
 
 
 def room_of(models: Sequence[Model]) -> Extent:
-    """Return the extent of the largest of the standing objects, metres."""
+    """Return the extent of the largest standing object, metres."""
     across, along, up = np.max([model.size for model in models], axis=0)
     return float(across), float(along), float(up)
 
 
 def name_slots(holder: Model, names: Sequence[str]) -> Model:
-    """Return a holder's model with its slots assigned to objects, in order."""
+    """Return a holder's model with its slots assigned to the objects in order."""
     pairs = zip(holder.slots, names, strict=False)
     return replace(holder, slots=tuple(replace(slot, name=name) for slot, name in pairs))
 
 
 def head_up(model: Model) -> Model:
-    """Return a standing model with its wide end up: bristles, blossoms, the wires of a whisk."""
+    """Return a standing model with its wide end up: bristles, blossoms or the wires of a whisk."""
     spheres = measure_stem(model).spheres
     wide = np.hypot(spheres[:, 0], spheres[:, 1]) + spheres[:, 3]
     share = spheres[:, 2] / float(model.size[2])
@@ -166,10 +166,10 @@ def head_up(model: Model) -> Model:
 def fill_vessel(
     vessel: Model, things: Mapping[str, Model], upright: Mapping[str, bool], *, may_grow: bool
 ) -> tuple[Model, dict[str, Model]]:
-    """Return a vessel with slots for long objects, and the models leaning in it.
+    """Return a vessel with slots for long objects, and the models that lean in it.
 
-    ``things`` stand straight; the vessel grows slightly if it is too small, if this is allowed.
-    Objects without room are not returned.
+    ``things`` are the models, standing straight. If the vessel is too small, it is enlarged
+    slightly, provided that this is allowed. Objects without room are not returned.
     """
     if len(things) > _FEW:
         things = {
@@ -203,7 +203,7 @@ def fill_vessel(
 
 
 def _make_shallow(vessel: Model, stems: Sequence[Stem]) -> Model:
-    """Return a vessel shallow enough that flowers remain visible in it."""
+    """Return a vessel made so shallow that the flowers in it remain visible."""
     cavity = find_cavity(vessel)
     heads = [s.length for s in stems if s.spheres[:, 3].max() > _BLOSSOM * s.core]
     if cavity is None or not heads:
@@ -213,7 +213,7 @@ def _make_shallow(vessel: Model, stems: Sequence[Stem]) -> Model:
 
 
 def leans(model: Model, cavity: Cavity) -> bool:
-    """Return whether a standing object is long enough to lean in a vessel or protrude from it."""
+    """Return whether a standing object is long enough to lean in or protrude from a vessel."""
     slender = float(model.size[2]) > _SLENDER * float(model.size[:2].min())
     return slender and float(model.size[2]) > 0.6 * cavity.depth
 
@@ -234,7 +234,7 @@ def file_in_box(
 
 
 def _lean(model: Model, stem: Stem, stance: Stance) -> tuple[Model, Float[np.ndarray, "3"]]:
-    """Return a leaning model, and the centre of its underside in the vessel's frame, metres."""
+    """Return a leaning model and the centre of its underside in the vessel's frame, metres."""
     mesh = model.mesh
     turned = (mesh.vertices * model.size - stem.foot) @ stance.turn.T + stance.foot
     unit, center, extent = to_unit_box(

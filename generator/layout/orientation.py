@@ -1,4 +1,4 @@
-"""Orientation of objects: fronts to the viewer, cutlery aligned, pens at random, postures."""
+"""Orientation and posture: fronts face the viewer, cutlery is aligned, pens lie at random."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from ..scene import Model, PlannedObject, ScenePlan
 from ..scene.quarter_turns import turn
 
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
-"""Categories laid in parallel; their working end (-x) points away from the diner."""
+"""Categories of objects laid in parallel, with the working end (-x) away from the diner."""
 
 STRAIGHT = frozenset({
     "laptop", "keyboard", "monitor", "mousepad", "cutting_board", "tray", "wrist_rest",
 })  # fmt: skip
-"""Categories that people align with the table's edge."""
+"""Categories of objects that people align with the table's edge."""
 
 
 def natural_yaw(
     planned: PlannedObject, model: Model, plan: ScenePlan, rng: np.random.Generator
 ) -> float:
-    """Return a yaw in radians: 0 turns an object's front (-y) to the viewer."""
+    """Return a yaw in radians; 0 turns an object's front (-y) to the viewer."""
     key = planned.category
     if key in CUTLERY and _at_plate(planned, plan):
         across = any(
@@ -54,16 +54,17 @@ def _at_plate(planned: PlannedObject, plan: ScenePlan) -> bool:
     return any(r.kind in ("left_of", "right_of") and r.target in served for r in planned.relations)
 
 
-_THIN = 0.8  # maximum ratio of depth to width and to height for lying on the back or face
-_STRIP = 0.2  # width of the strip under a lying round object, in widths of the object
+_THIN = 0.8  # maximum ratio of depth to width and to height of an object laid on its back or face
+_STRIP = 0.2  # width of the strip under a lying round object, as a fraction of the object's width
 
 
 def pose(model: Model, posture: str) -> Model:
     """Return the model in a posture: "upright", "lying" or "upside down".
 
-    Upright, a flat object stands on its edge and a long one on its end. "lying" puts a thin upright
-    object on its back and "upside down" on its face; other objects lie on their side or stand on
-    their head. A model already in the posture is unchanged, and so is any model for another word.
+    "upright" stands a flat object on its edge and a long one on its end. A thin, upright object is
+    put on its back by "lying" and on its face by "upside down"; other objects are laid on their
+    side or turned over. A model that already has the posture is unchanged; any other word has no
+    effect.
     """
     x, y, z = (float(v) for v in model.size)
     thin = y < _THIN * min(x, z)
@@ -78,13 +79,13 @@ def pose(model: Model, posture: str) -> Model:
 
 
 def stand_up(model: Model, slenderness: float) -> Model:
-    """Turn a model that is much longer than wide so that its +x end points up; else return it."""
+    """Stand a model that is much longer than wide on end, with +x up; return others unchanged."""
     length, *others = model.size
     return model if length < slenderness * max(others) else turn(model, (("y", -90),))
 
 
 def _put_strip_under(model: Model) -> Model:
-    """Return a round model with a flat collision strip under it that prevents rolling."""
+    """Return a round model with a flat collision strip under it that keeps it from rolling."""
     vertices = model.mesh.vertices
     low = vertices[vertices[:, 2] < -0.48]
     if not model.parts or np.ptp(low[:, 1]) > 2 * _STRIP:

@@ -1,7 +1,7 @@
-"""Check which relations of a plan hold in the settled scene, and by how much.
+"""Check of which relations in a plan hold in the settled scene, and by how much.
 
-Supports are determined by contacts, containment and positions by the objects' shapes at rest; the
-intended placements are not used. ``foresee`` evaluates placements before settling.
+Supports are determined from contacts; containment and positions from the shapes of the objects at
+rest. The intended placements are not used. ``foresee`` evaluates placements before settling.
 """
 
 from __future__ import annotations
@@ -37,18 +37,18 @@ from .scores import SIDES, table_sides
 from .seats import seats
 
 NEAR = 0.15
-"""Maximum gap between objects that are next to each other, metres."""
+"""Maximum gap between two objects that count as next to each other, metres."""
 
-_TOUCH = 1e-3  # maximum distance of touching objects, metres
-_EDGE = 0.12  # maximum distance from the rim to count as at the edge, metres
-_CLEAR = 0.01  # minimum offset to count as on a side, metres
-_FOOT = 0.1  # height of an object's foot, as a fraction of its height
-_RIM = 0.04  # maximum height of a contained object's centre above the rim, metres
+_TOUCH = 1e-3  # maximum distance between touching objects, metres
+_EDGE = 0.12  # maximum distance from the rim of an object that counts as at the edge, metres
+_CLEAR = 0.01  # minimum offset of an object that counts as on one side of another, metres
+_FOOT = 0.1  # height of the part that counts as an object's foot, as a fraction of its height
+_RIM = 0.04  # maximum height above the rim of a contained object's centre, metres
 
 
 @dataclass(frozen=True, eq=False)
 class _Thing:
-    """An object at rest: outline from above, foot, lowest and highest point, metres."""
+    """An object at rest: outline seen from above, foot, lowest and highest point, metres."""
 
     center: Float[np.ndarray, "3"]
     outline: Float[np.ndarray, "k 2"]
@@ -67,7 +67,7 @@ class _Thing:
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """Positions of objects on a tabletop (metres), and contacts (by name, including ``TABLE``)."""
+    """Positions of objects on a tabletop, metres, and contacts by name, including ``TABLE``."""
 
     size: Float[np.ndarray, "2"]
     outline: Float[np.ndarray, "k 2"]
@@ -92,7 +92,7 @@ def observe(scene: Scene) -> Rest:
 
 
 def foresee(placements: Sequence[Placement], models: Mapping[str, Model], table: Model) -> Rest:
-    """Return positions and contacts as if each placed object stayed on its intended support."""
+    """Return positions and contacts, assuming that each object stays on its intended support."""
     things = {
         p.name: _rest(models[p.name], p.scale, Pose(p.translation, yaw_quaternion(p.yaw)))
         for p in placements
@@ -102,7 +102,7 @@ def foresee(placements: Sequence[Placement], models: Mapping[str, Model], table:
 
 
 def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
-    """Return the outcome of every relation of the plan between existing objects."""
+    """Return the outcome of every relation in the plan between objects that exist."""
     turns = _turns(plan, rest.size)
     out = []
     for planned in plan.objects:
@@ -118,10 +118,10 @@ def check_relations(plan: ScenePlan, rest: Rest) -> tuple[RelationOutcome, ...]:
 
 
 def record_relations(scene: Scene, rest: Rest | None = None) -> Scene:
-    """Return a settled scene with its relation outcomes in its report, and corrected supports.
+    """Return a settled scene with corrected supports and with relation outcomes in its report.
 
-    ``rest`` is the observation of the scene, if it exists already. In a scene without a report only
-    the supports are corrected.
+    ``rest`` is the observation of the scene if it has already been made. If a scene has no report,
+    only its supports are corrected.
     """
     rest = observe(scene) if rest is None else rest
     outcomes = () if scene.plan is None else check_relations(scene.plan, rest)
@@ -144,7 +144,7 @@ def warn_unmet(scene: Scene) -> Scene:
 
 
 def describe_unmet(outcome: RelationOutcome, scene: Scene) -> str:
-    """Return a warning about a relation that does not hold."""
+    """Return a warning that a relation does not hold."""
     kind = outcome.kind.replace("_", " ")
     if outcome.kind in ("center", "edge"):
         kind = f"at the {outcome.kind} of"
@@ -153,7 +153,7 @@ def describe_unmet(outcome: RelationOutcome, scene: Scene) -> str:
 
 
 def correct_supports(scene: Scene, rest: Rest) -> Scene:
-    """Return the scene with each object's support set to the one it actually rests on."""
+    """Return the scene with each object's support set to what the object actually rests on."""
     meant = {o.name: o.placement.on for o in scene.objects}
     objects = []
     for thing in scene.objects:
@@ -188,7 +188,7 @@ def _rest(model: Model, scale: Float[np.ndarray, "3"], pose: Pose) -> _Thing:
 def _margin(
     planned: PlannedObject, relation: Relation, rest: Rest, turns: dict[str, tuple[int, float]]
 ) -> float:
-    """Return by how many metres a relation holds; 0 or less if it does not."""
+    """Return by how many metres a relation holds, 0 or less if it does not."""
     own = rest.things[planned.name]
     if relation.target == TABLE:
         return _table_margin(own, relation, rest, table_sides(planned.relations))
@@ -264,7 +264,7 @@ def _table_margin(own: _Thing, relation: Relation, rest: Rest, sides: Sequence[s
 
 
 def _turns(plan: ScenePlan, extent: Float[np.ndarray, "2"]) -> dict[str, tuple[int, float]]:
-    """Return the seat number and turn (radians) of each object in a place setting."""
+    """Return the seat index and the turn (radians) of each object in a place setting."""
     found: dict[str, tuple[int, float]] = {}
     for group in plan.groups:
         if group.seat is not None:

@@ -19,17 +19,17 @@ from .seats import seat_center
 from .units import Unit
 
 MARGIN = 0.02
-"""Minimum distance from a footprint to the table's edge, metres."""
+"""Minimum distance between a footprint and the table's edge, metres."""
 GAP = 0.014
 """Minimum gap between two footprints, metres."""
 
 
 @dataclass(eq=False)
 class State:
-    """State of one layout attempt.
+    """The state of one layout attempt.
 
-    ``awaited`` lists, by object name, the objects to be placed beside it later; ``strain`` is the
-    largest violation of a spatial relation.
+    ``awaited`` maps an object's name to the objects that will be placed beside it later; ``strain``
+    is the largest violation of a spatial relation.
     """
 
     places: dict[str, Placement] = field(default_factory=dict)
@@ -43,7 +43,7 @@ class State:
 
 
 def support_of(planned: PlannedObject) -> str | None:
-    """Return the object that a planned object stands on or in, or None for the table."""
+    """Return the object on or in which a planned object stands, or None if it is the table."""
     return next(
         (r.target for r in planned.relations if r.kind in ("on", "in") and r.target != TABLE), None
     )
@@ -58,9 +58,9 @@ def put_on(
     state: State,
     shapes: dict[str, Footprint],
 ) -> bool:
-    """Lower an object onto or into its support, at the place where it rests lowest.
+    """Lower an object onto or into its support, where it rests lowest.
 
-    An object with a slot there, as in a rack, goes into its slot.
+    If the support has a slot for it, like a rack, the object goes into that slot.
     """
     base = state.places[support]
     slot = next((s for s in models[support].slots if s.name == planned.name), None)
@@ -74,7 +74,7 @@ def put_on(
     below = [placed_triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
     model = models[planned.name]
-    if not inside:  # an object on another one is roughly aligned with it
+    if not inside:  # an object is roughly aligned with the one it stands on
         shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
     shape = shapes[planned.name]
     ground = state.fields.get(support) or field_of(models[support], base)
@@ -108,7 +108,7 @@ def _put_in_slot(
     state: State,
     shapes: dict[str, Footprint],
 ) -> None:
-    """Put an object into its slot of a holder at ``base``."""
+    """Put an object into its slot in a holder at ``base``."""
     yaw = base.yaw + slot.yaw
     at = base.translation + rotation_z(base.yaw) @ (slot.at * base.scale)
     at = at + np.array([0.0, 0.0, float(model.size[2]) / 2])
@@ -126,16 +126,16 @@ def _is_long(model: Model) -> bool:
 
 
 _FULL = 0.85
-"""Maximum length of two objects side by side, as a fraction of the length of their support."""
+"""Maximum total length of two objects side by side, as a fraction of their support's length."""
 
 _SLENDER = 2.5
-"""Ratio of height to width above which upright objects in a vessel may be close together."""
+"""Ratio of height to width above which upright objects in a vessel may stand close together."""
 
 _BESIDE = 0.02
-"""Cost of a violated relation to an object on the same support, metres of height."""
+"""Cost of violating a relation to an object on the same support, metres of height."""
 
 _OVERHANG = 0.35
-"""Maximum fraction of an object's underside beyond its support."""
+"""Maximum fraction of an object's underside that may overhang its support."""
 
 
 def _resting_cost(
@@ -149,9 +149,10 @@ def _resting_cost(
     shapes: Mapping[str, Footprint],
     state: State,
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return the cost of each place on or in a support; inf where nothing can stand.
+    """Return the cost of each position on or in a support; inf where the object cannot stand.
 
-    Low places are preferred, and distance from the others or, for a single object, the middle.
+    Low positions are preferred, and those far from other objects or, for a single object, those
+    near the middle.
     """
     nx, ny = height.shape
     grid = np.stack(np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"), -1)
@@ -168,8 +169,8 @@ def _resting_cost(
     slack = 1.5 * float(shape.half.min()) if slender else 0.0  # stems may lean past each other
     for place in siblings:
         both = 2 * float(shape.half.min() + shapes[place.name].half.min())
-        full = both > mouth and shape.height < shape.half.min()  # like shirts in a suitcase
-        if not full:  # otherwise one lies on top of the other
+        full = both > mouth and shape.height < shape.half.min()  # like shirts laid in a suitcase
+        if not full:  # otherwise one would lie on top of the other
             room = gaps(shape, centers, shapes[place.name], place.translation[:2])
             room = room + slack
             cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
@@ -182,7 +183,7 @@ def _resting_cost(
 
 
 _FEW = (2, 3)
-"""Numbers of round objects that lie side by side in a vessel; more have one in the middle."""
+"""Numbers of round objects that lie side by side in a vessel; if there are more, one is central."""
 
 
 def _rolls(planned: PlannedObject) -> bool:
@@ -192,7 +193,7 @@ def _rolls(planned: PlannedObject) -> bool:
 def _crowding(
     shape: Footprint, ground: HeightField, base: Placement, cells: tuple[int, ...]
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return how much of the shared middle an object would occupy at each place."""
+    """Return how much of the middle, which others need too, an object would take at each place."""
     grid = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), -1)
     centers = ground.origin + ground.step * grid
     away = np.linalg.norm(centers - base.translation[:2], axis=-1)
@@ -200,14 +201,14 @@ def _crowding(
 
 
 def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:
-    """Return a few of the cheapest cells, cheapest first."""
+    """Return some of the cheapest cells, cheapest first."""
     order = np.argsort(cost, axis=None, kind="stable")[:400:100]
     cells = [divmod(int(k), cost.shape[1]) for k in order]
     return [cell for cell in cells if np.isfinite(cost[cell])]
 
 
 def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
-    """Return whether an object is in a vessel, or ``heaped`` on its contents, not on its rim."""
+    """Return whether an object is in a vessel, or ``heaped`` on its contents; not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
     return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
 
@@ -218,7 +219,7 @@ def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
 def cover_with(
     name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
 ) -> Footprint:
-    """Return the footprint of an object including the objects on it."""
+    """Return the footprint of an object together with the objects on it."""
     own = shapes[name]
     for other in above:
         if support_of(other) == name:
@@ -236,7 +237,7 @@ def stand_unit(
     shapes: dict[str, Footprint],
     carrying: Mapping[str, Footprint],
 ) -> bool:
-    """Place a unit on the table; return whether there is a free place."""
+    """Place a unit on the table; return whether a free place was found."""
     if unit.seat is not None:
         center = seat_center(unit.seat, unit.shape, outline)
         for other in state.neighbours.values():
@@ -273,7 +274,7 @@ def stand_on_table(
     shapes: Mapping[str, Footprint],
     above: list[PlannedObject],
 ) -> bool:
-    """Place an object at the best free place of the tabletop; return whether there is one."""
+    """Place an object at the best free place on the tabletop; return whether there was one."""
     model, shape = models[planned.name], shapes[planned.name]
     own = cover_with(planned.name, shapes, above)
     center = _best_place(planned, own, outline, rng, state)
@@ -294,7 +295,7 @@ def _best_place(
     rng: np.random.Generator,
     state: State,
 ) -> Float[np.ndarray, "2"] | None:
-    """Return the best free place on the tabletop, or None; add its cost to the state."""
+    """Return the best free place on the tabletop, or None; its cost is added to the state."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
     awaited = tuple(state.awaited.get(planned.name, ()))
@@ -328,7 +329,7 @@ def placed_triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m
 def surface(
     corners: Float[np.ndarray, "m 3 3"], points: Float[np.ndarray, "p 2"], *, upper: bool
 ) -> Float[np.ndarray, "p"]:
-    """Return the highest (or lowest) z of triangles at each point; -inf (inf) if there is none."""
+    """Return the highest (or lowest) z of triangles at each point; -inf (or inf) if none exists."""
     none = -np.inf if upper else np.inf
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
@@ -350,7 +351,7 @@ def surface(
 def lower(
     model: Model, placement: Placement, below: Sequence[Float[np.ndarray, "_m 3 3"]]
 ) -> Placement:
-    """Return the placement lowered (or raised) until the model touches the surfaces below.
+    """Return the placement lowered (or raised) until the model touches the surfaces below it.
 
     If there is nothing below, the height is unchanged. Surfaces are compared on a grid of points
     under the model, so for smooth shapes the contact is exact to a fraction of a millimetre.

@@ -1,4 +1,4 @@
-"""Candidate positions for one object, and their costs."""
+"""Candidate positions for an object, and their costs."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ SIDES: Mapping[str, tuple[int, int, tuple[float, float]]] = {
     "behind": (BACK, FRONT, (0.0, 1.0)),
     "in_front_of": (FRONT, BACK, (0.0, -1.0)),
 }
-"""Relation kinds: direction index of the target, of the object, and the direction vector."""
+"""Relation kinds: direction indices of target and object, and the direction vector."""
 
-_RELATED, _FREE = 120, 120  # candidates proposed by relations, and all over the table
+_RELATED, _FREE = 120, 120  # numbers of candidates: proposed by relations, and all over the table
 _SPACING: Mapping[Density, float] = {"sparse": 2.0, "normal": 1.0, "dense": 0.5}
-"""Spacing of objects, relative to the normal density."""
+"""Spacing of objects relative to the normal density."""
 
-_BETWEEN = 0.025  # gap between an object and another one on a side of it, metres
-_SIGHT = 0.7  # cotangent of the viewing elevation of 55 degrees
+_BETWEEN = 0.025  # gap between an object and the one it stands beside, metres
+_SIGHT = 0.7  # cotangent of the viewing elevation, 55 degrees
 
 
 @dataclass(frozen=True, eq=False)
 class Neighbour:
-    """An object that is already placed."""
+    """An object that has already been placed."""
 
     shape: Footprint
     center: Float[np.ndarray, "2"]
@@ -37,10 +37,10 @@ class Neighbour:
 
 @dataclass(frozen=True, eq=False)
 class Awaited:
-    """An object to be placed later beside the current one: relation kind and footprint.
+    """An object that will be placed beside the current one: the relation's kind and a footprint.
 
-    ``beside`` is the footprint of the reference object, ``offset`` its position relative to the
-    current object's centre.
+    ``beside`` is the footprint of the object it refers to, and ``offset`` is the position of the
+    latter relative to the current object's centre.
     """
 
     kind: str
@@ -51,7 +51,7 @@ class Awaited:
 
 @dataclass(frozen=True, eq=False)
 class Request:
-    """An object to be placed; ``near`` are the targets of its relations by name."""
+    """An object to be placed; ``near`` maps names to the targets of its relations."""
 
     relations: tuple[Relation, ...]
     shape: Footprint
@@ -62,17 +62,17 @@ class Request:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Sides of the table at which the object belongs; two of them define a corner."""
+        """Sides of the table to which the object belongs; two of them define a corner."""
         return table_sides(self.relations)
 
 
 def table_sides(relations: Sequence[Relation]) -> tuple[str, ...]:
-    """Return the kinds of the relations that name a side of the table."""
+    """Return the kinds of relations that name a side of the table."""
     return tuple(r.kind for r in relations if r.target == TABLE and r.kind in SIDES)
 
 
 def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "m 2"]:
-    """Return candidate centres: some in the directions of relations, some all over the table."""
+    """Return candidate centres: some as the relations suggest, others all over the table."""
     low, high = request.outline.min(0), request.outline.max(0)
     spread = rng.normal(0, 0.26, (_FREE // 2, 2)) * (high - low)
     anywhere = rng.uniform(low, high, (_FREE // 2, 2))
@@ -112,7 +112,7 @@ def _around(request: Request, relation: Relation, rng: np.random.Generator) -> n
 
 
 def _rim(request: Request, rng: np.random.Generator) -> np.ndarray:
-    """Return centres a few centimetres inside the table's edge, at the given sides."""
+    """Return centres a few centimetres inside the table's edge at the given sides."""
     low, high = request.outline.min(0), request.outline.max(0)
     if request.sides:
         ways = np.array([SIDES[side][2] for side in request.sides])
@@ -133,7 +133,7 @@ def score(
     room: Float[np.ndarray, "m"],
     others: Sequence[Neighbour],
 ) -> Float[np.ndarray, "m"]:
-    """Return the cost of each centre: violated relations weigh most, then occlusion, then crowding.
+    """Return each centre's cost: violated relations weigh most, then occlusion, then crowding.
 
     ``room`` is the gap to the nearest neighbour, metres.
     """
@@ -159,7 +159,7 @@ def score(
 def _crowded_out(
     awaited: Awaited, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how far an awaited object beside this one would extend beyond the table, metres."""
+    """Return how far an awaited object beside this one would overhang the table's edge, metres."""
     theirs, own, way = SIDES[awaited.kind]
     distance = awaited.beside.reach[theirs] + awaited.shape.reach[own] + _BETWEEN
     places = centers + awaited.offset + distance * np.array(way)
@@ -169,7 +169,7 @@ def _crowded_out(
 def violation(
     request: Request, relation: Relation, centers: Float[np.ndarray, "m 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how strongly each centre violates a relation; 0 if it holds well."""
+    """Return how strongly the object at each centre violates a relation; 0 if it holds well."""
     size = np.ptp(request.outline, axis=0)
     if relation.target == TABLE:
         if relation.kind in SIDES:
@@ -211,9 +211,9 @@ def edge_gaps(
     outline: Float[np.ndarray, "k 2"],
     sides: Sequence[str],
 ) -> Float[np.ndarray, "s m"]:
-    """Return the distance from a shape at each centre to the table's rim on each of ``sides``.
+    """Return the distance from a shape at each centre to the table's rim at each of ``sides``.
 
-    Without sides it is the distance to the nearest part of the rim.
+    If there are no sides, it is the distance to the nearest part of the rim.
     """
     if not sides:
         return margins(shape, centers, outline)[None]
@@ -224,7 +224,7 @@ def edge_gaps(
 def _hiding(
     shape: Footprint, centers: Float[np.ndarray, "m 2"], others: Sequence[Neighbour]
 ) -> Float[np.ndarray, "m"]:
-    """Return the fraction hidden from the elevated front view, summed over pairs of objects."""
+    """Return the fraction hidden in the view from the raised front, summed over object pairs."""
     total = np.zeros(len(centers))
     for other in others:
         offset = centers - other.center

@@ -10,12 +10,12 @@ from jaxtyping import Float
 from .footprint import DIRECTIONS, Footprint
 
 MARGIN = 0.025
-"""Distance of a place setting from the table's edge, metres."""
+"""Distance between a place setting and the table's edge, metres."""
 
 WIDTH = 0.52
-"""Length of edge per person, metres."""
+"""Length of table edge per person, metres."""
 
-_LONG = 1.35  # ratio of length to depth above which tables for four have no seats at the ends
+_LONG = 1.35  # ratio of length to depth above which a table for four has no seats at its ends
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Seat:
     Attributes:
         turn: yaw of the place setting, radians; 0 is the seat in front of the table.
         side: direction from the table's centre to the seat, unit vector.
-        along: position along the edge, as a fraction of half the edge, in [-1, 1].
+        along: position along the edge, as a fraction of half its length, in [-1, 1].
     """
 
     turn: float
@@ -38,7 +38,7 @@ _TURNS = {_FRONT: 0.0, _RIGHT: np.pi / 2, _BACK: np.pi, _LEFT: -np.pi / 2}
 
 
 def seats(count: int, outline: str, size: tuple[float, float]) -> list[Seat]:
-    """Return ``count`` seats at a table of an outline and a size (length, depth), metres."""
+    """Return ``count`` seats at a table with an outline and a size (length, depth), metres."""
     if outline in ("round", "triangle") or (outline == "oval" and count > 4):
         angles = -np.pi / 2 + 2 * np.pi * np.arange(count) / count
         return [Seat(float(a + np.pi / 2), (float(np.cos(a)), float(np.sin(a)))) for a in angles]
@@ -64,7 +64,7 @@ def _at_ends(count: int, length: float) -> int:
 def seat_center(
     seat: Seat, shape: Footprint, outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "2"]:
-    """Return the centre of a place setting: at the edge in front of the seat."""
+    """Return the centre of a place setting: at the edge, in front of the seat."""
     side = np.asarray(seat.side)
     along = np.array([-side[1], side[0]])
     if abs(side[0]) == 1.0:

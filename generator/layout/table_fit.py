@@ -1,4 +1,4 @@
-"""Layout on the smallest plausible table that holds it."""
+"""Layout on the smallest plausible table that holds all objects."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from .arrangement import Layout, arrange
 from .furniture import build_top
 
 GROWTH = (1.0, 1.15, 1.3)
-"""Table growth factors, one per attempt."""
+"""Growth factors of the table, one per attempt."""
 
 _STRAINED = 1.0
-"""Strain above which a larger table is tried: a side relation is clearly violated."""
+"""Strain above which a larger table is tried, since a side relation is clearly violated."""
 
 
 def lay_out(
@@ -25,7 +25,7 @@ def lay_out(
 ) -> tuple[Layout, Model]:
     """Arrange the models on the plan's table, or on a larger one if they do not fit.
 
-    ``yaws`` are prescribed yaws of some objects, radians.
+    ``yaws`` prescribes the yaws of some objects, in radians.
 
     Raises:
         SceneError: The objects do not fit on any plausible table.

@@ -1,7 +1,7 @@
-"""Units of objects: rows, columns, circles, fans, heaps side by side, and place settings.
+"""Units: rows, columns, circles, fans and heaps of objects placed together, and place settings.
 
-A unit is placed on the table as a whole, by the hull of its members; within it each member has a
-fixed offset and yaw.
+A unit is placed on the table as a whole, according to the hull of its members. Within the unit each
+member has a fixed offset and yaw.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from .heaps import Pile, pile_heap, pile_pyramid
 from .seats import Seat, seats
 
 SPACING = 0.02
-"""Gap between neighbours in a unit, metres; larger than the minimum gap of two footprints."""
+"""Gap between neighbours in a unit, metres; larger than the minimum gap between footprints."""
 
 _GAP = 0.016  # gap between the objects of a place setting, metres
 
@@ -31,12 +31,12 @@ class Unit:
     """A group with the positions of its members relative to its centre.
 
     Attributes:
-        planned: object that represents the unit: the first member's name, the relations of all
-            members to other objects.
-        offsets: of the members from the unit's centre, metres.
-        turns: added to each member's yaw, radians.
+        planned: object that represents the unit, with the first member's name and all members'
+            relations to other objects.
+        offsets: positions of the members relative to the unit's centre, metres.
+        turns: angle added to each member's yaw, radians.
         shape: hull of all members.
-        below: for each member that is not directly on the table, the members it lies on, by name.
+        below: names of the members that each member not directly on the table lies on.
         seat: the seat of a place setting, else None.
     """
 
@@ -57,8 +57,8 @@ def units_of(
 ) -> list[Unit]:
     """Return the units of a plan; each object belongs to at most one.
 
-    ``objects`` are the objects on the table, ``shapes`` their footprints including everything they
-    carry. ``table`` determines the seats.
+    ``objects`` are the objects on the table, and ``shapes`` are their footprints, including
+    everything that they carry. ``table`` determines the seats.
     """
     taken: set[str] = set()
     found = []
@@ -114,7 +114,7 @@ def _pile(
     shapes: Sequence[Footprint],
     objects: Mapping[str, PlannedObject],
 ) -> Pile | None:
-    """Return how the objects of a group are piled, None if all of them are on the table."""
+    """Return how the objects of a group are piled, or None if all of them are on the table."""
     if group.kind == "heap":
         return pile_heap(shapes)
     if group.kind == "pyramid":
@@ -129,7 +129,7 @@ def _center(
     shapes: Mapping[str, Footprint],
     turn: float,
 ) -> tuple[dict[str, Float[np.ndarray, "2"]], dict[str, float], Footprint]:
-    """Return offsets relative to the centre of all members, turned to a seat, and their hull."""
+    """Return offsets from the centre of all members, turned towards a seat, and their hull."""
     matrix = rotation_z(turn)[:2, :2]
     corners = [shapes[n].outline @ rotation_z(turns[n])[:2, :2].T + places[n] for n in places]
     points = np.concatenate(corners)
@@ -144,7 +144,7 @@ def _center(
 def _merge(
     places: Mapping[str, Float[np.ndarray, "2"]], objects: Mapping[str, PlannedObject]
 ) -> PlannedObject:
-    """Return the first member, with the relations of all members to objects outside the group."""
+    """Return the first member, with all members' relations to objects outside the group."""
     relations: list[Relation] = []
     for name in places:
         relations += [
@@ -161,7 +161,7 @@ Arranger = Callable[[Sequence[Footprint], Footprint | None, np.random.Generator]
 def _row(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """Arrange members side by side along x, with front edges aligned."""
+    """Arrange members side by side along x, with their front edges aligned."""
     offsets, x = [], 0.0
     for k, shape in enumerate(shapes):
         x += float(shape.reach[LEFT]) + (min(SPACING, 0.3 * float(shape.half[0])) if k else 0.0)
@@ -173,7 +173,7 @@ def _row(
 def _column(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """Arrange members one behind the other along y, the first in front."""
+    """Arrange members one behind the other along y, with the first in front."""
     offsets, y = [], 0.0
     for k, shape in enumerate(shapes):
         y += float(shape.reach[FRONT]) + (SPACING if k else 0.0)
@@ -185,7 +185,7 @@ def _column(
 def _grid(
     shapes: Sequence[Footprint], inner: Footprint | None, rng: np.random.Generator
 ) -> Arrangement:
-    """Arrange members in a grid of equal cells, about as wide as deep."""
+    """Arrange members in a grid of equal cells, about as wide as it is deep."""
     cell = np.max([2 * shape.reach[[RIGHT, BACK]] for shape in shapes], axis=0) + SPACING
     width = int(np.ceil(np.sqrt(len(shapes))))
     offsets = [cell * np.array([k % width, k // width]) for k in range(len(shapes))]
@@ -245,7 +245,7 @@ def _setting(
     objects: Mapping[str, PlannedObject],
     shapes: Mapping[str, Footprint],
 ) -> list[Float[np.ndarray, "2"]]:
-    """Return the positions of a place setting about its first object, as seen from the seat."""
+    """Return the positions in a place setting relative to its first object, seen from the seat."""
     first = members[0]
     edges = {"left_of": -float(shapes[first].reach[LEFT]), "right_of": shapes[first].reach[RIGHT]}
     places = {first: np.zeros(2)}

@@ -1,4 +1,4 @@
-"""Normalisation of foreign meshes: upright, repaired, simplified, with one texture."""
+"""Normalisation of foreign meshes: upright, repaired, simplified, and with a single texture."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ from .reading.textures import MOST_TEXTURE
 from .repair import check_surface, clean, fill_holes, inside_out, tidy, welded_shape
 from .texture import best_size, own_texture, painted_faces, painted_shape
 
-_FILLED = 0.4  # assumed ratio of an open mesh's volume to that of its box
+_FILLED = 0.4  # assumed ratio between the volumes of an open mesh and of its box
 
 
 @dataclass(frozen=True)
 class Normal:
-    """Target size of foreign meshes.
+    """The target size of foreign meshes.
 
     Attributes:
         faces: maximum number of triangles, 50 to 25,000; up to four times as many where the shape
             needs them.
-        texture: side of a regenerated texture, texels, at most 2048; more if many faces need it.
+        texture: side of a regenerated texture, texels, at most 2048; larger if many faces need it.
     """
 
     faces: int = 6000
@@ -57,13 +57,14 @@ def normal_mesh(
 
     Faces look outwards as far as this can be determined. At least 99 % of the edges, joined across
     texture seams, belong to two faces (or two pairs, where objects touch) or run around an opening
-    (``repair``). Small holes are closed; cups, tubes and leaves stay open, and only their convex
-    parts make them solid. The mesh has at most four times the requested number of triangles. A
-    texture of at most 2048 texels is kept if all parts share it, it does not repeat and the mesh is
-    not simplified.
+    (``repair``). Small holes are closed. Cups, tubes and leaves stay open; only their convex parts
+    make them solid. The mesh has at most four times the requested number of triangles. A texture
+    with sides of at most 2048 texels is kept if all parts share it, it does not repeat, and the
+    mesh is not simplified.
 
-    ``what`` names the file in messages: backend, query, name. ``up`` is the file's upward axis,
-    ``to`` the target size; ``beside`` holds the files that an OBJ refers to (``companions``).
+    ``what`` names the file in messages: backend, query, name. ``up`` is the file's upward axis, and
+    ``to`` is the target size. ``beside`` contains the files to which an OBJ refers (see
+    ``companions``).
 
     Raises:
         BackendError: the file cannot be read (``inspection``), repaired (``repair``) or simplified.
@@ -123,10 +124,10 @@ def _list_repairs(counts: Mapping[str, int]) -> tuple[str, ...]:
 
 
 def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
-    """Return a normalised mesh as an instance's raw model: its own proportions, the prior's size.
+    """Return a normalised mesh as an instance's raw model: its own proportions, the usual size.
 
-    Mass and friction of a known category are those of the catalogue; otherwise the density is that
-    of light wood.
+    For a known category, mass and friction are those of the catalogue; otherwise the density is
+    that of light wood.
     """
     unit, _, extent = to_unit_box(mesh)
     kind = known_category(instance, size)
@@ -142,7 +143,7 @@ def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
 
 
 def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
-    """Return physical properties that give a foreign mesh of usual size its category's mass."""
+    """Return physical properties that give an imported mesh of usual size its category's mass."""
     if kind is None:
         return Physics(density=500.0, friction=0.6)
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED

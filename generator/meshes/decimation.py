@@ -1,4 +1,4 @@
-"""Simplification of meshes, with a check that the shape is preserved."""
+"""Simplification of meshes, with a check that their shape is preserved."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ..errors import BackendError
 from ..scene.triangles import closed
 from .pixels import mask_iou
 
-_TRIES = (1, 2, 4)  # multiples of the requested number of faces
+_TRIES = (1, 2, 4)  # as multiples of the requested number of faces
 _OVERLAP = 0.97  # minimum overlap of the silhouettes before and after
 _VOLUME = 0.05  # maximum relative change of the volume of closed meshes
-_SIDE = 128  # side of a silhouette, pixels
-_AT_ONCE = 100_000  # faces per batch
-_CARE = 3  # on a scale of 0 to 10; from 5 on, the rims of cups become jagged
-_CELLS = 1000, 500, 250  # along the longest side: vertices in one cell are merged
+_SIDE = 128  # side of a silhouette picture, pixels
+_AT_ONCE = 100_000  # number of faces per batch
+_CARE = 3  # on a scale of 0 to 10; from 5 on, rims of cups become jagged
+_CELLS = 1000, 500, 250  # cells along the longest side; the vertices in a cell are merged
 _BITS = 4  # subpixel bits
 
 _SIGHTS = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], float)
@@ -28,10 +28,11 @@ Faces = Int[np.ndarray, "_ 3"]
 
 
 def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[Vertices, Faces]:
-    """Return a shape with about ``maximum`` triangles, up to four times as many if it needs them.
+    """Return a shape with about ``maximum`` triangles, or up to four times as many if necessary.
 
-    Simplified by quadric error. The result is compared with the original: silhouettes from four
-    directions overlap by at least 97 %, and the volume of a closed shape changes by at most 5 %.
+    The shape is simplified by quadric error and compared with the original: silhouettes from four
+    directions must overlap by at least 97 %, and the volume of a closed shape may change by at most
+    5 %.
 
     Raises:
         BackendError: the shape is not preserved.
@@ -65,7 +66,7 @@ def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[V
 def silhouettes(
     vertices: Vertices, faces: Faces, frame: Vertices
 ) -> Iterator[Bool[np.ndarray, "s s"]]:
-    """Yield the pixels that a shape covers along four directions, scaled so that ``frame`` fits."""
+    """Yield the pixels that a shape covers from four directions, scaled so that ``frame`` fits."""
     for sight in _SIGHTS:
         forward = sight / np.linalg.norm(sight)
         right = np.cross(forward, np.roll(forward, 1) if sight.sum() < 2 else [0.0, 0.0, 1.0])
@@ -78,7 +79,7 @@ def silhouettes(
 
 
 def _cover(pixels: Float[np.ndarray, "n 2"], faces: Faces) -> Bool[np.ndarray, "s s"]:
-    """Return the cells that triangles cover; tiny triangles are drawn by their vertices."""
+    """Return the cells that triangles cover; tiny triangles are represented by their vertices."""
     covered = np.zeros((_SIDE, _SIDE), np.uint8)
     for first in range(0, len(faces), _AT_ONCE):
         corners = pixels[faces[first : first + _AT_ONCE]]
@@ -92,7 +93,7 @@ def _cover(pixels: Float[np.ndarray, "n 2"], faces: Faces) -> Bool[np.ndarray, "
 
 
 def volume(vertices: Vertices, faces: Faces) -> float:
-    """Return the volume of a closed shape; 0 for an open one."""
+    """Return the volume of a closed shape, or 0 for an open one."""
     if not closed(faces):
         return 0.0
     centred, total = vertices - vertices.mean(0), 0.0
@@ -103,10 +104,10 @@ def volume(vertices: Vertices, faces: Faces) -> float:
 
 
 def cluster(vertices: Vertices, faces: Faces, cells: int) -> tuple[Vertices, Faces]:
-    """Return a shape whose vertices in each cell of a grid are merged at their mean.
+    """Return a shape in which the vertices in each cell of a grid are merged at their mean.
 
-    Quadric error does not simplify evenly subdivided surfaces, since it rejects their collapses as
-    flips.
+    Simplification by quadric error fails on evenly subdivided surfaces, since it rejects collapsed
+    edges as flipped faces.
     """
     low, span = vertices.min(0), float(np.ptp(vertices, axis=0).max())
     cell = np.floor((vertices - low) / span * cells).astype(np.int64)

@@ -1,4 +1,4 @@
-"""Operations on masks: nearest inside pixel, hull, pieces, holes, distance, overlap, frame."""
+"""Operations on masks: nearest inside pixel, hull, pieces, holes, distance, overlap and frame."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Mask = Bool[np.ndarray, "_ _"]
 def nearest_inside(
     mask: Mask, steps: tuple[float, float] = (1.0, 1.0)
 ) -> tuple[Int[np.ndarray, "h w"], Int[np.ndarray, "h w"]]:
-    """Return row and column of the nearest pixel inside ``mask``, for every pixel.
+    """Return the row and column of the nearest pixel inside ``mask``, for every pixel.
 
     ``steps`` are the lengths of a step to the next row and to the next column.
     """
@@ -25,12 +25,12 @@ def nearest_inside(
 
 
 def dilate(mask: Mask, side: int) -> Mask:
-    """Return a mask grown by a square brush of ``side`` pixels."""
+    """Return a mask grown with a square brush of ``side`` pixels."""
     return cv2.dilate(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
 
 
 def erode(mask: Mask, side: int) -> Mask:
-    """Return a mask shrunk by a square brush of ``side`` pixels, except at the image border."""
+    """Return a mask shrunk with a square brush of ``side`` pixels, except at the image border."""
     return cv2.erode(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
 
 
@@ -60,7 +60,7 @@ def hull_corners(mask: Mask) -> Float[np.ndarray, "k 2"]:
 def distances(mask: Mask) -> Float[np.ndarray, "h w"]:
     """Return every pixel's distance from the nearest pixel of ``mask``, pixels.
 
-    Uses SciPy's transform, since OpenCV's exact one is not reproducible bit for bit.
+    SciPy's transform is used because OpenCV's exact one is not reproducible bit for bit.
     """
     return np.asarray(ndimage.distance_transform_edt(~mask))
 
@@ -75,7 +75,7 @@ def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarra
 
 
 def main_parts(mask: Mask, share: float = 0.1) -> Mask:
-    """Return the largest connected part of a mask, and others above a ``share`` of its area."""
+    """Return the largest connected part of a mask, and all others above a ``share`` of its area."""
     _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
     areas = stats[1:, cv2.CC_STAT_AREA]
     if not len(areas):
@@ -102,10 +102,10 @@ def largest_piece(mask: Mask) -> Mask:
 
 
 def in_one_piece(mask: Mask, minimum: float = 0.02) -> Mask:
-    """Return a mask with its pieces joined where they are nearest to each other.
+    """Return a mask with its pieces joined by bridges where they are nearest to each other.
 
-    A bridge is as wide as the narrower of the two ends that it joins. Specks below a share of
-    ``minimum`` of the whole are not joined.
+    A bridge is as wide as the narrower of the two ends that it joins. Specks smaller than a
+    fraction ``minimum`` of the whole are not joined.
     """
     labels = np.asarray(cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)[1])
     counts = np.bincount(labels.ravel())

@@ -1,6 +1,6 @@
-"""Projection of one instance's picture: the reference camera, cropped to the instance.
+"""The projection of one instance's picture: the reference camera, cropped to the instance.
 
-The modeler gets the view along the instance's own ray, and no distance. The unit of length is
+The modeler receives the view along the instance's own ray, but no distance. The unit of length is
 therefore the *pixel at the object's depth*: the object frame has its origin on the ray through the
 centre of the instance's box, one focal length (in reference pixels) from the camera along the
 optical axis, with +x right, +y away and +z up as in the world frame.
@@ -40,7 +40,7 @@ def camera_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: i
         if total > first and elevation > np.pi / 2:
             continue
         elevation = float(np.clip(elevation, 1e-3, np.pi / 2))
-        # In the camera's heading the ray runs x to the right and `ahead` forwards.
+        # In the camera's heading, the ray runs x to the right and `ahead` forwards.
         ahead = np.cos(elevation) - y * np.sin(elevation)
         azimuth = wrap(view.azimuth + np.arctan2(x, ahead))
         options.append(View(azimuth, elevation, view.fov, view.roll))
@@ -51,8 +51,8 @@ def camera_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: i
 class Projection:
     """A pinhole camera with its principal point at ``center``, in pixels of the crop.
 
-    ``rotation`` takes object-frame directions to camera axes (x right, y down, z forward),
-    ``position`` is the camera's, ``width`` and ``height`` are the crop's.
+    ``rotation`` converts directions from the object frame to camera axes (x right, y down, z
+    forward). ``position`` is the camera's position; ``width`` and ``height`` are those of the crop.
     """
 
     rotation: Float[np.ndarray, "3 3"]
@@ -64,7 +64,7 @@ class Projection:
 
     @classmethod
     def of_instance(cls, instance: Instance, view: View) -> Projection:
-        """Return the projection of an instance's crop; ``view`` is along its own ray."""
+        """Return the projection of an instance's crop; ``view`` is along the instance's own ray."""
         rows, columns = instance.mask.shape
         pixel = (instance.box[:2] + instance.box[2:]) / 2
         whole = camera_view(view, pixel, columns, rows)
@@ -88,17 +88,17 @@ class Projection:
 
     @property
     def right(self) -> Vector:
-        """Horizontal unit vector to the right in the picture."""
+        """Horizontal unit vector that points to the right in the picture."""
         return self.rotation[0]
 
     @property
     def away(self) -> Vector:
-        """Horizontal unit vector away from the camera."""
+        """Horizontal unit vector that points away from the camera."""
         return np.array([-self.rotation[0, 1], self.rotation[0, 0], 0.0])
 
     @property
     def pixel(self) -> float:
-        """Length of a pixel at the origin's distance."""
+        """Length of one pixel at the distance of the origin."""
         return float(np.linalg.norm(self.position)) / self.focal
 
     @property
@@ -107,11 +107,11 @@ class Projection:
         return float(np.clip(self.position[2] / np.linalg.norm(self.position), 0.05, 1.0))
 
     def to_camera(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
-        """Return object-frame points in camera axes."""
+        """Convert points from the object frame to camera axes."""
         return (np.asarray(points, float) - self.position) @ self.rotation.T
 
     def project(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 2"]:
-        """Return crop pixels of object-frame points."""
+        """Return the crop pixels of points in the object frame."""
         p = self.to_camera(points)
         return p[:, :2] / np.maximum(p[:, 2:], 1e-6) * self.focal + self.center
 
@@ -151,7 +151,7 @@ class Projection:
     def inside(
         self, mask: Bool[np.ndarray, "h w"], points: Float[np.ndarray, "... 3"]
     ) -> Bool[np.ndarray, "..."]:
-        """Return which points project into ``mask`` (a mask of this projection's size)."""
+        """Return which points project into ``mask``, which has the size of this projection."""
         pixels = np.floor(self.project(points.reshape(-1, 3))).astype(np.int64)
         x, y = pixels[:, 0], pixels[:, 1]
         on = (x >= 0) & (y >= 0) & (x < self.width) & (y < self.height)

@@ -1,8 +1,8 @@
-"""Repair of foreign meshes: loose, duplicate and inside-out triangles; sheets get a thickness.
+"""Repair of foreign meshes with loose, duplicate or inside-out triangles; sheets become thicker.
 
-The steps: coincident vertices are merged; slivers, duplicate faces, crumbs and fins are removed
-(``clean``); faces are turned outwards; small holes are closed (``fill_holes``). A mesh with more
-than 1 % of flawed edges after that is rejected (``check_surface``).
+The steps are as follows: coincident vertices are merged; slivers, duplicate faces, crumbs and fins
+are removed (``clean``); faces are turned outwards; small holes are closed (``fill_holes``). A mesh
+with more than 1 % of flawed edges after that is rejected (``check_surface``).
 """
 
 from __future__ import annotations
@@ -20,21 +20,21 @@ from ..physics.parts import THINNEST
 from ..scene.triangles import Faces, Vertices, areas, pieces, weld_index
 from .reading.surface import ColoredSurface
 
-_CRUMB = 5e-4  # share of the total area below which a loose piece is removed
-_SHEET = 0.5  # share of faces with a coincident back face from which a mesh is a double-sided sheet
-_GAP = 0.2  # maximum rim length of a hole to close, as a fraction of the diagonal
-_FIN = 0.05  # maximum share of the total area of pieces removed at edges of three faces
-_FLAWED = 0.01  # maximum share of flawed edges
-_FLAT = 1e-3  # fraction of the longest side below which a mesh is flat
+_CRUMB = 5e-4  # fraction of the total area below which a loose piece is removed
+_SHEET = 0.5  # fraction of faces with a coincident back face, above which a mesh is a sheet
+_GAP = 0.2  # maximum length of the rim of a hole to close, as a fraction of the diagonal
+_FIN = 0.05  # maximum fraction of the total area in pieces removed at edges of three faces
+_FLAWED = 0.01  # maximum fraction of flawed edges
+_FLAT = 1e-3  # fraction of the longest side below which a mesh counts as flat
 
 
 def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
     """Return a surface without slivers, duplicate faces, loose crumbs and fins.
 
-    A crumb is a piece with less than 0.05 % of the area; fins are attached to edges of two other
-    faces, and have at most 5 % of the area in total. Two faces with the same vertices but different
-    colours, an inner wall, are both removed; if most faces are duplicated in this way, the mesh is
-    a sheet, and one of each pair is kept.
+    A crumb is a piece with less than 0.05 % of the area. Fins are attached to edges that two other
+    faces share, and have at most 5 % of the area in total. Two faces with the same vertices but
+    different colours form an inner wall, and both are removed. If most faces are duplicated in this
+    way, the mesh is a sheet, and one face of each pair is kept.
 
     Raises:
         BackendError: nothing is left, or the surface is flat.
@@ -58,12 +58,12 @@ def welded_shape(vertices: Float[np.ndarray, "v 3"], faces: Faces) -> tuple[Vert
 
 
 def tidy(vertices: Vertices, faces: Faces) -> Int[np.ndarray, "k 3"]:
-    """Return a welded shape's faces, cleaned as in ``clean``."""
+    """Return the faces of a welded shape, cleaned as in ``clean``."""
     return faces[_sound(vertices, faces, np.arange(len(vertices)))]
 
 
 def inside_out(vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "m"]:
-    """Return which faces must be turned over so that all look outwards (by trimesh)."""
+    """Return which faces must be turned over so that all of them face outwards (by trimesh)."""
     mesh = trimesh.Trimesh(vertices, faces, process=False)
     if mesh.is_watertight and mesh.is_winding_consistent:  # walls of cavities may face inwards
         return np.full(len(faces), mesh.volume < 0)
@@ -76,9 +76,9 @@ def fill_holes(
 ) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "j 3"]]:
     """Close holes with a rim of at most a fifth of the diagonal; a bowl's opening stays open.
 
-    Each hole gets a fan around its centre, including holes that share a corner; single triangles
-    are skipped. trimesh's own filling is limited by the number of a rim's vertices, and would close
-    open boxes.
+    Each hole is closed by a fan around its centre, even if holes share a corner; single triangles
+    are skipped. The filling in trimesh is not used, since it is limited by the number of a rim's
+    vertices and would close open boxes.
     """
     sides, edge, total = _edges(faces)
     rim = total[edge] == 1
@@ -104,13 +104,13 @@ def fill_holes(
 def check_surface(faces: Faces, what: str) -> None:
     """Check that the repaired mesh is a surface.
 
-    At most 1 % of all edges may be flawed. Sound edges join two faces with consistent orientation,
-    or two such pairs (objects that touch), or belong to rims that run around an opening and meet no
-    other rim. Flawed edges are those of three faces or more, of two faces with opposite
-    orientation, the rims of single triangles, and rims that meet.
+    At most 1 % of all edges may be flawed. A sound edge joins two consistently oriented faces or
+    two such pairs (where objects touch), or belongs to a rim that runs around an opening and meets
+    no other rim. All other edges are flawed: those of three or more faces, those of two faces with
+    opposite orientations, the rims of single triangles, and rims that meet.
 
     Raises:
-        BackendError: more edges are flawed.
+        BackendError: more than 1 % of the edges are flawed.
     """
     torn, uneven = flaws(faces)
     if torn + uneven > _FLAWED:
@@ -122,7 +122,7 @@ def check_surface(faces: Faces, what: str) -> None:
 
 
 def flaws(faces: Faces) -> tuple[float, float]:
-    """Return the shares of edges that are torn, and that do not join two faces or two pairs."""
+    """Return the fractions of edges that are torn, and that do not join two faces or two pairs."""
     sides, edge, total = _edges(faces)
     net = np.abs(np.bincount(edge, np.where(sides[:, 0] < sides[:, 1], 1, -1)))
     uneven = ((total > 2) & (total % 2 == 1)) | ((total == 2) & (net > 0))
@@ -137,14 +137,14 @@ def flaws(faces: Faces) -> tuple[float, float]:
 def _edges(
     faces: Faces,
 ) -> tuple[Int[np.ndarray, "s 2"], Int[np.ndarray, "s"], Int[np.ndarray, "e"]]:
-    """Return the half-edges, the edge of each, and the number of half-edges per edge."""
+    """Return the half-edges, the edge of each, and the number of half-edges of each edge."""
     sides = np.concatenate([faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
     _, edge, total = np.unique(_edge_keys(faces), return_inverse=True, return_counts=True)
     return sides, edge.reshape(-1), total
 
 
 def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
-    """Return a number per half-edge, equal for those on the same edge."""
+    """Return a number for each half-edge, equal for half-edges on the same edge."""
     radix = int(faces.max()) + 1
     keys = np.empty((3, len(faces)), np.int64)
     for k in range(3):
@@ -154,7 +154,7 @@ def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
 
 
 def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool[np.ndarray, "m"]:
-    """Return which faces to keep: no slivers, duplicates, loose crumbs or fins."""
+    """Return which faces to keep, that is, no slivers, duplicates, loose crumbs or fins."""
     corner = weld[faces]
     kept = np.flatnonzero((corner != np.roll(corner, 1, axis=1)).all(1))
     area = areas(vertices, faces)
@@ -167,9 +167,9 @@ def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool
 
 
 def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Return which faces to keep so that no small piece is attached to edges of three faces."""
-    # A piece is connected by edges of two faces. Pieces with a free rim are removed first, and
-    # smaller ones before larger ones; pieces that are then attached by sound edges are kept.
+    """Return the faces to keep so that no small piece is attached to edges of three faces."""
+    # The faces of a piece are connected by edges of two faces. Pieces with a free rim are removed
+    # first, and smaller before larger ones; those that are then attached by sound edges are kept.
     total = np.unique(_edge_keys(faces), return_counts=True)[1]
     odd = (total > 2) & (total % 2 == 1)
     if not odd.any():
@@ -197,12 +197,12 @@ def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"
 
 
 def _single_sides(rim: Bool[np.ndarray, "s"]) -> Bool[np.ndarray, "s"]:
-    """Return which half-edges are of faces that have only rims, given which are rims."""
+    """Return which half-edges belong to faces that have only rims, given which are rims."""
     return np.tile(rim.reshape(3, -1).all(0), 3)
 
 
 def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:
-    """Return the loop of each rim half-edge, or -1; no loop visits a vertex twice."""
+    """Return the loop to which each rim half-edge belongs, or -1; loops visit vertices once."""
     ahead: dict[int, list[int]] = {}
     for side, corner in enumerate(start.tolist()):
         ahead.setdefault(corner, []).append(side)
@@ -212,7 +212,7 @@ def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.nda
         corners, place = [first], {first: 0}
         while way or ahead.get(first):
             sides = ahead.get(corners[-1])
-            if not sides:  # open paths belong to no loop
+            if not sides:  # open paths do not belong to any loop
                 way.pop()
                 del place[corners.pop()]
                 continue
@@ -232,7 +232,7 @@ def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.nda
 
 
 def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Return which faces to keep of those with the same vertices."""
+    """Return which faces to keep of those that have the same vertices."""
     group = _group(np.sort(corner, axis=1))
     if int(group.max()) + 1 == len(corner):
         return np.ones(len(corner), bool)
@@ -250,7 +250,7 @@ def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
 
 
 def _group(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
-    """Return a number per row, equal for equal rows, in order of the rows."""
+    """Return a number for each row, equal for equal rows, in the order of the rows."""
     group = np.zeros(len(rows), np.int64)
     for column in rows.T:
         group = np.unique(group * (int(column.max()) + 1) + column, return_inverse=True)[1]
@@ -259,22 +259,22 @@ def _group(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
 
 
 def _sizable(corner: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Return which faces belong to a connected piece of sufficient area."""
+    """Return which faces belong to a connected piece with sufficient area."""
     piece = pieces(corner, int(corner.max()) + 1)[corner[:, 0]]
     area = np.bincount(piece, area)
     return (area > _CRUMB * area.sum())[piece]
 
 
-_SHARE = 1.5e-3  # thickness of sheets, as a fraction of the longest side; below 2/3 repair rejects
-_THIN_SHARE = 0.05  # fraction of the longest side below which a thin mesh is a sheet
+_SHARE = 1.5e-3  # thickness of sheets, as a fraction of the longest side; repair rejects 2/3 of it
+_THIN_SHARE = 0.05  # fraction of the longest side below which a thin mesh counts as a sheet
 _SAME = 1e-6  # fraction of the longest side up to which both sides of a sheet are merged
 
 
 def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
-    """Return a sheet with a thickness, and the thickness; other surfaces unchanged, and 0.
+    """Return a sheet made thicker, and its new thickness; return other surfaces unchanged, and 0.
 
-    A sheet is thinner than ``physics.parts.THINNEST`` or than 0.15 % of its longest side, along
-    some direction. If it has two sides, they are moved apart along that direction; a single layer
+    A sheet is thinner, along some direction, than ``physics.parts.THINNEST`` or than 0.15 % of its
+    longest side. If it has two sides, they are moved apart along that direction; a single layer
     becomes two layers with a rim.
     """
     used = surface.vertices[np.unique(surface.faces)]
@@ -293,14 +293,14 @@ def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
 
 
 def _normal(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "3"]:
-    """Return the direction of least extent; an axis if nearly parallel to one."""
+    """Return the direction of least extent, or an axis if it is nearly parallel to one."""
     normal = np.linalg.eigh(points.T @ points)[1][:, 0]
     axis = int(np.abs(normal).argmax())
     return np.eye(3)[axis] if abs(normal[axis]) > 1 - 1e-6 else normal
 
 
 def _extrude(surface: ColoredSurface, half: Float[np.ndarray, "3"]) -> ColoredSurface:
-    """Return a layer as two, ``half`` above and below it, joined by a rim."""
+    """Return a layer as two layers, ``half`` above and below it, joined by a rim."""
     count, faces = len(surface.vertices), surface.faces
     sides, owner = _rim(surface)
     if len(faces) and np.cross(*np.diff(surface.vertices[faces[0]], axis=0)) @ half < 0:
@@ -320,7 +320,7 @@ def _extrude(surface: ColoredSurface, half: Float[np.ndarray, "3"]) -> ColoredSu
 
 
 def _rim(surface: ColoredSurface) -> tuple[Int[np.ndarray, "k 2"], Int[np.ndarray, "k"]]:
-    """Return the half-edges that belong to only one face, and their faces."""
+    """Return the half-edges that belong to only one face, and these faces."""
     sides = np.concatenate([surface.faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
     welded = np.sort(weld_index(surface.vertices)[sides], axis=1)
     _, edge, total = np.unique(welded, axis=0, return_inverse=True, return_counts=True)

@@ -1,10 +1,10 @@
-"""Removes the light from an object's colours: estimates its shading and divides by it.
+"""Removal of light from an object's colours: its shading is estimated and divided out.
 
 A picture shows colour times light; a texture must contain colour alone, or the scene's light would
 be applied on top of the picture's. Light is assumed constant over an object and smooth in the
 surface normal: ``1 + up * (n_z - 1) + side * n_x + ahead * n_y``, which is 1 for surfaces that face
-up. Most light comes from above, so that is the prior; the picture's own brightness corrects it
-where one hue is visible with several normals.
+up. Since most light comes from above, this is the initial assumption. The picture's brightness
+corrects it where one hue is visible with several normals.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from jaxtyping import Bool, Float, Int
 
 Rows = Float[np.ndarray, "t 3"]
 
-_PRIOR = np.array([0.0, -0.04, 0.26])  # side, ahead, up: from above and slightly from the front
+_PRIOR = np.array([0.0, -0.04, 0.26])  # side, ahead, up: light from above, slightly from the front
 _SPREAD = np.array([0.12, 0.12, 0.1])
 _DARKEST = 0.5  # lower limit of the shading factor
-_NOISE = 0.1  # typical variation of relative brightness within one hue and direction
-_LEAST = 15  # minimum number of points of one hue and direction
-_LEVELS = 24  # steps of a colour's share of red, and of green
+_NOISE = 0.1  # typical variation of relative brightness for one hue and direction
+_LEAST = 15  # minimum number of points for one hue and direction
+_LEVELS = 24  # number of steps of a colour's fractions of red and of green
 
 
 @dataclass(frozen=True, eq=False)
 class Shading:
-    """Brightness of a surface by its normal; ``slope`` is the change per unit of n."""
+    """A surface's brightness as a function of its normal; ``slope`` is the change per unit of n."""
 
     slope: Float[np.ndarray, "3"]
 
@@ -35,15 +35,15 @@ class Shading:
         return np.clip(1.0 + (normal - [0.0, 0.0, 1.0]) @ self.slope, _DARKEST, 1.25)
 
     def remove(self, colors: Rows, normal: Rows) -> Rows:
-        """Return colours as under uniform light."""
+        """Return the colours as they would appear under uniform light."""
         return np.minimum(colors / self.at(normal)[:, None], 255.0)
 
 
 def estimate_shading(colors: Rows, normal: Rows, seen: Bool[np.ndarray, "t"]) -> Shading:
     """Estimate the shading that explains the brightness of the ``seen`` points' ``colors``.
 
-    Points are grouped by hue and direction; the median brightness of each group is compared with
-    that of other groups of its hue, so that prints and patterns have little influence.
+    Points are grouped by hue and direction. The median brightness of each group is compared with
+    that of other groups of the same hue, so that prints and patterns have little influence.
     """
     colors, normal = colors[seen], normal[seen]
     if len(colors) < 4 * _LEAST:
@@ -77,7 +77,7 @@ def estimate_shading(colors: Rows, normal: Rows, seen: Bool[np.ndarray, "t"]) ->
 
 
 def _hues(colors: Rows) -> Int[np.ndarray, "t"]:
-    """Number colours by their shares of red and green; nearly black ones are one group."""
+    """Number colours by their fractions of red and green; nearly black colours form one group."""
     total = np.maximum(colors.sum(1), 30.0)
     share = np.minimum((colors[:, :2] / total[:, None] * _LEVELS).astype(int), _LEVELS - 1)
     dark = np.digitize(total / 3, [25.0])
@@ -85,6 +85,6 @@ def _hues(colors: Rows) -> Int[np.ndarray, "t"]:
 
 
 def _directions(normal: Rows) -> Int[np.ndarray, "t"]:
-    """Number directions: each axis is negative, near zero, or positive."""
+    """Number directions; along each axis a direction is negative, near zero or positive."""
     thirds = np.digitize(normal, [-0.4, 0.4])
     return thirds @ np.array([9, 3, 1])

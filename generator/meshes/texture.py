@@ -1,4 +1,4 @@
-"""One texture for a foreign mesh: its own if possible, otherwise baked from its colours."""
+"""One texture for a foreign mesh: its own if possible, otherwise one baked from its colours."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from .texture_bake import Texels, apply_texture, lay_out
 from .unwrap import Atlas, unwrap
 
 _SAMPLES = 60_000  # sample points for finding the nearest triangles, besides one per triangle
-_MOST_SAMPLES = 400_000  # maximum number of triangles that get a sample point each
-_AT_ONCE = 100_000  # texels per batch
-_NEAR = 4  # candidate triangles per texel
+_MOST_SAMPLES = 400_000  # maximum number of triangles that are given a sample point each
+_AT_ONCE = 100_000  # number of texels per batch
+_NEAR = 4  # number of candidate triangles per texel
 _FACING = 0.02  # distance penalty for triangles that face away, as a fraction of the diagonal
-_ROOM = 40  # minimum texels per face, including its gutter, if no faces share a chart
-_SLACK = 1e-3  # tolerance of texture coordinates outside [0, 1]
+_ROOM = 40  # minimum number of texels per face, including its gutter, if no faces share a chart
+_SLACK = 1e-3  # tolerance for texture coordinates outside [0, 1]
 
 
 def own_texture(surface: ColoredSurface) -> Mesh | None:
-    """Return a surface unchanged if one picture without repeats, or one plain colour, covers it."""
+    """Return a surface as is if one plain colour, or one picture without repeats, covers it."""
     used, faces = np.unique(surface.faces, return_inverse=True)
     faces = faces.reshape(-1, 3)
     vertices, uv = surface.vertices[used], surface.uv[used]
@@ -45,7 +45,7 @@ def own_texture(surface: ColoredSurface) -> Mesh | None:
 
 
 def painted_faces(surface: ColoredSurface, size: int) -> Mesh:
-    """Return a surface with all its materials in one new texture with ``size`` texels per side."""
+    """Return a surface with all of its materials in one new texture of ``size`` texels per side."""
     atlas = unwrap(surface.vertices, surface.faces, size)
     colors = [surface.colors_at(atlas.face[k], atlas.weights[k]) for k in _chunks(atlas)]
     texture = lay_out(atlas, np.concatenate(colors))
@@ -64,10 +64,10 @@ def painted_shape(vertices: Vertices, faces: Faces, surface: ColoredSurface, siz
 
 
 def best_size(surface: ColoredSurface, maximum: int, faces: int) -> int:
-    """Return the side of a new texture for a number of ``faces``, in texels.
+    """Return the best side, in texels, for a new texture that ``faces`` faces share.
 
-    As fine as the source pictures, at least 512 and at most ``maximum``, unless the faces need more
-    space.
+    It is as fine as the source pictures, at least 512 and at most ``maximum``, unless the faces
+    need more space.
     """
     sides = [np.sqrt(picture.shape[0] * picture.shape[1]) for picture in surface.pictures]
     size = int(min(maximum, max(512.0, *(2.0 ** round(np.log2(side)) for side in (*sides, 1.0)))))
@@ -80,8 +80,8 @@ def best_size(surface: ColoredSurface, maximum: int, faces: int) -> int:
 class Nearby:
     """A surface with a search structure for nearest points.
 
-    ``samples`` are points on the whole surface, each on the face ``owner`` with the unit normal
-    ``normals``.
+    ``samples`` are points on the whole surface; ``owner`` and ``normals`` are the face and the unit
+    normal of each.
     """
 
     surface: ColoredSurface
@@ -97,19 +97,19 @@ class Nearby:
 
     @cached_property
     def reach(self) -> float:
-        """The distance penalty for facing the other way."""
+        """The distance penalty for triangles that face the other way."""
         return _FACING * float(np.linalg.norm(np.ptp(self.samples, axis=0)))
 
     @cached_property
     def tree(self) -> KDTree:
-        """Search tree of the samples, by position and normal."""
+        """The search tree of the samples, by position and normal."""
         return KDTree(np.hstack([self.samples, self.reach * self.normals]))
 
     def places(self, point: Texels, normal: Texels) -> tuple[Int[np.ndarray, "t"], Texels]:
         """Return the face nearest to each point, and the barycentric weights of the position on it.
 
-        Among faces at similar distances, one with a similar normal is chosen, which matters for
-        both sides of a thin wall.
+        Among faces at similar distances, one with a similar normal is chosen. This distinguishes
+        the two sides of a thin wall.
         """
         near = min(_NEAR, len(self.samples))
         _, found = self.tree.query(np.hstack([point, self.reach * normal]), k=near)
@@ -126,13 +126,13 @@ class Nearby:
 
 
 def _chunks(atlas: Atlas) -> Iterator[slice]:
-    """Yield an atlas' texels in batches, which limits memory."""
+    """Yield the texels of an atlas in batches, which limits the memory used."""
     for first in range(0, len(atlas.face), _AT_ONCE):
         yield slice(first, first + _AT_ONCE)
 
 
 def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
-    """Return points on a surface, by area, and their faces; one per face, if not too many."""
+    """Return points on a surface, spread by area, also one per face if few, and their faces."""
     faces = surface.faces
     area = areas(surface.vertices, faces)
     if len(faces) <= _MOST_SAMPLES:
@@ -153,8 +153,8 @@ def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.nda
 def _closest(
     point: Texels, triangle: Float[np.ndarray, "t 3 3"]
 ) -> tuple[Texels, Float[np.ndarray, "t"]]:
-    """Return roughly the nearest point of a triangle, by weights, and its squared distance."""
-    # The foot of the perpendicular, clamped to the triangle along its sides.
+    """Return roughly the nearest point of a triangle, as weights, and its squared distance."""
+    # This is the foot of the perpendicular, clamped to the triangle along its sides.
     a, b, c = triangle.transpose(1, 0, 2)
     ab, ac, ap = b - a, c - a, point - a
     d00, d01, d11 = (ab * ab).sum(1), (ab * ac).sum(1), (ac * ac).sum(1)

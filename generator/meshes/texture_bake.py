@@ -1,8 +1,8 @@
-"""Textures a mesh from one picture: visible parts are copied, hidden parts are inferred.
+"""Texturing of a mesh from one picture: visible parts are copied, hidden parts are inferred.
 
-Visible texels get the picture's colours. Hidden texels get the colour of the mirrored position on
-the object if that is visible, otherwise their own base colour recoloured like the visible parts,
-otherwise the nearest visible colour.
+Visible texels get the picture's colours. A hidden texel gets the colour of the mirrored position on
+the object if that is visible. Otherwise it gets its own base colour, recoloured like the visible
+parts, or else the nearest visible colour.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ Texels = Float[np.ndarray, "t 3"]
 Image = UInt8[np.ndarray, "h w 3"]
 Plane = Float[np.ndarray, "4"]  # unit normal and offset
 
-_GRAZING = 0.18  # minimum cosine of visible surfaces; at lower ones the pixels are too few
-_MIRRORED = 0.35  # the same for points that hidden ones copy
+_GRAZING = 0.18  # minimum cosine of visible surfaces; below it, the pixels are too few
+_MIRRORED = 0.35  # the same for points whose colour is copied to hidden ones
 _PALETTE = 8
-_LIKE = 22.0  # maximum difference in grey levels between mirrored points of a symmetric object
+_LIKE = 22.0  # maximum difference, in grey levels, between mirrored points of a symmetric object
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,11 +41,11 @@ class SurfacePoints:
     normal: Texels
 
     def at(self, index: np.ndarray) -> SurfacePoints:
-        """Return some of the points."""
+        """Return a selection of the points."""
         return SurfacePoints(self.point[index], self.normal[index])
 
     def mirror(self, plane: Plane) -> SurfacePoints:
-        """Return the points reflected about a plane."""
+        """Return the points reflected in a plane."""
         n = plane[:3]
         away = (self.point @ n - plane[3])[:, None]
         return SurfacePoints(
@@ -63,7 +63,7 @@ def opaque_colors(crop: UInt8[np.ndarray, "h w 4"]) -> tuple[Image, Bool[np.ndar
 
 
 def surface_of(atlas: Atlas, vertices: Vertices) -> SurfacePoints:
-    """Return the surface point of each texel of ``atlas`` for given original vertices."""
+    """Return the surface point of each texel of ``atlas``, given the original vertices."""
     placed = vertices[atlas.source]
     corner = placed[atlas.faces[atlas.face]]
     point = (corner * atlas.weights[:, :, None]).sum(1)
@@ -75,7 +75,7 @@ def surface_of(atlas: Atlas, vertices: Vertices) -> SurfacePoints:
 
 @dataclass(frozen=True, eq=False)
 class CropView:
-    """The camera's view of a mesh: ``near`` is the maximum 1/depth around each crop pixel."""
+    """The camera's view of a mesh; ``near`` is the maximum 1/depth around each crop pixel."""
 
     projection: Projection
     near: Float[np.ndarray, "h w"]
@@ -91,7 +91,7 @@ class CropView:
         return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))
 
     def sees(self, surface: SurfacePoints, minimum: float = _GRAZING) -> Bool[np.ndarray, "t"]:
-        """Return which points are visible, and seen at a cosine above ``minimum``."""
+        """Return which points are visible and seen at a cosine above ``minimum``."""
         view, pixel = self.projection, np.floor(self.projection.project(surface.point)).astype(int)
         line = view.position - surface.point
         cosine = (surface.normal * line).sum(1) / np.linalg.norm(line, axis=1)
@@ -117,11 +117,12 @@ def sample(
 
 
 def recolor(base: Texels, seen: Bool[np.ndarray, "t"], colors: Texels) -> tuple[Texels, float]:
-    """Transfer the visible parts' colours to all texels with the same base colour.
+    """Transfer the colours of the visible parts to all texels that have the same base colour.
 
-    Base colours are clustered; each cluster is shifted by the difference of its visible median to
-    its base median (clusters without visible texels by half the shift of the nearest one). Also
-    returns the share, in [0, 1], of the visible colours' variance that the clusters explain.
+    Base colours are clustered. Each cluster is shifted by the difference between its visible median
+    and its base median; clusters without visible texels are shifted half as far as the nearest one
+    with some. Also returns the fraction, in [0, 1], of the visible colours' variance that the
+    clusters explain.
     """
     group, centers = _palette(base)
     shift = np.zeros_like(centers)
@@ -142,7 +143,7 @@ def recolor(base: Texels, seen: Bool[np.ndarray, "t"], colors: Texels) -> tuple[
 
 
 def _palette(base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Cluster colours around at most ``_PALETTE`` centres by farthest-first search."""
+    """Cluster colours around at most ``_PALETTE`` centres, found by farthest-first search."""
     stride = base[:: max(1, len(base) // 4000)]
     centers = [np.median(stride, 0)]
     gap = np.linalg.norm(stride - centers[0], axis=1)
@@ -162,10 +163,10 @@ def paint(
     size: int = 384,
     sure: bool = True,
 ) -> tuple[Atlas, UInt8[np.ndarray, "s s 3"]]:
-    """Unwrap a mesh (vertices in the object frame) and texture all of it from one crop.
+    """Unwrap a mesh (vertices in the object frame) and texture all of it from a single crop.
 
-    ``planes`` are the object's mirror symmetries; unless ``sure``, those that the picture's colours
-    contradict are ignored.
+    ``planes`` are the planes of the object's mirror symmetries. Unless they are ``sure``, those
+    that the picture's colours contradict are ignored.
     """
     atlas = unwrap(vertices, faces, size)
     surface = surface_of(atlas, vertices)
@@ -180,7 +181,7 @@ def paint(
 
 
 def agrees(surface: SurfacePoints, sight: CropView, image: Image, plane: Plane) -> bool:
-    """Return whether points and mirror images that are both visible mostly agree in colour."""
+    """Return whether most pairs of a point and its mirror image, both visible, agree in colour."""
     twin = surface.mirror(plane)
     both = sight.sees(surface) & sight.sees(twin)
     if both.sum() < 0.02 * len(both):
@@ -196,10 +197,10 @@ def seen_colors(
     shading: Shading,
     planes: tuple[Plane, ...],
 ) -> tuple[Texels, Bool[np.ndarray, "t"]]:
-    """Return the picture's colours, unshaded, of the visible points, and which points have one.
+    """Return the unshaded colours of points, from the picture, and which of the points have one.
 
-    A hidden point gets the colour of its mirror image about one of ``planes``, or about two of them
-    in turn, if that is visible.
+    A hidden point gets the colour of its mirror image in one of ``planes``, or in two of them in
+    turn, if that image is visible.
     """
     colors = np.zeros((len(surface.point), 3))
     known = np.zeros(len(surface.point), bool)
@@ -250,5 +251,5 @@ def lay_out(atlas: Atlas, colors: Texels) -> UInt8[np.ndarray, "s s 3"]:
 def apply_texture(
     atlas: Atlas, vertices: Vertices, texture: UInt8[np.ndarray, "s s 3"], opacity: float = 1.0
 ) -> Mesh:
-    """Return the mesh of ``atlas`` with the given positions of the original vertices."""
+    """Return the mesh of ``atlas``, with the original vertices at the given positions."""
     return Mesh(vertices[atlas.source], atlas.faces, atlas.uv, texture, opacity)

@@ -1,4 +1,4 @@
-"""Cuts a triangle mesh into charts and packs them into one square texture without overlap."""
+"""Unwrapping: a triangle mesh is cut into charts, which are packed into one square texture."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from scipy import sparse
 from ..render.scanlines import rasterise
 from ..scene.triangles import face_normals, weld_index
 
-_GUTTER = 2.0  # texels between charts
+_GUTTER = 2.0  # number of texels between charts
 
 
 @dataclass(frozen=True, eq=False)
 class Atlas:
     """A mesh with new texture coordinates, and the surface point of each texel.
 
-    ``source`` gives the original vertex of each vertex. Per covered texel: ``texel`` is its flat
-    index (row 0 on top), ``face`` its triangle, ``weights`` its barycentric position on that
-    triangle.
+    ``source`` is the original vertex of each vertex. For each covered texel, ``texel`` is its flat
+    index (row 0 at the top), ``face`` is its triangle, and ``weights`` is its barycentric position
+    on that triangle.
     """
 
     source: Int[np.ndarray, "n"]
@@ -33,7 +33,7 @@ class Atlas:
 
 
 def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return per face its chart and its dominant direction (0..5: -x +x -y +y -z +z)."""
+    """Return each face's chart and dominant direction (0 to 5: -x +x -y +y -z +z)."""
     normal = face_normals(vertices, faces)
     # A slight bias keeps the faces of a 45-degree bevel together.
     axis = np.abs(normal * [1.0, 1.001, 1.002]).argmax(1)
@@ -51,9 +51,9 @@ def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nda
 
 
 def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.ndarray, "c 2"]]:
-    """Return the maximum scale at which rectangles fit a square on shelves, and their corners."""
+    """Return the largest scale at which rectangles fit a square on shelves, and their corners."""
     order = np.argsort(-sizes[:, 1], kind="stable")
-    # The gutters alone may exceed the texture if there are many charts.
+    # If there are many charts, the gutters alone may exceed the texture.
     gutter = min(_GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes)))))
     scale = float(np.sqrt(size * size / np.maximum((sizes[:, 0] * sizes[:, 1]).sum(), 1e-12)))
     while True:
@@ -73,7 +73,7 @@ def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.n
 
 
 def unwrap(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], size: int) -> Atlas:
-    """Unwrap a mesh: connected faces of similar direction form one chart, projected along it.
+    """Unwrap a mesh; connected faces with similar directions form a chart, projected along it.
 
     ``vertices`` are in true proportions; ``size`` is the texture's side in texels.
     """

@@ -1,1 +1,1 @@
-"""The stages of the method, one file per section of the paper."""
+"""The stages of the method: one module or package per section of the paper."""

@@ -1,7 +1,7 @@
-"""Sec. 4.3, ablations: the reasoner's answers replace a stage.
+"""Ablations (Sec. 4.3): the reasoner's answers replace a stage.
 
-Without DRO the reasoner gives the rotations (this module); without TSA it gives positions and sizes
-(``alignment.placement.ask_layout``).
+Without DRO, the reasoner gives the rotations (this module); without TSA, it gives the positions and
+sizes (``alignment.placement.ask_layout``).
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from ..scene import TABLE, Instance, Reference, Rotation, SizePrior, View
 
 
 def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
-    """Return the reasoner as a backend that can answer queries for poses.
+    """Return the reasoner as a backend that can answer questions about poses.
 
     Raises:
-        BackendError: the reasoner has no such queries.
+        BackendError: the reasoner cannot answer such questions.
     """
     if isinstance(reasoner, PoseGuesser):
         return reasoner
@@ -40,7 +40,7 @@ def ask_rotations(
     view: View,
     guesser: PoseGuesser,
 ) -> dict[str, Rotation]:
-    """Return the reasoner's yaw for every instance except the table, without a loss.
+    """Return the reasoner's yaw of every instance except the table, without a loss.
 
     Raises:
         BackendError: an answer is missing or is not a finite angle.

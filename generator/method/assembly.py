@@ -1,4 +1,4 @@
-"""3D scene assembly (Sec. 3.4): models with their poses and scales become bodies at rest.
+"""3D scene assembly (Sec. 3.4): models with poses and scales become bodies at rest.
 
 The paper imports the canonical models m_i with (r_i, t_i, s_i) into a simulator, gives each a
 collision shape by convex decomposition, and enables gravity and friction. This implementation uses
@@ -38,8 +38,8 @@ from ..scene import (
     View,
 )
 
-_SHAKE = 1.5  # multiple of the gate's lean
-_STAYS = 1e-4, 1e-3  # metres, radians: smaller motions while settling again are ignored
+_SHAKE = 1.5  # as a multiple of the gate's tilt
+_STAYS = 1e-4, 1e-3  # metres, radians: smaller motions are ignored when objects settle again
 
 
 @dataclass(frozen=True)
@@ -47,13 +47,13 @@ class AssemblyConfig:
     """Settings of the assembly.
 
     Attributes:
-        clearance: gap between objects that overlapped before separation, metres.
+        clearance: gap left between objects that overlapped before separation, metres.
         settle_seconds: maximum settling time.
-        topple: an object that leans more than this after settling (radians) has toppled; it is set
-            upright on a weighted foot.
+        topple: an object that leans by more than this angle (radians) after settling has toppled;
+            it is set upright on a weighted foot.
         attempts: maximum number of settling attempts.
-        drop_failing: leave out objects that cannot be freed or made to stand, instead of recording
-            a failure.
+        drop_failing: whether to leave out objects that cannot be freed or made to stand, instead of
+            recording a failure.
         limits: limits of the gate.
     """
 
@@ -73,7 +73,7 @@ class AssemblyConfig:
 
 @dataclass(frozen=True, eq=False)
 class Rested:
-    """A scene at rest, before the gate (:func:`finish`).
+    """A scene at rest, not yet checked by the gate (see :func:`finish`).
 
     Attributes:
         wanted: the scene with all objects in their requested positions.
@@ -107,10 +107,10 @@ def assemble(
     plan: ScenePlan | None = None,
     footed: Collection[str] = (),
 ) -> Scene:
-    """Return a settled scene of canonical models at their placements, with its report.
+    """Return a settled scene of canonical models at their placements, with a report.
 
-    The gate may have failed; the report says so, and publishing checks it. The arguments are those
-    of :func:`bring_to_rest`.
+    The scene may have failed the gate; the report says so, and is checked before publishing. The
+    arguments are those of :func:`bring_to_rest`.
 
     Raises:
         InputError: a placement has no model, or an unknown support.
@@ -141,14 +141,14 @@ def bring_to_rest(
 
     Args:
         models: canonical models by object name.
-        placements: r_i, t_i, s_i and the support of each object, world frame.
+        placements: r_i, t_i, s_i and the support of each object, in the world frame.
         table_model: canonical model of the table.
         table_scale: the table's extent in metres.
         provenance: origin of the scene; warnings of this stage are added to it.
         name: name of the scene.
         config: settings.
-        view: the reference image's camera; None keeps the scene's default.
-        plan: the text's plan, stored with the scene.
+        view: the reference image's camera; None means the scene's default.
+        plan: the plan of the text, stored with the scene.
         footed: names of objects that get a weighted foot from the start.
 
     Raises:
@@ -179,10 +179,10 @@ def reassemble(
 ) -> Scene:
     """Settle a scene whose objects are already in position, and run the gate on it.
 
-    ``wanted`` has all objects in their requested positions; in ``arranged`` there are no overlaps
-    and every object is on or just above its support. ``fresh`` names the new objects: the others
-    get no foot, and keep their pose bit for bit unless settling moves them. The lean of gravity is
-    that of the report of ``arranged``.
+    ``wanted`` is the scene with all objects in their requested positions; in ``arranged`` there are
+    no overlaps, and every object is on or just above its support. ``fresh`` names the new objects.
+    The others get no foot, and keep their pose bit for bit unless settling moves them. The tilt of
+    gravity is the one in the report of ``arranged``.
     """
     config = with_lean_of(arranged, config or AssemblyConfig())
     rested, unstable = rest(arranged, config, fresh)
@@ -191,14 +191,14 @@ def reassemble(
 
 
 def with_lean_of(scene: Scene, config: AssemblyConfig) -> AssemblyConfig:
-    """Return the settings with the lean of gravity from a scene's report, if it records one."""
+    """Return the settings with the tilt of gravity from a scene's report, if it records one."""
     if scene.report is None or scene.report.lean is None:
         return config
     return replace(config, limits=replace(config.limits, lean=scene.report.lean))
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
-    """Remove overlaps: place on the table, separate, stack, separate again, and finally relocate.
+    """Remove overlaps: place on the table, separate, stack, separate again and finally relocate.
 
     Returns the scene and the names of objects without a free position.
     """
@@ -218,11 +218,11 @@ def rest(
     may: Collection[str] | None = None,
     loose: Collection[str] | None = None,
 ) -> tuple[Scene, tuple[str, ...]]:
-    """Settle a scene; set objects that topple upright on a weighted foot and settle again.
+    """Settle a scene; set objects that topple upright on a weighted foot, and settle it again.
 
-    ``may`` names the objects that may get a foot, ``loose`` those that may move; None means all.
-    Objects that may not move keep their poses and support the others. Returns the scene at rest and
-    the names of objects that do not stand.
+    ``may`` names the objects that may get a foot, and ``loose`` those that may move; None means
+    all. Objects that may not move keep their poses and support the others. Returns the scene at
+    rest and the names of objects that do not stand.
     """
     moving, fixed = _split(scene, loose)
     footed: set[str] = set()
@@ -245,9 +245,9 @@ def rest(
 def table_body(
     model: Model, scale: Float[np.ndarray, "3"], budget: CutBudget | None = None
 ) -> Table:
-    """Return a model as a table of the given extent (metres), with convex parts.
+    """Return a model as a table with the given extent (metres) and convex parts.
 
-    A mesh without parts is decomposed, within a ``budget`` shared by several meshes.
+    A mesh without parts is decomposed within a ``budget`` that several meshes share.
     """
     parts = model_parts(model, scale, budget)
     points = np.concatenate([p.vertices for p in parts])
@@ -287,7 +287,7 @@ def _check_supports(placements: Sequence[Placement], models: Mapping[str, Model]
 
 
 def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -> set[str]:
-    """Return objects that toppled although they should stand, and objects that left the table."""
+    """Return the objects that toppled although they should stand, and those that left the table."""
     simulation.place(poses)
     simulation.contacts()
     gone = set(find_fallen(simulation))
@@ -299,7 +299,7 @@ def _find_toppled(simulation: Simulation, poses: Sequence[Pose], limit: float) -
 
 
 def _again(scene: Scene, config: AssemblyConfig, loose: Collection[str] | None) -> Scene:
-    """Settle loose objects further, shaken by more than the gate's lean if none topples."""
+    """Settle loose objects further, shaking them by more than the gate's tilt if none topples."""
     moving, fixed = _split(scene, loose)
     if not moving.objects:
         return scene
@@ -316,7 +316,7 @@ def _again(scene: Scene, config: AssemblyConfig, loose: Collection[str] | None) 
 
 
 def _split(scene: Scene, loose: Collection[str] | None) -> tuple[Scene, tuple[Object, ...]]:
-    """Return the scene with only its loose objects (None: all objects), and the other objects."""
+    """Return the scene with only its loose objects (None means all), and the other objects."""
     if loose is None:
         return scene, ()
     moving = tuple(o for o in scene.objects if o.name in loose)
@@ -324,13 +324,13 @@ def _split(scene: Scene, loose: Collection[str] | None) -> tuple[Scene, tuple[Ob
 
 
 def _merge(scene: Scene, objects: Sequence[Object]) -> Scene:
-    """Return the scene with ``objects`` replacing its objects of the same names."""
+    """Return the scene with ``objects`` in place of its objects with the same names."""
     known = {o.name: o for o in objects}
     return scene.replace(objects=tuple(known.get(o.name, o) for o in scene.objects))
 
 
 def keep_unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
-    """Return the scene at rest; objects that are neither new nor moved keep their exact pose."""
+    """Return the scene at rest; objects neither new nor moved keep their exact pose."""
     poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
     moved = (shift_distances(*poses) > _STAYS[0]) | (turn_angles(*poses) > _STAYS[1])
     triples = zip(arranged.objects, rested.objects, moved, strict=True)
@@ -345,7 +345,7 @@ def _only(names: set[str], may: Collection[str] | None) -> set[str]:
 def _steady(
     arranged: Scene, rested: Scene, config: AssemblyConfig, may: Collection[str] | None
 ) -> Scene:
-    """Return the scene at rest, with a foot under each object that topples as gravity leans."""
+    """Return the scene at rest, with a foot under each object that topples when gravity tilts."""
     if not config.limits.lean:
         return rested
     standing = {o.name for o in rested.objects if not o.placement.inside}
@@ -356,13 +356,13 @@ def _steady(
 
 
 def _list_footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
-    """Return the names of objects that got a foot in :func:`rest`, in the scene's order."""
+    """Return the names of objects that got a foot in :func:`rest`, in the order of the scene."""
     pairs = zip(arranged.objects, rested.objects, strict=True)
     return tuple(after.name for before, after in pairs if len(after.parts) > len(before.parts))
 
 
 def _without(scene: Scene, names: set[str]) -> Scene:
-    """Return the scene without ``names`` and everything that stands on them."""
+    """Return the scene without ``names`` and without everything that stands on them."""
     pairs = zip(scene.objects, ancestry(scene.objects), strict=True)
     kept = (o for o, c in pairs if names.isdisjoint(scene.objects[k].name for k in c))
     return scene.replace(objects=tuple(kept))
@@ -371,7 +371,7 @@ def _without(scene: Scene, names: set[str]) -> Scene:
 def finish(
     rested: Rested, config: AssemblyConfig | None = None, may: Collection[str] | None = None
 ) -> Scene:
-    """Run the gate; until it passes, put toppling objects (in ``may``) on feet and shake."""
+    """Run the gate; until it passes, shake, and put toppling objects (in ``may``) on feet."""
     config = config or AssemblyConfig()
     wanted, arranged, scene = rested.wanted, rested.arranged, rested.scene
     poses = [[o.pose for o in each.objects] for each in (wanted, arranged)]

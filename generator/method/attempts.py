@@ -1,4 +1,4 @@
-"""The loop of attempts: layouts of a plan are tried until one is sound and fulfils the plan."""
+"""Repeated attempts: layouts of a plan are tried until one is sound and fulfils the plan."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ from ..layout.relation_check import list_unmet
 from ..scene import Scene
 
 ATTEMPTS = 6
-"""Layouts tried until one passes its gate."""
+"""Number of layouts to try until one passes its gate."""
 
-_STRIDE = 7919  # between the seeds of two attempts
+_STRIDE = 7919  # difference between the seeds of two attempts
 
 
 @dataclass(frozen=True, eq=False)
 class Candidate:
-    """A layout that the gate has not judged yet.
+    """A layout that has not yet been judged by the gate.
 
     Attributes:
-        judge: returns the judged scene, with the outcome of each relation in its report.
-        unmet: the number of relations that are known not to hold. Layouts with fewer are judged
-            first, as a judgement takes longer than a layout.
+        judge: function that returns the judged scene, with the outcome of each relation in its
+            report.
+        unmet: number of relations that are known not to hold. Layouts with fewer are judged first,
+            since judging a layout takes longer than making one.
     """
 
     judge: Callable[[], Scene]
@@ -30,20 +31,20 @@ class Candidate:
 
 @dataclass(frozen=True, eq=False)
 class Attempts:
-    """The sound scene in which most relations hold (None if there is none), and the failed ones."""
+    """The sound scene with the most relations that hold, or None, and the scenes that failed."""
 
     best: Scene | None
     failed: tuple[Scene, ...]
 
 
 def try_layouts(lay_out: Callable[[int], Candidate], seed: int, *, fulfilled: int) -> Attempts:
-    """Lay out and judge scenes until one passes its gate and all relations hold in it.
+    """Lay out and judge scenes until one passes its gate and satisfies all relations.
 
     Args:
-        lay_out: returns the layout of a seed.
-        seed: of the first layout.
-        fulfilled: the number of layouts after which a sound scene will do although not all
-            relations hold in it.
+        lay_out: function that returns the layout for a seed.
+        seed: the seed of the first layout.
+        fulfilled: the number of layouts after which a sound scene is accepted even if some of its
+            relations do not hold.
     """
     best: Scene | None = None
     failed: list[Scene] = []

@@ -1,4 +1,4 @@
-"""Instance extraction (Sec. 3.1): list the objects, segment them, complete each one."""
+"""Instance extraction (Sec. 3.1): list the objects, segment them, and complete each one."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from ..meshes.pixels import fill_holes, main_parts
 from ..scene import TABLE, Detection, Instance, Reference, ScenePlan
 
 SPECK = 1e-4
-"""Regions below this share of the picture are dropped."""
+"""Regions smaller than this fraction of the picture are dropped."""
 
 GAP = 0.02
-"""Holes below this share of their region are filled; larger ones (a handle's) are kept."""
+"""Holes smaller than this fraction of their region are filled; larger ones (handles) are kept."""
 
 SHOWN = 0.6
-"""A drawing that shows at least this share of the planned objects is accepted. Objects inside of
-other objects are not counted, since a drawing may hide them."""
+"""A drawing is accepted if it shows at least this fraction of the planned objects. Objects inside
+others are not counted, since a drawing may hide them."""
 
-_APART = 1_000_003  # offset between the seeds of two drawings
+_APART = 1_000_003  # difference between the seeds of two drawings
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ def extract(
     *,
     complete_each: Each = in_turn,
 ) -> tuple[Reference, tuple[Instance, ...]]:
-    """Return the table, named "table", followed by every object on it, named ``<label>_<k>``.
+    """Return the table, named "table", and then every object on it, named ``<label>_<k>``.
 
     Image models omit or hide some of the planned objects. If too few are detected (``SHOWN``), the
     plan is drawn again with another seed; the returned reference is the drawing that shows the
@@ -72,7 +72,7 @@ def extract(
     for k in range(1, config.drawings):
         if plan is None or len(things) >= SHOWN * _count_in_sight(plan):
             break
-        with contextlib.suppress(SceneError):  # unusable drawing: keep the previous one
+        with contextlib.suppress(SceneError):  # the drawing is unusable: keep the previous one
             drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
             found = _find(drawn, reasoner, segmenter)
             if found[0] and len(found[1]) > len(things):
@@ -98,7 +98,7 @@ def _count_in_sight(plan: ScenePlan) -> int:
 def _find(
     reference: Reference, reasoner: Reasoner, segmenter: Segmenter
 ) -> tuple[list[Detection], list[Detection]]:
-    """Return the tables and the objects detected by a segmenter, cleaned."""
+    """Return the tables and the objects that a segmenter detects, cleaned."""
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
@@ -111,7 +111,7 @@ def _find(
 def _complete(
     reference: Reference, found: tuple[Detection, ...], imager: Imager, complete_each: Each
 ) -> tuple[Instance, ...]:
-    """Return the detections (the table first), each cropped, completed and with a unique name."""
+    """Return the detections, the table first, each cropped, completed and uniquely named."""
 
     def complete(detection: Detection) -> Instance:
         others = tuple(d for d in found if d is not detection)
@@ -123,10 +123,10 @@ def _complete(
 
 
 def clean(detection: Detection) -> Detection | None:
-    """Return the detection without specks and pinholes, or None if nothing is left.
+    """Return the detection without specks and pinholes, or None if nothing remains.
 
-    Small islands (under a tenth of the largest) are removed and small holes (``GAP``) filled; the
-    box becomes tight.
+    Small islands (less than a tenth of the largest) are removed, small holes (``GAP``) are filled,
+    and the box is made tight.
     """
     mask = fill_holes(main_parts(np.asarray(detection.mask)), GAP)
     if mask.sum() < SPECK * mask.size:
@@ -135,7 +135,7 @@ def clean(detection: Detection) -> Detection | None:
 
 
 def unique_names(labels: Sequence[str]) -> list[str]:
-    """Return a unique, file-safe name per label: "toy car" twice gives toy_car_1, toy_car_2."""
+    """Return a unique, file-safe name for each label: toy_car_1 and toy_car_2 for two "toy car"."""
     counts: dict[str, int] = {}
     names: list[str] = []
     for label in labels:

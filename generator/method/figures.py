@@ -1,4 +1,4 @@
-"""The pictures of each stage, as in the paper's Sec. 6.1 (Figs. 8-14)."""
+"""The pictures of each stage, as in Sec. 6.1 of the paper (Figs. 8-14)."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def model_picture(
 def bundle_images(
     reference: Reference, top_view: TopView | None, scene: Scene
 ) -> dict[str, UInt8[np.ndarray, "_h _w 3"]]:
-    """Return the pictures that a bundle stores, by file stem."""
+    """Return the pictures that a bundle stores, keyed by file stem."""
     pictures = {"reference": np.asarray(reference.image), "preview": preview(scene)}
     return pictures | ({"top_view": np.asarray(top_view.image)} if top_view else {})
 
@@ -49,15 +49,15 @@ def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
 def draw_stage(stage: str, found: Mapping[str, Any]) -> dict[str, UInt8[np.ndarray, "_h _w 3"]]:
     """Draw the results of a stage of ``pipeline.generate``, by file stem; some stages have none.
 
-    ``found`` is the argument of ``watch`` at the end of the stage: fields of a ``Generation``.
+    ``found`` is what ``watch`` receives at the end of the stage: fields of a ``Generation``.
     """
     return _DRAWERS[stage](found) if stage in _DRAWERS else {}
 
 
 def save_figures(folder: Path, found: Mapping[str, Any]) -> tuple[Path, ...]:
-    """Write all figures of the fields of a ``Generation`` into ``folder``; return their paths.
+    """Write the figures for all fields of a ``Generation`` into ``folder``; return their paths.
 
-    The folder is made if it is missing.
+    The folder is created if it does not exist.
 
     Raises:
         StorageError: the folder cannot be written.
@@ -126,7 +126,7 @@ def _things(found: Mapping[str, Any]) -> list[Instance]:
 
 
 def _detection(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray, "h w 3"]:
-    """Draw the detections: the visible pixels of each instance, tinted, and its box."""
+    """Draw the detections: each instance's box, and its visible pixels, tinted."""
     image = np.array(reference.image)
     for index, thing in enumerate(things):
         tint = np.array(BOX_COLORS[index % len(BOX_COLORS)], float)
@@ -135,7 +135,7 @@ def _detection(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray
 
 
 def _completion(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray, "h w 3"]:
-    """Fig. 9: segments (visible pixels of each instance) above, completed crops below."""
+    """Draw Fig. 9: the visible pixels of each instance above its completed crop."""
     cuts: list[np.ndarray] = []
     for thing in things:
         x0, y0, x1, y1 = (round(float(v)) for v in thing.box)
@@ -152,7 +152,7 @@ def _rotations(
     rotations: Mapping[str, Rotation],
     view: View,
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Fig. 11: each instance's crop above its model at the estimated rotation."""
+    """Draw Fig. 11: each instance's crop above its model at the estimated rotation."""
     yaws = [rotations[i.name].yaw for i in things]
     captions = [i.name for i in things] + [f"{np.rad2deg(yaw) % 360:.1f} deg" for yaw in yaws]
     images = [np.asarray(i.crop) for i in things]

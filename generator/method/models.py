@@ -15,10 +15,10 @@ from ..scene import Instance, Model, Reference, SizePrior, View
 from ..scene.quarter_turns import turn
 
 SQUARISH = 1.15
-"""Length and width are not distinguished if their ratio is below this."""
+"""Ratio of the longer to the shorter side below which length and width are not distinguished."""
 
 STRETCH = 1.8
-"""Maximum factor by which a measured size changes a model's proportions."""
+"""Maximum factor by which a measured size may change a model's proportions."""
 
 
 def make_models(
@@ -34,9 +34,9 @@ def make_models(
 ) -> dict[str, Model]:
     """Return a canonical model m_i for every instance, by name.
 
-    The modeler gets each instance with the view along the ray through the centre of its box; the
-    raw models m'_i are then rotated upright according to the reasoner (Fig. 23). ``model_each`` and
-    ``review_each`` run the modeler's and the reasoner's queries for all instances.
+    The modeler receives each instance with the view along the ray through the centre of its box.
+    The raw models m'_i are then turned upright as the reasoner says (Fig. 23). ``model_each`` and
+    ``review_each`` run the queries to the modeler and to the reasoner for all instances.
 
     Raises:
         BackendError: an instance has no size.
@@ -63,9 +63,9 @@ def make_models(
 
 
 def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner) -> Model:
-    """Rotate a model so that +z is up and x, y are the size's length and width (Sec. 3.2).
+    """Rotate a model so that +z is up and x and y are the size's length and width (Sec. 3.2).
 
-    The reasoner gets the mesh in the model's own proportions, since the canonical mesh fills a
+    The reasoner receives the mesh in the model's own proportions, since the canonical mesh fills a
     cube.
     """
     extent = np.asarray(raw.size, np.float32)
@@ -78,12 +78,12 @@ def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner:
 
 
 def measured_size(model: Model, extent: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
-    """Return a model's size (metres) from the measured ``extent`` (length, width, height).
+    """Return a model's size (metres), corrected by the measured ``extent`` (length, width, height).
 
     The longer horizontal side is the length. A proportion that would change by more than
-    ``STRETCH`` is only changed by that factor: the picture or the measurement is probably wrong. A
-    catalogue shape that appears square in the measured view, but is not, has its longer side along
-    the line of sight (a mug its handle): that side keeps its ratio to the other.
+    ``STRETCH`` is changed by only that factor, since the picture or the measurement is probably
+    wrong. If a catalogue shape appears square in the measured view but is not, its longer side,
+    such as a mug's handle, is along the line of sight. That side then keeps its ratio to the other.
     """
     have = np.asarray(model.size)
     long = int(have[1] > have[0])

@@ -1,15 +1,16 @@
-"""From placements to the published scene: one loop of attempts, each checked by the gate.
+"""From placements to the published scene: repeated attempts, each checked by the gate.
 
-If a scene fails its gate, the object that the failures name most often is put on a weighted foot if
-it moves; if that does not help, it is left out. Otherwise one wrong detection (two objects merged
-into one, a shadow taken for an object) would discard the whole table. Provenance and report list
-the objects that were left out.
+If a scene fails its gate, the object that the failures name most often is put on a weighted foot,
+provided that it moves. If that does not help, it is left out. Otherwise one wrong detection (two
+objects merged into one, a shadow taken for an object) would discard the whole table. The provenance
+and the report list the objects that were left out.
 
-A text's scene must contain the planned objects instead (``planned``): objects that fail the gate,
-or whose relations do not hold at rest, are replaced by the plan's, and finally all objects.
+The scene of a text, however, must contain the planned objects (``planned``). Objects that fail the
+gate, or whose relations do not hold at rest, are replaced by the plan's and, as a last resort, all
+objects are.
 
-Assembly moves objects after the joint refinement, so the finished scene is measured again with the
-same measure: a refinement that assembly undoes is discarded.
+Assembly moves objects after the joint refinement, so the finished scene is measured again in the
+same way. If assembly undoes a refinement, the latter is discarded.
 """
 
 from __future__ import annotations
@@ -51,9 +52,9 @@ from .refinement import Refinement, RefinementConfig, outline_misfit
 WORSE = 0.005
 """Maximum increase of the outlines' misfit from before the refinement to the finished scene."""
 
-_FEET = 4  # maximum number of a picture's objects that get a foot to pass the gate
-_FULFILLED = 4  # scenes after which a sound one will do in which not all relations hold
-_FAITHFUL = 2  # number of scenes that keep the objects of the drawing
+_FEET = 4  # maximum number of objects in a picture that get a foot to pass the gate
+_FULFILLED = 4  # number of scenes after which one with unmet relations is accepted
+_FAITHFUL = 2  # number of scenes that keep objects from the drawing
 _MISPLACED = "the reconstruction violates its relations"
 
 UNREFINED = (
@@ -65,15 +66,16 @@ Placements = tuple[Placement, ...]
 
 @dataclass(frozen=True, eq=False)
 class Reconstruction:
-    """Results of the stages before assembly, and settings of the stages after it.
+    """Results of the stages before assembly, and settings for the stages after it.
 
     ``instances`` and ``models`` include the table; ``table_scale`` is its extent, metres. Warnings
-    of the attempt are added to ``provenance``. ``seed`` determines the looks and positions of the
-    plan's objects; with ``supplements`` a text's plan corrects the reconstruction, and with
-    ``of_catalogue`` its drawing shows the catalogue's own objects. ``refinement`` sets the measure
-    of outlines; ``leave_out`` is the share of the detected objects that may be left out, in [0, 1].
-    ``rotations`` are those of the instances' models, and ``turn`` estimates the rotation of another
-    model in the picture; if None, all models of an object share its front.
+    of the attempt are added to ``provenance``. ``seed`` determines the appearance and the positions
+    of the plan's objects. ``supplements`` means that the plan of a text corrects the
+    reconstruction; ``of_catalogue`` means that the drawing shows the catalogue's own objects.
+    ``refinement`` has the settings with which outlines are measured; ``leave_out`` is the fraction
+    of the detected objects that may be left out, in [0, 1]. ``rotations`` are the rotations of the
+    instances' models, and ``turn`` estimates that of another model in the picture. If ``turn`` is
+    None, all models of an object share its front.
     """
 
     reference: Reference
@@ -94,7 +96,7 @@ class Reconstruction:
     turn: Turn | None = None
 
     def assemble(self, attempt: Attempt) -> Scene:
-        """Return the settled scene of an attempt with its report (Sec. 3.4)."""
+        """Return the settled scene of an attempt, with its report (Sec. 3.4)."""
         models = {name: model for name, model in self.models.items() if name != TABLE}
         provenance = self._warn(attempt.warnings)
         return assemble(
@@ -104,7 +106,7 @@ class Reconstruction:
         )  # fmt: skip
 
     def draft(self, placements: Placements) -> SceneDraft | None:
-        """Return the reconstruction corrected by the text's plan; None without a plan."""
+        """Return the reconstruction corrected by the text's plan, or None if there is no plan."""
         plan = self.reference.plan
         if plan is None or not self.supplements:
             return None
@@ -128,7 +130,7 @@ class Reconstruction:
         return replace(self.provenance, warnings=tuple(dict.fromkeys([*known, *warnings])))
 
     def misfit(self, scene: Scene) -> float:
-        """Return one minus the overlap of the finished scene's outlines with the picture's."""
+        """Return one minus the overlap between the finished scene's outlines and the picture's."""
         height, width = self.reference.image.shape[:2]
         return outline_misfit(
             self.instances, scene.objects, self.view, (width, height), self.refinement, self.seed
@@ -139,9 +141,10 @@ class Reconstruction:
 class Attempt:
     """One scene to try: the detected objects and their placements.
 
-    ``warnings`` explain the changes, for the provenance. ``left_out`` names the detected objects
-    that are left out; ``removals`` counts those left out because the gate failed. ``footed`` names
-    the objects on a weighted foot from the start, which do not rest without one.
+    ``warnings`` explain the changes and go into the provenance. ``left_out`` names the detected
+    objects that are left out; ``removals`` counts those left out because the gate failed.
+    ``footed`` names the objects that stand on a weighted foot from the start because they do not
+    rest without one.
     """
 
     placements: Placements
@@ -151,11 +154,11 @@ class Attempt:
     footed: tuple[str, ...] = ()
 
     def on_foot(self, name: str) -> Attempt:
-        """Return the attempt with an object on a weighted foot."""
+        """Return the attempt with the object on a weighted foot."""
         return replace(self, footed=(*self.footed, name))
 
     def without(self, name: str, failures: Sequence[Failure]) -> Attempt:
-        """Return the attempt without an object and its contents, with a warning for each."""
+        """Return the attempt without the object and its contents, with a warning for each."""
         contents = contents_of(self.placements, name)
         reason = "; ".join(str(f) for f in failures if name in f.objects)
         told = [f"{name} was left out: {reason}."]
@@ -170,11 +173,11 @@ class Attempt:
 def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -> Scene:
     """Return the scene to publish, with its report and misfit.
 
-    With a plan, see ``publish_planned``. Otherwise the scene is assembled from the refined
+    If there is a plan, see ``publish_planned``. Otherwise the scene is assembled from the refined
     placements. If its outlines match the picture worse than those of the ``unrefined`` placements,
-    these are tried as well; a scene that passes its gate is preferred, then the one with the better
-    match. ``refined.before`` is 0 if nothing was refined. The support of an object is set to what
-    it touches at rest.
+    the latter are tried as well. A scene that passes its gate is preferred; if both or neither
+    does, the one that matches better. ``refined.before`` is 0 if nothing was refined. The support
+    of an object is set to what it touches at rest.
     """
     draft = found.draft(refined.placements)
     if draft is not None:
@@ -196,11 +199,11 @@ def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -
 
 
 def publish_planned(found: Reconstruction, draft: SceneDraft) -> Scene:
-    """Return a draft's scene that passes its gate with the fewest unmet relations of the plan.
+    """Return the scene of a draft that passes its gate and leaves the fewest relations unmet.
 
-    Objects of the drawing are tried first. Objects that the gate's failures name, or whose
-    relations do not hold, are replaced by the plan's, and from the third scene on all objects are.
-    Relations that do not hold in the end are listed in the warnings and in the report.
+    The drawing's objects are tried first. Objects that the gate's failures name, or whose relations
+    do not hold, are replaced by the plan's; from the third scene on, all objects are. Relations
+    that do not hold in the final scene are listed in the warnings and in the report.
     """
     attempts = try_layouts(_Drafting(found, draft).lay_out, found.seed, fulfilled=_FULFILLED)
     return attempts.failed[0] if attempts.best is None else warn_unmet(attempts.best)
@@ -208,7 +211,7 @@ def publish_planned(found: Reconstruction, draft: SceneDraft) -> Scene:
 
 @dataclass(eq=False)
 class _Drafting:
-    """A draft that replaces what did not hold in earlier attempts by the plan's objects."""
+    """A draft in which the plan's objects replace those that failed in earlier attempts."""
 
     found: Reconstruction
     draft: SceneDraft
@@ -260,9 +263,9 @@ def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
 
 
 def allowance(share: float, count: int) -> int:
-    """Return how many of ``count`` objects may be left out: a share of them, but never all.
+    """Return how many of ``count`` objects may be left out: a fraction of them, but never all.
 
-    With two or more objects it is at least one, unless the share is 0.
+    If there are two or more objects, at least one may be left out, unless the fraction is 0.
     """
     return min(max(1, int(share * count + 1e-9)), count - 1) if share and count else 0
 
@@ -270,7 +273,7 @@ def allowance(share: float, count: int) -> int:
 def most_named(
     failures: Sequence[Failure], placements: Sequence[Placement], sizes: Mapping[str, SizePrior]
 ) -> str | None:
-    """Return the placed object that the gate's failures name most often; None if they name none.
+    """Return the placed object that the gate's failures name most often, or None if they name none.
 
     Ties are resolved in favour of the object whose size deviates most from its usual size.
     """
@@ -308,7 +311,7 @@ def contents_of(placements: Sequence[Placement], name: str) -> tuple[str, ...]:
 
 
 def _oddness(placement: Placement, sizes: Mapping[str, SizePrior]) -> float:
-    """Return the absolute logarithm of the ratio of the longest side to the prior's."""
+    """Return the absolute logarithm of the ratio of an object's longest side to the usual one."""
     prior = sizes.get(placement.name)
     return abs(float(np.log(placement.scale.max() / prior.extent.max()))) if prior else 0.0
 

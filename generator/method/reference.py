@@ -1,4 +1,4 @@
-"""Reference (Sec. 3, Fig. 8): a text becomes a plan and a drawing; a picture is used directly."""
+"""Reference (Sec. 3, Fig. 8): a text is planned and drawn; a picture is used directly."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from ..pictures import DecodedPicture, PictureLimits, decode
 from ..scene import Intrinsics, Reference, ScenePlan
 
 Source = str | Path | bytes | ScenePlan | np.ndarray
-"""A text, a plan, or a picture: a path, encoded bytes, or an array (h, w, 3 or 4) of uint8."""
+"""A text, a plan, or a picture given as a path, encoded bytes or an (h, w, 3 or 4) uint8 array."""
 
 DepthSource = str | Path | bytes | np.ndarray
-"""A depth map of the picture's size: an array of metres (float) or millimetres (uint16), or a
-16-bit PNG of millimetres (a path, or its bytes). 0, NaN and infinity mean unknown."""
+"""A depth map of the same size as the picture: an array in metres (float) or millimetres (uint16),
+or a 16-bit PNG in millimetres (a path or bytes). 0, NaN and infinity mean unknown."""
 
 
 @dataclass(frozen=True)
 class ReferenceConfig:
-    """Limits on pictures: sides in pixels, file size in bytes, longest side after shrinking.
+    """Limits for pictures: sides in pixels, file size in bytes, longest side after shrinking.
 
-    ``max_ratio`` is the maximum ratio of the longer side to the shorter; ``max_depth`` the maximum
-    median of a depth map, metres, and ``min_known`` the minimum share of its pixels with a known
-    depth.
+    ``max_ratio`` is the maximum ratio of the longer side to the shorter one, ``max_depth`` is the
+    maximum median of a depth map, metres, and ``min_known`` is the minimum fraction of its pixels
+    with a known depth.
     """
 
     min_side: int = 64
@@ -44,7 +44,7 @@ class ReferenceConfig:
 
     @property
     def picture_limits(self) -> PictureLimits:
-        """Limits for the check of a picture's header."""
+        """The limits that a picture's header is checked against."""
         return PictureLimits(
             max_bytes=self.max_bytes, max_pixels=self.max_pixels, min_side=self.min_side,
             max_ratio=self.max_ratio,
@@ -61,11 +61,12 @@ def refer(
     depth: DepthSource | None = None,
     intrinsics: Intrinsics | None = None,
 ) -> Reference:
-    """Return the reference image I_ref of ``source``, with prompt and plan if it was a text.
+    """Return the reference image I_ref of ``source``, with its prompt and plan if it was a text.
 
-    A string is a text unless it names an existing file or ends with a picture's suffix. Pictures
-    are rotated by their EXIF orientation, flattened onto white, and shrunk to ``work_side``; a
-    ``depth`` map and the ``intrinsics`` of the original picture are shrunk with it.
+    A string is a text unless it names an existing file or ends with the suffix of a picture file.
+    Pictures are rotated by their EXIF orientation, flattened onto white, and shrunk to
+    ``work_side``; a ``depth`` map and the ``intrinsics`` of the original picture are shrunk with
+    it.
 
     Raises:
         InputError: the text is empty; the picture is missing, broken, too small or too large; the
@@ -85,7 +86,7 @@ def refer(
 
 
 def is_picture_name(text: str) -> bool:
-    """Return whether a string is the name of a picture file rather than a description."""
+    """Return whether a string is the name of a picture file and not a description."""
     if "\n" in text or len(text) > 1024 or not text.strip():
         return False
     suffixes = {
@@ -106,10 +107,10 @@ def read_image(
     config: ReferenceConfig | None = None,
     cancelled: threading.Event | None = None,
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Decode a picture into sRGB on white, upright, at most ``config.work_side`` long.
+    """Decode a picture into sRGB on white, upright, at most ``config.work_side`` pixels long.
 
-    A file is decoded in a child process (see ``generator.pictures``), which another thread
-    terminates by setting ``cancelled``.
+    A file is decoded in a child process (see ``generator.pictures``). Another thread can terminate
+    this process by setting ``cancelled``.
 
     Raises:
         InputError: the picture is missing, broken, or exceeds a limit of ``config``.
@@ -122,7 +123,7 @@ def _decode(
     config: ReferenceConfig,
     cancelled: threading.Event | None = None,
 ) -> DecodedPicture:
-    """Return a picture upright, in sRGB on white, at most ``config.work_side`` long."""
+    """Return a picture upright, in sRGB on white, at most ``config.work_side`` pixels long."""
     limits, what = config.picture_limits, "The picture"
     if not isinstance(source, np.ndarray):
         raw = _read_bytes(source, config)
@@ -174,8 +175,8 @@ def read_depth(
     """Return a depth map in metres, 0 where unknown; it must have ``size`` (width, height).
 
     Raises:
-        InputError: the map is not a depth map, has another size, negative or too few known values,
-            or is not in the units of ``DepthSource``.
+        InputError: the map is not a depth map, has another size, has negative or too few known
+            values, or is not in the units of ``DepthSource``.
     """
     raw = source if isinstance(source, np.ndarray) else _decode_depth(source, config)
     if raw.shape != (size[1], size[0]):
@@ -235,14 +236,14 @@ def _check_intrinsics(intrinsics: Intrinsics, width: int, height: int) -> None:
         )
 
 
-_SQUARE = 0.03  # maximum relative difference of fx and fy
+_SQUARE = 0.03  # maximum relative difference between fx and fy
 
 
 # ----------------------------------------------------------------------------------------- files
 
 
 def fetch(source: Source, config: ReferenceConfig | None = None) -> Source:
-    """Return the bytes of a picture file, read once; any other source unchanged.
+    """Return the bytes of a picture file, read once; any other source is returned unchanged.
 
     Raises:
         InputError: the file does not exist, is too large or is unreadable.
@@ -253,7 +254,7 @@ def fetch(source: Source, config: ReferenceConfig | None = None) -> Source:
 
 
 def source_digest(source: Source) -> str | None:
-    """Return the sha256 of the bytes of a picture or depth map; None for a text or a plan."""
+    """Return the sha256 of the bytes of a picture or depth map, or None for a text or a plan."""
     if isinstance(source, np.ndarray):
         return hashlib.sha256(np.ascontiguousarray(source).tobytes()).hexdigest()
     return hashlib.sha256(source).hexdigest() if isinstance(source, bytes) else None
@@ -262,7 +263,7 @@ def source_digest(source: Source) -> str | None:
 def fetch_depth(
     source: DepthSource | None, config: ReferenceConfig | None = None
 ) -> np.ndarray | bytes | None:
-    """Return the bytes of a depth file, read once; an array or None unchanged.
+    """Return the bytes of a depth file, read once; an array or None is returned unchanged.
 
     Raises:
         InputError: the file does not exist, is too large or is unreadable.

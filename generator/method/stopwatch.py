@@ -1,4 +1,4 @@
-"""Durations of the stages. They are never stored in a bundle: equal inputs give equal bytes."""
+"""Durations of the stages, never stored in a bundle since equal inputs must give equal bytes."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ class Seconds:
 
 
 Watch = Callable[[str, Mapping[str, Any]], None]
-"""Callback at the end of a stage, with its name and all results so far, by name."""
+"""A callback at the end of a stage; receives its name and all results so far, by name."""
 
 
 class Stopwatch:
-    """Steps through stages in order, notifies listeners, and records the seconds of each.
+    """Steps through stages in order, notifies listeners, and records the seconds of each stage.
 
-    ``progress`` is called at the start of each stage with its name, its number, and the number of
-    stages; ``watch`` at the end of each. Time spent in ``watch`` is not counted.
+    ``progress`` is called at the start of each stage with its name, its number and the number of
+    stages; ``watch`` is called at the end of each stage. Time spent in ``watch`` is not counted.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class Stopwatch:
         return MappingProxyType(dict(zip(self._stages, self._spent, strict=False)))
 
     def _end(self, found: Mapping[str, Any]) -> tuple[float, float]:
-        """End the current stage, if any; return the start time of the next."""
+        """End the current stage, if there is one; return the start time of the next."""
         now = time.perf_counter(), time.process_time()
         if self._begun is None:
             return now

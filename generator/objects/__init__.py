@@ -1,1 +1,1 @@
-"""Tools for single objects of ``tabletop_objects``: checks, pictures, exports, a gallery page."""
+"""Tools for the objects of ``tabletop_objects``: checks, pictures, exports and a gallery page."""

@@ -1,4 +1,4 @@
-"""Checks of one category: shape, collision parts, size, mass, looks, stability, styles, facts.
+"""Checks of one category: shape, collision parts, size, mass, variants, stability, style, facts.
 
 ``check_category`` runs all checks on the variants of the first seeds. ``tests/catalogue`` and
 ``tabletopgen objects check`` print the same results.
@@ -37,30 +37,30 @@ if TYPE_CHECKING:
 
 
 VARIANTS = 10
-"""Number of seeds whose looks are counted; the first ones are checked in full."""
+"""Number of seeds whose variants are counted; the first ones are checked in full."""
 
 SOUND, SIZED = 3, 8
-"""Number of seeds with checked shapes, and number of seeds averaged for the mean size."""
+"""Number of seeds whose shapes are checked, and number of seeds over which the size is averaged."""
 
 MIN_LOOKS = 5
 MAX_FACES, MAX_STYLED_FACES, MAX_TEXTURE = 4000, 5000, 640
 MAX_PARTS, MAX_PART_VERTICES = 32, 32
 MAX_OVERHANG = 0.004  # maximum extent of a part beyond the unit box
-MAX_GAP = 6e-4  # metres between the undersides of the mesh and of the parts
+MAX_GAP = 6e-4  # maximum distance between the undersides of the mesh and of the parts, metres
 MIN_PART = 2e-4  # metres along each axis
-SIZE_TOLERANCE = 1.35  # per axis, ratio of the mean size to the nominal size
+SIZE_TOLERANCE = 1.35  # ratio of the mean size to the nominal size along each axis
 MAX_VARIANT = 2.2  # ratio of a variant's diagonal to the nominal diagonal
 MASS_RANGE = 0.4, 2.5  # ratio of a variant's mass to the nominal mass
-MIN_MASS = 0.002  # kg: lighter bodies are given this mass
+MIN_MASS = 0.002  # kg; lighter bodies are given this mass
 MAX_STYLED_CHANGE = 0.012  # fraction of the longest side
-MAX_DRIFT, MAX_TURN = 0.005, 3.0  # metres and degrees within a second
+MAX_DRIFT, MAX_TURN = 0.005, 3.0  # metres and degrees, within one second
 
 INDEX_COMMAND = "python -m tabletop_objects.index"
 
 
 @dataclass(frozen=True)
 class CheckResult:
-    """Outcome of one check: its name, whether it passed, and the measured values."""
+    """The outcome of one check: its name, whether it passed, and the measured values."""
 
     name: str
     passed: bool
@@ -70,15 +70,15 @@ class CheckResult:
 def check_category(
     category: Category, source: Path, index: Path = INDEX
 ) -> tuple[CheckResult, ...]:
-    """Check a category as its module declares it.
+    """Check a category as it is declared in its module.
 
     If the drawing function raises an exception, the check "drawing" fails and the checks of its
     models are skipped.
 
     Args:
-        category: the declared category with its drawing function, not the row of the index.
+        category: the declared category with its drawing function, not its row in the index.
         source: the file that declares it.
-        index: the ``index.json`` expected to contain its row.
+        index: the ``index.json`` that should contain its row.
     """
     facts = check_names(category), check_index(category, source, index)
     try:
@@ -105,7 +105,7 @@ def check_category(
 def build_variant(
     category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
 ) -> Model:
-    """Build a variant of a category, as ``build`` does; the category need not be in the index."""
+    """Build a variant of a category as ``build`` does; the category need not be in the index."""
     return model_of(category, look_of(category, seed, attributes))
 
 
@@ -116,7 +116,7 @@ def _drawing_failure(error: Exception) -> CheckResult:
 
 
 def _first(name: str, findings: Iterable[tuple[bool, str]]) -> CheckResult:
-    """Return the first failed result, or the last result if none failed."""
+    """Return the first result that failed, or the last result if none failed."""
     detail = ""
     for passed, detail in findings:
         if not passed:
@@ -128,7 +128,7 @@ def _first(name: str, findings: Iterable[tuple[bool, str]]) -> CheckResult:
 
 
 def check_shape(models: Iterable[Model], max_faces: int = MAX_FACES) -> Iterator[CheckResult]:
-    """Yield checks of the surface, the number of faces and the texture of models."""
+    """Yield checks of the surface, number of faces and texture of models."""
     meshes = [model.mesh for model in models]
     volumes = [signed_volume(m.vertices.astype(float), m.faces) for m in meshes]
     faces = max(len(m.faces) for m in meshes)
@@ -181,7 +181,7 @@ def _thickness(model: Model) -> tuple[bool, str]:
 
 
 def check_size(category: Category, models: Iterable[Model]) -> CheckResult:
-    """Compare the mean size of variants with the nominal size."""
+    """Compare the mean size of the variants with the nominal size."""
     mean = np.mean([model.size for model in models], axis=0)
     ratio = np.abs(np.log(mean / category.size))
     near = bool((ratio < np.log(SIZE_TOLERANCE)).all())
@@ -214,7 +214,7 @@ def size_text(size: Iterable[float]) -> str:
 
 
 def check_seeds(models: Iterable[Model], again: Model) -> CheckResult:
-    """Check that models differ between seeds, and that ``again`` equals the second model."""
+    """Check that models differ between seeds and that ``again`` equals the second model."""
     prints = [fingerprint(model) for model in models]
     distinct = len({*prints})
     same = fingerprint(again) == prints[1]
@@ -224,7 +224,7 @@ def check_seeds(models: Iterable[Model], again: Model) -> CheckResult:
 
 
 def check_looks(models: Iterable[Model]) -> CheckResult:
-    """Check that the variants have enough distinct looks."""
+    """Check that the variants look sufficiently different."""
     looks = count_looks(models)
     return CheckResult("looks", looks >= MIN_LOOKS, f"{looks} of {VARIANTS}, at least {MIN_LOOKS}")
 
@@ -237,7 +237,7 @@ def check_rest(model: Model) -> CheckResult:
 
 
 def check_style(style: str, model: Model, plain: Model) -> CheckResult:
-    """Check the shape and parts of a styled model, and its size against the unstyled model."""
+    """Check the shape and parts of a styled model, and compare its size with the unstyled model."""
     results = *check_shape([model], MAX_STYLED_FACES), *check_parts([model])
     change = float((np.abs(model.size - plain.size) / plain.size.max()).max())
     sized = CheckResult("size", change <= MAX_STYLED_CHANGE, f"changes by {change:.1%}")
@@ -250,7 +250,7 @@ def check_style(style: str, model: Model, plain: Model) -> CheckResult:
 
 
 def check_names(category: Category) -> CheckResult:
-    """Check that no other category uses one of the names of this category."""
+    """Check that no other category uses one of this category's names."""
     names = {category.noun, *category.aliases}
     taken = {
         f"{name!r} is a name of {other}"
@@ -263,7 +263,7 @@ def check_names(category: Category) -> CheckResult:
 
 @cache
 def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
-    """Map each name to its categories: key, and whether the name is the category's noun."""
+    """Map each name to its categories: the key, and whether the name is the category's noun."""
     claims: dict[str, tuple[tuple[str, bool], ...]] = {}
     for key, category in CATEGORIES.items():
         for name in {category.noun, *category.aliases}:
@@ -272,7 +272,7 @@ def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
 
 
 def check_index(category: Category, source: Path, index: Path = INDEX) -> CheckResult:
-    """Check that the index row matches the category declared in its module."""
+    """Check that the row in the index matches the category declared in its module."""
     module = f"{source.parent.name}.{source.stem}"
     row = _rows(index).get(category.key)
     current = row is not None and row == json.loads(json.dumps(row_of(module, category)))
@@ -287,7 +287,7 @@ def _rows(index: Path) -> Mapping[str, dict[str, object]]:
 
 
 def stand_on_floor(model: Model) -> Object:
-    """Return a model as a body of its real size whose underside is at z = 0."""
+    """Return a model as a body of its real size, with its underside at z = 0."""
     middle = np.array([0.0, 0.0, model.size[2] / 2])
     parts = body_parts(model, model.size)
     weight = body_mass(model.mesh, model.size, model.physics, parts)
@@ -318,7 +318,7 @@ def appearance(model: Model) -> Float[np.ndarray, "9"]:
 
 
 def count_looks(models: Iterable[Model]) -> int:
-    """Count the models that differ by a visible step or more from all previously counted ones."""
+    """Count the models that differ visibly (by one step or more) from all those counted before."""
     looks: list[Float[np.ndarray, "9"]] = []
     for model in models:
         here = appearance(model)
@@ -328,9 +328,9 @@ def count_looks(models: Iterable[Model]) -> int:
 
 
 def is_closed(mesh: Mesh) -> bool:
-    """Return whether each edge is used equally often in both directions, after merging vertices.
+    """Return whether each edge is used equally often in both directions once vertices are merged.
 
-    Only vertices with bitwise equal positions are merged.
+    Only vertices with bitwise identical positions are merged.
     """
     _, index = np.unique(mesh.vertices + np.float32(0), axis=0, return_inverse=True)
     faces = index.reshape(-1)[mesh.faces].astype(np.int64)
@@ -358,14 +358,14 @@ def fingerprint(model: Model) -> str:
 
 
 MASS = 0.2
-"""Mass of a free body, kg. The motion of a uniform solid does not depend on it."""
+"""Mass of a free body, kg; the motion of a uniform solid does not depend on it."""
 
 STEPS = 500
-"""Number of steps of 2 ms."""
+"""Number of time steps, each of 2 ms."""
 
 
 def floor_spec() -> mujoco.MjSpec:
-    """Return a spec with a floor at z = 0."""
+    """Return a spec that contains a floor at z = 0."""
     import mujoco
 
     spec = mujoco.MjSpec()
@@ -374,7 +374,7 @@ def floor_spec() -> mujoco.MjSpec:
 
 
 def stand(spec: mujoco.MjSpec, model: Model, free: bool) -> mujoco.MjsBody:
-    """Add a model's collision parts to a spec as a body standing on the floor; return the body."""
+    """Add a model's collision parts to a spec as a body that stands on the floor; return it."""
     import mujoco
 
     body = spec.worldbody.add_body(name=model.name, pos=[0, 0, model.size[2] / 2])
@@ -411,7 +411,7 @@ def drift(model: Model) -> tuple[float, float]:
 
 
 def _moments(model: Model) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
-    """Return the centre of mass of a uniform solid and its covariance about that centre."""
+    """Return a uniform solid's centre of mass and its covariance about that centre."""
     v = model.mesh.vertices.astype(float) * model.size
     a, b, c = (v[model.mesh.faces[:, k]] for k in range(3))
     w = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6

@@ -1,4 +1,4 @@
-"""Lookups and facts of objects for people and machines."""
+"""Lookups and facts of objects, for people and programs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SUGGESTIONS = 5
 
 
 def select(theme: str | None = None, role: str | None = None) -> tuple[Category, ...]:
-    """Return the categories with a theme and a role, sorted by key.
+    """Return the categories that have a theme and a role, sorted by key.
 
     Raises:
         InputError: No category has that theme or role.
@@ -30,7 +30,7 @@ def select(theme: str | None = None, role: str | None = None) -> tuple[Category,
 
 
 def themes() -> tuple[str, ...]:
-    """Return the themes in alphabetical order; the folder of a category is its first theme."""
+    """Return the themes in alphabetical order; a category is in the folder of its first theme."""
     return tuple(sorted({theme for category in categories() for theme in category.themes}))
 
 
@@ -40,7 +40,7 @@ def roles() -> tuple[str, ...]:
 
 
 def find_matches(word: str, limit: int) -> tuple[Category, ...]:
-    """Return the categories whose names match a word best, best match first.
+    """Return the categories whose names match a word best, starting with the best match.
 
     Raises:
         InputError: No category matches.
@@ -88,7 +88,7 @@ def _suggestions(word: str) -> str:
 
 
 def facts_of(category: Category) -> dict[str, Any]:
-    """Return all facts of a category as JSON values."""
+    """Return all facts about a category as JSON values."""
     path, line = find_source(category)
     return {
         "key": category.key,
@@ -110,12 +110,12 @@ def facts_of(category: Category) -> dict[str, Any]:
 
 
 def source_text(path: Path, line: int) -> str:
-    """Format a source location as "tabletop_objects/objects/office/cups.py:136"."""
+    """Format a source location, for example as "tabletop_objects/objects/office/cups.py:136"."""
     return f"{path.relative_to(_ROOT).as_posix()}:{line}"
 
 
 def brief_facts(found: Sequence[Category]) -> list[dict[str, Any]]:
-    """Return the facts of categories shown in a list, as JSON values."""
+    """Return the facts about categories that a list shows, as JSON values."""
     return [
         {
             "key": c.key,

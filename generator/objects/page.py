@@ -1,4 +1,4 @@
-"""A static page of all objects by theme, with a word search, in one folder.
+"""A static page, in one folder, of all objects by theme, with a word search.
 
 ``index.html`` contains a card for each object, its style sheet and its script; ``THEME.webp``
 holds the thumbnails of a theme. The page loads no other files and works from ``file://``.
@@ -43,7 +43,7 @@ def write_page(
 def page_files(
     groups: Mapping[str, Sequence[Category]], thumbnails: Thumbnails
 ) -> dict[str, bytes]:
-    """Return the page's files by name."""
+    """Return the files of the page by name."""
     files = {
         f"{theme}.webp": sprite([thumbnails[category.key] for category in group])
         for theme, group in groups.items()
@@ -100,5 +100,5 @@ def _card(category: Category, number: int) -> str:
 
 
 def mass_text(mass: float) -> str:
-    """Format a mass in kilograms as "300 g" or "1.2 kg"."""
+    """Format a mass in kilograms, for example as "300 g" or "1.2 kg"."""
     return f"{1000 * mass:.3g} g" if mass < 1 else f"{mass:.3g} kg"

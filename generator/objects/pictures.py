@@ -1,4 +1,4 @@
-"""Pictures of single objects: portraits, four looks with dimensions, four sides."""
+"""Pictures of single objects: portraits, four variants with dimensions, and four sides."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Picture = UInt8[np.ndarray, "h w 3"]
 
 _FOV = np.deg2rad(22.0)
 VIEW = View(azimuth=np.deg2rad(-20.0), elevation=np.deg2rad(35.0), fov=_FOV)
-"""View from the front, slightly from the left and above."""
+"""A view from the front, slightly from the left and above."""
 
 SIDES: Mapping[str, View] = MappingProxyType(
     {
@@ -44,7 +44,7 @@ def portrait(model: Model, view: View = VIEW, side: int = 160) -> Picture:
 
 
 def draw_looks(category: Category, seed: int, side: int = 240) -> Picture:
-    """Draw four looks of a category with their sizes, and the first one with dimensions."""
+    """Draw four variants of a category with their sizes, and the first one with dimensions."""
     models = [build_variant(category, seed + k) for k in range(LOOKS)]
     cells = [portrait(model, side=side) for model in models]
     captions = [f"seed {seed + k}: {size_text(m.size)}" for k, m in enumerate(models)]
@@ -60,7 +60,7 @@ def draw_sides(model: Model, side: int = 280) -> Picture:
 
 
 def measure(model: Model, side: int = 240) -> Picture:
-    """Draw a model from the front with its length and height in centimetres."""
+    """Draw a model from the front, with its length and height in centimetres."""
     camera = _frame(model, View(0.0, np.deg2rad(4.0), _FOV), side, room=1.35)
     picture = Image.fromarray(_render(model, camera))
     pen, font = ImageDraw.Draw(picture), ImageFont.load_default(13)
@@ -85,7 +85,7 @@ def _rule(pen: ImageDraw.ImageDraw, start: tuple[float, float], end: tuple[float
 
 
 def _frame(model: Model, view: View, side: int, room: float = 1.08) -> Camera:
-    """Return a camera that shows a model's whole box, with a margin around it."""
+    """Return a camera that shows the whole box of a model, with a margin around it."""
     distance = room * _DIAGONAL / 2 / np.sin(view.fov / 2)
     return Camera.looking_at(_middle(model), view, distance, side, side)
 
@@ -98,7 +98,7 @@ def _render(model: Model, camera: Camera) -> Picture:
 def _size(model: Model) -> Float[np.ndarray, "3"]:
     """Return a model's extent in the pictures, scaled so that all models have the same diagonal.
 
-    Shadow softness is in metres and would otherwise blur away the shadows of small objects.
+    Shadow softness is in metres; without scaling, it would blur the shadows of small objects away.
     """
     return model.size * (_DIAGONAL / np.linalg.norm(model.size))
 
@@ -110,7 +110,7 @@ def _middle(model: Model) -> Float[np.ndarray, "3"]:
 def lay_out(
     cells: Sequence[Picture], columns: int, color: int = 255
 ) -> UInt8[np.ndarray, "sheet_h sheet_w 3"]:
-    """Tile pictures of one size in rows without gaps; empty cells have a uniform ``color``."""
+    """Tile pictures of equal size in rows without gaps; empty cells have a uniform ``color``."""
     height, width = cells[0].shape[:2]
     rows = -(-len(cells) // columns)
     sheet = np.full((rows * height, columns * width, 3), color, np.uint8)

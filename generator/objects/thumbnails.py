@@ -25,7 +25,7 @@ COLUMNS = 13
 """Number of thumbnails per row of a sprite or a sheet."""
 
 Shown = Callable[[str, int, int], None]
-"""Progress callback: item drawn, its number and the total."""
+"""Progress callback, called with the drawn item, its number and the total number."""
 
 Thumbnails = Mapping[str, UInt8[np.ndarray, "h w 3"]]
 """Thumbnails by key."""
@@ -36,7 +36,7 @@ _QUALITY = 80
 
 
 def by_folder(chosen: Sequence[str] = ()) -> Mapping[str, tuple[Category, ...]]:
-    """Group categories by their first theme, sorted by noun; all themes if ``chosen`` is empty.
+    """Group categories by their first theme, sorted by noun; if ``chosen`` is empty, all themes.
 
     Raises:
         InputError: A theme does not exist.
@@ -81,12 +81,12 @@ def _draw(key: str) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def sprite(thumbnails: Sequence[UInt8[np.ndarray, "h w 3"]]) -> bytes:
-    """Tile thumbnails in rows of ``COLUMNS`` into one WebP picture."""
+    """Tile thumbnails, ``COLUMNS`` per row, into one WebP picture."""
     return encode_webp(lay_out(thumbnails, COLUMNS))
 
 
 def sheet(theme: str, group: Sequence[Category], thumbnails: Thumbnails) -> bytes:
-    """Draw a captioned sheet of the objects of a theme as one WebP picture."""
+    """Draw a sheet of a theme's objects, with captions, as one WebP picture."""
     rows = -(-len(group) // COLUMNS)
     width, height = COLUMNS * SIDE, _TITLE + rows * (SIDE + _CAPTION)
     picture = Image.new("RGB", (width, height), "white")
@@ -103,7 +103,7 @@ def sheet(theme: str, group: Sequence[Category], thumbnails: Thumbnails) -> byte
 
 
 def _wrap(text: str, pen: ImageDraw.ImageDraw, font: object) -> list[str]:
-    """Wrap a text into at most two lines, each at most as wide as a thumbnail."""
+    """Wrap a text into at most two lines, each no wider than a thumbnail."""
     lines = [""]
     for word in text.split():
         longer = f"{lines[-1]} {word}".strip()

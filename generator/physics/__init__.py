@@ -1,1 +1,1 @@
-"""Bodies and their motion: mass, convex parts, separation, placement, settling, the gate."""
+"""Bodies and their motion: mass, convex parts, separation, placement, settling and the gate."""

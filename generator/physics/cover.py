@@ -2,12 +2,13 @@
 
 A shape's convex parts are often coarser than its mesh: a ring of wedges has chords where the wall
 is round, and a hull has few vertices. Objects whose meshes extend beyond their parts appear to sink
-into each other. This module grows the nearest part's hull by the uncovered points; points far from
-every part get additional hulls. Where other objects may come to rest, on surfaces open from above,
-hulls extend at most a millimetre beyond the mesh, so that a bowl stays hollow.
+into each other. This module extends the nearest part's hull to the uncovered points; points far
+from every part get additional hulls. Other objects may come to rest on surfaces that are open from
+above. There, hulls extend at most a millimetre beyond the mesh, so that a bowl stays hollow.
 
-A hull takes only the vertices it needs: the farthest point outside each of its faces, repeatedly
-until none is left (after C. Barber et al., "The quickhull algorithm for convex hulls", 1996).
+A hull gets only the vertices that it needs. The farthest point outside each of its faces is added
+repeatedly, until none is left (after C. Barber et al., "The quickhull algorithm for convex hulls",
+1996).
 """
 
 from __future__ import annotations
@@ -29,18 +30,18 @@ from .mjcf import primitive_kind
 Points = Float[np.ndarray, "n 3"]
 
 TOLERANCE = 2.5e-4
-"""Maximum distance of a vertex from the parts, metres: half of a visible overlap."""
+"""Maximum distance of a vertex from the parts, metres: half the depth of a visible overlap."""
 
-_REACH = 6e-3  # maximum growth of a part, metres; points farther out get additional hulls
+_REACH = 6e-3  # maximum growth of a part, metres; points farther away get additional hulls
 _ROUNDS = 8  # maximum number of growth rounds per hull
-_BURIED = 1e-3  # depth to which growth may cover the mesh, metres
-_OVERHANG = 3e-3  # points this far below the top of their column are covered, metres
+_BURIED = 1e-3  # maximum depth to which growth may cover the mesh, metres
+_OVERHANG = 3e-3  # points that are this far below the top of their column are covered, metres
 _HOLLOW = 0.01  # height above a surface from which a hull fills a hollow, metres
-_MUCH = 1e-3  # uncovered distance from which a _LARGE convex piece gets its own hull, metres
-_LARGE = 0.3  # share of the shape's longest side
-_FEW = 48  # number of vertices that need no thinning
+_MUCH = 1e-3  # uncovered distance at which a _LARGE convex piece gets its own hull, metres
+_LARGE = 0.3  # as a fraction of the shape's longest side
+_FEW = 48  # number of vertices up to which no thinning is needed
 _WAYS = np.array([*itertools.product((-1.0, 0.0, 1.0), repeat=3)])
-_CONVEX = 0.9  # minimum ratio of a convex piece's volume to that of its hull
+_CONVEX = 0.9  # minimum ratio of a convex piece's volume to the volume of its hull
 _SPECK = np.stack(np.meshgrid(*[(-2e-4, 2e-4)] * 3), -1).reshape(-1, 3)
 
 
@@ -49,8 +50,8 @@ def covering(
 ) -> tuple[ConvexPart, ...]:
     """Return parts that contain the mesh to within ``TOLERANCE``: ``parts``, grown, and new hulls.
 
-    A connected piece of the mesh that is convex and not covered gets its own hull; parts inside
-    such a hull are dropped. Everything is in metres and in one frame.
+    A connected piece of the mesh that is convex and uncovered gets its own hull; parts inside such
+    a hull are dropped. Everything is in metres and in a common frame.
     """
     places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces]
@@ -88,7 +89,7 @@ def covering(
 def _lacking(
     parts: Sequence[ConvexPart], points: Points, depth: float = -TOLERANCE
 ) -> Int[np.ndarray, "k"]:
-    """Return the indices of points that are in no part, or at less than ``depth`` inside it."""
+    """Return the indices of points that are in no part, or less than ``depth`` inside it."""
     left, at = np.arange(len(points)), points
     for part in parts:
         near = np.flatnonzero(_deep_in_box(part, at, depth))
@@ -114,7 +115,7 @@ def _surface(
     places: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
     """Return vertices and points along the long edges, their normals, and the edges' faces."""
-    # Parts may contain the ends of an edge but not its middle.
+    # Parts may contain both ends of an edge but not its middle.
     turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
     for k in range(3):
@@ -132,7 +133,7 @@ def _surface(
 
 @dataclass(frozen=True, eq=False)
 class _Sky:
-    """Height of the drawn surface in each cell of a grid; -inf in cells without samples."""
+    """Height of the drawn surface in each cell of a grid, or -inf in cells without samples."""
 
     low: Float[np.ndarray, "2"]
     cell: float
@@ -160,7 +161,7 @@ class _Sky:
 
     @cached_property
     def around(self) -> Float[np.ndarray, "49 49"]:
-        """The highest surface within two cells of each, since the grid has gaps."""
+        """The highest surface within two cells of each cell, since the grid has gaps."""
         return maximum_filter(self.top, 5, mode="nearest")
 
 
@@ -175,7 +176,7 @@ def _convex_pieces(
 ) -> list[ConvexPart]:
     """Return hulls of the mesh's connected pieces that are convex and clearly uncovered.
 
-    ``depth`` is the distance of each ``lacking`` point from the parts.
+    ``depth`` is the distance from the parts to each of the ``lacking`` points.
     """
     piece = pieces(faces, len(places))
     corners = lacking < len(places)
@@ -198,20 +199,20 @@ def _convex_pieces(
 
 
 def _thin(corners: Points) -> ConvexPart:
-    """Return the hull of ``corners``, all of them extreme, without redundant ones."""
+    """Return the hull of ``corners``, all of which are extreme, without redundant ones."""
     if len(corners) <= _FEW:
         return ConvexPart(corners.round(6))
     start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
     try:
         return _grow(ConvexPart(start), corners)
-    except QhullError:  # a sheet with coplanar extreme vertices
+    except QhullError:  # the corners form a sheet with coplanar extreme vertices
         return ConvexPart(corners.round(6))
 
 
 def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
-    """Return the distance of ``points`` from a part, metres; negative inside.
+    """Return the distance of ``points`` from a part, metres; it is negative inside.
 
-    Near an edge or a corner it is the distance to the farthest plane, a lower bound.
+    Near an edge or a corner, it is the distance from the farthest plane, which is a lower bound.
     """
     low, high = part.bounds
     middle, half = (low + high) / 2, (high - low) / 2
@@ -230,7 +231,7 @@ def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
 def _heights(points: Points, planes: Float[np.ndarray, "k 4"]) -> Float[np.ndarray, "k n"]:
     """Return the signed distances of points from planes, metres."""
     found = planes[:, :3] @ points.T
-    found += planes[:, 3:]  # in place, since allocating another array would take most of the time
+    found += planes[:, 3:]  # in place, because allocating another array would take most of the time
     return found
 
 
@@ -267,10 +268,10 @@ def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
 def _grown_where_solid(
     part: ConvexPart, lacking: Points, normals: Points, bare: Float[np.ndarray, "k 3"]
 ) -> ConvexPart:
-    """Return the part extended by the points that do not make it cover other drawn surfaces."""
+    """Return the part extended by those points for which it covers no other drawn surfaces."""
     axis = np.abs(normals).argmax(1)
     facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
-    for way in np.unique(facing):  # the points of one side of the surface at a time
+    for way in np.unique(facing):  # the points on one side of the surface at a time
         wider = _grow(part, lacking[facing == way])
         if not _buries(wider, bare):
             part = wider
@@ -286,7 +287,7 @@ def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
 def _patches(
     places: Vertices, faces: Faces, bare: Float[np.ndarray, "k 3"], sky: _Sky, halvings: int = 4
 ) -> list[ConvexPart]:
-    """Return hulls of triangles, split while their hull covers ``bare`` or fills a hollow.
+    """Return hulls of triangles, splitting them while their hull covers ``bare`` or fills a hollow.
 
     Triangles are split along their longest side.
     """

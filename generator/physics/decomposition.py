@@ -1,16 +1,17 @@
-"""Convex decomposition of meshes without convex parts (Sec. 3.4), by CoACD.
+"""Convex decomposition, by CoACD, of meshes without convex parts (Sec. 3.4).
 
 X. Wei et al., "Approximate convex decomposition for 3D meshes with collision-aware concavity and
 tree search", SIGGRAPH 2022. CoACD is a blocking C call, so it runs in a sandbox, on a mesh
-simplified to about a thousand faces, once per mesh: results are cached by content.
+simplified to about a thousand faces. Since results are cached by content, it runs only once per
+mesh.
 
-CoACD first cuts a mesh into pieces and then merges them, which takes most of the time: a rough mesh
-yields hundreds of pieces. Cuts are therefore tried at decreasing thresholds, and the finest one
-with a moderate number of pieces is merged. The result depends on the number of pieces, never on a
-clock.
+CoACD first cuts a mesh into pieces and then merges them. Merging takes most of the time, since a
+rough mesh yields hundreds of pieces. Cuts are therefore tried at decreasing thresholds, and the
+finest cut with a moderate number of pieces is merged. The result depends on the number of pieces,
+never on a clock.
 
-An import of many meshes has one ``CutBudget``: the total number of pieces of all first cuts. Meshes
-beyond the budget are rejected, and their callers use convex hulls instead.
+An import of many meshes has one ``CutBudget``, which limits the total number of pieces in all first
+cuts. Meshes beyond the budget are rejected, and callers use their convex hulls instead.
 """
 
 from __future__ import annotations
@@ -33,9 +34,9 @@ from ..scene import ConvexPart, Mesh
 from ..scene.triangles import Faces, Vertices, closed, pieces
 from .inertia import weld
 
-_MOST_FACES = 1200  # simplified size of meshes: CoACD's time grows with it
-_FULL = 1.001  # maximum ratio of the estimated volume of a mesh to that of its hull
-_MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
+_MOST_FACES = 1200  # size to which meshes are simplified, since CoACD's time grows with it
+_FULL = 1.001  # maximum ratio of a mesh's estimated volume to that of its hull
+_MAX_KEPT = 16 * 2**20  # bytes of the hulls of a single mesh
 _MOST_PIECES = 200  # number of pieces above which their boxes are not compared
 
 Hulls = list[Float[np.ndarray, "_k 3"]]
@@ -46,17 +47,17 @@ _SETTINGS = {
     "mcts_iterations": 20, "mcts_max_depth": 1, "decimate": True, "max_ch_vertex": 48, "seed": 0,
 }  # fmt: skip
 _THRESHOLDS = 0.15, 0.06  # thresholds of concavity, from coarse to fine
-_MOST_CUTS = 48  # maximum number of pieces at which the next finer cut is tried
+_MOST_CUTS = 48  # maximum number of pieces for which the next finer cut is tried
 
 
 class CutBudget:
     """Total number of pieces in the first cuts of several meshes.
 
     A piece takes 0.05 to 0.15 s of CPU time. Solid objects yield 1 to 16 pieces, rough meshes about
-    70. The count is the same on all machines, with or without cached results: meshes are decomposed
-    as long as pieces are left, and a repeated mesh costs nothing. A mesh that fails counts as a
-    rough one. All meshes together have the CPU time limit of a single one, several times what the
-    pieces need; meshes that reach it are rejected.
+    70. Meshes are decomposed as long as pieces are left, and a repeated mesh costs nothing, so the
+    count is the same on all machines, with or without cached results. A mesh that fails counts as a
+    rough one. All meshes together have the CPU time limit of a single mesh, which is several times
+    what the pieces need. Meshes that reach it are rejected.
     """
 
     def __init__(self, pieces: int = 200) -> None:
@@ -96,9 +97,9 @@ def decompose(
     cache: Path | None = None,
     budget: CutBudget | None = None,
 ) -> tuple[ConvexPart, ...]:
-    """Return convex parts of a canonical mesh decomposed at ``scale``, in the canonical frame.
+    """Return convex parts, in the canonical frame, of a canonical mesh decomposed at ``scale``.
 
-    Results are stored in ``cache`` (by default a folder of the user's cache) if it is writable.
+    Results are stored in ``cache`` (by default a folder in the user's cache) if it is writable.
     ``budget`` is shared by all meshes of an import.
 
     Raises:
@@ -129,7 +130,7 @@ def decompose(
 def _coacd(
     vertices: Vertices, faces: Faces, limits: SandboxLimits, cpu: CpuBudget | None
 ) -> tuple[Hulls, int]:
-    """Return the hulls of a mesh, by CoACD in a sandbox, and the pieces of its first cut."""
+    """Return the hulls of a mesh, by CoACD in a sandbox, and the piece count of its first cut."""
     if len(faces) > _MOST_FACES:
         import fast_simplification
 
@@ -153,7 +154,7 @@ def _coacd(
 
 
 def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> tuple[Hulls, int]:
-    """Return the hulls of a mesh, decomposed in this process, and the pieces of its first cut.
+    """Return the hulls of a mesh, decomposed in this process, and the pieces in its first cut.
 
     ``remesh`` rebuilds the surface first, which open and self-overlapping meshes need.
     """
@@ -191,7 +192,7 @@ def _overlaps(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
-    """Return whether the boxes of two connected pieces intersect; assumed for very many pieces."""
+    """Return whether the boxes of two connected pieces intersect; assume so if there are many."""
     piece = pieces(faces, len(vertices))[faces[:, 0]]
     names, piece = np.unique(piece, return_inverse=True)
     if len(names) > _MOST_PIECES:
@@ -205,7 +206,7 @@ def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _read(path: Path) -> tuple[Hulls, int] | None:
-    """Return the hulls and pieces stored at ``path``; None if the file is missing or invalid."""
+    """Return the hulls and pieces stored at ``path``, or None if the file is missing or invalid."""
     try:
         arrays = read_arrays(path, "The cached hulls", SceneError, max_bytes=_MAX_KEPT)
         pieces = int(arrays.pop("pieces"))
@@ -217,7 +218,7 @@ def _read(path: Path) -> tuple[Hulls, int] | None:
 
 
 def _keep(path: Path, hulls: Hulls, pieces: int) -> None:
-    """Store hulls for later use if the cache is writable."""
+    """Store hulls for later use, if the cache is writable."""
     with contextlib.suppress(OSError):
         path.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as part:

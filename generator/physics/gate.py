@@ -19,18 +19,18 @@ from .simulation import ON_FLOOR, ON_TABLE, Motion, Simulation, find_supported, 
 
 @dataclass(frozen=True)
 class GateLimits:
-    """Limits of the gate. Lengths in metres, angles in radians, time in seconds.
+    """Limits of the gate; lengths in metres, angles in radians, time in seconds.
 
     Attributes:
         penetration: maximum overlap of two collision shapes at the start.
         drift, tilt: maximum displacement and rotation of an object.
-        gap: an object without contacts within this distance is floating.
+        gap: an object is floating if it has no contacts within this distance.
         seconds: duration of the simulation.
-        lean: drift and tilt are also tested with gravity leaning by this angle, at most
-            ``MAX_LEAN``, to each of four sides; 0 skips these tests.
+        lean: angle, at most ``MAX_LEAN``, by which gravity is tilted towards each of four sides to
+            test drift and tilt again; 0 skips these tests.
 
     Raises:
-        InputError: a limit is not a number or negative, or the duration is zero.
+        InputError: a limit is negative or not a number, or the duration is zero.
     """
 
     penetration: float = 5e-4
@@ -48,23 +48,24 @@ class GateLimits:
 
 PerObject = Float[np.ndarray, "n"]
 PerKind = Float[np.ndarray, "2"]
-"""Of drift and tilt: metres, radians."""
+"""Values for drift (metres) and tilt (radians)."""
 
 _STRIDE = 0.25  # seconds between two samples
-_SMALL = 5e-3  # relative to the limits: motion per sample that may be jitter
-_TINY = 0.4  # relative to that: motion that is certainly jitter
-_LOST = 2.0  # multiple of the limits at which the simulation under leaning gravity stops
-_LEANING_TIMESTEP = 4e-3  # coarser than the scene's own, as an additional test
+_SMALL = 5e-3  # motion per sample that may be jitter, relative to the limits
+_TINY = 0.4  # motion that is certainly jitter, relative to the previous value
+_LOST = 2.0  # multiple of the limits at which the simulation under tilted gravity stops
+_LEANING_TIMESTEP = 4e-3  # an additional test with a coarser step than the scene's own
 _FIXED: Mapping[int, Literal["table", "floor"]] = {ON_TABLE: "table", ON_FLOOR: "floor"}
 
 
 def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
     """Simulate a scene from its settled poses and return its report.
 
-    ``limits`` default to those that the scene was tested with (:func:`limits_of`). Penetration and
-    floating are measured at the start; drift, rotation and falling over ``limits.seconds``
-    (:func:`watch`), then drift and rotation again under leaning gravity, up to the first side to
-    which an object moves. ``moved``, ``settling`` and ``dropped`` of an existing report are kept.
+    ``limits`` default to those with which the scene was tested (:func:`limits_of`). Penetration and
+    floating are measured at the start. Drift, rotation and falling are measured over
+    ``limits.seconds`` (:func:`watch`). Drift and rotation are then measured again under tilted
+    gravity, up to the first side to which an object moves. An existing report's ``moved``,
+    ``settling`` and ``dropped`` are kept.
     """
     limits = limits or limits_of(scene)
     simulation = Simulation(scene)
@@ -109,9 +110,9 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
 
 
 def limits_of(scene: Scene) -> GateLimits:
-    """Return the default limits, with the lean that the scene was tested with.
+    """Return the default limits, with the tilt of gravity with which the scene was tested.
 
-    An imported scene is tested on a level table: its round objects roll as in its source.
+    An imported scene is tested on a level table, since its round objects roll as in its source.
     """
     lean = scene.report.lean if scene.report else None
     return GateLimits() if lean is None else GateLimits(lean=lean)
@@ -120,8 +121,8 @@ def limits_of(scene: Scene) -> GateLimits:
 def watch(simulation: Simulation, limits: GateLimits) -> tuple[PerObject, PerObject]:
     """Simulate ``limits.seconds``; return each object's displacement and rotation.
 
-    Objects in steady slow motion are not simulated to the end (:func:`_watch`): an extrapolation is
-    returned. The values are meaningless if the simulation diverges.
+    Objects in steady, slow motion are not simulated to the end (:func:`_watch`); their motion is
+    extrapolated. The values are meaningless if the simulation diverges.
     """
     return _watch(simulation, limits, np.array([limits.drift, limits.tilt]))
 
@@ -131,9 +132,10 @@ def _watch(
 ) -> tuple[PerObject, PerObject]:
     """Simulate until the final displacement and rotation of each object are certain.
 
-    That is the case if in two consecutive samples no object moves or turns faster than before, and
-    extrapolation at twice the speed, and at the current acceleration (:func:`_speeds_up`), keeps
-    each object within ``bounds``; or if an object has moved by ``lost`` times the bounds.
+    They are certain if an object has moved by ``lost`` times the bounds. They are also certain if
+    in two consecutive samples no object moves or turns faster than before, and each object stays
+    within ``bounds`` when its motion is extrapolated at twice the speed and at the current
+    acceleration (:func:`_speeds_up`).
     """
     begin = simulation.time
     start = now = simulation.states
@@ -142,7 +144,7 @@ def _watch(
     gone = np.zeros((len(start), 2))
     steps: list[Motion] = []
     calm = 0
-    for k in range(looks):  # toppling objects accelerate, and are simulated to the end
+    for k in range(looks):  # toppling objects accelerate, so they are simulated to the end
         earlier, left = steps, looks - 1 - k
         simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
         if simulation.diverged:
@@ -173,7 +175,7 @@ def _speeds_up(
 
 
 def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[Failure]]:
-    """Return the maximum motion under leaning gravity, the shortest simulation, and failures."""
+    """Return the maximum motion under tilted gravity, the shortest simulation, and failures."""
     worst, shortest = 0.0, limits.seconds
     bounds = np.array([limits.drift, limits.tilt])
     for side in range(4):
@@ -189,7 +191,7 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
 def find_toppling(
     scene: Scene, limits: GateLimits, angle: float, among: Collection[str] | None = None
 ) -> tuple[str, ...]:
-    """Return the objects that topple (``has_toppled`` by ``angle``, radians) under leaning gravity.
+    """Return the objects that topple (``has_toppled`` by ``angle``, radians) under tilted gravity.
 
     ``among`` names the objects to test; None means all. The simulation stops early if the tested
     objects are as still as :func:`watch` requires.
@@ -212,7 +214,7 @@ def find_toppling(
 
 @contextmanager
 def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterator[None]:
-    """Restart from the scene's poses, with gravity leaning to one of four sides."""
+    """Restart from the scene's poses, with gravity tilted towards one of four sides."""
     simulation.place([o.pose for o in simulation.scene.objects])
     with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
         yield
@@ -221,7 +223,7 @@ def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterat
 def _moving(
     simulation: Simulation, drift: PerObject, tilt: PerObject, limits: GateLimits, *, leaning: bool
 ) -> list[Failure]:
-    """Return failures of the last run: objects that moved too far, or the divergence."""
+    """Return failures of the last run: objects that moved too far, or a divergence."""
     names = [o.name for o in simulation.scene.objects]
     if broken := simulation.diverged:
         return [Failure("diverged", (names[k],), leaning=leaning) for k in broken]
@@ -237,7 +239,7 @@ def _moving(
 
 
 def reach(scene: Scene) -> float:
-    """Return the distance of the farthest object from the best of the table's four sides."""
+    """Return the distance between the farthest object and the best of the table's four sides."""
     if not scene.objects:
         return 0.0
     low, high = scene.table.outline.min(0), scene.table.outline.max(0)
@@ -258,7 +260,7 @@ def _overlapping(
 
 
 def find_fallen(simulation: Simulation) -> tuple[int, ...]:
-    """Return objects that touch the floor, or whose centre of mass is 5 cm below the tabletop."""
+    """Return objects that touch the floor or whose centre of mass is 5 cm below the tabletop."""
     low = simulation.centers_of_mass[:, 2] < simulation.scene.table.height - 0.05
     touching = {int(b) for a, b in simulation.contacts().pairs if a == ON_FLOOR}
     return tuple(sorted(touching | set(np.flatnonzero(low).tolist())))

@@ -1,4 +1,4 @@
-"""Mass, centre of mass and inertia of meshes and convex parts, by exact integrals."""
+"""Mass, centre of mass and inertia of meshes and convex parts, computed by exact integrals."""
 
 from __future__ import annotations
 
@@ -12,12 +12,13 @@ from ..errors import SceneError
 from ..scene import ConvexPart, Mesh, Physics
 from ..scene.triangles import Faces, Vertices, closed, scaled_normals
 
-_LEAST_MASS = 2e-3  # kg, the minimum mass, so that contacts stay well conditioned
-_WELD = 1e-6  # of the unit box: closer vertices are merged
+_LEAST_MASS = 2e-3  # kg; minimum mass, so that contacts stay well conditioned
+_WELD = 1e-6  # fraction of the unit box; closer vertices are merged
 
 LEAST_GYRATION = 0.005
-"""Minimum radius of gyration as a share of the box's diagonal, so that thin wires are stable at the
-usual time steps. A pencil's about its axis is 0.015, a 3 by 200 mm skewer's 0.005."""
+"""Minimum radius of gyration as a fraction of the box's diagonal, so that thin wires are stable at
+the usual time steps. For a pencil, the ratio about its long axis is 0.015; for a skewer of 3 mm by
+200 mm, it is 0.005."""
 
 Triangles = Float[np.ndarray, "m 3 3"]
 
@@ -36,8 +37,8 @@ def body_mass(
 ) -> MassProperties:
     """Return the mass properties of a canonical mesh at ``scale`` (its extent in metres).
 
-    Hollow objects (``physics.shell``) are surfaces of that thickness. Others have the volume of
-    their mesh, or of ``parts`` (metres) if it is not watertight.
+    Hollow objects are surfaces with the thickness ``physics.shell``. Others have the volume of
+    their mesh or, if that is not watertight, of ``parts`` (metres).
 
     Raises:
         SceneError: the shape has no volume.
@@ -55,8 +56,8 @@ def body_mass(
 def volume_mass(triangles: Triangles, density: float) -> MassProperties:
     """Return the mass properties of the solid enclosed by outward-facing triangles.
 
-    Signed tetrahedra to the origin: volume v = det(a, b, c) / 6 and second moment v / 20 (aaᵀ + bbᵀ
-    + ccᵀ + ssᵀ) with s = a + b + c (F. Tonon, J. Math. Stat. 1, 2004).
+    Signed tetrahedra to the origin are summed, each with volume v = det(a, b, c) / 6 and second
+    moment v / 20 (aaᵀ + bbᵀ + ccᵀ + ssᵀ) with s = a + b + c (F. Tonon, J. Math. Stat. 1, 2004).
     """
     a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
     volumes = np.einsum("ij,ij->i", a, np.cross(b, c)) / 6
@@ -64,7 +65,7 @@ def volume_mass(triangles: Triangles, density: float) -> MassProperties:
 
 
 def surface_mass(triangles: Triangles, areal_density: float) -> MassProperties:
-    """Return the mass properties of a thin shell of ``areal_density``, kg/m^2.
+    """Return the mass properties of a thin shell with ``areal_density``, kg/m^2.
 
     A triangle's second moment is A / 12 (aaᵀ + bbᵀ + ccᵀ + ssᵀ).
     """
@@ -141,7 +142,7 @@ def _from_moments(
 
 
 def _bound(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
-    """Keep the centre inside the box, and bound mass and inertia from below."""
+    """Keep the centre of mass inside the box, and mass and inertia above their minima."""
     mass = max(found.mass, _LEAST_MASS)
     inertia = found.inertia * (mass / found.mass)
     floor = mass * (LEAST_GYRATION * float(np.linalg.norm(scale))) ** 2

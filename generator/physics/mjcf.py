@@ -1,9 +1,9 @@
-"""Scene to MJCF: one XML document and its files, which plain MuJoCo loads.
+"""Conversion of a scene to MJCF: one XML document and its files, which plain MuJoCo can load.
 
-Names in the document: body and free joint of an object have the object's name, the table's body is
-"table", the floor's geom "floor"; cameras are "reference" (the scene's view) and "top"; the
-keyframe "settled" has every object's resting pose. Geom groups: 2 visual, 3 collision. Meshes,
-textures and hulls are named by the digest of their content.
+The body and the free joint of an object have the object's name; the table's body is named "table"
+and the floor's geom "floor". The cameras are "reference" (the scene's view) and "top"; the keyframe
+"settled" has every object's resting pose. Visual geoms are in group 2, collision geoms in group 3.
+Meshes, textures and hulls are named by the digest of their content.
 """
 
 from __future__ import annotations
@@ -28,29 +28,29 @@ FLOOR = "floor"
 
 FRICTION_STIFFNESS = 10
 """Ratio of frictional to normal contact impedance (MuJoCo's impratio). At 1, objects that lean in a
-mug or lie in a heap creep by half a millimetre per second; the creep falls with this ratio, at
+mug or lie in a heap creep by half a millimetre per second. The creep decreases with this ratio, at
 hardly any cost in time up to ten. The environments use the same value."""
 
 FLAT_SPOT = 0.1
-"""Rolling resistance of round objects, in radii: they stay on a table that leans by two degrees,
-with a margin of almost three, as fruit does, and roll away from six degrees on (its tangent is this
-value). Small objects have ``_LEAST_FLAT``, metres; glass marbles would otherwise roll at once."""
+"""Rolling resistance of round objects, in radii. With this value they stay on a table tilted by two
+degrees, as fruit does, with a margin of almost three, and roll away from six degrees on (the value
+is the tangent). Small objects have ``_LEAST_FLAT``, metres; marbles would otherwise roll."""
 
 _LEAST_FLAT = 0.002
 _FIRM = {"solimp": "0.98 0.99 0.001", "solmix": "100"}
 """Contacts with rolling resistance are stiffer than MuJoCo's default (0.9 0.95). Resistance allows
-creep that grows with the softness and with the inverse square of FLAT_SPOT: on the leaning table an
-orange turns by 1 degree in 5 s with these values, by 5 with the defaults."""
+creep that grows with the softness and with the inverse square of FLAT_SPOT: on the tilted table an
+orange turns by 1 degree in 5 s with these values, and by 5 degrees with the defaults."""
 
-_SLENDER, _THIN = 0.35, 0.04  # slender objects are thinner: share of their length; metres
+_SLENDER, _THIN = 0.35, 0.04  # maximum thickness of slender objects: fraction of length; metres
 _ROUND = 0.02  # maximum relative difference between two diameters of a round cross-section
 VERTEX_DIGITS, UV_DIGITS = 6, 5
-"""Decimals of stored meshes: of vertices in the unit box, and of uv."""
+"""Numbers of decimals in stored meshes: of vertices in the unit box, and of uv coordinates."""
 
 _TINY = 1e-200  # MuJoCo treats smaller numbers as zero
 _TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
 _HALF = np.sqrt(0.5)
-_AXIS_QUATERNION = ((_HALF, 0.0, _HALF, 0.0), (_HALF, -_HALF, 0.0, 0.0))  # rotate z to x, y
+_AXIS_QUATERNION = ((_HALF, 0.0, _HALF, 0.0), (_HALF, -_HALF, 0.0, 0.0))  # rotations of z to x, y
 
 
 GeomKind = Literal["mesh", "box", "cylinder", "sphere", "ellipsoid"]
@@ -59,7 +59,7 @@ GeomKind = Literal["mesh", "box", "cylinder", "sphere", "ellipsoid"]
 
 @dataclass(frozen=True)
 class Document:
-    """``scene.xml`` and the files it refers to, by path relative to it."""
+    """``scene.xml`` and the files to which it refers, by path relative to it."""
 
     xml: str
     files: Mapping[str, bytes]
@@ -72,10 +72,10 @@ def document(
     paths: Mapping[Mesh, tuple[str, str]] = MappingProxyType({}),
     fixed: Sequence[Object] = (),
 ) -> Document:
-    """Return the MJCF of a scene; without ``visuals`` only the physics.
+    """Return the MJCF of a scene; without ``visuals``, only the physics.
 
-    ``paths`` are those of existing meshes and textures, which are only referred to. ``fixed``
-    objects are added before the scene's own, without a joint.
+    ``paths`` are the paths of existing meshes and textures, to which the document only refers.
+    ``fixed`` objects are added before the scene's own, without joints.
     """
     root = ET.Element("mujoco", model=scene.name)
     _settings(root)
@@ -104,12 +104,12 @@ def document(
 def object_document(
     thing: Object, *, visuals: bool = False, floor: float | None = None
 ) -> Document:
-    """Return the MJCF of one object alone, free at its pose.
+    """Return the MJCF of a single object, free at its pose.
 
     Args:
         thing: the object.
-        visuals: also add its visual geom and a light; otherwise only the physics.
-        floor: friction of a floor at z = 0; None adds no floor.
+        visuals: whether to add its visual geom and a light; otherwise only the physics is written.
+        floor: friction of a floor at z = 0; if None, no floor is added.
     """
     root = ET.Element("mujoco", model=thing.name)
     _settings(root)
@@ -140,24 +140,24 @@ def written_poses(things: Sequence[Object]) -> Float[np.ndarray, "n 7"]:
 
 def encode_obj(mesh: Mesh) -> bytes:
     """Return a mesh as Wavefront OBJ: vertices to a millionth of the unit box, uv to 1e-5."""
-    corners = np.repeat(mesh.faces + 1, 2, axis=1)  # each with a vertex and its uv
+    corners = np.repeat(mesh.faces + 1, 2, axis=1)  # each corner with a vertex and its uv
     vertex, uv = f" %.{VERTEX_DIGITS}f", f" %.{UV_DIGITS}f"
     text = row_lines(f"v{3 * vertex}\n", mesh.vertices) + row_lines(f"vt{2 * uv}\n", mesh.uv)
     return (text + row_lines("f %d/%d %d/%d %d/%d\n", corners)).encode("ascii")
 
 
 def row_lines(pattern: str, rows: Real[np.ndarray, "n k"]) -> str:
-    """Return a line per row; formatting all at once takes half the time of single rows."""
+    """Return one line per row; formatting all rows at once takes half the time."""
     return pattern * len(rows) % tuple(rows.ravel().tolist())
 
 
 def mesh_path(encoded: bytes) -> str:
-    """Return the path of an encoded mesh inside a bundle."""
+    """Return the path of an encoded mesh in a bundle."""
     return f"meshes/{_digest(encoded)}.obj"
 
 
 def texture_path(encoded: bytes) -> str:
-    """Return the path of an encoded texture inside a bundle."""
+    """Return the path of an encoded texture in a bundle."""
     return f"textures/{_digest(encoded)}.png"
 
 
@@ -197,7 +197,7 @@ def _floor(world: ET.Element) -> ET.Element:
 
 
 def _light(world: ET.Element, height: float) -> None:
-    """Add a light two metres above a height."""
+    """Add a light two metres above the given height."""
     ET.SubElement(
         world, "light", type="directional", pos=_text([0, 0, height + 2]),
         dir="0.3 0.4 -1", diffuse=".5 .5 .5", specular=".1 .1 .1",
@@ -238,7 +238,7 @@ def _body(world: ET.Element, thing: Object, assets: _Assets, *, free: bool = Tru
 
 
 class _Assets:
-    """Adds geoms to bodies, and each mesh, texture and hull to the document once."""
+    """Adds geoms to bodies, and each mesh, texture and hull to the document only once."""
 
     def __init__(
         self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
@@ -282,8 +282,8 @@ class _Assets:
     ) -> None:
         """Add a convex part as a collision geom, a primitive if possible.
 
-        Round parts, and those of ``slender`` objects, resist rolling, like fruit with its soft
-        spots and pens with their clips on a slightly leaning table.
+        Round parts, and the parts of ``slender`` objects, resist rolling on a slightly tilted
+        table, as fruit does with its soft spots and a pen with its clip.
         """
         kind, attributes = primitive(part)
         round_ = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
@@ -303,7 +303,7 @@ class _Assets:
 
 
 def primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
-    """Return a part's geom type and attributes; "mesh" if no primitive fits."""
+    """Return a part's geom type and attributes, or "mesh" if no primitive fits."""
     kind = primitive_kind(part)
     if kind == "mesh":
         return kind, {}
@@ -321,7 +321,7 @@ def primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
 
 
 def primitive_kind(part: ConvexPart) -> GeomKind:
-    """Return a part's geom type; "mesh" if no primitive fits."""
+    """Return a part's geom type, or "mesh" if no primitive fits."""
     if part.kind in ("hull", "box"):
         return "mesh" if part.kind == "hull" else "box"
     low, high = part.bounds
@@ -333,7 +333,7 @@ def primitive_kind(part: ConvexPart) -> GeomKind:
 
 
 def _points(scene: Scene) -> Float[np.ndarray, "n 3"]:
-    """Return every visual vertex of a scene in the world frame."""
+    """Return all visual vertices of a scene in the world frame."""
     table = scene.table
     points = [table.model.mesh.vertices * table.scale + [0, 0, table.height / 2]]
     for thing in scene.objects:

@@ -1,4 +1,4 @@
-"""Convex parts in metres: the model's own, scaled, or a convex decomposition of its mesh."""
+"""Convex parts in metres: the model's own parts, scaled, or a convex decomposition of its mesh."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ if TYPE_CHECKING:
     from .decomposition import CutBudget
 
 THINNEST = 4e-4
-"""Minimum thickness of a part along an axis, metres; thinner ones grow about their centre, and so
-do thin sheets in any direction."""
+"""Minimum thickness of a part along an axis, metres; thinner parts are enlarged about their centre,
+and so are thin sheets in any direction."""
 
 _HAIR = 2e-4  # metres
-_ROOM = 1.5e-3  # parts within the widest foot, or beyond it by this much, are raised, metres
+_ROOM = 1.5e-3  # parts within the widest foot, or at most this far beyond it, are raised, metres
 
 
 def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
-    """Return a canonical part in metres at ``scale``, rounded to a micrometre."""
+    """Return a canonical part at ``scale`` in metres, rounded to a micrometre."""
     vertices = part.vertices * scale
     low, high = vertices.min(0), vertices.max(0)
     thin = high - low < THINNEST
@@ -36,7 +36,7 @@ def scale_part(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
         side = np.where(vertices > (low + high) / 2, 0.5, -0.5) * THINNEST
         vertices = np.where(thin, (low + high) / 2 + side, vertices)
     spread = np.linalg.svd(vertices - vertices.mean(0), compute_uv=False)
-    if spread[-1] < 1e-5:  # a sheet in any direction
+    if spread[-1] < 1e-5:  # a sheet that may be thin in any direction
         grown = np.stack(np.meshgrid(*[(-THINNEST / 2, THINNEST / 2)] * 3), -1).reshape(-1, 3)
         vertices = (vertices[:, None] + grown).reshape(-1, 3)
     return ConvexPart(vertices.round(6), part.kind, part.axis)
@@ -47,7 +47,7 @@ def model_parts(
 ) -> tuple[ConvexPart, ...]:
     """Return the unmodified convex parts of ``model`` at ``scale`` (its extent in metres).
 
-    A mesh without parts is decomposed, within a ``budget`` shared by several meshes.
+    A mesh without parts is decomposed within a ``budget`` that several meshes share.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
@@ -63,7 +63,7 @@ def body_parts(
 ) -> tuple[ConvexPart, ...]:
     """Return the collision shape of ``model`` at ``scale``: parts that cover the visual mesh.
 
-    ``budget`` is shared by several meshes that may have to be decomposed.
+    ``budget`` is shared by all meshes that may have to be decomposed.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
@@ -94,16 +94,17 @@ def _digest(parts: Sequence[ConvexPart], vertices: Vertices, faces: Faces) -> by
 
 @lru_cache(maxsize=128)
 def _cover(shape: _Shape) -> tuple[ConvexPart, ...]:
-    """Return the parts grown to contain their mesh. Objects of equal shape share the result."""
+    """Return the parts, grown to contain their mesh; objects of equal shape share the result."""
     covered = covering(shape.parts, shape.vertices, shape.faces)
     return on_base([scale_part(part, np.ones(3)) for part in covered])
 
 
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
-    """Raise the undersides of parts that stand next to a wide one, slightly.
+    """Raise, slightly, the undersides of parts that stand next to a wide one.
 
-    A mug's wall of wedges ends at the height of its bottom: each wedge would add contacts with the
-    table, which take most of a simulation step and which the bottom's edge makes redundant.
+    The wedges of a mug's wall end at the height of its bottom, so each of them would add contacts
+    with the table. These would take most of a simulation step, and are redundant because of the
+    bottom's edge.
     """
     low = min(float(part.vertices[:, 2].min()) for part in parts)
     feet = [part.vertices[part.vertices[:, 2] < low + _HAIR / 2, :2] for part in parts]
@@ -114,7 +115,7 @@ def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
     for part, foot in zip(parts, feet, strict=True):
         beside = foot is not widest and len(foot) and inside_margin(foot, outline).min() > -_ROOM
         upright = part.kind in ("hull", "box") or (part.kind == "cylinder" and part.axis == 2)
-        if beside and upright:  # others would change their kind
+        if beside and upright:  # other parts would no longer be of the same kind
             heights = np.maximum(part.vertices[:, 2], low + _HAIR)
             part = replace(part, vertices=np.column_stack([part.vertices[:, :2], heights]))
         based.append(part)
@@ -132,7 +133,7 @@ def highest(thing: Object) -> float:
 
 
 def base(thing: Object, pose: Pose) -> Float[np.ndarray, "n 2"]:
-    """Return the world x, y of an upright object's lowest tenth and of its centre of mass."""
+    """Return the world x and y of an upright object's lowest tenth and of its centre of mass."""
     points = np.concatenate([part.vertices for part in thing.parts])
     cut = points[:, 2].min() + 0.1 * np.ptp(points[:, 2])
     points = np.concatenate([points[points[:, 2] <= cut], thing.com[None]])

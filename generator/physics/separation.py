@@ -1,10 +1,10 @@
 """Separation of overlapping objects by the least horizontal displacement (Sec. 3.4).
 
-Each overlapping pair gives a *cut*: along the direction u in which the pair separates soonest,
-object b must move at least t metres relative to object a. Together with the table's edges the cuts
+Each overlapping pair results in a *cut*: along the direction u in which the pair separates soonest,
+object b must move at least t metres relative to object a. Together with the table's edges, the cuts
 form a small quadratic program, ``min Σ |d_i|²`` subject to ``u · (D_b - D_a) >= t``, where d_i is
-an object's own displacement and D_i includes that of its supports. New overlaps add new cuts until
-none is left.
+an object's own displacement, and D_i also includes the displacements of its supports. New overlaps
+add new cuts until none is left.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from .parts import base
 from .simulation import Simulation
 
 TOLERANCE = 2e-4
-"""Overlaps up to this depth, metres, count as contact."""
+"""Maximum depth of an overlap, metres, that counts as contact."""
 
-_PATIENCE = 6  # rounds without fewer overlaps before giving up
+_PATIENCE = 6  # number of rounds without progress before giving up
 _STIFFNESS = 1e4  # cost of a square metre of violated cuts, in square metres of displacement
 
 
 @dataclass(frozen=True, eq=False)
 class Cut:
-    """``direction · (D_b - D_a) >= distance``; ``a`` None is the table."""
+    """``direction · (D_b - D_a) >= distance``; if ``a`` is None, it is the table."""
 
     a: int | None
     b: int
@@ -41,7 +41,7 @@ class Cut:
 def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
     """Move overlapping objects apart on the table, together with the objects on them.
 
-    Objects that support one another (directly or through others) are not pushed apart.
+    Objects that support one another, directly or through others, are not pushed apart.
     ``clearance`` is the gap between objects that overlapped, metres. Returns the scene and the
     names of objects that still overlap another, or extend beyond the table's edge.
     """
@@ -85,7 +85,7 @@ def off_table(scene: Scene, thing: Object) -> bool:
 
 
 def ancestry(objects: Sequence[Object]) -> list[tuple[int, ...]]:
-    """Return for each object the indices of itself and its supports, down to the table."""
+    """Return, for each object, the indices of itself and of its supports, down to the table."""
     index = {o.name: i for i, o in enumerate(objects)}
     chains = []
     for i, _ in enumerate(objects):
@@ -97,7 +97,7 @@ def ancestry(objects: Sequence[Object]) -> list[tuple[int, ...]]:
 
 
 def with_poses(objects: Sequence[Object], poses: Sequence[Pose]) -> tuple[Object, ...]:
-    """Return the objects at other poses."""
+    """Return the objects at the given poses."""
     return tuple(replace(o, pose=p) for o, p in zip(objects, poses, strict=True))
 
 
@@ -144,10 +144,10 @@ def _least_squares(
 ) -> Float[np.ndarray, "n 2"]:
     """Return each object's total displacement D.
 
-    A cut may be violated by s_k at the cost ``_STIFFNESS * s_k²``, so that there is always a
-    solution, and a compromise if the cuts contradict one another. In (d, s) this is a least
-    distance program, solved as a nonnegative least squares problem (C. Lawson and R. Hanson,
-    "Solving Least Squares Problems", 1974, ch. 23, algorithm LDP).
+    A cut may be violated by s_k at the cost ``_STIFFNESS * s_k²``. There is therefore always a
+    solution, and it is a compromise if the cuts contradict one another. In (d, s) this is a least
+    distance program, which is solved as a nonnegative least squares problem (C. Lawson and R.
+    Hanson, "Solving Least Squares Problems", 1974, ch. 23, algorithm LDP).
     """
     count = len(chains)
     member = np.zeros((count, count))
@@ -169,7 +169,7 @@ def _least_squares(
 
 
 def _edge_cuts(scene: Scene) -> list[Cut]:
-    """Return the cuts that keep objects on the table: footprints inside its outline.
+    """Return the cuts that keep objects on the table, with their footprints inside its outline.
 
     For an object wider than the table, its centre of mass is used instead.
     """

@@ -1,4 +1,4 @@
-"""Settling of a scene under gravity; objects that do not stand get a weighted foot."""
+"""Settling of a scene under gravity; objects that do not stand are given a weighted foot."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ _DAMPING = 3.0
 _SOFT = 0.3  # ratio of frictional impedance (impratio) in the first phase
 _COARSE = 4e-3  # seconds, time step of the first phase
 _FIRM = 0.5  # maximum seconds until everything is at rest with the scene's own settings
-_STILL = np.array([2e-4, 2e-3])  # m/s, rad/s: a fifth of the gate's limits
-_SLOW = 5 * _STILL  # the same with soft friction, which creeps about thirty times as fast
+_STILL = np.array([2e-4, 2e-3])  # m/s and rad/s: a fifth of the gate's limits
+_SLOW = 5 * _STILL  # the same for soft friction, with which creep is about thirty times as fast
 
 
 def settle(
@@ -32,16 +32,16 @@ def settle(
 ) -> tuple[Pose, ...]:
     """Simulate until everything rests, from ``minimum`` to ``seconds`` long; return the poses.
 
-    First, gravity leans by ``shake`` (radians) to each of four sides in turn: a brush that stands
-    free in a mug falls against its rim, where it stays. Free motion is damped at a rate of 3 per
-    second, so that round objects stop, except in the last tenth of a second: the returned poses are
-    stable without damping.
+    First, gravity is tilted by ``shake`` (radians) towards each of four sides in turn, so that, for
+    example, a brush that stands free in a mug falls against the rim and stays there. Free motion is
+    damped at a rate of 3 per second, so that round objects stop, except in the last tenth of a
+    second: the returned poses are stable without damping.
 
-    Touching objects creep, and faster with softer friction. Friction is therefore soft for up to
-    half of the time, so that a heap of fruit settles in two seconds as it would in a minute; then
-    it is that of the scene. Jitter does not count as motion. If the simulation diverges, the
-    scene's own poses are returned, and the gate reports the failure. ``simulation`` is an existing
-    simulation of the scene at its own poses.
+    Touching objects creep, and creep faster if friction is softer. Friction is therefore soft for
+    up to half of the time, so that a heap of fruit settles as much in two seconds as it otherwise
+    would in a minute. After that, the scene's own friction is used. Jitter does not count as
+    motion. If the simulation diverges, the scene's own poses are returned, and the gate reports the
+    failure. ``simulation`` is an existing simulation of the scene at its own poses.
     """
     simulation = simulation or Simulation(scene)
     option = simulation.model.opt
@@ -72,10 +72,10 @@ def _calm(
 
 
 def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:
-    """Return whether an object leans more than ``limit`` (radians) and has changed its height.
+    """Return whether an object leans by more than ``limit`` (radians) at a different height.
 
-    A pencil that rolls onto its next side, or a die, keeps its height and has not toppled; an
-    upside-down object that is taller than wide has.
+    A pencil or a die that rolls onto its next side keeps its height and has not toppled. An
+    upside-down object that is taller than wide has toppled.
     """
     up = quaternion_matrix(pose.quaternion)[2]
     if np.arccos(np.clip(up[2], -1.0, 1.0)) <= limit:
@@ -86,16 +86,16 @@ def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:
     return bool(on_head or abs(after - before) > 0.25 * before)
 
 
-_FOOT = 0.25, 0.75  # minimum and maximum share of an object's mass in its foot
+_FOOT = 0.25, 0.75  # minimum and maximum fraction of an object's mass in its foot
 
 
 def on_foot(thing: Object) -> Object:
-    """Return the object with a flat box under it that has a share of its mass.
+    """Return the object with a flat box under it that has a fraction of its mass.
 
-    The foot spans the object's box and is a thirtieth of its height, at least 2 mm. It has a
-    quarter of the mass, or as much (up to three quarters) as lowers the whole's centre of mass to a
-    third of the height. The foot's own centre is placed so that the whole's is over the middle, as
-    far as the foot extends.
+    The foot spans the object's box and is a thirtieth of its height, at least 2 mm. It has at least
+    a quarter and at most three quarters of the mass: as much as is needed to lower the common
+    centre of mass to a third of the height. The foot's own centre of mass is placed, as far as the
+    foot extends, so that the common one is over the middle.
     """
     height = float(thing.scale[2])
     size = np.array([*thing.scale[:2], max(2e-3, height / 30)])

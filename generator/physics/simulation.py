@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     import mujoco
 
 ON_TABLE = -1
-"""Index of the table in contacts, among a scene's objects."""
+"""Index that stands for the table in contacts between a scene's objects."""
 
 ON_FLOOR = -2
-"""Index of the floor."""
+"""Index that stands for the floor."""
 
 
 States = Float[np.ndarray, "n 7"]
@@ -44,7 +44,7 @@ class Contacts:
     distance: Float[np.ndarray, "n"]
 
     def deepest(self) -> Mapping[tuple[int, int], float]:
-        """Return each pair's deepest overlap (positive metres); 0 for pairs that only touch."""
+        """Return each pair's deepest overlap (positive, metres), or 0 for pairs that only touch."""
         found: dict[tuple[int, int], float] = {}
         for (a, b), distance in zip(self.pairs.tolist(), self.distance.tolist(), strict=True):
             found[a, b] = max(found.get((a, b), 0.0), -distance)
@@ -54,9 +54,9 @@ class Contacts:
 class Simulation:
     """A compiled scene and its state, with the scene's objects first, at their own poses.
 
-    Sleeping is disabled, so that no object is assumed to be at rest. ``fixed`` objects, which are
-    not among the scene's, keep their poses and support others as the table does; in contacts they
-    are ``ON_TABLE``.
+    Sleeping is disabled, so that no object is assumed to be at rest. ``fixed`` objects do not
+    belong to the scene. They keep their poses and support others like the table; in contacts they
+    appear as ``ON_TABLE``.
     """
 
     def __init__(self, scene: Scene, fixed: Sequence[Object] = ()) -> None:
@@ -82,7 +82,7 @@ class Simulation:
 
     @property
     def states(self) -> States:
-        """The objects' current positions and quaternions, in the scene's order, copied."""
+        """The objects' current positions and quaternions, in the scene's order, as a copy."""
         found = self.data.qpos.reshape(-1, 7).copy()
         found[:, 3:] /= np.linalg.norm(found[:, 3:], axis=1, keepdims=True)
         return found
@@ -101,14 +101,14 @@ class Simulation:
 
     @property
     def centers_of_mass(self) -> Float[np.ndarray, "n 3"]:
-        """The objects' centres of mass in the world, as of the last step or contact detection."""
+        """The objects' centres of mass in the world, at the last step or contact detection."""
         return self.data.xipos[self.model.nbody - len(self.scene.objects) :]
 
     @property
     def diverged(self) -> tuple[int, ...]:
-        """Objects whose motion diverged since :meth:`place`, in the scene's order.
+        """Objects whose motion has diverged since :meth:`place`, in the scene's order.
 
-        MuJoCo then resets the simulation: later measurements are meaningless.
+        MuJoCo resets the simulation in this case, so later measurements are meaningless.
         """
         import mujoco
 
@@ -118,7 +118,7 @@ class Simulation:
         return tuple(sorted({w.lastinfo // length for w, length in raised if w.number}))
 
     def place(self, poses: Iterable[Pose]) -> None:
-        """Put the objects at ``poses``, at rest, at time 0."""
+        """Put the objects at ``poses``, at rest, and set the time to 0."""
         import mujoco
 
         mujoco.mj_resetData(self.model, self.data)
@@ -131,7 +131,7 @@ class Simulation:
         Only objects count: the table's contact with the floor is omitted.
 
         Raises:
-            SceneError: there are more than fit in MuJoCo's memory.
+            SceneError: there are more contacts than fit in MuJoCo's memory.
         """
         import mujoco
 
@@ -166,7 +166,7 @@ class Simulation:
 
     @contextmanager
     def conditions(self, lean: float, toward: float, timestep: float) -> Iterator[None]:
-        """Lean gravity by ``lean`` towards ``toward`` (radians) and set the time step meanwhile."""
+        """Tilt gravity by ``lean`` towards ``toward`` (radians) and set the time step meanwhile."""
         option = self.model.opt
         before = option.gravity.copy(), option.timestep
         across = np.array([np.cos(toward), np.sin(toward)]) * np.sin(lean)
@@ -179,7 +179,7 @@ class Simulation:
 
     @contextmanager
     def _as_scene_error(self) -> Iterator[None]:
-        """Convert MuJoCo's fatal errors to errors of the scene."""
+        """Convert MuJoCo's fatal errors to scene errors."""
         import mujoco
 
         try:
@@ -195,10 +195,10 @@ class Simulation:
 def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
     """Return the compiled physics of a scene, as a copy for ``mj_setConst`` to complete.
 
-    A scene is simulated several times while it settles, with other poses each time. Shapes and
-    masses are compiled once for all of them. With the values that depend on the poses updated, the
-    model equals, bit for bit, one compiled at these poses, except for ``stat.center`` and
-    ``stat.extent``, which only affect rendering.
+    A scene is simulated several times while it settles, each time with other poses. Shapes and
+    masses are compiled once for all of these. Once the values that depend on the poses are updated,
+    the model is identical, bit for bit, to one compiled at these poses, except for ``stat.center``
+    and ``stat.extent``, which affect only rendering.
 
     Raises:
         SceneError: MuJoCo rejects a body: a flat hull, or an impossible inertia.
@@ -215,7 +215,7 @@ def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
 
 @dataclass(frozen=True)
 class _Bodies:
-    """The parts of a scene that do not depend on poses, with fixed objects at theirs."""
+    """The parts of a scene that do not depend on poses; fixed objects are at theirs."""
 
     identity: Hashable
     scene: Scene = field(compare=False)
@@ -241,7 +241,7 @@ def _compile(bodies: _Bodies) -> mujoco.MjModel:
 
 
 def find_supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
-    """Return whether the table or floor supports each object through a chain of contacts."""
+    """Return whether the table or the floor supports each object through a chain of contacts."""
     held = {ON_TABLE, ON_FLOOR}
     links = {(a, b) for a, b in contacts.pairs.tolist()}
     while True:

@@ -1,4 +1,4 @@
-"""Scene to MuJoCo in memory: the document's model without its files, and its compilation."""
+"""A scene in MuJoCo's memory: the document's model without its files, and its compilation."""
 
 from __future__ import annotations
 
@@ -20,16 +20,17 @@ if TYPE_CHECKING:
     import mujoco
 
 
-_LOG = "MUJOCO_LOG.TXT"  # MuJoCo's default, in the working directory
+_LOG = "MUJOCO_LOG.TXT"  # MuJoCo's default log file, in the working directory
 _LOG_LOCK = threading.Lock()
 _LOG_WAIT = 5.0  # seconds; limits the wait in a process forked while a thread held the lock
 
 
 def write_no_log() -> None:
-    """Disable MuJoCo's log file in the working directory, in this process from now on.
+    """Keep MuJoCo from writing a log file in the working directory, in this process from now on.
 
-    Its warnings still go to standard error and to the caller's handler. A log file named by the
-    caller stays in use. Unlike a warning handler, this does not affect simulating threads.
+    Warnings still go to standard error and to the caller's handler. If the caller has named a log
+    file, it stays in use. Unlike a warning handler, this function does not affect threads that
+    simulate.
     """
     import mujoco
 
@@ -62,7 +63,7 @@ def no_console() -> Iterator[None]:
 
 @contextmanager
 def _changing_log() -> Iterator[None]:
-    """Allow one thread at a time to change MuJoCo's log, which is shared by the process."""
+    """Allow only one thread at a time to change MuJoCo's log, which the whole process shares."""
     held = _LOG_LOCK.acquire(timeout=_LOG_WAIT)
     try:
         yield
@@ -80,7 +81,7 @@ def new_data(model: mujoco.MjModel) -> mujoco.MjData:
 
 
 def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
-    """Return MuJoCo's warnings since a state was made or reset, one text per kind."""
+    """Return MuJoCo's warnings since a state was made or reset, one text for each kind."""
     import mujoco
 
     raised = [(kind, data.warning[kind]) for kind in range(len(data.warning))]
@@ -88,7 +89,7 @@ def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
 
 
 def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
-    """Return the error about a scene that MuJoCo cannot simulate."""
+    """Return the error which says that MuJoCo cannot simulate a scene."""
     said = " ".join(reason.split())[:200]
     return SceneError(
         f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Make the scene again: its "
@@ -99,11 +100,11 @@ def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
 def scene_spec(
     scene: Scene, *, visuals: bool = True, fixed: Sequence[Object] = ()
 ) -> mujoco.MjSpec:
-    """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to.
+    """Return the scene as an ``MjSpec`` that can be compiled or to which a robot can be attached.
 
     It compiles to the same model as the document with its files, except for the names of meshes and
-    textures: these are passed directly, since encoding and decoding them takes most of the time.
-    ``fixed`` objects are added before the scene's own, without a joint.
+    textures. These are passed directly, since encoding and decoding them would take most of the
+    time. ``fixed`` objects are added before the scene's own, without joints.
 
     Raises:
         SceneError: MuJoCo cannot read it.
@@ -155,7 +156,7 @@ def _unbuildable(name: str, error: ValueError) -> SceneError:
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """A mesh with its stored precision, and the names of its shape and texture."""
+    """A mesh at its stored precision, and the names of its shape and texture."""
 
     shape: str
     picture: str
@@ -176,7 +177,7 @@ def _store(numbers: Float[np.ndarray, "n d"], digits: int) -> Float[np.ndarray, 
 
 
 def _name(*arrays: np.ndarray) -> str:
-    """Return a name for the content of arrays, equal for equal content."""
+    """Return a name for the content of arrays; it is equal for equal content."""
     digest = hashlib.sha256()
     for array in arrays:
         digest.update(str(array.shape).encode() + array.tobytes())
@@ -184,7 +185,7 @@ def _name(*arrays: np.ndarray) -> str:
 
 
 def _hand_over(spec: mujoco.MjSpec, meshes: Collection[_Drawn]) -> None:
-    """Pass the meshes and textures that a specification refers to as files."""
+    """Pass on the meshes and textures to which a specification refers as files."""
     import mujoco
 
     shapes, pictures = {m.shape: m for m in meshes}, {m.picture: m for m in meshes}

@@ -1,4 +1,4 @@
-"""Heights of objects on their supports, by contact of their real shapes, and free positions."""
+"""Heights of objects on their supports, from contact between their shapes, and free positions."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ from .separation import TOLERANCE, ancestry, off_table, with_poses
 from .simulation import ON_TABLE, Simulation
 
 _GOLDEN = np.pi * (3 - np.sqrt(5))
-_AWAY = np.array([20.0, 0.0, 20.0])  # metres, waiting position of objects that are not placed yet
-_GAP = 2e-4  # initial gap between objects and their supports, metres
+_AWAY = np.array([20.0, 0.0, 20.0])  # metres; where objects wait that are not placed yet
+_GAP = 2e-4  # initial gap between an object and its support, metres
 
 
 def seat_on_table(thing: Object, height: float) -> Object:
-    """Return the object upright with its lowest point just above ``height``."""
+    """Return the object, upright, with its lowest point just above ``height``."""
     x, y, _ = thing.pose.position
     z = height + _GAP - lowest(thing)
     return replace(thing, pose=Pose(np.array([x, y, z]), thing.pose.quaternion))
 
 
 def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
-    """Lower each stacked object onto, or into, its support; lowest supports first.
+    """Lower each stacked object onto or into its support, starting with the lowest supports.
 
     ``names`` selects the objects; None means all. An object is lowered from above at its own
-    position; if that is occupied, or if an object meant to go *into* a container would stay on its
-    rim, it is lowered at the nearest position on the support that is better.
+    position. If that is occupied, or if an object that belongs *in* a container would stay on its
+    rim, the object is lowered at the nearest better position on the support.
     """
     chains = ancestry(scene.objects)
     order = sorted(range(len(chains)), key=lambda i: (len(chains[i]), i))
@@ -57,8 +57,9 @@ def relocate(
 ) -> tuple[Scene, tuple[str, ...]]:
     """Move objects that could not be freed to the free positions nearest to the requested ones.
 
-    The largest object is moved first, while the others are ignored. Objects on top move along.
-    Returns the scene and the names of objects without a position (a stacked one has only its own).
+    The largest object is moved first, and the others are ignored meanwhile. Objects on top of a
+    moved object move with it. Returns the scene and the names of objects without a free position (a
+    stacked object can only be at its own).
     """
     waiting = sorted(stuck, key=lambda n: -float(np.prod(scene.object(n).scale[:2])))
     homeless = []
@@ -81,9 +82,9 @@ def relocate(
 def nearest_free(
     scene: Scene, name: str, wanted: Pose, absent: Collection[str] = ()
 ) -> Pose | None:
-    """Return the pose on the table nearest to ``wanted`` without overlaps of ``name``, or None.
+    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing, or None.
 
-    Objects in ``absent`` are ignored.
+    The objects in ``absent`` are ignored.
     """
     index, others = _others(scene, name, absent)
     thing = scene.objects[index]
@@ -106,7 +107,7 @@ def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
 
 
 def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
-    """Move objects to new positions, together with the objects on them."""
+    """Move objects, together with the objects on them, to new positions."""
     poses = []
     for chain, thing in zip(ancestry(scene.objects), scene.objects, strict=True):
         movers = [scene.objects[k] for k in chain if scene.objects[k].name in places]
@@ -116,7 +117,7 @@ def carry(scene: Scene, places: Mapping[str, Pose]) -> Scene:
 
 
 def spiral(radius: float, spacing: float) -> Iterator[Float[np.ndarray, "2"]]:
-    """Yield evenly distributed offsets outwards from zero (a sunflower spiral) to ``radius``."""
+    """Yield evenly distributed offsets from zero outwards to ``radius`` (a sunflower spiral)."""
     for k in range(int((radius / spacing) ** 2) + 1):
         yield spacing * np.sqrt(k) * np.array([np.cos(k * _GOLDEN), np.sin(k * _GOLDEN)])
 
@@ -128,7 +129,7 @@ def _seat(
     thing, support = scene.objects[index], scene.objects[below]
     rim = support.pose.position[2] + highest(support)
     reach = float(np.min(support.scale[:2])) / 2
-    deep = min(highest(support) - lowest(support), 0.1)  # the maximum depth inside it
+    deep = min(highest(support) - lowest(support), 0.1)  # the maximum depth inside the container
     wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * deep
     best: tuple[float, np.ndarray] | None = None
     for offset in spiral(reach, reach / 5):
@@ -161,7 +162,7 @@ def _lower(
     top: float,
     fall: float,
 ) -> float | None:
-    """Lower an object at ``xy`` until it touches; None if even the top position is not free."""
+    """Lower an object at ``xy`` until it touches; None if even the highest position is not free."""
 
     def free(z: float) -> bool:
         simulation.positions[index] = [*xy, z]
@@ -180,7 +181,7 @@ def _lower(
 
 
 def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[int]]:
-    """Return the index of ``name``, and those of present objects that are not on or below it."""
+    """Return the index of ``name``, and those of present objects that are not on or under it."""
     chains = ancestry(scene.objects)
     names = [o.name for o in scene.objects]
     index = names.index(name)
@@ -192,6 +193,6 @@ def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[
 
 
 def _depth(simulation: Simulation, index: int, others: Collection[int]) -> float:
-    """Return how deep object ``index`` overlaps any of ``others``."""
+    """Return how deeply object ``index`` overlaps any of ``others``."""
     deep = simulation.contacts().deepest().items()
     return max((d for (a, b), d in deep if index in (a, b) and a + b - index in others), default=0)

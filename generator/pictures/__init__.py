@@ -1,4 +1,4 @@
-"""Decoding of untrusted pictures: photos, uploads, depth maps, textures, server responses.
+"""Decoding of untrusted pictures: photos, uploads, depth maps, textures and server responses.
 
 ``decode`` checks a picture's header against limits (:mod:`.headers`, :mod:`.limits`), decodes the
 picture in a child process (:mod:`.pixels`) and returns an array. Callers choose the exception type.

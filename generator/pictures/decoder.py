@@ -1,4 +1,4 @@
-"""Decode an untrusted picture in a child process within limits."""
+"""Decoding of an untrusted picture in a child process, within limits."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ def decode(
     max_side: int | None = None,
     cancelled: threading.Event | None = None,
 ) -> DecodedPicture:
-    """Decode a picture in a child process, or in this process if it is a sandbox child itself.
+    """Decode a picture in a child process, or in this process if it is itself a sandbox child.
 
     The header is checked first, so that a child starts only for a picture whose header is within
     the limits.
 
     Args:
         raw: bytes of the file.
-        what: subject of error messages: "The picture".
+        what: subject of error messages, such as "The picture".
         error: exception type to raise.
         limits: limits on the picture and on the child.
         form: form of the returned pixels.
@@ -56,13 +56,13 @@ def decode_png(
 ) -> DecodedPicture:
     """Decode a PNG in this process, as "rgb", "rgba" or "stored".
 
-    Use it for files that come in hundreds, such as the textures of bundles, for which one child per
-    file would be too slow. For a PNG within the limits the cost is linear in its bytes and pixels:
-    it has one stream of pixels, its chunks are counted, and its metadata, including EXIF, is
-    ignored.
+    This is meant for files that come in hundreds, such as the textures of bundles, for which one
+    child process per file would be too slow. For a PNG within the limits, the cost is linear in the
+    numbers of bytes and pixels: it has one stream of pixels, its chunks are counted, and its
+    metadata, including EXIF, is ignored.
 
     Raises:
-        TabletopError: ``error``, if the file is not a PNG, cannot be read or exceeds a limit.
+        TabletopError: ``error``, if the file is not a PNG, cannot be read, or exceeds a limit.
     """
     from .pixels import decode_pixels
 

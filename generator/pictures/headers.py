@@ -1,8 +1,8 @@
 """Headers of picture files: format, size, frames and scans, parsed from the raw bytes.
 
-Nothing is decompressed, and the number of loop iterations is bounded by that of a valid file of
-the same size. The header gives the size that a decoder will produce; the size that the decoder
-reports is checked against the limits again.
+Nothing is decompressed, and loops never iterate more often than for a valid file of the same size.
+The header states the size that a decoder will produce; the size that the decoder reports is checked
+against the limits again.
 """
 
 from __future__ import annotations
@@ -25,21 +25,21 @@ _SIGNATURES: tuple[tuple[Format, re.Pattern[bytes]], ...] = (
     ("GIF", re.compile(rb"GIF8[79]a")),
     ("TIFF", re.compile(rb"II[*+]\0|MM\0[*+]")),
     ("BMP", re.compile(rb"BM")),
-    # All that identifies a TGA: colour map, image type, eleven arbitrary bytes, bits per pixel.
+    # All that identifies a TGA: colour map, image type, eleven arbitrary bytes and bits per pixel.
     ("TGA", re.compile(rb".[\0\1][\1\2\3\t\n\x0b].{13}[\1\x08\x10\x18\x20]", re.DOTALL)),
 )
 
 _HEIC = (b"heic", b"heix", b"heim", b"heis", b"hevc", b"hevx", b"hevm", b"hevs", b"mif1", b"msf1")
 
-_SEGMENTS = 20_000  # maximum number of segments of a JPEG; valid files have hundreds
-_CHUNKS = 1000, 256  # maximum number of chunks: a constant, plus one per this many bytes
-_IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # end of the data of a scan
-_MARKER = re.compile(rb"\xff([^\x00\xff])")  # without "+", which takes quadratic time
+_SEGMENTS = 20_000  # maximum number of segments in a JPEG; valid files have hundreds
+_CHUNKS = 1000, 256  # maximum number of chunks: a constant, plus one for this many bytes
+_IN_SCAN = re.compile(rb"\xff[^\x00\xff\xd0-\xd7]")  # end of the data in a scan
+_MARKER = re.compile(rb"\xff([^\x00\xff])")  # without "+", which would take quadratic time
 _SOS, _EOI = 0xDA, 0xD9
-_SIZED = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}  # markers that begin a frame
-_BARE = frozenset((0x01, 0xD8, *range(0xD0, 0xD8)))  # markers without a length
+_SIZED = frozenset(range(0xC0, 0xD0)) - {0xC4, 0xC8, 0xCC}  # markers that start a frame
+_BARE = frozenset((0x01, 0xD8, *range(0xD0, 0xD8)))  # markers that have no length
 
-_TIFF_TYPES = MappingProxyType({3: "H", 4: "I", 16: "Q"})  # numeric types of a size
+_TIFF_TYPES = MappingProxyType({3: "H", 4: "I", 16: "Q"})  # numeric types that a size can have
 _WIDTH, _HEIGHT = 256, 257
 _IFDS = 100_000  # maximum number of linked frames
 
@@ -50,7 +50,7 @@ class DamagedHeader(ValueError):
 
 @dataclass(frozen=True)
 class PictureHeader:
-    """Size of the first frame in pixels, number of frames and of JPEG scans, from a header."""
+    """From a header: size of the first frame in pixels, and numbers of frames and of JPEG scans."""
 
     format: Format
     width: int
@@ -68,7 +68,7 @@ def format_of(raw: bytes, formats: Iterable[Format]) -> Format | None:
 
 
 def refused_format(raw: bytes) -> str | None:
-    """Return the name of a common unsupported format, from the brand of the ``ftyp`` box."""
+    """Return the name of a common but unsupported format, from the brand in the ``ftyp`` box."""
     if raw[4:8] != b"ftyp":
         return None
     if raw[8:12] in _HEIC:
@@ -77,7 +77,7 @@ def refused_format(raw: bytes) -> str | None:
 
 
 def parse_header(raw: bytes, kind: Format) -> PictureHeader:
-    """Parse the header of a file of a known format.
+    """Parse the header of a file whose format is known.
 
     Raises:
         DamagedHeader: The header is truncated, or has more segments than any valid file.
@@ -89,7 +89,7 @@ def parse_header(raw: bytes, kind: Format) -> PictureHeader:
 
 
 def png_size(raw: bytes) -> tuple[int, int]:
-    """Return the width and height of a PNG, from its header.
+    """Return the width and height of a PNG from its header.
 
     Raises:
         DamagedHeader: The file does not start with a PNG header.
@@ -106,7 +106,7 @@ def _png(raw: bytes) -> PictureHeader:
     frames, profiles = 1, 0
     for name, at, size in _chunks(raw, 8, ">I4s", 4, 1):
         profiles += name == b"iCCP"
-        if profiles > 1:  # decoders decompress each profile; a valid PNG has at most one
+        if profiles > 1:  # decoders decompress every profile, but a valid PNG has at most one
             raise DamagedHeader("it has more than one colour profile")
         if name == b"acTL" and size >= 4:
             frames = max(1, struct.unpack_from(">I", raw, at)[0])
@@ -136,7 +136,7 @@ def _webp(raw: bytes) -> PictureHeader:
 def _chunks(
     raw: bytes, start: int, head: str, check: int, align: int
 ) -> Iterator[tuple[bytes, int, int]]:
-    """Yield name, offset and size of each chunk; ``head`` is the struct format of its header."""
+    """Yield the name, offset and size of each chunk; ``head`` is its header's struct format."""
     count, most = 0, _CHUNKS[0] + len(raw) // _CHUNKS[1]
     while start + 8 <= len(raw):
         first, second = struct.unpack_from(head, raw, start)
@@ -188,7 +188,7 @@ def _gif(raw: bytes) -> PictureHeader:
             at += 11 + _palette(flags)
         elif kind == 0x21:
             at += 2
-        else:  # unknown bytes, skipped by decoders
+        else:  # unknown bytes, which decoders skip
             at, left = at + 1, left - 1
             continue
         while at < len(raw) and left > 0 and (size := raw[at]):
@@ -200,7 +200,7 @@ def _gif(raw: bytes) -> PictureHeader:
 
 
 def _palette(flags: int) -> int:
-    """Return the size in bytes of the palette that follows, 0 if there is none."""
+    """Return the size, in bytes, of the palette that follows, or 0 if there is none."""
     return 3 * 2 ** ((flags & 7) + 1) if flags & 0x80 else 0
 
 
@@ -227,13 +227,13 @@ def _tiff(raw: bytes) -> PictureHeader:
             (at,) = struct.unpack_from(
                 order + link, raw, at + struct.calcsize(order + head) + count * entry
             )
-        except (struct.error, OverflowError):  # only the tag list of the first frame is required
+        except (struct.error, OverflowError):  # only the tag list of the first frame is needed
             break
     return PictureHeader("TIFF", *size, max(1, len(seen)))
 
 
 def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
-    """Return width and height of the first frame, whose tag list is at offset ``at``."""
+    """Return the width and height of the first frame, whose tag list is at offset ``at``."""
     if at >= len(raw):
         raise DamagedHeader("its tags are outside the file")
     head, entry, value = (order + "Q", 20, 12) if big else (order + "H", 12, 8)

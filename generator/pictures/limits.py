@@ -1,4 +1,4 @@
-"""Limits on pictures, one value per kind of caller; headers are checked before decoding."""
+"""Limits on pictures, one set per kind of caller; headers are checked before decoding."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ _NAMES = {"WEBP": "WebP"}
 
 @dataclass(frozen=True)
 class PictureLimits:
-    """Limits on one picture.
+    """Limits on a single picture.
 
     Attributes:
         formats: supported formats; none of their decoders starts another program.
         max_bytes: maximum file size.
-        max_pixels: maximum number of pixels of the first frame, the only one decoded.
+        max_pixels: maximum number of pixels in the first frame, the only one that is decoded.
         min_side: minimum length of both sides, pixels.
-        max_ratio: maximum ratio of the longer side to the shorter.
-        max_frames: maximum number of frames of an animation, or of pages.
-        max_scans: maximum number of scans of a JPEG; each is a pass over the whole picture.
+        max_ratio: maximum ratio of the longer side to the shorter one.
+        max_frames: maximum number of frames in an animation, or of pages.
+        max_scans: maximum number of scans in a JPEG; each is a pass over the whole picture.
         cpu_seconds: processor time limit of the decoding child process.
         memory: memory limit of the child process, bytes.
     """
@@ -40,7 +40,7 @@ class PictureLimits:
     def check(self, header: PictureHeader, what: str, error: type[TabletopError]) -> None:
         """Check a header against the limits.
 
-        ``what`` is the subject of error messages: "The picture".
+        ``what`` is the subject of error messages, such as "The picture".
 
         Raises:
             TabletopError: ``error``, if the picture exceeds a limit.
@@ -69,7 +69,7 @@ class PictureLimits:
                 )
 
     def check_size(self, width: int, height: int, what: str, error: type[TabletopError]) -> None:
-        """Check the size of a picture that is decoded or is an array already.
+        """Check the size of a picture that has been decoded or is already an array.
 
         Raises:
             TabletopError: ``error``, if the size exceeds a limit.

@@ -1,4 +1,4 @@
-"""A decoded picture and the forms of its pixels."""
+"""A decoded picture, and the forms that its pixels can have."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 if TYPE_CHECKING:
-    from jaxtyping import Shaped  # takes as long to import as NumPy
+    from jaxtyping import Shaped  # importing it takes as long as importing NumPy
 
 Form = Literal["upright", "rgb", "rgba", "stored"]
 """Form of the returned pixels: "upright" is sRGB on white, rotated by the EXIF orientation; "rgb"
-and "rgba" are converted; "stored" are the file's own values, such as palette indices or 16-bit
-greys.
-"""
+and "rgba" are conversions; "stored" means the file's own values, such as palette indices or 16-bit
+greys."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,9 +22,9 @@ class DecodedPicture:
 
     Attributes:
         pixels: the array, uint8 unless the form is "stored".
-        mode: Pillow mode of the file: "RGB", "P", "I;16".
-        width: width of the picture in the file, before rotation or shrinking, pixels. height:
-            height of the picture in the file, pixels.
+        mode: Pillow mode of the file, such as "RGB", "P" or "I;16".
+        width: width of the picture in the file, before rotation or shrinking, pixels.
+        height: height of the picture in the file, pixels.
         orientation: EXIF orientation; 1 if the picture is upright or has none, or for forms other
             than "upright".
     """

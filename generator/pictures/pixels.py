@@ -1,4 +1,4 @@
-"""Decode the pixels of a picture with Pillow; runs in the sandbox child (see ``decoder``)."""
+"""Decoding of a picture's pixels with Pillow, in the sandbox child (see ``decoder``)."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ PLUGINS = (
     BmpImagePlugin, GifImagePlugin, JpegImagePlugin, PngImagePlugin, TgaImagePlugin,
     TiffImagePlugin, WebPImagePlugin,
 )  # fmt: skip
-"""Pillow plugins of the supported formats, loaded before a child sets its limits."""
+"""Pillow plugins for the supported formats, loaded before a child sets its limits."""
 
 _ORIENTATION = 0x0112  # EXIF tag
 
@@ -41,13 +41,13 @@ _ORIENTATION = 0x0112  # EXIF tag
 def decode_pixels(
     raw: bytes, what: str, limits: PictureLimits, form: Form, max_side: int | None
 ) -> DecodedPicture:
-    """Decode a picture; ``max_side`` bounds the longer side of "upright" and "rgb" pixels.
+    """Decode a picture; ``max_side`` limits the longer side of "upright" and "rgb" pixels.
 
     Raises:
         InputError: The picture is damaged or exceeds a limit.
     """
     with open_picture(raw, what, limits) as picture:
-        if form != "rgb":  # without load, "rgb" JPEGs are decoded at low resolution
+        if form != "rgb":  # without loading, "rgb" JPEGs are decoded at low resolution
             picture.load()
         mode, (width, height), orientation = picture.mode, picture.size, 1
         if form == "upright":
@@ -64,14 +64,14 @@ def decode_pixels(
 
 @contextmanager
 def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image.Image]:
-    """Open a picture whose header is within limits; its pixels are decoded on first use.
+    """Open a picture whose header is within limits; its pixels are decoded when first used.
 
     Raises:
-        InputError: The picture is damaged or exceeds a limit; raised on use as well.
+        InputError: The picture is damaged or exceeds a limit; this is also raised on use.
     """
     header = read_header(raw, what, InputError, limits)
     try:
-        with warnings.catch_warnings():  # the limits bound the pixels
+        with warnings.catch_warnings():  # the limits apply to the pixels instead
             warnings.simplefilter("ignore")
             with Image.open(io.BytesIO(raw), formats=(header.format,)) as picture:
                 limits.check_size(*picture.size, what, InputError)
@@ -80,7 +80,7 @@ def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image
         raise
     except UnidentifiedImageError as error:
         raise InputError(damage(what, f"its {header.format} header is not valid")) from error
-    except Exception as error:  # decoders may raise anything for an invalid file
+    except Exception as error:  # for an invalid file, decoders may raise anything
         raise InputError(damage(what, error)) from error
 
 
@@ -98,7 +98,7 @@ def upright(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h 
         picture = ImageOps.exif_transpose(picture)
     except MemoryError:
         raise
-    except Exception:  # unreadable EXIF data is ignored
+    except Exception:  # EXIF data that cannot be read is ignored
         pass
     if picture.mode.startswith("I;16"):  # Pillow would clip these to white, so keep the upper byte
         picture = Image.fromarray((np.asarray(picture) >> 8).astype(np.uint8))

@@ -1,1 +1,1 @@
-"""Renderers: differentiable (torch), software (NumPy), and helpers for pictures of scenes."""
+"""Renderers: differentiable (torch) and software (NumPy), and helpers for pictures of scenes."""

@@ -15,15 +15,15 @@ Color = tuple[float, float, float]
 """Red, green and blue in [0, 1]."""
 
 Lit = Callable[[Float[np.ndarray, "p 3"], Float[np.ndarray, "p 3"]], Float[np.ndarray, "p"]]
-"""Visible fraction of the sun at points with normals."""
+"""A function that returns the visible fraction of the sun at points with normals."""
 
 
 @dataclass(frozen=True)
 class Backdrop:
-    """A square two-coloured checkered floor at z = 0 about the origin, with haze.
+    """A square, two-coloured checkered floor at z = 0 around the origin, with haze.
 
     Args:
-        tiles: colours of alternating tiles; the tile at the origin towards +x +y has the first.
+        tiles: colours of alternating tiles; the tile between +x and +y at the origin has the first.
         tile: side of a tile, metres.
         half: half the side of the floor, metres.
         haze: colour of the background outside the floor, and of the distant floor.
@@ -41,7 +41,7 @@ class Backdrop:
     def sample(
         self, camera: Camera, pixels: Float[np.ndarray, "p 2"], light: Light, lit: Lit | None
     ) -> tuple[Float[np.ndarray, "p 3"], Float[np.ndarray, "p"]]:
-        """Return the colours in [0, 1] and the depths (metres, inf outside the floor) of pixels."""
+        """Return the colours in [0, 1] and depths (metres, inf outside the floor) of pixels."""
         points = camera.on_plane(pixels, 0.0)
         on_floor = (np.abs(points[:, :2]) <= self.half).all(1)
         color, depth = np.tile(self.haze, (len(pixels), 1)), np.full(len(pixels), np.inf)
@@ -60,7 +60,7 @@ class Backdrop:
     def _sample_tiles(
         self, points: Float[np.ndarray, "p 3"], pixel: Float[np.ndarray, "p"]
     ) -> Float[np.ndarray, "p 3"]:
-        """Return the tile colours at points, blended where a pixel (metres) is large."""
+        """Return the tile colours at points, blended where a pixel covers a large area (metres)."""
         odd: Int[np.ndarray, "p"] = np.floor(points[:, :2] / self.tile).astype(np.int64).sum(1) % 2
         blended = np.clip(pixel / self.tile * 4, 0, 1)
         share = (odd * (1 - blended) + 0.5 * blended)[:, None]

@@ -1,4 +1,4 @@
-"""Resting heights of objects lowered vertically onto the real mesh of another object."""
+"""Resting heights of objects that are lowered vertically onto another object's mesh."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ class Body:
 
     @property
     def vertices(self) -> Float[np.ndarray, "n 3"]:
-        """World vertices, metres."""
+        """The vertices in the world frame, metres."""
         return (self.mesh.vertices * self.scale) @ rotation_z(self.yaw).T + self.position
 
     @property
     def footprint(self) -> Float[np.ndarray, "2 2"]:
-        """Lowest and highest world x and y, metres."""
+        """The lowest and the highest x and y in the world frame, metres."""
         across = self.vertices[:, :2]
         return np.stack([across.min(0), across.max(0)])
 
@@ -59,11 +59,11 @@ def height_field(
 def resting_height(body: Body, support: Body | None, table_height: float) -> float:
     """Return the height of the box centre at which ``body`` first touches its support.
 
-    ``support`` is the object it stands on or in, None for the table alone, whose top is at
-    ``table_height``, metres; the body's own height is ignored. When lowered vertically, the body
-    meets its support where the gap between its lower surface and the support's upper surface closes
-    first: an apple on the inner wall of a bowl, not at the height of its rim. It never sinks into
-    the tabletop.
+    ``support`` is the object on or in which the body stands, or None if it is the table alone,
+    whose top is at ``table_height`` metres. The body's current height is ignored. When lowered
+    vertically, the body meets its support where the gap between its lower surface and the support's
+    upper surface closes first: an apple on the inner wall of a bowl, not at the height of its rim.
+    It never sinks into the tabletop.
     """
     lying = body.at_height(0.0)
     vertices = lying.vertices

@@ -12,9 +12,9 @@ from ..geometry import mask_box
 from ..scene import Instance
 
 MARGIN = 0.05
-"""Empty border of a tight crop as a fraction of its side, so that contours lie inside."""
+"""Empty border of a tight crop, as a fraction of its side, so that contours are fully inside."""
 
-_SAMPLES = 4  # samples per pixel and axis
+_SAMPLES = 4  # samples per pixel along each axis
 
 
 def tight_crop(
@@ -25,8 +25,9 @@ def tight_crop(
 ) -> Float[np.ndarray, "r r 4"]:
     """Fit ``box`` (pixels of ``rgba``, the object's tight bounds) into a square crop.
 
-    Returns float32 RGBA in [0, 1] of side ``resolution``, with colours premultiplied by alpha.
-    ``keep_aspect`` fits the longer side and pads the other; otherwise both are stretched.
+    Returns float32 RGBA in [0, 1] of side ``resolution``, with colours premultiplied by alpha. With
+    ``keep_aspect``, the longer side is fitted and the shorter one is padded; otherwise both are
+    stretched.
     """
     import cv2
 
@@ -56,7 +57,7 @@ def tight_box(instance: Instance) -> Float[np.ndarray, "4"]:
 
 
 def in_reference(instance: Instance, box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
-    """Convert a box in an instance's crop to reference pixels."""
+    """Convert a box from pixels of an instance's crop to pixels of the reference image."""
     low, high = instance.crop_box[:2], instance.crop_box[2:]
     height, width = instance.crop.shape[:2]
     pixel = (high - low) / np.array([width, height])
@@ -78,7 +79,7 @@ def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.
 
 
 def hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:
-    """Return a mask of where other objects may occlude an instance; None if nothing does."""
+    """Return a mask of where other objects may occlude an instance, or None if nothing does."""
     if not instance.occluded:
         return None
     others = [np.asarray(t.mask) for t in things if t.name != instance.name]

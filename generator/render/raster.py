@@ -1,4 +1,4 @@
-"""A small software renderer: z-buffer, textures, a sun with shadows, glass. NumPy only, no OpenGL.
+"""A small software renderer: z-buffer, textures, sun with shadows, glass. NumPy only, no OpenGL.
 
 It draws reference images, previews and contact sheets on any machine that runs Python, with
 identical bytes for identical input, and returns depth and instance ids with the picture.
@@ -25,7 +25,7 @@ from .shadow import Shadow
 BACKGROUND = -1
 """Instance id of empty pixels."""
 
-_PIECE = 1 << 14  # pixels shaded at once, to fit into the processor cache
+_PIECE = 1 << 14  # number of pixels shaded at once, chosen to fit into the processor's cache
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ def place(
 
 @dataclass(frozen=True, eq=False)
 class _Hits:
-    """Surfaces hit by the samples of a picture; ``pixel`` are the indices of hits, ascending.
+    """Surfaces hit by the samples of a picture; ``pixel`` are the hits' sample indices, ascending.
 
     Each hit has an item, a face and barycentric weights. ``depth`` covers all samples and is inf
     where there is no hit.
@@ -109,7 +109,7 @@ def _trace(items: Sequence[Item], camera: Camera, width: int, height: int) -> _H
 def _colors(
     items: Sequence[Item], hits: _Hits, camera: Camera, light: Light, shadow: Shadow | None
 ) -> Float[np.ndarray, "3 k"]:
-    """Shade all hits on threads; colours are in [0, 1]."""
+    """Shade all hits in parallel threads; colours are in [0, 1]."""
     color = np.empty((3, len(hits.item)))
 
     def paint(item: Item, normals: Float[np.ndarray, "m 3 3"], own: Int[np.ndarray, "k"]) -> None:
@@ -137,9 +137,9 @@ def _colors(
 
 
 def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> None:
-    """Process chunks, delimited by their end pixels, on threads.
+    """Process chunks, delimited by their end pixels, in parallel threads.
 
-    With few pixels, starting a pool would cost more than it saves.
+    If there are few pixels, starting a pool would cost more time than it saves.
     """
     if sum(len(piece[-1]) for piece in pieces) <= 2 * _PIECE:
         for piece in pieces:
@@ -151,7 +151,7 @@ def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> No
 
 
 def _centers(samples: Int[np.ndarray, "k"], camera: Camera, width: int) -> np.ndarray:
-    """Return the positions in pixels of the samples of a picture that is ``width`` samples wide."""
+    """Return the pixel positions of the samples of a picture that is ``width`` samples wide."""
     return (np.stack([samples % width, samples // width], 1) + 0.5) * (camera.width / width)
 
 
@@ -163,7 +163,7 @@ def _shade_ground(
     shadow: Shadow,
     strength: float,
 ) -> None:
-    """Darken empty samples by the shadow on the floor z = 0."""
+    """Darken empty samples where shadows fall on the floor z = 0."""
 
     def darken(part: Int[np.ndarray, "k"]) -> None:
         points = camera.on_plane(_centers(part, camera, width), 0.0)
@@ -190,12 +190,13 @@ def render(
     ground_shadow: float = 0.0,
     backdrop: Backdrop | None = None,
 ) -> Rendered:
-    """Draw ``items``, meshes in the world frame, as seen by ``camera``.
+    """Draw ``items``, which are meshes in the world frame, as seen by ``camera``.
 
-    Items with ``opacity`` below 1 are blended in front. ``supersample`` is the number of samples
-    per pixel and axis (1 is fast, 2 or 3 smooth). ``background`` is the colour of empty pixels, and
-    ``ground_shadow`` the strength of shadows on them, cast on a floor at z = 0. ``backdrop`` draws
-    a floor and haze instead of the background.
+    Items with an ``opacity`` below 1 are blended with what is behind them. ``supersample`` is the
+    number of samples per pixel along each axis (1 is fast; 2 or 3 gives smooth edges).
+    ``background`` is the colour of empty pixels, and ``ground_shadow`` the strength of the shadows
+    in them, which are cast on a floor at z = 0. ``backdrop`` draws a floor and haze instead of the
+    background.
     """
     light = light or Light()
     width, height = camera.width * supersample, camera.height * supersample
@@ -235,7 +236,7 @@ def render(
 def _lay(
     color: Float[np.ndarray, "3 p"], samples: Int[np.ndarray, "k"], new: Float[np.ndarray, "3 k"]
 ) -> None:
-    """Write the colours of samples, channel by channel."""
+    """Write the samples' colours, channel by channel."""
     for channel, values in zip(color, new, strict=True):
         channel[samples] = values
 
@@ -247,7 +248,7 @@ def _resolve(
     camera: Camera,
     samples: int,
 ) -> Rendered:
-    """Average the samples' colours; depth and ids are taken from one sample near the centre."""
+    """Average the samples' colours; take depth and ids from one sample near the pixel's centre."""
     h, w, s = camera.height, camera.width, samples
     image = np.empty((h, w, 3), np.uint8)
     for k, channel in enumerate(color):

@@ -1,9 +1,9 @@
-"""Relight soft renders with the light of a picture, so that the two can be compared.
+"""Relighting of soft renders with the light of a picture, so that the two can be compared.
 
-A lamp shades a surface according to its orientation, which is well approximated by a linear
-function of the normal. Its four coefficients and one gain per colour channel are fitted to the
-picture where the render and the picture's mask overlap. Since they are fitted to thousands of
-pixels, they cannot reproduce texture that the render lacks.
+A lamp shades a surface according to its orientation; a linear function of the normal approximates
+this well. Its four coefficients and one gain per colour channel are fitted to the picture where the
+render and the picture's mask overlap. Since they are fitted to thousands of pixels, they cannot
+reproduce texture that the render lacks.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .soft import SoftImages
 
 _RIDGE = 0.02  # regularisation towards uniform light, as a fraction of the pixels' weight
 _SHADE = (0.3, 2.0)  # minimum and maximum of the fitted light
-_GAIN = (0.75, 1.3333)  # range of the gain of one colour channel relative to the others
+_GAIN = (0.75, 1.3333)  # range of each colour channel's gain relative to the others
 _TINY = 1e-6
 
 
@@ -26,9 +26,9 @@ def relit(
 ) -> Float[Tensor, "b 3 h w"]:
     """Return the renders' images, over grey and with normals, lit like their pictures.
 
-    ``weight`` is the weight of each pixel of ``picture``, over the same grey, in the fit; it is >=
-    0, and 0 outside the mask. The light is fitted without gradients: gradients of the returned
-    images treat it as constant.
+    ``picture`` has the same grey background. ``weight`` is the weight of each of its pixels in the
+    fit: at least 0, and 0 outside the mask. The light is fitted without gradients, so gradients of
+    the returned images treat it as constant.
 
     Raises:
         InputError: The renders have no normals.

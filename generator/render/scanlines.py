@@ -7,12 +7,12 @@ from jaxtyping import Float, Int
 
 from ..errors import SceneError
 
-_CHUNK = 2_000_000  # candidate pixels, or triangle rows, processed at once
+_CHUNK = 2_000_000  # number of candidate pixels, or triangle rows, processed at once
 
 _ROW = 3  # cost of one triangle row, in candidate pixels
 
 MOST_LAYERS = 40
-"""Maximum number of surfaces behind one another, averaged over a picture; tables have a few."""
+"""Maximum number of overlapping surfaces, averaged over a picture; scenes on tables have a few."""
 
 
 def _spans(
@@ -52,9 +52,10 @@ def rasterise(
 ) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw 3"], Float[np.ndarray, "hw"]]:
     """Return the nearest triangle of every pixel and the barycentric weights at the pixel's centre.
 
-    A corner is pixel x, pixel y and 1/depth (perspective), or any quantity that increases towards
-    the viewer and is linear in the image. Returns per pixel (row-major): triangle index or -1,
-    screen-space barycentric weights, and the interpolated third coordinate (0 in empty pixels).
+    A corner consists of pixel x, pixel y, and 1/depth (for perspective) or any other quantity that
+    increases towards the viewer and is linear in the image. Returns per pixel (row-major): triangle
+    index or -1, screen-space barycentric weights, and the interpolated third coordinate (0 in empty
+    pixels).
     """
     owner, near = nearest(corners, width, height)
     weights = np.zeros((len(owner), 3))
@@ -66,7 +67,7 @@ def rasterise(
 def nearest(
     corners: Float[np.ndarray, "m 3 3"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw"]]:
-    """Return the first and the last result of :func:`rasterise`, without the weights.
+    """Return the first and last results of :func:`rasterise`, without the weights.
 
     Raises:
         SceneError: The triangles form more than ``MOST_LAYERS`` layers.
@@ -102,14 +103,14 @@ def nearest(
 def _portions(
     xy: Float[np.ndarray, "m 3 2"], area: Float[np.ndarray, "m"], width: int, height: int
 ) -> list[Int[np.ndarray, "_k"]]:
-    """Split the triangles, in order, into chunks with a bounded number of rows."""
+    """Split the triangles, in order, into chunks that have a limited number of rows."""
     size = np.array([width, height])
     low, high = np.clip(xy.min(1), 0, size), np.clip(xy.max(1), 0, size)
     box = np.ceil(high) - np.floor(low)
     covered = np.minimum(np.abs(area) / 2, box.prod(1)).sum()
     rows = np.cumsum(box[:, 1])
     most = MOST_LAYERS * width * height
-    # Every triangle counts at least two rows, however small it is.
+    # Every triangle counts as at least two rows, however small it is.
     if len(rows) and max(covered, _ROW * (rows[-1] - 2 * len(rows))) > most:
         raise SceneError(
             f"The triangles form more than {MOST_LAYERS} layers, too many to draw. Use meshes with "
@@ -125,7 +126,7 @@ def barycentric(
     pixel: Int[np.ndarray, "k"],
     width: int,
 ) -> Float[np.ndarray, "3 k"]:
-    """Return the barycentric weights, in [0, 1], of pixel centres, each in one triangle."""
+    """Return the barycentric weights, in [0, 1], of pixel centres, each in its triangle."""
     x, y = pixel % width + 0.5, pixel // width + 0.5
     e1, e2 = xy[:, 1] - xy[:, 0], xy[:, 2] - xy[:, 0]
     area = (e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0])[triangle]

@@ -1,4 +1,4 @@
-"""Normals, texture sampling and lighting of the software renderer."""
+"""Normals, texture sampling and lighting for the software renderer."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from ..scene import frozen_array
 from ..scene.triangles import scaled_normals, weld_index
 
 _CREASE = np.cos(np.deg2rad(40.0))
-_MAX_PAIRS = 64  # maximum number of corners per position, averaged; solids have about 6
-_PIECE = 1 << 20  # pairs of corners processed at once
+_MAX_PAIRS = 64  # maximum mean number of corners per position; solids have about 6
+_PIECE = 1 << 20  # number of pairs of corners processed at once
 
 
 def _unit(v: np.ndarray) -> np.ndarray:
-    """Normalise vectors along the last axis; NumPy's own norm is slow on short ones."""
+    """Normalise vectors along the last axis, faster than NumPy's own norm for short vectors."""
     x, y, z = (v[..., k] for k in range(3))
     length = np.sqrt((x * x + y * y) + z * z)
     return v / np.maximum(length, 1e-12)[..., None]
@@ -24,7 +24,7 @@ def _unit(v: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class Light:
-    """A sun and a sky. ``direction`` points towards the sun (normalised on construction).
+    """A sun and a sky; ``direction`` points towards the sun (normalised on construction).
 
     ``sun``, ``sky`` and ``gloss`` are intensities; ``softness`` is the width of the shadow edge in
     metres; ``tint`` multiplies the light's colour.
@@ -48,10 +48,10 @@ class Light:
 def corner_normals(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> Float[np.ndarray, "m 3 3"]:
-    """Return a unit normal per face corner, smooth across edges of less than 40 degrees.
+    """Return a unit normal per face corner, smoothed across edges of less than 40 degrees.
 
     Vertices that share a position (texture seams) are smoothed together. If far more faces meet at
-    points than in any solid, face normals are used throughout.
+    the vertices than in any solid, face normals are used throughout.
     """
     scaled = scaled_normals(vertices[faces])
     flat = _unit(scaled)
@@ -80,7 +80,7 @@ def corner_normals(
 def interpolate(
     corners: Float[np.ndarray, "p 3 c"], weights: Float[np.ndarray, "3 p"]
 ) -> Float[np.ndarray, "p c"]:
-    """Interpolate values at the three corners of triangles with the given weights."""
+    """Interpolate values given at the three corners of triangles with the given weights."""
     made = np.empty((len(corners), corners.shape[2]))
     for k in range(corners.shape[2]):
         a, b, c = corners[:, 0, k], corners[:, 1, k], corners[:, 2, k]
@@ -117,7 +117,7 @@ def shade(
     lit: Float[np.ndarray, "p"],
     light: Light,
 ) -> Float[np.ndarray, "p 3"]:
-    """Return Lambert shading with sky and highlight; ``lit`` is the visible share of the sun."""
+    """Return Lambert shading with sky and highlight; ``lit`` is the visible fraction of the sun."""
     n, view = _unit(normal), _unit(to_camera)
     n[_dot(n, view) < 0] *= -1
     facing = np.clip(n @ light.direction, 0, 1) * lit

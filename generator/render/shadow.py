@@ -1,4 +1,4 @@
-"""Shadows of the sun: an orthographic depth map of the items, sampled for soft edges."""
+"""Shadows cast by the sun: an orthographic depth map of the items, sampled for soft edges."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ _TAPS = tuple(
     + [(1.0, np.pi / 3 * k) for k in range(6)]
 )  # sample positions of a soft shadow, in units of its softness
 
-_TILE = 4  # map cells along the side of a tile
-_SIZE = 1024  # map cells along the side of the map
-_RIM = 4  # empty map cells at each end of a side
+_TILE = 4  # number of map cells along the side of a tile
+_SIZE = 1024  # number of map cells along the side of the map
+_RIM = 4  # number of empty map cells at each end of a side
 
 
 class Shadow:
     """Depth map of shadow-casting surfaces, seen from the light.
 
     The map is padded with empty cells. Each tile stores the maximum and minimum of all cells within
-    sampling range of its points: only points between the two need samples.
+    sampling range of its points. Samples are needed only for points between the two.
     """
 
     def __init__(
@@ -35,7 +35,7 @@ class Shadow:
         surfaces: Sequence[tuple[Float[np.ndarray, "_ 3"], Int[np.ndarray, "_ 3"]]],
         light: Light,
     ) -> None:
-        """Build a map that contains ``points``; ``surfaces`` are (vertices, faces). Metres."""
+        """Build a map that contains ``points``; ``surfaces`` are (vertices, faces), in metres."""
         forward = -light.direction
         side = np.cross(forward, [0.0, 1.0, 0.0])
         side /= np.linalg.norm(side)
@@ -73,7 +73,7 @@ class Shadow:
     def lit_share(
         self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
     ) -> Float[np.ndarray, "p"]:
-        """Return the lit fraction of each point in [0, 1]; points outside the map are lit."""
+        """Return the lit fraction of each point, in [0, 1]; points outside the map are lit."""
         x, y, far = self._on_map(points)
         cosine = np.clip(np.abs(normals @ self._axes[2]), 0.15, 1)
         bias = 0.002 + self._softness * np.sqrt(1 - cosine**2) / cosine * 1.5
@@ -85,7 +85,7 @@ class Shadow:
         return share
 
     def _tile_along(self, x: Float[np.ndarray, "p"]) -> Int[np.ndarray, "p"]:
-        """Return the tile column (or row) of map coordinates; the nearest one outside the map."""
+        """Return the tile column (or row) of map coordinates; the nearest one if outside."""
         cell = np.clip(x + self._border, 0, self._width - 1).astype(np.int64)
         return cell // _TILE
 
@@ -108,9 +108,9 @@ class Shadow:
 def _extremes(
     values: Float[np.ndarray, "h w"], around: int, extreme: np.ufunc
 ) -> Float[np.ndarray, "th tw"]:
-    """Return the extreme of each tile and of the ``around`` tiles on every side.
+    """Return the extreme over each tile and the ``around`` tiles on every side of it.
 
-    Outside ``values`` the map is empty.
+    The map is empty outside ``values``.
     """
     for axis in (0, 1):
         values = np.moveaxis(values, axis, 0)

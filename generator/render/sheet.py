@@ -14,7 +14,7 @@ from .raster import Item, Rendered, place, render
 
 _INK = (40, 44, 52)
 BOX_COLORS = ((214, 69, 65), (31, 119, 180), (44, 140, 60), (148, 90, 180), (220, 130, 20))
-"""Colours of named boxes, used cyclically."""
+"""Colours of named boxes, used in rotation."""
 
 
 def grid(
@@ -23,7 +23,7 @@ def grid(
     columns: int = 4,
     cell: int = 256,
 ) -> UInt8[np.ndarray, "gh gw 3"]:
-    """Arrange pictures (RGB or RGBA, any sizes) in a grid of square cells on white.
+    """Arrange pictures (RGB or RGBA, of any size) in a grid of square cells on white.
 
     Each picture is resized to fit its cell of ``cell`` pixels, keeping its aspect ratio. If there
     are captions, each picture has one line of text below it.
@@ -62,11 +62,11 @@ def draw_boxes(
 _UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 
 TOP_DOWN = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(20.0))
-"""View from straight above, nearly without perspective."""
+"""A view from straight above, with hardly any perspective."""
 
 
 def scene_items(scene: Scene) -> list[Item]:
-    """Return the table (id 0) and the objects (ids 1..n, in order) at their settled poses."""
+    """Return the table (id 0) and the objects (ids 1 to n, in order) at their settled poses."""
     table = scene.table
     middle = np.array([0.0, 0.0, table.height / 2])
     items = [place(table.model.mesh, table.scale, middle, _UPRIGHT, 0)]
@@ -85,9 +85,10 @@ def render_scene(
     camera: Camera | None = None,
     supersample: int = 2,
 ) -> Rendered:
-    """Draw a whole scene on white; ``view`` defaults to the scene's own, framed to fit.
+    """Draw a whole scene on white; ``view`` defaults to the scene's own view, framed to fit.
 
-    Ids: 0 is the table, ``k`` the object ``scene.objects[k - 1]``, -1 an empty pixel.
+    In the ids, 0 is the table, ``k`` is the object ``scene.objects[k - 1]``, and -1 is an empty
+    pixel.
     """
     items = scene_items(scene)
     if camera is None:

@@ -1,11 +1,11 @@
-"""A differentiable soft rasteriser: textured surface points splatted into tight crops.
+"""A differentiable soft rasteriser: textured surface points, splatted into tight crops.
 
-Each surface point represents a small area. Projected, that area covers a known number of pixels,
-so the splatted areas of a closed object add up to the number of surface layers: at least one
-front and one back layer inside the silhouette, none outside. The soft silhouette is a smooth
-step function of that sum. The cost depends on the number of points, not on the mesh, and a batch
-of candidate poses is one tensor. Gradients flow to yaw, tilt and distance through pixel
-positions, projected areas and the tight crop itself; visibility is computed without gradients.
+Each surface point represents a small area, whose projection covers a known number of pixels. The
+splatted areas of a closed object therefore add up to the number of surface layers: at least one
+front and one back layer inside the silhouette, none outside. The soft silhouette is a smooth step
+function of that sum. The cost depends on the number of points, not on the mesh; a batch of
+candidate poses is one tensor. Gradients flow to yaw, tilt and distance through pixel positions,
+projected areas and the tight crop itself; visibility is computed without gradients.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ from ..scene.triangles import scaled_normals
 from .crop import MARGIN
 from .shading import sample_texture
 
-_HIDDEN_WEIGHT = 0.01  # hidden points colour a pixel only if it has no visible point
-_FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial filter, sigma of one pixel
+_HIDDEN_WEIGHT = 0.01  # hidden points colour a pixel only if it contains no visible point
+_FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial filter with a sigma of one pixel
 
 
 @dataclass(frozen=True, eq=False)
 class SampledSurface:
-    """Sample points of ``s`` objects' textured surfaces, each in its object frame in metres.
+    """Sample points of the textured surfaces of ``s`` objects, in each object's frame, metres.
 
-    ``area`` (m^2) is the area represented by one point; ``covered`` marks points just below another
-    surface, such as a body under its label, too close to be resolved by a depth buffer; ``corners``
-    are the vertices of the convex hull, which bound the object in any view.
+    ``area`` (m^2) is the area that one point represents. ``covered`` marks points that are just
+    below another surface, such as a label, and too close to it for a depth buffer. ``corners`` are
+    the vertices of the convex hull, which bound the object in any view.
     """
 
     position: Float[Tensor, "s n 3"]
@@ -48,7 +48,7 @@ class SampledSurface:
     corners: Float[Tensor, "s k 3"]
 
     def thin(self, step: int, first: int = 0) -> SampledSurface:
-        """Return every ``step``-th point with a correspondingly larger area; they remain even."""
+        """Return every ``step``-th point with a correspondingly larger area, evenly spread."""
         count = self.position.shape[1]
         names = ("position", "normal", "color", "covered")
         kept = {name: getattr(self, name)[:, first::step] for name in names}
@@ -73,7 +73,7 @@ def stack(surfaces: Sequence[SampledSurface]) -> SampledSurface:
 
 @dataclass(frozen=True, eq=False)
 class CropFit:
-    """Offset of an object within its crop if it is not tight: for slightly inaccurate masks.
+    """Offset of an object within its crop if the crop is not tight because its mask is inaccurate.
 
     ``shift`` (x right, y down) is a fraction of the crop's side, ``zoom`` the logarithm of a
     factor.
@@ -85,9 +85,9 @@ class CropFit:
 
 @dataclass(frozen=True, eq=False)
 class CropWindow:
-    """Part of the image shown in a crop that is not tight around the object.
+    """The part of the image shown in a crop that is not tight around the object.
 
-    ``middle`` is its centre in x/z, y/z; ``scale`` is in pixels per unit of these.
+    ``middle`` is the part's centre in x/z, y/z; ``scale`` is in pixels per unit of these.
     """
 
     middle: Float[Tensor, "b 2"]
@@ -110,7 +110,7 @@ class SoftImages:
 def _find_covered(
     position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
 ) -> Bool[np.ndarray, "n"]:
-    """Mark points below another, parallel surface at most ``spacing`` away."""
+    """Mark points that are at most ``spacing`` below another, parallel surface."""
     # Each of the two points must lie on the matching side of the other's plane, which distinguishes
     # a cover from neighbours on a concave or convex surface.
     near = KDTree(position).query(position, k=min(12, len(position)))[1]
@@ -129,10 +129,11 @@ def sample_surface(
     seed: int,
     dtype: torch.dtype = torch.float32,
 ) -> SampledSurface:
-    """Sample ``count`` points evenly on one canonical mesh scaled to ``size`` metres.
+    """Sample ``count`` evenly spread points on a canonical mesh scaled to ``size`` metres.
 
-    Points are stratified over the faces by area, and low-discrepancy within a face. Colours are the
-    texture under soft light from straight above, which distinguishes top and side faces.
+    Points are stratified over the faces by area, with a low-discrepancy sequence in each face.
+    Colours are those of the texture under soft light from straight above, which distinguishes top
+    faces from side faces.
 
     Raises:
         InputError: The surface area is zero.
@@ -175,7 +176,7 @@ def object_to_camera(
 ) -> Float[Tensor, "b 3 3"]:
     """Return rotations from the object frame to camera axes (x right, y down, z forward).
 
-    ``yaw`` turns the object about world +z; ``tilt`` raises the camera's elevation. Both in
+    ``yaw`` turns the object about world +z; ``tilt`` raises the camera's elevation. Both are in
     radians.
     """
     cy, sy, ct, st = (f()[:, None] for f in (yaw.cos, yaw.sin, tilt.cos, tilt.sin))
@@ -187,7 +188,7 @@ def object_to_camera(
 def rotate(
     points: Float[Tensor, "b n 3"], rotation: Float[Tensor, "b 3 3"]
 ) -> Float[Tensor, "b n 3"]:
-    """Rotate points, summing in a fixed order: a matrix product's order depends on memory."""
+    """Rotate points, summing in a fixed order; that of a matrix product depends on memory."""
     x, y, z = points.split(1, 2)
     columns = rotation[:, None].unbind(3)
     return x * columns[0] + y * columns[1] + z * columns[2]
@@ -208,11 +209,11 @@ def fit_center(
     middle: Float[Tensor, "b 2"],
     span: Float[Tensor, "b 2"],
 ) -> Float[Tensor, "b 3"]:
-    """Return each object's centre such that its projection fills a box of the image.
+    """Return the centre of each object for which its projection fills a box in the image.
 
-    ``middle`` and ``span`` are the boxes' centres and sizes in x/z, y/z. The centre matches
-    exactly; the size matches in area, since the object keeps its proportions. For a box too large
-    for the object, the distance is at least one and a half times the object's radius.
+    ``middle`` and ``span`` are the centres and sizes of the boxes in x/z, y/z. The centres match
+    exactly; the sizes match in area, since objects keep their proportions. However large the box,
+    the distance is at least one and a half times the object's radius.
     """
     nearest = 1.5 * corners.norm(dim=2).amax(1, keepdim=True)
     ray = torch.cat([middle, torch.ones_like(middle[:, :1])], 1)
@@ -229,7 +230,7 @@ def fit_center(
 def pixel_scale(
     span: Float[Tensor, "b 2"], resolution: int, keep_aspect: bool
 ) -> Float[Tensor, "b 2"]:
-    """Return the pixels per unit that fit ``span`` into a square crop of side ``resolution``."""
+    """Return the pixels per unit for which ``span`` fits a square crop of side ``resolution``."""
     if keep_aspect:
         span = span.amax(-1, keepdim=True).expand_as(span)
     return resolution * (1 - 2 * MARGIN) / span.clamp_min(1e-9)
@@ -248,12 +249,13 @@ def render(
 ) -> SoftImages:
     """Draw objects in ``b`` poses, each in its own square crop of side ``resolution``.
 
-    ``surface`` holds sample points of the objects; ``owner`` is the index of the object of each
-    pose, None if there is only one object. ``rotation`` maps object frames to camera axes, see
-    ``object_to_camera``; ``center`` are the objects' centres in camera axes, metres, in front of
-    the camera. ``keep_aspect`` fits the longer side and pads the other; otherwise both are
-    stretched. Crops are tight around the objects, or show ``window`` if it is given; ``fit`` shifts
-    and zooms the objects within them. ``normals`` requests the normals as well.
+    ``surface`` holds sample points of the objects; ``owner`` is the index of each pose's object, or
+    None if there is only one object. ``rotation`` maps object frames to camera axes (see
+    ``object_to_camera``); ``center`` are the objects' centres in camera axes, metres, in front of
+    the camera. With ``keep_aspect``, the longer side is fitted and the other one is padded;
+    otherwise both are stretched. Crops are tight around the objects, or show ``window`` if it is
+    given; ``fit`` shifts and zooms the objects within them. With ``normals``, the normals are
+    returned too.
     """
     index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
     if window is None:
@@ -297,7 +299,7 @@ def _visible(
     scale: Float[Tensor, "b 2"],
     resolution: int,
 ) -> Bool[Tensor, "b n"]:
-    """Return which points lie in front of a coarse depth buffer, widened by one cell."""
+    """Return which points are not hidden in a coarse depth buffer, widened by one cell."""
     b = len(depth)
     cells = max(resolution // 2, 1)
     cell = (pixel.detach() * (cells / resolution)).long().clamp(0, cells - 1)
@@ -312,7 +314,7 @@ def _visible(
 def _splat(
     pixel: Float[Tensor, "b n 2"], values: Float[Tensor, "b n c"], resolution: int
 ) -> Float[Tensor, "b c h w"]:
-    """Add every point's values to its four nearest pixels, then filter with sigma of one pixel."""
+    """Add every point's values to its four nearest pixels, then filter with a one-pixel sigma."""
     b, _, c = values.shape
     corner = (pixel - 0.5).floor()
     fraction = pixel - 0.5 - corner
@@ -330,7 +332,7 @@ def _splat(
 
 
 def smooth(images: Float[Tensor, "b c h w"]) -> Float[Tensor, "b c h w"]:
-    """Filter images with the splat's own kernel, a binomial with sigma of one pixel."""
+    """Filter images with the splats' own kernel: binomial with a sigma of one pixel."""
     c = images.shape[1]
     taps = images.new_tensor(_FILTER)
     rows = functional.pad(images, (2, 2, 2, 2))
@@ -341,9 +343,9 @@ def smooth(images: Float[Tensor, "b c h w"]) -> Float[Tensor, "b c h w"]:
 def sobel(
     images: Float[Tensor, "b h w"],
 ) -> tuple[Float[Tensor, "b hi wi"], Float[Tensor, "b hi wi"]]:
-    """Return an image's horizontal (right) and vertical (down) Sobel derivatives, without a border.
+    """Return an image's Sobel derivatives, horizontal (right) and vertical (down), borderless.
 
-    Implemented as differences: single-channel convolutions have a slow backward pass.
+    They are computed as differences because single-channel convolutions have a slow backward pass.
     """
     across = images[:, :, 2:] - images[:, :, :-2]
     down = images[:, 2:] - images[:, :-2]

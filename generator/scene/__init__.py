@@ -1,4 +1,4 @@
-"""The core values of the pipeline: frozen types that carry a text or an image to a scene.
+"""The core values of the pipeline: frozen types that lead from a text or an image to a scene.
 
 Frames and units of the whole project
 -------------------------------------
@@ -8,9 +8,9 @@ SI metres, kilograms, radians, seconds; quaternions are ``wxyz`` as in MuJoCo.
 +y away *as seen in the reference image*, +z up. Yaw turns about +z, counter-clockwise seen from
 above.
 
-*Canonical object frame*: +z up, the mesh normalised to the unit box ``[-0.5, 0.5]^3``. ``scale`` is
-the object's *extent* along its own axes in metres; ``translation`` is the *centre of its bounding
-box*.
+*Canonical object frame*: +z up, with the mesh normalised to the unit box ``[-0.5, 0.5]^3``.
+``scale`` is the object's *extent* along its own axes in metres; ``translation`` is the *centre of
+its bounding box*.
 
 *Camera axes*: x right, y down, z forward. A ``View`` with azimuth 0 looks along +y; a positive
 azimuth moves the camera towards +x. Elevation is measured from the horizon; ``fov`` is the vertical

@@ -1,4 +1,4 @@
-"""Relations and supports of a plan that hold in the settled scene, according to its report."""
+"""Planned relations and supports that hold in the settled scene according to its report."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def held_relations(scene: Scene, name: str) -> tuple[Relation, ...]:
 def hold_supports(scene: Scene) -> Scene:
     """Return the scene with supports that contradict its report reset to the table.
 
-    An object that does not rest on, or in, the support named in its placement is assigned to the
-    table. The same scene is returned if nothing changes.
+    An object that does not rest on or in the support named in its placement is assigned to the
+    table. If nothing changes, the same scene is returned.
     """
     outcomes = scene.report.relations if scene.report else ()
     denied = {(o.name, o.kind, o.target) for o in outcomes if not o.holds}

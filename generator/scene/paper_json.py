@@ -1,4 +1,4 @@
-"""Convert the paper's JSON (Figs. 12 and 14) to placements in our frame and back.
+"""Conversion of the paper's JSON (Figs. 12 and 14) to placements in this project's frame and back.
 
 The paper uses centimetres and degrees, with +x left and +y toward the viewer; this project uses
 metres and radians, with +x right and +y away. The two frames differ by a half turn about z. A

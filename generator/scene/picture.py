@@ -1,4 +1,4 @@
-"""Values for pictures: the reference image, its detections and its camera (Secs. 3.1 and 3.3)."""
+"""Values that describe pictures: the reference image, detections and camera (Secs. 3.1 and 3.3)."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Intrinsics:
             object.__setattr__(self, name, float(value))
 
     def scale(self, across: float, down: float) -> Intrinsics:
-        """Return the intrinsics for the picture resized by these factors."""
+        """Return the intrinsics of the picture after it is resized by these factors."""
         cx, cy = (self.cx + 0.5) * across - 0.5, (self.cy + 0.5) * down - 0.5
         return Intrinsics(self.fx * across, self.fy * down, cx, cy)
 
@@ -47,8 +47,8 @@ class Intrinsics:
 class Reference:
     """The reference image I_ref (Sec. 3), with its ``prompt`` and ``plan`` if it has any.
 
-    For an RGB-D picture, ``depth`` is the distance along the optical axis in metres, 0 where it is
-    unknown, and ``intrinsics`` are those of the camera. Both are given or neither is.
+    For an RGB-D picture, ``depth`` is the distance along the optical axis in metres, 0 where
+    unknown, and ``intrinsics`` are the camera's. Either both or neither must be given.
     """
 
     image: UInt8[np.ndarray, "h w 3"]
@@ -71,10 +71,10 @@ class Reference:
 
 @dataclass(frozen=True, eq=False)
 class Detection:
-    """One segmented region of an image: label, tight pixel box, mask, score in [0, 1].
+    """One segmented region of an image: label, tight pixel box, mask, and score in [0, 1].
 
-    ``full`` is the mask of the whole object, including its occluded part, if the segmenter
-    predicts it; if None, the completion estimates it.
+    ``full`` is the mask of the whole object, including its occluded part, if the segmenter predicts
+    it; if it is None, the completion stage estimates it.
     """
 
     label: str
@@ -93,9 +93,9 @@ class Detection:
 class Instance:
     """One object of the reference image (Sec. 3.1).
 
-    ``mask`` (visible pixels, holes filled) and ``box`` are in reference pixels; ``crop`` is the
-    completed RGBA picture of the object alone, and ``crop_box`` its extent in reference pixels,
-    which may exceed the image; ``occluded`` is true if a part of the object was completed.
+    ``mask`` (visible pixels, with holes filled) and ``box`` are in reference pixels. ``crop`` is
+    the completed RGBA picture of the object alone, and ``crop_box`` is its extent in reference
+    pixels, which may exceed the image. ``occluded`` is true if part of the object was completed.
     """
 
     name: str
@@ -139,17 +139,17 @@ class View:
 
 
 USUAL_VIEW = View(azimuth=0.0, elevation=np.deg2rad(55.0), fov=np.deg2rad(35.0))
-"""View from the front and above, for scenes without a picture."""
+"""A view from the front and above, for scenes without a picture."""
 
 
 @dataclass(frozen=True, eq=False)
 class TopView:
-    """The table seen from straight above, I_top (Sec. 3.3, TSA).
+    """The table seen from straight above: I_top (Sec. 3.3, TSA).
 
-    Orthographic: +u is world +x, +v (down) is world -y. ``table_box`` and ``boxes`` (by instance
-    name) are pixel boxes in it. The boxes of the ``repaired`` instances come from geometry, not
-    from the drawn picture. ``metres_per_pixel`` is there if the scale was measured. ``warnings``
-    say what went wrong.
+    The view is orthographic: +u is world +x, and +v (down) is world -y. ``table_box`` and ``boxes``
+    (by instance name) are pixel boxes in this view. The boxes of the ``repaired`` instances come
+    from geometry, not from the drawn picture. ``metres_per_pixel`` is None unless the scale was
+    measured. ``warnings`` lists what went wrong.
     """
 
     image: UInt8[np.ndarray, "h w 3"]

@@ -1,4 +1,4 @@
-"""The plan of a scene, as a text describes it (Fig. 12)."""
+"""The plan of a scene, as described by a text (Fig. 12)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tabletop_objects.values import VECTOR, frozen_array
 from ..errors import InputError, choices
 
 TABLE = "table"
-"""Name of the table, both as an instance and as a support."""
+"""The table's name, both as an instance and as a support."""
 
 RelationKind = Literal[
     "left_of", "right_of", "in_front_of", "behind", "on", "in", "next_to", "center", "edge"
@@ -27,7 +27,7 @@ OutlineKind = Literal["rectangle", "square", "round", "oval", "triangle", "slatt
 
 @dataclass(frozen=True)
 class Relation:
-    """Relation of a planned object: ``kind`` relative to ``target`` (an object name or "table")."""
+    """A planned object's relation: ``kind`` relative to ``target`` (an object name or "table")."""
 
     kind: RelationKind
     target: str = TABLE
@@ -35,7 +35,7 @@ class Relation:
 
 @dataclass(frozen=True)
 class PlannedObject:
-    """One object requested by a text.
+    """An object requested by a text.
 
     ``name`` is unique ("mug_1"); ``noun`` is the word used; ``category`` is a catalogue key, or
     "generic" when no category fits. ``attributes`` maps "color", "material", "size" ("small",
@@ -83,13 +83,13 @@ class PlannedTable:
 
 @dataclass(frozen=True)
 class PlannedGroup:
-    """Objects that a text arranges as a group; stacks are relations ("on") instead.
+    """Objects that a text arranges as a group; stacks are described by "on" relations instead.
 
     Attributes:
         kind: the arrangement; "setting" is a place setting for one person.
         members: names of planned objects, in order.
         around: the object at the centre of a circle, if any.
-        seat: for a setting, the number of the seat and the number of seats.
+        seat: for a setting, the seat's number and the total number of seats.
     """
 
     kind: GroupKind

@@ -53,7 +53,7 @@ def apply_quarter_turns(
 ) -> tuple[Mesh, tuple[ConvexPart, ...]]:
     """Turn a canonical mesh and its convex parts about the fixed axes, exactly.
 
-    The unit box maps onto itself. Primitives remain primitives; the axis of a cylinder turns too.
+    The unit box is mapped onto itself. Primitives remain primitives; a cylinder's axis turns too.
     """
     turn = quarter_turn(steps)
     vertices = mesh.vertices @ turn.T.astype(np.float32)

@@ -1,4 +1,4 @@
-"""Results of the physical gate: measurements, failures and relations of the plan."""
+"""Results of the physical gate: measurements, failures, and outcomes of planned relations."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ MAX_LEAN = 45.0
 FailureKind = Literal[
     "overlap", "moved", "turned", "floats", "fell", "off-table", "diverged", "recorded"
 ]
-"""Kinds of gate failure; "recorded" is a sentence from a bundle without measured values."""
+"""Kinds of gate failure; "recorded" is a sentence read from a bundle without measured values."""
 
 
 @dataclass(frozen=True)
 class Failure:
-    """One reason why a scene fails the gate; ``str`` returns a sentence for readers.
+    """One reason why a scene failed the gate; ``str`` returns a sentence for people to read.
 
-    Code must use these fields instead of parsing the sentence: object names are arbitrary.
+    Code must use these fields and not parse the sentence, since object names are arbitrary.
 
     Attributes:
         kind: The kind of failure.
@@ -47,7 +47,7 @@ class Failure:
 
     @property
     def restless(self) -> bool:
-        """Whether an object is not at rest: it moves, turns, or the simulation diverges."""
+        """Whether an object is not at rest: it moves or turns, or the simulation diverges."""
         return self.kind in ("moved", "turned", "diverged")
 
     def __str__(self) -> str:
@@ -74,7 +74,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class RelationOutcome:
-    """Outcome of a requested relation in the settled scene.
+    """The outcome of a requested relation in the settled scene.
 
     Attributes:
         name, kind, target: the relation of the object ``name``.
@@ -95,7 +95,7 @@ class Report:
 
     penetration: deepest overlap of two collision shapes at the start.
     drift, tilt: largest displacement and rotation of any object over ``seconds``.
-    floating: objects with no contact and a gap below them; fallen: objects that left the table.
+    floating: objects without contact and with a gap below; fallen: objects that left the table.
     off_table: objects whose centre of mass is outside the outline of the tabletop.
     moved: largest displacement applied to separate overlaps; settling: largest displacement during
         settling.
@@ -106,11 +106,11 @@ class Report:
     failures: failures of the gate. If one of them is a diverged simulation, drift, tilt and leaning
         are meaningless.
     dropped: objects removed because the scene would not pass with them.
-    lean: the tilt of gravity, 0 for none; None: the gate's default.
-    reach: distance from the best side of the table to the object farthest from that side.
+    lean: the tilt of gravity: 0 for none, None for the gate's default.
+    reach: distance between the best side of the table and the object farthest from that side.
     misfit: for a scene made from a picture, one minus the overlap of outlines (Eq. 2), averaged
-        over the objects: before the joint refinement, and for the finished scene at rest.
-    relations: outcomes of the relations in the plan.
+        over the objects, once before the joint refinement and once for the finished scene at rest.
+    relations: outcomes of the planned relations.
     """
 
     penetration: float

@@ -1,4 +1,4 @@
-"""Poses and placements, and the scene they form (Secs. 3.3 and 3.4)."""
+"""Poses and placements, and the scene that they form (Secs. 3.3 and 3.4)."""
 
 from __future__ import annotations
 
@@ -18,27 +18,28 @@ from .picture import USUAL_VIEW, View
 from .plan import TABLE, ScenePlan
 from .report import Report
 
-_MIN_MASS = 1e-9  # kg; MuJoCo's own limit is a millionth of it
+_MIN_MASS = 1e-9  # kg; MuJoCo's own limit is one millionth of this
 _MIN_TOP = 1e-6  # area of a tabletop, square metres
 _MAX_TURN = 1e4  # radians
 
 
 @dataclass(frozen=True)
 class Rotation:
-    """An estimated yaw r_i (Sec. 3.3, DRO), radians, and its confidence.
+    """An estimated yaw r_i (Sec. 3.3, DRO), radians, and how certain it is.
 
     Attributes:
         yaw, loss: the best estimate; ``candidates`` are the final (yaw, loss) pairs compared.
         margin: how much worse the best clearly different yaw (20 degrees or more away) fits, as a
-            fraction of the loss, >= 0, each at the highest resolution evaluated. Near 0 the picture
-            hardly distinguishes the two.
-        width: change of yaw, radians in (0, pi], that raises the loss by 2 %, from the curvature of
-            the loss at its minimum. Given the right side and model, about two thirds of the errors
-            are smaller.
-        symmetric: the object looks the same from all sides: yaw 0, ``margin`` 0, ``width`` pi.
+            fraction of the loss, >= 0; both losses are at the highest resolution evaluated. If it
+            is near 0, the picture hardly distinguishes the two yaws.
+        width: change of yaw, radians in (0, pi], that raises the loss by 2 %, computed from the
+            loss curvature at the minimum. If the model is right and the yaw faces the right way,
+            about two thirds of the errors are smaller.
+        symmetric: whether the object looks the same from all sides; then yaw and ``margin`` are 0
+            and ``width`` is pi.
         order: the object looks the same after a turn by 2 pi / ``order`` (a plain box after a half
-            turn). Such yaws count as one answer, and ``margin`` compares it with the others.
-            Determined only if another side fits about as well; otherwise 1.
+            turn). Such yaws count as one answer, and ``margin`` compares it with the others. The
+            order is determined only if another side fits about as well; otherwise it is 1.
     """
 
     name: str
@@ -62,9 +63,9 @@ class Rotation:
 
 @dataclass(frozen=True)
 class Stacking:
-    """Support of an instance (Fig. 25): ``on`` is a name or "table", ``inside`` a container.
+    """An instance's support (Fig. 25): ``on`` is a name or "table", ``inside`` a container.
 
-    ``order`` 1 means on the table; a supported object has a higher order than its support.
+    An ``order`` of 1 means on the table; a supported object has a higher order than its support.
     """
 
     order: int
@@ -74,7 +75,7 @@ class Stacking:
 
 @dataclass(frozen=True, eq=False)
 class Placement:
-    """Pose and scale of one object: (r_i, t_i, s_i) of Sec. 3, in the world frame."""
+    """Pose and scale of one object, (r_i, t_i, s_i) of Sec. 3, in the world frame."""
 
     name: str
     yaw: float
@@ -95,7 +96,7 @@ class Placement:
 
 @dataclass(frozen=True, eq=False)
 class LayoutBox:
-    """A requested position and size of an object: a box on the tabletop, metres.
+    """Requested position and size of an object, as a box on the tabletop, metres.
 
     ``center`` is relative to the middle of the tabletop, +x right and +y away in the world frame;
     ``size`` is the extent (length, width, height) along the object's own axes, as in ``SizePrior``.
@@ -130,7 +131,7 @@ class Object:
     """One rigid body of a scene.
 
     Its body frame is the canonical frame scaled to metres (origin at the centre of the box).
-    ``parts`` are in that frame in metres, as are ``com`` and ``inertia`` (about ``com``, kg m^2).
+    ``parts`` are in that frame, in metres, as are ``com`` and ``inertia`` (about ``com``, kg m^2).
     ``placement`` is the estimate from the image; ``pose`` is the pose at rest after settling.
     """
 
@@ -160,18 +161,18 @@ class Object:
 
     @property
     def label(self) -> str:
-        """The noun for the object."""
+        """The object's noun."""
         return self.model.label
 
     @property
     def scale(self) -> Float[np.ndarray, "3"]:
-        """Extent along the object's own axes in metres."""
+        """The extent along the object's own axes, metres."""
         return self.placement.scale
 
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """The table: a fixed body, standing on the floor z = 0 with its centre at the origin.
+    """The table: a fixed body that stands on the floor z = 0, centred over the origin.
 
     ``scale`` is its extent in metres. ``parts`` are convex pieces in the table's body frame (origin
     at the centre of its box, at world (0, 0, height / 2)), in metres. ``outline`` is the convex
@@ -202,7 +203,7 @@ class Table:
 
     @property
     def height(self) -> float:
-        """Height of the top surface above the floor, metres."""
+        """The height of the top surface above the floor, metres."""
         return float(self.scale[2])
 
 
@@ -214,8 +215,8 @@ class Edit:
     """One change made to a finished scene.
 
     ``edited`` is the sha256 of the edited ``scene.json``; its first 12 digits end that bundle's
-    name. ``names`` are the objects created, moved or removed, ``asked`` is the request,
-    ``backends`` the backends that created new objects.
+    name. ``names`` are the objects created, moved or removed, ``asked`` is the request, and
+    ``backends`` are the backends that created new objects.
     """
 
     edited: str
@@ -230,7 +231,7 @@ class Edit:
 
 @dataclass(frozen=True)
 class Provenance:
-    """Origin of a scene, sufficient to reproduce it. Holds no secrets, paths or clock times.
+    """A scene's origin, sufficient to reproduce it, without secrets, paths or clock times.
 
     ``edits`` are the subsequent changes, oldest first.
     """
@@ -263,7 +264,7 @@ class Scene:
         doubles = sorted({n for n in names if names.count(n) > 1})
         if doubles or TABLE in names:
             raise InputError(f"Object names must be unique and not {TABLE!r}; repeated: {doubles}.")
-        for name in names:  # also MuJoCo body names; slashes separate prefixes
+        for name in names:  # names are also MuJoCo body names, where slashes separate prefixes
             printable(name, "An object name", InputError)
             if not name or name == "world" or "/" in name:
                 raise InputError(
@@ -272,7 +273,7 @@ class Scene:
                 )
 
     def object(self, name: str) -> Object:
-        """Return the object with this name."""
+        """Return the object with the given name."""
         for candidate in self.objects:
             if candidate.name == name:
                 return candidate

@@ -17,7 +17,7 @@ class Proportions:
     """Proportions of an object's upright box, estimated from its appearance, with an uncertainty.
 
     ``logs`` are the natural logarithms of width over length and of height over length, where length
-    is the longer horizontal side; ``spread`` is the expected mean absolute error of each.
+    is the longer horizontal side; ``spread`` is their expected mean absolute error.
     """
 
     logs: Float[np.ndarray, "2"]
@@ -36,7 +36,7 @@ class Proportions:
         return np.array([1.0, *np.exp(self.logs)])
 
     def gap(self, extent: Float[np.ndarray, "3"]) -> float:
-        """Return the mean deviation of an extent's proportions, in units of the expected error."""
+        """Return an extent's mean deviation from these proportions, in expected errors."""
         length, width = max(extent[:2]), min(extent[:2])
         off = np.abs(np.log(np.array([width, extent[2]]) / length) - self.logs)
         return float((off / self.spread).mean())
@@ -48,10 +48,9 @@ class SizePrior:
 
     ``placement`` is for example "lying flat"; ``axes`` names x, y and z, for example "thickness".
     ``outline`` is the outline of a tabletop seen from above, in metres about the middle of its
-    extent, convex and counter-clockwise; None leaves the shape open.
-    ``measured`` means that the extent was measured for this object in a depth map, and is not that
-    of its category.
-    ``seen`` are proportions estimated from the object's appearance; None if there is no estimate.
+    extent, convex and counter-clockwise; None leaves the shape open. ``measured`` means that the
+    extent was measured for this object in a depth map, and is not that of its category. ``seen``
+    are proportions estimated from the object's appearance; None if there is no estimate.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Functions of a triangle mesh's vertices and faces."""
+"""Functions of the vertices and faces of a triangle mesh."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from jaxtyping import Float, Int
 Vertices = Float[np.ndarray, "n 3"]
 Faces = Int[np.ndarray, "m 3"]
 
-_AT_ONCE = 100_000  # faces processed at once
+_AT_ONCE = 100_000  # number of faces processed at once
 
 
 def weld_index(vertices: Vertices) -> Int[np.ndarray, "n"]:
-    """Return one common index for all vertices that share a position."""
+    """Return an index that is common to all vertices that share a position."""
     span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
     keys = np.round(vertices / span * 1e5).astype(np.int64)
-    x, y, z = (keys - keys.min(0)).T  # each below 2**17
+    x, y, z = (keys - keys.min(0)).T  # each is below 2**17
     return np.unique((x << 40) + (y << 20) + z, return_inverse=True)[1].reshape(-1)
 
 
 def scaled_normals(triangles: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "m 3"]:
-    """Return each triangle's normal with a length of twice the triangle's area."""
+    """Return each triangle's normal, with a length of twice the triangle's area."""
     a, b, c = triangles.transpose(1, 0, 2)
     return np.cross(b - a, c - a)
 
@@ -41,7 +41,7 @@ def areas(vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m"]:
 
 
 def pieces(faces: Faces, count: int) -> Int[np.ndarray, "n"]:
-    """Return the index of the connected component of each of ``count`` vertices, from 0."""
+    """Return, for each of ``count`` vertices, the index of its connected component, from 0."""
     from scipy import sparse
 
     ends = faces[:, [0, 1, 1, 2]].reshape(-1, 2).T.astype(np.int32)

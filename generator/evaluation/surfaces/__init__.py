@@ -1,1 +1,1 @@
-"""Geometry of finished scenes: collisions, silhouettes, symmetry."""
+"""Geometry of finished scenes: collisions, silhouettes and symmetry."""

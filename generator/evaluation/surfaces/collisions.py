@@ -1,12 +1,13 @@
-"""Col_O and Col_S (Sec. 4.1): overlaps of visual meshes, with their depths.
+"""Col_O and Col_S (Sec. 4.1): overlaps of visual meshes, and their depths.
 
-Visual meshes are measured, not the convex parts of the simulation. The *depth* of an overlap is the
-larger of two lengths: the maximum depth of a point of either surface inside the other body (its
-distance to that body's surface), and the diameter of a ball that fits into both (tested at points
-within walls; it detects coincident objects, whose surfaces touch). Two boxes pushed 3 mm into each
-other have depth 3 mm, and so has a spoon's tip 3 mm inside a mug's wall. A spoon standing in the
-hollow of a mug is inside no body and is not a collision. Two sheets that are both thinner than the
-threshold can cross undetected: no point of either is that deep in the other.
+The visual meshes are measured, not the convex parts used in simulation. The *depth* of an overlap
+is the larger of two lengths: the maximum depth of a point of either surface inside the other body
+(its distance to that body's surface), and the diameter of a ball that fits into both. The ball is
+tested at points within walls, and detects coincident objects, whose surfaces touch. Two boxes
+pushed 3 mm into each other have a depth of 3 mm, and so has the tip of a spoon 3 mm inside a mug's
+wall. A spoon that stands in the hollow of a mug is not inside any body, so it does not collide. Two
+sheets that are both thinner than the threshold can cross undetected, since no point of either is
+that deep in the other.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ from .shells import SurfaceShell, bisect, nearest_on_triangles, shells
 THRESHOLD = 5e-4
 """Maximum depth of a contact, metres; deeper overlaps are collisions."""
 
-_TOLERANCE, _SHARE = 2e-5, 0.02  # absolute and relative tolerance of depths
-_MAX_PIECES = 30_000  # pieces of triangles examined per iteration
+_TOLERANCE, _SHARE = 2e-5, 0.02  # absolute and relative tolerances of depths
+_MAX_PIECES = 30_000  # number of triangle pieces examined per iteration
 _CORES, _LENGTHS = 48, (5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 1.6e-2)
 
 Body = tuple[SurfaceShell, ...]
@@ -34,7 +35,7 @@ _UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 
 @dataclass(frozen=True)
 class Overlap:
-    """Two overlapping objects: names, and the depth in metres."""
+    """Two overlapping objects: their names, and the depth in metres."""
 
     a: str
     b: str
@@ -45,8 +46,8 @@ class Overlap:
 class Collisions:
     """The overlaps of one scene.
 
-    ``pairs`` is the number of pairs of objects, without the table; ``overlaps`` are those of
-    objects with each other, ``sunk`` those of objects with the table.
+    ``pairs`` is the number of pairs of objects, not counting the table; ``overlaps`` are those
+    between objects, and ``sunk`` are those between objects and the table.
     """
 
     pairs: int
@@ -56,12 +57,12 @@ class Collisions:
 
     @property
     def col_o(self) -> float:
-        """Fraction of the pairs of objects that collide; 0 if there are no pairs."""
+        """The fraction of pairs of objects that collide, or 0 if there are no pairs."""
         return len(self.overlaps) / self.pairs if self.pairs else 0.0
 
     @property
     def col_s(self) -> bool:
-        """Whether the scene has a collision, including with the table."""
+        """Whether the scene has any collision, including with the table."""
         return bool(self.overlaps or self.sunk)
 
     def facts(self) -> dict[str, Any]:
@@ -78,7 +79,7 @@ class Collisions:
 
 @dataclass(frozen=True)
 class Rates:
-    """Col_O and Col_S of a set of scenes, as fractions in [0, 1].
+    """Col_O and Col_S of several scenes, as fractions in [0, 1].
 
     ``col_o`` refers to all pairs of all scenes.
     """
@@ -90,7 +91,7 @@ class Rates:
 
 
 def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
-    """Return the overlaps of a scene at its settled poses deeper than ``threshold`` metres.
+    """Return a settled scene's overlaps that are deeper than ``threshold`` metres.
 
     Raises:
         InputError: The threshold is not a positive length.
@@ -115,10 +116,10 @@ def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
 
 
 def rates(found: Iterable[Collisions]) -> Rates:
-    """Return the collision rates of several scenes (the two columns of Table 1).
+    """Return the collision rates of several scenes (both columns of Table 1).
 
     Raises:
-        InputError: There is no scene.
+        InputError: There are no scenes.
     """
     every = list(found)
     if not every:
@@ -129,7 +130,7 @@ def rates(found: Iterable[Collisions]) -> Rates:
 
 
 def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
-    """Return the overlap depth of two bodies, metres; 0 if it is at most ``minimum``."""
+    """Return the depth of the overlap of two bodies, metres; 0 if it is at most ``minimum``."""
     deepest = 0.0
     for one in a:
         for other in b:
@@ -142,7 +143,7 @@ def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
 
 
 def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
-    """Return the minimum distance that separates the two boxes, an upper bound of every depth."""
+    """Return the least distance that separates the two boxes, an upper bound of every depth."""
     (low_a, high_a), (low_b, high_b) = a.bounds, b.bounds
     return float(min((high_a - low_b).min(), (high_b - low_a).min()))
 
@@ -150,7 +151,7 @@ def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
 def _surface_depth(
     surface: SurfaceShell, inside: SurfaceShell, minimum: float, best: float
 ) -> float:
-    """Return the larger of ``best`` and the maximum depth of ``surface`` in ``inside``."""
+    """Return the maximum depth of ``surface`` in ``inside``, or ``best`` if that is larger."""
     # Branch and bound over pieces of triangles. The depth of a point in a piece is at most that of
     # the piece's middle plus its radius. It is also at most the maximum distance of the piece's
     # corners from any one triangle of the other surface, since that distance is convex.

@@ -1,13 +1,13 @@
-"""Closed surfaces of visual meshes, depth of points inside, and nearest triangles.
+"""Closed surfaces of visual meshes, depths of points inside them, and nearest triangles.
 
-A mesh is split into *shells*, its connected pieces; a body is the union of its shells, so that a
-handle sunk into a cup's wall, or a hundred keys on a keyboard, need no boolean operation. Distances
-are exact: a tree of boxes finds the nearest triangle, and the angle-weighted normal of the nearest
-face, edge or corner distinguishes outside from inside (J. Baerentzen and H. Aanaes, "Signed
-distance computation using the angle weighted pseudonormal", TVCG 2005). This fails where a surface
-lies on itself, such as the two sides of a sheet, and for pieces that are not closed; points that
-pass this test are therefore also tested by the winding number (A. Van Oosterom and J. Strackee,
-"The solid angle of a plane triangle", 1983).
+A mesh is split into its connected pieces, the *shells*. A body is the union of its shells, so no
+boolean operations are needed for a handle that is sunk into a cup's wall or for a hundred keys on a
+keyboard. Distances are exact: a tree of boxes finds the nearest triangle, and the angle-weighted
+normal of the nearest face, edge or corner distinguishes outside from inside (J. Baerentzen and H.
+Aanaes, "Signed distance computation using the angle weighted pseudonormal", TVCG 2005). This fails
+where a surface lies on itself, as do the two sides of a sheet, and for pieces that are not closed.
+Points that pass this test are therefore also tested with the winding number (A. Van Oosterom and J.
+Strackee, "The solid angle of a plane triangle", 1983).
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from ...physics.inertia import weld
 from ...scene import Mesh
 from ...scene.triangles import closed
 
-_LEAF = 4  # triangles per box of the tree
-_CHUNK = 400_000  # point-triangle or point-box pairs processed at once
+_LEAF = 4  # number of triangles per box of the tree
+_CHUNK = 400_000  # number of point-triangle or point-box pairs processed at once
 
 
 @dataclass(frozen=True, eq=False)
 class SurfaceShell:
     """One connected piece of a surface in the world, metres; triangles are in spatial order.
 
-    ``normals`` are, for each triangle, the outward pseudonormals of its face, its edges 01, 12, 20
-    and its corners. ``boxes`` are the tree's levels (minimum and maximum corners), root first.
+    ``normals`` are the outward pseudonormals of each triangle's face, its edges 01, 12, 20 and its
+    corners. ``boxes`` are the levels of the tree (minimum and maximum corners), root first.
     """
 
     corners: Float[np.ndarray, "m 3 3"]
@@ -45,15 +45,16 @@ class SurfaceShell:
 
     @property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """Minimum and maximum corner."""
+        """The minimum and the maximum corner."""
         return self.boxes[0][0]
 
     def nearest(
         self, points: Float[np.ndarray, "p 3"]
     ) -> tuple[Float[np.ndarray, "p 3"], Int[np.ndarray, "p"], Int[np.ndarray, "p"]]:
-        """Return each point's nearest point on the shell, its triangle, and its feature.
+        """Return the shell's nearest point to each given point, its triangle, and its feature.
 
-        Features are numbered as in ``normals``: 0 the face, 1 to 3 edges, 4 to 6 corners.
+        Features are numbered as in ``normals``: 0 is the face, 1 to 3 are edges, 4 to 6 are
+        corners.
         """
         place, face = np.zeros_like(points), np.zeros(len(points), np.int64)
         feature = np.zeros(len(points), np.int64)
@@ -66,10 +67,10 @@ class SurfaceShell:
     def depths(
         self, points: Float[np.ndarray, "p 3"]
     ) -> tuple[Float[np.ndarray, "p"], Int[np.ndarray, "p"]]:
-        """Return the depth of points inside, metres (negative outside), and the nearest triangle.
+        """Return the depth of points inside, metres (negative outside), and the nearest triangles.
 
-        Outside the shell's box, the distance to the box is returned as a lower bound, and the
-        triangle is -1.
+        For a point outside the shell's box, the distance to the box is returned as a lower bound,
+        and the triangle is -1.
         """
         low, high = self.bounds
         away = np.maximum(np.maximum(low - points, points - high), 0.0)
@@ -126,9 +127,9 @@ def shells(
 ) -> tuple[SurfaceShell, ...]:
     """Return the shells of a canonical mesh at ``scale`` (its extent, metres) and a world pose.
 
-    Texture seams are joined, and pairs of faces back to back, which bound no volume, are removed. A
-    closed piece turned inside out is a cavity if another piece contains it, and is then filled;
-    otherwise it is inverted.
+    Texture seams are joined. Pairs of faces that lie back to back are removed, since they bound no
+    volume. A closed piece that is turned inside out is filled as a cavity if another piece contains
+    it; otherwise it is inverted.
     """
     vertices, faces = weld(mesh)
     vertices = (vertices * scale) @ quaternion_matrix(quaternion).T + position
@@ -172,7 +173,7 @@ def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) ->
 
 
 def _outer(faces: Int[np.ndarray, "m 3"]) -> Int[np.ndarray, "k 3"]:
-    """Return the faces without pairs that lie back to back."""
+    """Return the faces without those pairs that lie back to back."""
     key = np.sort(faces, axis=1)
     _, group = np.unique(key, axis=0, return_inverse=True)
     group = group.reshape(-1)
@@ -207,11 +208,11 @@ def _morton(points: Float[np.ndarray, "m 3"]) -> Int[np.ndarray, "m"]:
 def nearest_on_triangles(
     points: Float[np.ndarray, "p 3"], corners: Float[np.ndarray, "p 3 3"]
 ) -> tuple[Float[np.ndarray, "p 3"], Int[np.ndarray, "p"]]:
-    """Return, per row, the point of the triangle nearest to the given point, and its feature.
+    """Return, for each row, the triangle's nearest point to the given point, and its feature.
 
-    Features: 0 the face, 1 to 3 the edges 01, 12, 20, 4 to 6 the corners. The feature is determined
-    by the Voronoi regions of the triangle (C. Ericson, "Real-Time Collision Detection", 2005,
-    5.1.5).
+    Feature 0 is the face, 1 to 3 are the edges 01, 12, 20, and 4 to 6 are the corners. The Voronoi
+    regions of the triangle determine the feature (C. Ericson, "Real-Time Collision Detection",
+    2005, 5.1.5).
     """
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     ab, ac, ap, bp, cp = b - a, c - a, points - a, points - b, points - c
@@ -244,8 +245,8 @@ def pseudonormals(
 ) -> Float[np.ndarray, "m 7 3"]:
     """Return the outward normals of each triangle's face, edges 01, 12, 20 and corners.
 
-    The normal of an edge is the sum of the unit normals of its faces; that of a corner is their sum
-    weighted by angle.
+    The normal of an edge is the sum of the unit normals of its faces; the normal of a corner is the
+    sum of those of its faces, weighted by angle.
     """
     corners = vertices[faces]
     sides = np.roll(corners, -1, axis=1) - corners
@@ -275,7 +276,7 @@ def solid_angles(
 
 
 def bisect(corners: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "n 3 3"]:
-    """Split every triangle in two at the middle of its longest side."""
+    """Split every triangle in two at the midpoint of its longest side."""
     sides = np.roll(corners, -1, axis=1) - corners
     longest = np.argmax(np.einsum("mck,mck->mc", sides, sides), axis=1)
     rows = np.arange(len(corners))

@@ -1,8 +1,8 @@
-"""Yaw and size errors visible in a picture: would another yaw or size fit an object's mask better?
+"""Yaw and size errors that are visible in a picture, since another value would fit a mask better.
 
 Each object is drawn alone from the picture's camera, as it stands and with other yaws or scales.
 Pixels of other objects in the picture are ignored, so that occluded parts have no effect. Each
-silhouette may shift onto the mask, since a wrong position is not a wrong yaw.
+silhouette may be shifted onto the mask, since a wrong position does not imply a wrong yaw.
 """
 
 from __future__ import annotations
@@ -20,19 +20,19 @@ from ...scene import TABLE, Object
 from .symmetry import order, yaw_error
 
 TURNS = tuple(np.deg2rad(range(15, 360, 15)).tolist())
-"""Tested yaws, radians."""
+"""Yaws to test, radians."""
 
 FACTORS = (0.4, 0.5, 0.6, 0.7, 0.8, 1.25, 1.4, 1.65, 2.0, 2.5)
-"""Tested scales."""
+"""Scales to test."""
 
-_SIDE = 480  # longest side of the compared pictures, pixels
+_SIDE = 480  # longest side of the pictures that are compared, pixels
 _MIN_PIXELS, _MIN_SHOWN = 60, 0.5
-_SAME = 20.0  # degrees: yaws this close to a symmetry are not distinguished
+_SAME = 20.0  # degrees; yaws this close to a symmetry are not distinguished
 
 
 @dataclass(frozen=True)
 class SilhouetteFit:
-    """Fit of an object's silhouette to its mask: as it stands, best turned, best scaled.
+    """The fit of an object's silhouette to its mask: as it stands, best turned and best scaled.
 
     ``turn`` (radians, counter-clockwise) and ``factor`` are the best of the tested values.
     """
@@ -48,7 +48,8 @@ class SilhouetteFit:
 def fits(compared: Comparison) -> tuple[SilhouetteFit, ...]:
     """Return the fit of each object that is visible enough in the picture.
 
-    Objects without a mask, with a mask of a few pixels, or more than half occluded are skipped.
+    Objects are skipped if they have no mask or one of only a few pixels, or are more than half
+    occluded.
     """
     height, width = compared.segments.index.shape
     factor = min(1.0, _SIDE / max(height, width))
@@ -72,7 +73,7 @@ def _fit(
     if not shape.any() or (shape & free).sum() < _MIN_SHOWN * shape.sum():
         return None
     whole = _overlap(shape, mask, free)
-    own = order(thing.model.mesh, thing.scale, prints=False)  # colours do not show
+    own = order(thing.model.mesh, thing.scale, prints=False)  # the colours do not matter
     tested = [turn for turn in TURNS if yaw_error(turn, 0.0, own) > _SAME]
     turned = [(_overlap(_silhouette(thing, camera, turn=t), mask, free), t) for t in tested]
     scaled = [(_overlap(_silhouette(thing, camera, factor=f), mask, free), f) for f in FACTORS]
@@ -99,7 +100,7 @@ def _silhouette(
 def _overlap(
     shape: Bool[np.ndarray, "h w"], mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
 ) -> float:
-    """Return the silhouette's IoU with the mask, the better of unshifted and centred on it."""
+    """Return the silhouette's IoU with the mask, unshifted or centred on it, the better of both."""
     if not shape.any():
         return 0.0
     shown = shape & free if (shape & free).any() else shape

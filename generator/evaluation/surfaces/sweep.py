@@ -1,7 +1,8 @@
-"""The camera sweep (supplement, Sec. 8.1): a scene from 160 views, and the best match of a picture.
+"""The camera sweep (supplement, Sec. 8.1): a scene in 160 views, and the best match for a picture.
 
-The picture's camera is unknown for other methods' scenes, so every scene is rendered from the
-front, from straight above down to table height, from near to far; each metric uses its best view.
+For other methods' scenes the picture's camera is unknown. Every scene is therefore rendered from
+the front, at elevations from straight above down to table height and at distances from near to far.
+Each metric uses its best view.
 """
 
 from __future__ import annotations
@@ -20,19 +21,19 @@ from ...render.sheet import scene_items
 from ...scene import Scene, View
 
 ELEVATIONS = tuple(float(e) for e in range(90, -1, -10))
-"""Elevations in degrees above the horizon, in the paper's order."""
+"""Elevations in degrees above the horizon, in the order of the paper."""
 
 DISTANCES = tuple(round(1.0 + 0.1 * k, 1) for k in range(16))
-"""Distances in multiples of the scene's radius."""
+"""Distances as multiples of the scene's radius."""
 
-_LEVEL = 1e-3  # radians: the elevation of a view must be above 0
+_LEVEL = 1e-3  # radians; the elevation of a view must be above 0
 
 
 @dataclass(frozen=True)
 class SweepConfig:
-    """Settings of the sweep.
+    """Settings of the camera sweep.
 
-    ``fov`` is the vertical field of view and ``azimuth`` is as in ``View`` (0 looks from the
+    ``fov`` is the vertical field of view, and ``azimuth`` is as in ``View`` (0 is the view from the
     front), both in radians. ``longest`` is the longer side of the renders in pixels; their aspect
     ratio is that of the picture.
     """
@@ -61,18 +62,18 @@ class SweepConfig:
 
 @dataclass(frozen=True)
 class Station:
-    """Camera position of one view: degrees, and multiples of the scene's radius."""
+    """The camera's position for one view: degrees, and multiples of the scene's radius."""
 
     elevation: float
     distance: float
 
 
 class Metric(Protocol):
-    """A similarity metric. ``name`` identifies the quantity and its model."""
+    """A similarity metric; ``name`` identifies the quantity and its model."""
 
     @property
     def name(self) -> str:
-        """Key under which the value is reported."""
+        """The key under which the value is reported."""
         ...
 
     @property
@@ -85,13 +86,13 @@ class Metric(Protocol):
         pictures: Sequence[UInt8[np.ndarray, "_h _w 3"]],
         reference: UInt8[np.ndarray, "a b 3"],
     ) -> Float[np.ndarray, "n"]:
-        """Return one value per picture, compared with the reference."""
+        """Return one value for each picture, compared with the reference."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Best:
-    """A metric at its best view, with all values in the order of the sweep."""
+    """A metric at its best view, with all of its values in the order of the sweep."""
 
     metric: str
     higher_is_better: bool
@@ -111,7 +112,7 @@ class Best:
 
 
 def stations(config: SweepConfig | None = None) -> tuple[Station, ...]:
-    """Return the views of a sweep: all distances for each elevation; 160 by default."""
+    """Return the views of a sweep: all distances at each elevation, 160 views by default."""
     config = config or SweepConfig()
     return tuple(Station(e, d) for e in config.elevations for d in config.distances)
 
@@ -136,7 +137,7 @@ def station_camera(
 def sweep(
     scene: Scene, aspect: float = 4 / 3, config: SweepConfig | None = None
 ) -> Iterator[tuple[Station, UInt8[np.ndarray, "h w 3"]]]:
-    """Render the scene from each view in turn, on white; ``aspect`` is width over height."""
+    """Render the scene on white from each view in turn; ``aspect`` is width over height."""
     config = config or SweepConfig()
     wide = aspect >= 1
     width = config.longest if wide else max(1, round(config.longest * aspect))
@@ -153,7 +154,7 @@ def best_views(
     metrics: Sequence[Metric],
     config: SweepConfig | None = None,
 ) -> tuple[Best, ...]:
-    """Return, for each metric, the view of the sweep most similar to ``reference``."""
+    """Return, for each metric, the view in the sweep that is most similar to ``reference``."""
     taken = list(sweep(scene, reference.shape[1] / reference.shape[0], config))
     pictures = [picture for _, picture in taken]
     found = []

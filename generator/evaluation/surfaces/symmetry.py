@@ -1,4 +1,4 @@
-"""Rotational symmetry of objects about the vertical, from shape and texture."""
+"""Rotational symmetry of objects about the vertical, in shape and texture."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from ...geometry import rotation_z, wrap
 from ...scene import Mesh
 
 ORDERS = (8, 6, 5, 4, 3, 2)
-"""Tested finite orders, highest first."""
+"""Finite orders to test, highest first."""
 
-_ANY_ANGLE = np.deg2rad([13.0, 37.0, 71.0, 101.0, 158.0, 223.0])  # angles of no symmetry
+_ANY_ANGLE = np.deg2rad([13.0, 37.0, 71.0, 101.0, 158.0, 223.0])  # angles without symmetry
 _MISFIT = 0.015  # maximum fraction of the surface that may differ
-_NEAR = 1.6  # maximum distance of a turned point from the surface, in point spacings
-_SHADE = 0.15  # minimum relevant difference of colours in [0, 1]
+_NEAR = 1.6  # maximum distance of a turned point from the surface, in units of the point spacing
+_SHADE = 0.15  # minimum colour difference that matters, in [0, 1]
 _POINTS, _ASKED, _AROUND = 10_000, 2_000, 8
 
 
 @dataclass(frozen=True, eq=False)
 class Cloud:
-    """Even points of a visible textured surface: metres, relative to the centroid's vertical.
+    """Evenly spread points of a visible, textured surface, in metres from the centroid's vertical.
 
     ``color`` is in [0, 1] and smoothed over neighbours; ``spacing`` is the distance between points.
     """
@@ -34,11 +34,11 @@ class Cloud:
     spacing: float
 
     def turn(self, angle: float) -> Float[np.ndarray, "n 3"]:
-        """Return the points turned by ``angle`` radians about the vertical."""
+        """Return the points, turned about the vertical by ``angle`` radians."""
         return self.position @ rotation_z(angle).T
 
     def thin(self, count: int) -> Cloud:
-        """Return about ``count`` points, every k-th, with colours smoothed over neighbours."""
+        """Return about ``count`` points (every k-th), with colours smoothed over neighbours."""
         step = max(1, len(self.position) // count)
         position = self.position[::step]
         smooth = _smooth(self.position, self.color, position, step * _AROUND)
@@ -46,7 +46,7 @@ class Cloud:
 
 
 def cloud(mesh: Mesh, size: Float[np.ndarray, "3"], count: int = _POINTS) -> Cloud:
-    """Sample a canonical mesh of ``size`` (metres), without points covered by another surface."""
+    """Sample a canonical mesh of ``size`` (metres), omitting points that another surface covers."""
     from ...render.soft import sample_surface
 
     drawn = sample_surface(mesh, size, count, seed=0)
@@ -82,7 +82,7 @@ def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray
 
 
 def misfit(points: Cloud, angle: float) -> float:
-    """Return the fraction of the surface that looks different when turned by ``angle`` radians."""
+    """Return the fraction of the surface that looks different if turned by ``angle`` radians."""
     every = max(1, len(points.position) // _ASKED)
     return float(find_changes(points, angle, every).mean())
 
@@ -90,10 +90,10 @@ def misfit(points: Cloud, angle: float) -> float:
 def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> float:
     """Return the order of an object's rotational symmetry about the vertical.
 
-    Shape and texture both count. 1 means no symmetry, n that the object looks the same turned by
-    360/n degrees, infinity by any angle. Only ``ORDERS`` are tested. Up to ``_MISFIT`` of the
-    surface may differ. ``size`` is the canonical mesh's extent, metres; without ``prints`` only the
-    shape is compared, not colours.
+    Shape and texture both count. An order of 1 means no symmetry; n means that the object looks the
+    same if turned by 360/n degrees, and infinity, by any angle. Only ``ORDERS`` are tested. Up to
+    ``_MISFIT`` of the surface may differ. ``size`` is the canonical mesh's extent, metres. Without
+    ``prints``, only shapes are compared, not colours.
     """
     if not prints:
         mesh = Mesh(mesh.vertices, mesh.faces, 0 * mesh.uv, mesh.texture)
@@ -104,9 +104,9 @@ def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> f
 
 
 def yaw_error(found: float, true: float, order: float) -> float:
-    """Return the difference of two yaws (radians), modulo a symmetry of that order, in degrees.
+    """Return the difference between two yaws (radians), modulo a symmetry's ``order``, in degrees.
 
-    It is in [0, 180 / order]; 0 if the order is infinite.
+    The result is in [0, 180 / order], or 0 if the order is infinite.
     """
     if math.isinf(order):
         return 0.0

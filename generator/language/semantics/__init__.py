@@ -1,1 +1,1 @@
-"""Semantics of clauses: objects, and their positions and relations."""
+"""The meaning of clauses: objects, their positions and their relations."""

@@ -1,4 +1,4 @@
-"""Objects attached to another object by "with", "holding" or "of"."""
+"""Objects that "with", "holding" or "of" attaches to another object."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ _DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at", 
 
 @dataclass(eq=False)
 class CarryReader(MemberReader, ABC):
-    """Reads attached objects, and assumes a position for them until the text gives one."""
+    """Reads attached objects, and assumes positions for them until the text states others."""
 
     def _carry(self, post: Carry, owner: Target, noun: Noun | None) -> None:
-        """Read the objects attached to an owner, and put them where they fit by default."""
+        """Read the objects attached to an owner, and by default put them where they fit."""
         context = self._context
         outer, context.owner = context.owner, owner
         subject, context.subject = context.subject, []
@@ -122,23 +122,23 @@ class CarryReader(MemberReader, ABC):
 
     @abstractmethod
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
-        """Interpret a noun phrase and its modifiers; return the objects it denotes."""
+        """Interpret a noun phrase and its modifiers; return the objects that it refers to."""
 
 
 def _vessel(owner: Target, noun: Noun | None) -> Noun | None:
-    """Return the noun phrase of an owner, or its last one if a verb states the contents."""
+    """Return an owner's noun phrase, or its last one if a verb introduces the contents."""
     if noun is not None or not isinstance(owner, list):
         return noun
     return Noun("thing", (owner[0].noun,), (0, 0), owner[0].noun, owner[0].category)
 
 
 def _is_pile(group: Group) -> bool:
-    """Return whether the objects are a stack, which carries others on its top."""
+    """Return whether the objects form a stack, which carries others on top."""
     return len(group) > 1 and group[0].stacked_under is not None
 
 
 def _owners_places(owner: Target, items: Sequence[Noun], how: str, *, first: bool) -> list[Post]:
-    """Return the places of contents that belong to the vessel.
+    """Return those places of the contents that really apply to the vessel.
 
     In "a bowl with two eggs behind the pot", the bowl is behind the pot. In "a bowl with crisps
     behind it", so is the bowl, unless it is the ``first`` object of the text.
@@ -176,7 +176,7 @@ def _is_pronoun(target: Noun | Zone) -> bool:
 
 
 def _is_that(target: Noun | Zone) -> bool:
-    """Return whether a place is relative to "that", the preceding object."""
+    """Return whether a place is relative to "that", meaning the preceding object."""
     return isinstance(target, Noun) and _is_pronoun(target) and target.head == "that"
 
 
@@ -197,7 +197,7 @@ def _is_side(post: Post) -> bool:
 
 
 def _times(noun: Noun, owners: int) -> Noun:
-    """Return a noun phrase for each of several owners: "three bowls of two apples"."""
+    """Return a noun phrase for each of several owners, as in "three bowls of two apples"."""
     if noun.definite or noun.kind != "thing":
         return noun
     if noun.count is not None or not (noun.plural or noun.amount):

@@ -1,4 +1,4 @@
-"""Interpretation of "of": a bowl of apples, a glass of orange juice, a photo of a vase."""
+"""Interpretation of "of", as in a bowl of apples, a glass of orange juice, a photo of a vase."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DEPICTIONS = frozenset({
     "photo", "photograph", "picture", "painting", "drawing", "poster", "portrait", "sketch",
     "print", "postcard", "image", "map", "statue", "bust", "figurine", "sculpture", "model",
 })  # fmt: skip
-"""Objects that merely depict what follows "of"."""
+"""Objects that merely depict whatever follows "of"."""
 
 
 DECORATIONS = frozenset({
@@ -31,7 +31,7 @@ DECORATIONS = frozenset({
 
 
 def labels(owner: Noun, inner: Noun) -> bool:
-    """Return whether "of" only names contents or a motif, without adding an object."""
+    """Return whether "of" only names contents or a motif and does not add an object."""
     head = owner.head.split()[-1] if owner.head else ""
     if head in DEPICTIONS or (owner.category or "") in ("picture_frame", "photo_print"):
         return True
@@ -63,7 +63,7 @@ _VESSELS = frozenset({"mug", "teacup", "glass", "wine_glass", "paper_cup", "beer
 
 
 def fills(owner: Noun, items: Sequence[Noun]) -> bool:
-    """Return whether "with tea" only names the contents of a vessel."""
+    """Return whether "with tea" only names what a vessel contains."""
     if len(items) != 1 or owner.category is None:
         return False
     (item,) = items
@@ -79,11 +79,11 @@ def fills(owner: Noun, items: Sequence[Noun]) -> bool:
 
 
 _PILE = (5, 6)
-"""Number of pieces in a vessel of loose food."""
+"""Number of pieces of loose food in a vessel."""
 
 
 def loosen(item: Noun, owner: Target) -> Noun:
-    """Replace packaged food by loose food in a vessel: crisps in a bowl."""
+    """Replace packaged food in a vessel by loose food, such as crisps in a bowl."""
     piece = LOOSE.get(item.category or "")
     vessel = isinstance(owner, list) and owner[0].category
     packed = bool(PACKAGES & {*item.words}) or item.determined
@@ -93,7 +93,7 @@ def loosen(item: Noun, owner: Target) -> Noun:
 
 
 def repeats(owner: Noun, items: Sequence[Noun]) -> bool:
-    """Return whether "a vase with flowers" names only the default contents."""
+    """Return whether "a vase with flowers" names only the vessel's default contents."""
     if len(items) != 1 or items[0].category is None or items[0].determined:
         return False
     return items[0].category == owner.category
@@ -127,5 +127,5 @@ def label(owner: Noun, inner: Noun, drafts: Group) -> None:
 
 
 def full_name(draft: Draft) -> str:
-    """Return the name of an object with its contents: "glass of orange juice"."""
+    """Return an object's name including its contents, such as "glass of orange juice"."""
     return f"{draft.noun} of {draft.contents}" if draft.contents else draft.noun

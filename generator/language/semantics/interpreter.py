@@ -1,4 +1,4 @@
-"""Clauses to drafts of the scene: objects, the table, and relations."""
+"""From clauses to drafts of the scene: objects, the table, and relations."""
 
 from __future__ import annotations
 
@@ -30,15 +30,15 @@ from .references import Target, antecedent, find_referred
 
 @dataclass(eq=False)
 class Interpreter(SeatReader):
-    """Converts clauses to drafts.
+    """Converts clauses into drafts.
 
-    ``_named`` is the number of groups named by previous sentences; ``_alone`` is true if the
-    current sentence has a single clause.
+    ``_named`` is the number of groups that previous sentences have named; ``_alone`` is true if the
+    current sentence has only one clause.
     """
 
     _named: int = 0
     _alone: bool = False
-    _latest: Group | None = None  # subject of the last clause with a subject in this sentence
+    _latest: Group | None = None  # subject of the last clause in this sentence that has one
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
         """Interpret all sentences.
@@ -103,7 +103,7 @@ class Interpreter(SeatReader):
             self._context.topic = things[0]
 
     def _topic(self) -> Target | None:
-        """Return the topic of a clause without a subject; None if it is the table."""
+        """Return the topic of a clause without a subject, or None if it is the table."""
         context = self._context
         if self._latest is not None and self._local:
             return self._latest
@@ -115,7 +115,7 @@ class Interpreter(SeatReader):
         return context.earlier if self._alone else None
 
     def _spoken_of(self, clause: Clause) -> list[Group] | None:
-        """Return the groups denoted by "it" or "they" as a subject; None for other subjects."""
+        """Return the groups that "it" or "they" as a subject refers to; None for other subjects."""
         subject = clause.subjects[0] if len(clause.subjects) == 1 else None
         if subject is None or subject.kind != "pronoun" or subject.post:
             return None
@@ -160,7 +160,7 @@ class Interpreter(SeatReader):
             self.reading.table.append(_describing(post))
 
     def _noun(self, noun: Noun, owner: Target | None) -> Target | None:
-        """Interpret a noun phrase and its modifiers; return the objects it denotes."""
+        """Interpret a noun phrase and its modifiers; return the objects that it refers to."""
         self._read.add(noun.span)
         if noun.kind == "table":
             return self._table(noun)
@@ -202,7 +202,7 @@ class Interpreter(SeatReader):
         return group or None
 
     def _everything(self, noun: Noun) -> Group:
-        """Return the objects denoted by "everything except the fork"."""
+        """Return the objects that "everything except the fork" refers to."""
         apart: Group = []
         for item in (i for post in noun.post if isinstance(post, Lack) for i in post.items):
             apart += find_referred(item, self.reading.objects)
@@ -270,7 +270,7 @@ class Interpreter(SeatReader):
                 draft.lengths = post.lengths or draft.lengths
 
     def _resolve(self, place: Location, subject: Group) -> Target | None:
-        """Resolve the target of a place, interpreting its noun phrase; None if it is unknown."""
+        """Resolve the target of a place by interpreting its noun phrase; None if it is unknown."""
         context = self._context
         if isinstance(place.target, Zone):
             if place.table is not None and place.table.kind == "table":
@@ -312,7 +312,7 @@ class Interpreter(SeatReader):
         return target
 
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Name the object at which a group is said not to be: it exists nevertheless."""
+        """Name the object at which a group is said not to be, since it exists nevertheless."""
         context = self._context
         outer, context.subject = context.subject, group
         self._noun(noun, None)
@@ -327,7 +327,7 @@ def _is_pronoun(noun: Noun) -> bool:
 
 
 def _is_one(noun: Noun) -> bool:
-    """Return whether a noun phrase introduces one new object of a known kind."""
+    """Return whether a noun phrase introduces a single new object of a known kind."""
     several = (noun.count or 1) != 1 or noun.plural or noun.each
     return bool(noun.category) and not noun.definite and not several
 

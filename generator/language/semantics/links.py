@@ -1,4 +1,4 @@
-"""Relations between groups of drafts: one each, stacks, both sides."""
+"""Relations between groups of drafts: one to each, stacks, or on both sides."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from ...scene import TABLE
 from ..drafts import Draft, Group, Reading
 
 SIDES = ("left_of", "right_of", "in_front_of", "behind")
-_FEW = 3  # maximum number of targets that an object can be beside
+_FEW = 3  # maximum number of targets that one object can be beside
 
 _OF_BOTH = ("between",)
 _BESIDE: dict[str, str] = dict.fromkeys(("against", "opposite", "beside", "at", "laid"), "next_to")
 
 
 def topmost(target: Draft | str) -> Draft | str:
-    """Return the top of the stack containing ``target``, or ``target`` itself."""
+    """Return the top of the stack that contains ``target``, or ``target`` itself."""
     while isinstance(target, Draft) and target.stacked_under is not None:
         target = target.stacked_under
     return target
 
 
 def stack(group: Group) -> None:
-    """Stack the drafts, the first one at the bottom."""
+    """Stack the drafts, with the first one at the bottom."""
     for below, above in pairwise(group):
         above.relate("on", below)
         below.stacked_under = above
@@ -40,7 +40,7 @@ def unstack(group: Group) -> None:
 
 
 def lies_flat(draft: Draft) -> bool:
-    """Return whether objects of this kind are piled on each other, such as books."""
+    """Return whether objects of this kind, such as books, can be piled on each other."""
     if draft.category is None:
         return False
     x, y, z = CATEGORIES[draft.category].size
@@ -48,7 +48,7 @@ def lies_flat(draft: Draft) -> bool:
 
 
 _PILED = frozenset({"book", "notebook", "magazine", "box", "pizza", "newspaper", "open_book"})
-"""Categories stacked under a single object on several of them: "a monitor on two books"."""
+"""Categories that are stacked if a single object is on several: "a monitor on two books"."""
 
 
 def _pile(targets: Sequence[Draft | str]) -> bool:
@@ -58,7 +58,7 @@ def _pile(targets: Sequence[Draft | str]) -> bool:
 
 
 def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list[str]) -> None:
-    """Relate the drafts of ``group`` to ``targets``: one each, or all to the first.
+    """Relate the drafts of ``group`` to ``targets``: one to each, or all to the first.
 
     Raises:
         InputError: A draft is related to itself.
@@ -96,14 +96,14 @@ def _link(kind: str, draft: Draft, target: Draft | str, warnings: list[str]) -> 
 
 
 def _put_beside(draft: Draft, targets: Sequence[Draft | str]) -> None:
-    """Put two new objects on either side of the object between them."""
+    """Put two new objects on either side of the object that is between them."""
     for kind, target in zip(("left_of", "right_of"), targets, strict=True):
         if isinstance(target, Draft) and target is not draft and not target.relations:
             target.relate(kind, draft)
 
 
 def flank(group: Group, targets: Group, reading: Reading) -> None:
-    """Put half of a group on either side of the targets; a single object is doubled."""
+    """Put half of a group on either side of the targets; a single object is duplicated."""
     if len(group) == 1:
         one = group[0]
         group.append(reading.add(one.noun, one.category, one.attributes))

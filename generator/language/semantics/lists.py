@@ -1,4 +1,4 @@
-"""Lists of noun phrases: modifiers of the last item may apply to all."""
+"""Lists of noun phrases, in which modifiers of the last item may apply to all items."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ TURNED = InputError(
 
 @dataclass(eq=False)
 class ListInterpreter(CarryReader, ABC):
-    """Interprets lists."""
+    """Interprets lists of noun phrases."""
 
     def _attach_lead(self, place: Location, targets: Target, groups: Sequence[Target]) -> None:
         for group in groups:
@@ -34,7 +34,7 @@ class ListInterpreter(CarryReader, ABC):
                 self._attach(place, targets, group)
 
     def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
-        """Interpret a list; modifiers of only its last item may apply to the others too."""
+        """Interpret a list; modifiers that only its last item has may apply to the others too."""
         found: list[Target] = []
         context = self._context
         parallel, context.parallel = context.parallel, None
@@ -58,7 +58,7 @@ class ListInterpreter(CarryReader, ABC):
         return found
 
     def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
-        """Arrange "an apple, a pear and a peach in a row": the arrangement applies to all."""
+        """Arrange all of "an apple, a pear and a peach in a row", not only the last."""
         posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
         groups = [group for group in found if isinstance(group, list)]
         if not posts or len(groups) < 2:
@@ -75,7 +75,7 @@ class ListInterpreter(CarryReader, ABC):
                     self._attach(place, TABLE, group)
 
     def _line_up(self, groups: Sequence[Group]) -> None:
-        """Put groups beside one another in the order of the text."""
+        """Put groups side by side in the order of the text."""
         firsts = [group[:1] for group in groups if not is_supported(group[0])]
         for one, other in pairwise(firsts):
             link("left_of", one, other, self.reading.warnings)
@@ -83,7 +83,7 @@ class ListInterpreter(CarryReader, ABC):
             self._arrange(Arranged("row"), [draft for group in firsts for draft in group])
 
     def _gather(self, place: Location, found: Sequence[Target]) -> None:
-        """Arrange "an apple, a pear and a plum around a bowl" as one circle."""
+        """Arrange "an apple, a pear and a plum around a bowl" as a single circle."""
         last = [group for group in found[-1:] if isinstance(group, list)]
         inner = [to for d in last[0] for _, to in d.relations if isinstance(to, Draft)][:1]
         ring = [d for group in found if isinstance(group, list) for d in group]
@@ -92,7 +92,7 @@ class ListInterpreter(CarryReader, ABC):
             self._attach(place, inner, free)
 
     def _place_all(self, place: Location, found: Sequence[Target]) -> None:
-        """Put all objects of a list at the position of the last one."""
+        """Put all objects in a list at the position of the last one."""
         last = found[-1]
         if not isinstance(last, list):
             return
@@ -106,7 +106,7 @@ class ListInterpreter(CarryReader, ABC):
                 self._attach(replace(place, whole=False), targets, group)
 
     def _share(self, nouns: Sequence[Noun], last: Noun, found: Sequence[Target]) -> None:
-        """Apply the position of "an apple and a pear on a plate" to both."""
+        """Apply the position in "an apple and a pear on a plate" to both objects."""
         places = [post for post in last.post if isinstance(post, Location)]
         if last.joint != "and" or len(nouns) < 2 or not places or len(found) < 2:
             return
@@ -137,12 +137,12 @@ class ListInterpreter(CarryReader, ABC):
 
 
 def is_supported(draft: Draft) -> bool:
-    """Return whether an object is on or in another one."""
+    """Return whether an object is on or in another."""
     return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
 
 
 def _is_on_placed(draft: Draft) -> bool:
-    """Return whether an object's support has a position already."""
+    """Return whether an object's support already has a position."""
     return any(
         kind in ("on", "in") and isinstance(to, Draft) and to.placed for kind, to in draft.relations
     )

@@ -1,4 +1,4 @@
-"""References to members of the group mentioned last: "the red one", "the other two", "another"."""
+"""References to members of the last group: "the red one", "the other two", "another"."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from .things import ThingReader
 
 _TOPS = ("top", "upper", "topmost", "uppermost", "bottom")
 
-_MAX_MEMBERS = 20  # of an uncounted group that a count of its members makes larger
+_MAX_MEMBERS = 20  # maximum size to which a count of its members enlarges a group without a count
 
 
 class Skip(Enum):
-    """The answer of a rule that does not apply: the next rule is tried."""
+    """The answer of a rule that does not apply, so that the next rule is tried."""
 
     SKIP = auto()
 
@@ -28,16 +28,16 @@ class Skip(Enum):
 SKIP = Skip.SKIP
 
 Members = Group | None | Skip
-"""The drafts that a phrase refers to, None if it refers to nothing, or ``SKIP``."""
+"""The drafts to which a phrase refers, None if it refers to nothing, or ``SKIP``."""
 
 
 @dataclass(frozen=True)
 class Rule:
-    """One way in which a phrase without a noun refers to things.
+    """One way in which a phrase without a noun refers to objects.
 
     Attributes:
-        example: a text in which this rule is the one that resolves a phrase.
-        resolve: returns the members, or ``SKIP`` if the rule does not apply.
+        example: a text in which this rule, and no other, resolves a phrase.
+        resolve: function that returns the members, or ``SKIP`` if the rule does not apply.
     """
 
     example: str
@@ -49,9 +49,9 @@ class MemberReader(ThingReader, ABC):
     """Resolves phrases such as "one" or "the other two" to members of the last groups."""
 
     def _member(self, noun: Noun) -> Group | None:
-        """Return the drafts that a phrase without a noun refers to, by the first rule of ``RULES``.
+        """Return the drafts to which a phrase without a noun refers, by the first matching rule.
 
-        Returns None if it refers to nothing that was mentioned.
+        Returns None if the phrase refers to nothing that has been mentioned.
         """
         for rule in RULES:
             members = rule.resolve(self, noun)
@@ -60,20 +60,20 @@ class MemberReader(ThingReader, ABC):
         return None
 
     def _refer(self, noun: Noun, group: Group) -> Group:
-        """Mark drafts as described, and read the rest of the phrase as a description of them."""
+        """Mark drafts as described, and apply the rest of the phrase to them."""
         for draft in group:
             draft.told = True
         self._posts(noun, group)
         return group
 
     def _mention(self, noun: Noun, group: Group) -> Group:
-        """Read the rest of a phrase as a description of new drafts, which are mentioned now."""
+        """Record that new drafts are mentioned here, and apply the rest of the phrase to them."""
         self._context.mentioned.append(group)
         self._posts(noun, group)
         return group
 
     def _groups(self) -> list[Group]:
-        """Return the mentioned groups of several drafts, the latest last."""
+        """Return the mentioned groups that have several drafts, the most recent last."""
         return [group for group in self._context.mentioned if len(group) > 1]
 
     def _half_or_rest(self, noun: Noun) -> Members:
@@ -153,7 +153,7 @@ class MemberReader(ThingReader, ABC):
         return self._mention(noun, copies)
 
     def _copies(self, noun: Noun, like: Draft) -> Group:
-        """Return as many new drafts of a kind as the phrase says."""
+        """Return new drafts of a kind, as many as the phrase states."""
         return [
             self.reading.add(like.noun, like.category, noun.attributes, family=like.family,
                              lengths=noun.lengths)
@@ -196,7 +196,7 @@ class MemberReader(ThingReader, ABC):
         return self._refer(noun, chosen) if chosen else None
 
     def _like_of(self, noun: Noun) -> Draft | None:
-        """Return what "another in front of the rabbit" is another of: the last thing so placed."""
+        """Return the object, the last one so placed, that "another in front of the box" repeats."""
         kinds = {post.kind for post in noun.post if isinstance(post, Location)}
         placed = (
             d for d in reversed(self.reading.objects) if kinds & {kind for kind, _ in d.relations}
@@ -205,7 +205,7 @@ class MemberReader(ThingReader, ABC):
         return None if several else next(placed, None)
 
     def _ordinal(self, noun: Noun) -> Group:
-        """Return what "the second", "the left one" or "the empty one" means of the last several."""
+        """Return what "the second", "the left one" or "the empty one" means in the last group."""
         groups = [group for group in self._context.mentioned if len(group) > 1]
         if not groups:
             return []
@@ -229,7 +229,7 @@ class MemberReader(ThingReader, ABC):
         return []
 
     def _superlative(self, noun: Noun) -> Group:
-        """Return the one that "the smallest" or "the middle one" means of the last several."""
+        """Return the one that "the smallest" or "the middle one" means in the last group."""
         groups = [group for group in self._context.mentioned if len(group) > 1]
         if not groups:
             return []
@@ -245,7 +245,7 @@ class MemberReader(ThingReader, ABC):
 
 
 def _is_spread(post: object) -> bool:
-    """Return whether a location takes one thing to each of several places: "at each corner"."""
+    """Return whether a location puts one object at each of several places ("at each corner")."""
     if not isinstance(post, Location):
         return False
     return post.kind == "flank" or (isinstance(post.target, Zone) and post.target.spread)
@@ -267,4 +267,4 @@ RULES: tuple[Rule, ...] = (
     Rule("mugs on a table. there are four of them", MemberReader._count_after_all),
     Rule("two mugs, one on a plate", MemberReader._some_of_group),
 )  # fmt: skip
-"""Every rule, in the order in which they are tried."""
+"""All rules, in the order in which they are tried."""

@@ -1,4 +1,4 @@
-"""Tables set by the text: the setting of each person, and shared objects in the middle."""
+"""Tables that the text sets: a setting for each person, and shared objects in the middle."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .lists import ListInterpreter, is_supported
 from .references import Context, Target
 
 _SOME_PEOPLE = 4
-"""Number of people for "everyone" if the text does not state it."""
+"""Number of people that "everyone" means if the text does not state it."""
 
 
 @dataclass(eq=False)
@@ -21,7 +21,7 @@ class SeatReader(ListInterpreter, ABC):
     """Reads place settings."""
 
     def _people(self, clause: Clause) -> None:
-        """Interpret "set the table for four: a plate, a fork on the left"."""
+        """Interpret a text such as "set the table for four: a plate, a fork on the left"."""
         loose = ("setting", "vague", "table", "collective", "abstract", "adjective", "title")
         people = clause.people
         if people == EVERYONE:
@@ -51,7 +51,7 @@ class SeatReader(ListInterpreter, ABC):
         self._list(shared, None)
 
     def _lay_table(self, clause: Clause, people: int) -> None:
-        """Interpret "a table set for two: a plate and a fork", one of each per person."""
+        """Interpret "a table set for two: a plate and a fork" as one of each per person."""
         tables = [noun for noun in clause.subjects if noun.kind == "table"]
         self.reading.laid = self.reading.laid or bool(tables) or not clause.subjects
         brought = [p for noun in tables for p in noun.post if isinstance(p, Carry)]
@@ -65,7 +65,7 @@ class SeatReader(ListInterpreter, ABC):
             self._predicate(post, [], [TABLE], True)
 
     def _lay_brought(self, items: Sequence[Noun], people: int) -> bool:
-        """Lay "with a plate and a fork" for each person; return whether these are a setting."""
+        """Lay "with a plate and a fork" for each person; return whether it is a place setting."""
         own = [item for item in items if item.category in _TABLEWARE]
         first = any(item.category in _FIRST for item in own)
         if people < 2 or not first or not all(map(_is_one_each, own)):
@@ -75,7 +75,7 @@ class SeatReader(ListInterpreter, ABC):
         return True
 
     def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
-        """Lay the result of ``read`` for each person; "left" is relative to the first object."""
+        """Lay what ``read`` returns for each person; "left" is relative to the first object."""
         for seat in range(people):
             start = len(self.reading.objects)
             context, self._context = self._context, Context()
@@ -111,21 +111,21 @@ _TABLEWARE = frozenset(
      "placemat", "chopsticks", "champagne_flute", "place_card", "paper_plate", "paper_cup",
      "plastic_cup", "serving_platter", "teaspoon", "butter_knife", "menu_card"]
 )  # fmt: skip
-"""Categories of which each person gets one."""
+"""Categories of objects of which each person gets one."""
 
 
 _FIRST = frozenset(["plate", "bowl", "saucer", "placemat", "paper_plate"])
-"""Categories of which everyone gets one at a set table."""
+"""Categories of objects of which everyone gets one at a set table."""
 
 
 def _is_one_each(noun: Noun) -> bool:
-    """Return whether an item is laid once per person: a plate, but not a plate of cookies."""
+    """Return whether an item is laid once per person: a plate is, but a plate of cookies is not."""
     filled = any(isinstance(post, Carry) for post in noun.post)
     return _is_central(noun) or (not filled and noun.count in (None, 1))
 
 
 def _is_central(noun: Noun) -> bool:
-    """Return whether an object is in the middle of the table, for all."""
+    """Return whether an object is shared and stands in the middle of the table."""
     return any(
         isinstance(post, Location)
         and isinstance(post.target, Zone)

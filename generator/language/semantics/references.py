@@ -1,4 +1,4 @@
-"""References: "it", "them", "the red mug" and "the other"."""
+"""References such as "it", "them", "the red mug" and "the other"."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ Target = Group | str
 
 @dataclass(eq=False)
 class Context:
-    """Possible antecedents at a position in the text.
+    """The possible antecedents at a position in the text.
 
     Attributes:
-        owner: owner of the list being interpreted.
+        owner: owner of the list that is being interpreted.
         subject: subject of the current relation.
         parallel: target of the previous item in the same list.
         topic: first subject of this sentence.
         earlier: first subject of the previous sentence.
-        recent: subjects of the last clause with any.
+        recent: subjects of the last clause that has any.
         listed: all objects of the last sentence that listed several kinds.
         mentioned: all groups in order of mention.
     """
@@ -44,7 +44,7 @@ class Context:
 
 
 def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
-    """Return the antecedent of a pronoun as the target of a relation; None if there is none."""
+    """Return the antecedent of a pronoun as a relation's target, or None if there is none."""
     several = pronoun.plural
     if pronoun.head == "that":  # the last object named
         latest = [g for g in reversed(context.mentioned) if not _overlaps(g, context.subject)]
@@ -75,7 +75,7 @@ def antecedent(pronoun: Noun, kind: str, context: Context) -> Target | None:
     return TABLE if TABLE in candidates else None
 
 
-_WIDE = 0.12  # metres: minimum width of a flat object that can be a support
+_WIDE = 0.12  # minimum width of a flat object that can be a support, metres
 
 
 def may_carry(draft: Draft, kind: str) -> bool:
@@ -92,7 +92,7 @@ def _overlaps(one: Group, other: Sequence[Draft]) -> bool:
 
 
 def same(draft: Draft, noun: Noun) -> bool:
-    """Return whether a noun phrase may denote this object: same kind, compatible attributes."""
+    """Return whether a noun phrase may mean this object: same kind, compatible attributes."""
     alike = draft.category == noun.category and (noun.category or draft.noun == noun.head)
     return bool(alike) and _agrees(draft, noun)
 
@@ -106,7 +106,7 @@ def _agrees(draft: Draft, noun: Noun) -> bool:
 
 
 def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft] = ()) -> Group:
-    """Return the existing objects denoted by "the red mug"; empty for a new object.
+    """Return the existing objects that "the red mug" means; empty if the object is new.
 
     Objects of ``subject`` are avoided: with two mugs, "a mug on the mug" refers to the other one.
     """
@@ -138,13 +138,13 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
 
 
 def pick(group: Sequence[Draft], ordinal: int) -> Group:
-    """Return the first, second, ... or last (-1) of a group; empty if it is too small."""
+    """Return the first, second, ... or last (-1) member of a group; empty if it is too small."""
     at = ordinal - 1 if ordinal > 0 else ordinal
     return [group[at]] if -len(group) <= at < len(group) else []
 
 
 def _last_arranged(objects: Sequence[Draft]) -> Group:
-    """Return the last group of one kind with several members; only the lowest of a stack."""
+    """Return the last group of one kind with several members, but only the lowest of a stack."""
     for draft in reversed(objects):
         alike = [d for d in objects if d.noun == draft.noun and d.category == draft.category]
         stacked = [d for d in alike if d.stacked_under is not None]
@@ -154,7 +154,7 @@ def _last_arranged(objects: Sequence[Draft]) -> Group:
 
 
 def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
-    """Return the objects that "the tin" may denote by their last word: the tea tin."""
+    """Return the objects, such as the tea tin, that "the tin" may mean by their last word."""
     head = noun.head.split()[-1:]
     if len(noun.head.split()) > 1 or not head:
         return []
@@ -173,22 +173,23 @@ def _find_by_head(objects: Sequence[Draft], noun: Noun) -> Group:
 _RANKS: Mapping[str, float] = {"tiny": -1.0, "small": 0.0, "medium": 1.0, "large": 2.0}
 _RAINBOW = ("red", "orange", "yellow", "green", "cyan", "blue", "indigo", "purple", "violet",
             "pink")  # fmt: skip
-_SPREAD = 0.65, 1.45  # relative sizes of ordered objects
+_SPREAD = 0.65, 1.45  # relative sizes of objects that are put in order
 
 
 def size_rank(draft: Draft) -> float:
-    """Return a number that increases with the size stated in the text."""
+    """Return a number that increases with the size that the text states."""
     if draft.lengths:
         return 10.0 * draft.lengths[0]
     return _RANKS.get(draft.attributes.get("size", ""), 1.0)
 
 
 def put_in_order(group: Group, order: str | None) -> Group:
-    """Return the objects in an order: "size", "size down" or "color"; unchanged for None.
+    """Return objects ordered by "size", "size down" or "color", or unchanged if it is None.
 
-    "ranks down" is the order of the sizes stated in the text, if any, largest first.
+    "ranks down" orders them by the sizes stated in the text, if any, largest first.
 
-    Objects of one kind to be ordered by size, but without stated sizes, get different sizes.
+    Objects of one kind that are to be ordered by size, but have no stated sizes, get different
+    sizes.
     """
     if order == "color":
         return sorted(group, key=lambda d: _hue(d.attributes.get("color", "")))

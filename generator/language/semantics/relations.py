@@ -29,7 +29,7 @@ _CORNERS = (("left_of", "behind"), ("right_of", "in_front_of"), ("right_of", "be
             ("left_of", "in_front_of"))  # fmt: skip
 
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
-"""Objects beside a plate; a glass "above" them is behind them."""
+"""Objects laid beside a plate; a glass "above" them is behind them."""
 
 
 _OTHER_SIDE = {"left_of": "right_of", "right_of": "left_of", "behind": "in_front_of",
@@ -44,10 +44,10 @@ class Relater(ABC):
     rng: np.random.Generator
     reading: Reading = field(default_factory=Reading)
     _context: Context = field(default_factory=Context)
-    _side: tuple[str, Target] | None = None  # last "left of X" of this sentence
+    _side: tuple[str, Target] | None = None  # the last "left of X" in this sentence
     _local: bool = False  # whether a previous clause of this sentence was interpreted
     _earlier_side: tuple[str, Target] | None = None  # ``_side`` of the previous sentence
-    _guests: int = 0  # number of people for whom the table is laid; 0 if not stated
+    _guests: int = 0  # number of people for whom the table is laid, or 0 if not stated
     _read: set[Span] = field(default_factory=set)  # spans of the interpreted noun phrases
     _seated: int | None = None  # first object of the current place setting
 
@@ -132,7 +132,7 @@ class Relater(ABC):
         context.parallel = target
 
     def _column_of(self, targets: Group) -> Grouping | None:
-        """Return the arrangement of two objects facing each other, with room between them."""
+        """Return the arrangement of two objects that face each other, with room between them."""
         columns = (g for g in self.reading.groupings if g.kind == "column")
         return next((g for g in columns if len(targets) == 2 and [*g.members] == targets), None)
 
@@ -146,7 +146,7 @@ class Relater(ABC):
                 draft.provisional = False
 
     def _one_each(self, group: Group, targets: Group) -> None:
-        """Multiply the subject so that each target gets its own ("on each plate")."""
+        """Multiply the subject so that each target gets its own, as in "on each plate"."""
         one, share = group[0], len(group)
         carried = [d for d in self.reading.objects
                    if any(kind in ("on", "in") and to is one for kind,
@@ -161,7 +161,7 @@ class Relater(ABC):
     def _put_aside(self, zone: Zone, group: Group) -> bool:
         """Put objects "to the left" of the object in the middle, or of the sentence's topic.
 
-        Returns whether there is such an object.
+        Returns whether there is such an object or topic.
         """
         if self._seated is not None or not zone.x or zone.y:
             return False
@@ -185,7 +185,7 @@ class Relater(ABC):
         return False
 
     def _zone(self, zone: Zone, group: Group, *, loose: bool) -> None:
-        """Put a group into a zone of the table, or beside the last mentioned object."""
+        """Put a group into a zone of the table, or beside the object mentioned last."""
         if self._seated is not None and zone.x and not zone.edge:
             plate = self.reading.objects[self._seated]
             for draft in group:
@@ -232,7 +232,7 @@ class Relater(ABC):
                 draft.relate("edge", TABLE)
 
     def _put_in_two_corners(self, zone: Zone, group: Group) -> None:
-        """Put objects "in both front corners", "in each left corner"; a single one is doubled."""
+        """Put objects "in both front corners" or "in each left corner"; duplicate a single one."""
         one = group[0]
         if len(group) == 1:
             group.append(self.reading.add(one.noun, one.category, one.attributes))
@@ -285,7 +285,7 @@ class Relater(ABC):
 
     @abstractmethod
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Name the object at which a group is said not to be: it exists nevertheless."""
+        """Name the object at which a group is said not to be, since it exists nevertheless."""
 
 
 def _bottom(draft: Draft) -> Draft:
@@ -300,6 +300,6 @@ def _bottom(draft: Draft) -> Draft:
 
 
 def _ends_of(targets: Group) -> Group:
-    """Return the two objects that several others are between, if both can still be moved."""
+    """Return the two objects between which several others are, if both can still be moved."""
     free = [draft for draft in targets if not draft.relations]
     return free if len(free) == 2 else []

@@ -1,4 +1,4 @@
-"""Noun phrases for things: those there are, or new ones."""
+"""Noun phrases that name objects, either existing or new ones."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ from .references import find_referred
 from .relations import Relater
 
 _ONE_PIECE = frozenset(("pancakes", "paper_stack", "napkins", "playing_cards", "sticky_notes"))
-"""Categories that are a stack or a heap already."""
+"""Categories that already are a stack or a heap."""
 
 _HEAPED = frozenset(("pancakes", "paper_stack"))
-"""Those of which several are one heap without a word for it: "three pancakes"."""
+"""Categories of which several form a heap without being called one: "three pancakes"."""
 
 _SEATS = frozenset(
     {"chair", "stool", "armchair", "sofa", "couch", "bench", "seat", "bed", "barstool"}
 )
-"""Furniture at a table."""
+"""Furniture for sitting at a table."""
 
 _FOOD = frozenset({"food", "fruit", "vegetable", "snack"})
 
@@ -45,9 +45,9 @@ _COLORFUL = ("colored", "coloured", "colorful", "colourful")
 
 @dataclass(eq=False)
 class CountReader(Relater, ABC):
-    """Tracks counts of groups.
+    """Keeps track of the sizes of groups.
 
-    ``_uncounted`` is the last group whose count the text has not stated yet; ``_halves`` are
+    ``_uncounted`` is the last group whose count the text has not yet stated; ``_halves`` are the
     attributes stated for one half of it.
     """
 
@@ -75,11 +75,11 @@ class CountReader(Relater, ABC):
                 draft.attributes.update(attributes)
 
     def _find_related(self) -> Group:
-        """Return the objects that are targets of relations."""
+        """Return the objects that are the targets of relations."""
         return [to for d in self.reading.objects for _, to in d.relations if isinstance(to, Draft)]
 
     def _halve(self, group: Group, said: Sequence[Post]) -> Group:
-        """Return half of a group, and remember its attributes in case the count changes."""
+        """Return half of a group, and remember its attributes in case the group's count changes."""
         if group is self._uncounted:
             posts = [post for post in said if isinstance(post, Description) and post.each]
             self._halves = [post.each[0] for post in posts]
@@ -89,7 +89,7 @@ class CountReader(Relater, ABC):
         return half
 
     def _rest(self) -> Group:
-        """Return the members of the last group not mentioned yet, while others were."""
+        """Return the members of the last group that are not mentioned yet, if others have been."""
         mentioned = self._context.mentioned
         alone = [group[0] for group in mentioned if len(group) == 1]
         several = [group for group in mentioned if len(group) > 1]
@@ -97,9 +97,10 @@ class CountReader(Relater, ABC):
         return [d for group in split[-1:] for d in group if not d.told and d not in alone]
 
     def _count_claimed(self, claimed: Group, count: int) -> Group | None:
-        """Return the group of "all mugs" with the count that the text states after them.
+        """Return the group that "all mugs" refers to, with the count stated after these words.
 
-        None if the text names other objects, or a single one while the group has positions already.
+        Returns None if the text names other objects, or only one although the group already has
+        positions.
         """
         group = self._uncounted
         if not claimed or claimed[0] not in group:
@@ -115,13 +116,13 @@ class CountReader(Relater, ABC):
 
 @dataclass(eq=False)
 class ThingReader(CountReader, ABC):
-    """Reads which things a noun phrase means."""
+    """Finds the objects that a noun phrase refers to."""
 
-    _fresh: Group = field(default_factory=list)  # the last things that came in
-    _started: int = 0  # how many things the sentences before this one have named
+    _fresh: Group = field(default_factory=list)  # the objects introduced last
+    _started: int = 0  # how many objects the previous sentences have named
 
     def _thing(self, noun: Noun) -> Group:
-        """Return the objects a noun phrase means: those there are, or new ones."""
+        """Return the objects that a noun phrase refers to, either existing or new ones."""
         if noun.kind == "collective":
             return self._collective(noun)
         known = any(d.category == noun.category for d in self.reading.objects if noun.category)
@@ -159,7 +160,7 @@ class ThingReader(CountReader, ABC):
         ]
 
     def _find_collected(self, noun: Noun) -> Group:
-        """Return what "the cutlery" or "all the fruit" means of the things there are."""
+        """Return the existing objects that "the cutlery" or "all the fruit" refers to."""
         food = singular(noun.head.split()[-1]) in _FOOD
         return [
             d for d in self.reading.objects
@@ -185,12 +186,12 @@ class ThingReader(CountReader, ABC):
             claimed[0].attributes.update(noun.attributes)
             return claimed[:1]
         there = {draft.category for draft in self.reading.objects}
-        loose = noun.category in LOOSE.values()  # crisps in a bowl, whatever else is there
+        loose = noun.category in LOOSE.values()  # crisps in a bowl, whatever other objects exist
         meant = () if loose else MEANT_WITH.get(singular(noun.head), ())
         category = next((key for other, key in meant if other in there), noun.category)
         head = noun.head if category == noun.category else str(category).replace("_", " ")
         if category == "playing_cards" and singular(noun.head) == "card" and (noun.count or 1) > 1:
-            category = "playing_card"  # "five cards" are no deck
+            category = "playing_card"  # "five cards" do not form a deck
             noun = replace(noun, category=category)
         single = noun.category in _ONE_PIECE and (
             noun.arrangement is not None or noun.category in _HEAPED
@@ -214,7 +215,7 @@ class ThingReader(CountReader, ABC):
             for k in range(count)
         ]  # fmt: skip
         side = _SIDE_OF.get(noun.position or "") if noun.definite else None
-        for draft in group if side else ():  # "the left plate", of which nothing was said
+        for draft in group if side else ():  # "the left plate", which has not been described
             draft.relate(str(side), TABLE)
         group = [*claimed, *group]
         self._fresh = group
@@ -229,7 +230,7 @@ class ThingReader(CountReader, ABC):
         return group
 
     def _arranged_as(self, kind: str) -> Group:
-        """Return the things of the last arrangement of a kind: "the pyramid", "this circle"."""
+        """Return the objects in the last arrangement of a kind: "the pyramid", "this circle"."""
         for grouping in reversed(self.reading.groupings):
             members = list(grouping.members)
             if grouping.kind == kind and all(d not in self._context.subject for d in members):
@@ -241,11 +242,11 @@ class ThingReader(CountReader, ABC):
 
     @abstractmethod
     def _posts(self, noun: Noun, group: Group) -> None:
-        """Read all that follows a noun phrase."""
+        """Interpret everything that follows a noun phrase."""
 
     @abstractmethod
     def _post(self, post: Post, group: Group, noun: Noun | None) -> None:
-        """Read one thing that is said of a group."""
+        """Interpret one modifier of a group."""
 
 
 def _claims(draft: Draft, noun: Noun) -> bool:

@@ -1,4 +1,4 @@
-"""Properties of the table as a whole: theme, style, density and number of people."""
+"""Properties of the whole table: theme, style, density and number of people."""
 
 from __future__ import annotations
 
@@ -29,16 +29,16 @@ _DENSITIES: Mapping[str, Density] = MappingProxyType(
         "minimal": "sparse", "uncluttered": "sparse", "spacious": "sparse",
     }
 )  # fmt: skip
-"""Words for the density of a table."""
+"""Words that describe how full a table is."""
 
 _PICTURES = DEPICTIONS | {"picture_frame", "photo_print"}
 _DENYING = frozenset(
     ["not", "no", "never", "without", "nothing", "hardly", "neither", "nor", "less", "isnt",
      "arent", "dont", "doesnt", "wasnt", "wont", "shouldnt", "cant", "anything"]
 )  # fmt: skip
-"""Words before properties that a table should not have; "anything" precedes "but"."""
+"""Words that deny the properties after them; "anything" precedes "but"."""
 _TURNING = frozenset([*",.;:!?()\n", "but", "on", "in", "at", "of", "with", "and"])
-"""Words that end the scope of a negation."""
+"""Words at which the scope of a negation ends."""
 _REACH = 3
 _UNDRAWN = re.compile(
     r"\b(?:not|no|never|without|isnt|dont)\b(?: (?:in|a|an|any|the|want|draw))*\s*$"
@@ -47,14 +47,14 @@ _UNDRAWN = re.compile(
 
 @dataclass(frozen=True)
 class Tone:
-    """Properties of the table as a whole.
+    """Properties of the whole table.
 
     Attributes:
-        theme: kind of table, from any word of the text; None if there is none.
+        theme: kind of table, from any word in the text; None if there is none.
         setting: kind of table, from words that are not part of an object's name.
-        style: visual style, "plain" if not stated.
+        style: visual style; "plain" if not stated.
         density: how full the table is.
-        people: number of people, 0 if not stated.
+        people: number of people; 0 if not stated.
     """
 
     theme: str | None
@@ -65,7 +65,7 @@ class Tone:
 
 
 def read_tone(prompt: str, sentences: Sequence[Sentence]) -> Tone:
-    """Return the properties stated in a text, ignoring negations and contents of pictures."""
+    """Return the properties that a text states, ignoring negations and the contents of pictures."""
     said = _blank(prompt, find_denied(sentences, _PICTURES))
     text, drawn = _split_style(_REQUEST.sub(" ", " ".join(lexicon.tokens(said))))
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
@@ -85,7 +85,7 @@ def _blank(text: str, spans: Iterable[Span]) -> str:
 
 
 def _drop_denied(words: Sequence[str]) -> list[str]:
-    """Return words without the scope of "not": "not too messy", "anything but cluttered"."""
+    """Return words without those that "not" denies: "not too messy", "anything but cluttered"."""
     reach, out = 0, []
     for k, word in enumerate(words):
         if word in _DENYING:
@@ -109,7 +109,7 @@ def _split_style(text: str) -> tuple[str, str | None]:
 
 
 def find_theme(words: Sequence[str]) -> str | None:
-    """Return the theme whose longest phrase occurs in the lower-case words of a text."""
+    """Return the theme with the longest phrase that occurs in a text's lower-case words."""
     text = f" {' '.join(words)} "
     singular = f" {' '.join(lexicon.singular(w) for w in words)} "
     found = [

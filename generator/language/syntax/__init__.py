@@ -1,1 +1,1 @@
-"""Grammar: text to words, tokens, noun phrases and clauses, each with its span."""
+"""Grammar: from text to words, tokens, noun phrases and clauses, each with its span."""

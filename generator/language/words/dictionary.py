@@ -1,7 +1,8 @@
-"""Words outside the catalogue: the family of object that a noun names, and parts of speech.
+"""Words outside the catalogue: the family of objects that a noun names, and parts of speech.
 
 The tables of nouns and words are derived from WordNet by ``research.language.families``; its
-licence is in NOTICE. ``substituted.txt`` lists aliases and synonyms that denote a different object.
+licence is in NOTICE. ``substituted.txt`` lists aliases and synonyms that really mean a different
+object.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ _TABLES = files("generator.language") / "words"
 
 @dataclass(frozen=True)
 class NounEntry:
-    """Dictionary entry of a noun.
+    """The dictionary entry of a noun.
 
     Attributes:
         noun: the noun in the singular.
@@ -37,7 +38,7 @@ class NounEntry:
 
     @property
     def is_thing(self) -> bool:
-        """Whether the noun is an object that can stand on a table."""
+        """Whether the noun names an object that can stand on a table."""
         return self.family not in ("", "place", "person")
 
 
@@ -56,7 +57,7 @@ def _english() -> frozenset[str]:
 
 
 def entry_of(words: tuple[str, ...]) -> NounEntry | None:
-    """Return the entry of the longest suffix of a noun phrase in the table, or None."""
+    """Return the entry of the longest suffix of a noun phrase that is in the table, or None."""
     for start in range(max(0, len(words) - 3), len(words)):
         tail = words[start:]
         for form in (tail, (*tail[:-1], singular(tail[-1]))):
@@ -72,7 +73,7 @@ def _substitutes() -> frozenset[str]:
 
 
 def is_substituted(noun: str, category: str) -> bool:
-    """Return whether a noun is shown as a category that is a different object."""
+    """Return whether a noun is shown as a category that really is a different object."""
     if noun.replace(" ", "") == category.replace("_", ""):
         return False  # a chessboard
     whole, words = tuple(noun.split()), tuple(noun.split(" of ")[0].split())
@@ -91,9 +92,9 @@ def is_english(word: str) -> bool:
 
 
 def classify(words: tuple[str, ...]) -> tuple[str | None, str]:
-    """Return the catalogue's category of a noun phrase, or None and its family.
+    """Return the catalogue's category for a noun phrase, or None and the phrase's family.
 
-    The longest suffix known to the catalogue or the dictionary counts; the catalogue takes
+    The longest suffix that the catalogue or the dictionary knows is used; the catalogue takes
     precedence.
     """
     tails = [words[start:] for start in range(len(words))]
@@ -105,7 +106,7 @@ def classify(words: tuple[str, ...]) -> tuple[str | None, str]:
 
 
 def warn_of_stand_ins(objects: Sequence[PlannedObject]) -> list[str]:
-    """Return a warning for each noun that is represented by something else."""
+    """Return a warning for each noun that is represented by a different object."""
     unknown = dict.fromkeys(o.noun for o in objects if o.category == GENERIC)
     shown = dict.fromkeys((o.noun, o.category) for o in objects if o.category != GENERIC)
     return [
@@ -127,7 +128,7 @@ IRREGULAR = frozenset(
      "sold", "spent", "spoke", "stole", "swam", "swept", "swung", "thought", "threw", "tore",
      "woke", "won", "wore", "wrote", "wound", "woven", "written", "wrapped"]
 )  # fmt: skip
-"""Irregular forms."""
+"""Irregular forms of words."""
 
 
 @cache

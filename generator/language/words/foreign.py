@@ -1,9 +1,9 @@
-"""Detection of texts in other languages than English, by script, else by function words.
+"""Detection of texts in languages other than English, by script or else by function words.
 
 A text in Latin script is compared with the frequent function words of each language: articles,
-prepositions, conjunctions, numbers, and the few nouns of every table. It is foreign only if those
-of one language outweigh the English ones, so that foreign names of dishes or brands in an English
-text do not count.
+prepositions, conjunctions, numbers, and the few nouns that every table has. The text is foreign
+only if those of one language outweigh the English ones. Foreign names of dishes or brands in an
+English text therefore do not count.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ _IN_NAMES = frozenset(
     {"de", "la", "le", "el", "du", "di", "da", "al", "au", "aux", "à", "con", "los", "las", "van",
      "den", "et", "os", "uno"}
 )  # fmt: skip
-"""Foreign words that occur in names of dishes, brands and places in English texts."""
+"""Foreign words that occur in English texts, in names of dishes, brands and places."""
 
 _QUOTED = re.compile(r"(?<!\w)['\"‘“«„].*?['\"’”»“](?!\w)")
 _WORD = re.compile(r"[^\W\d_]+")
@@ -89,12 +89,12 @@ _KNOWN = 0.25  # weight of a word in the English dictionary
 
 
 def is_foreign(text: str) -> bool:
-    """Return whether a text is in another language; False if undecidable."""
+    """Return whether a text is in another language; False if this cannot be decided."""
     return is_in_other_script(text) or _is_in_other_words(_QUOTED.sub(" ", text))
 
 
 def is_in_other_script(text: str) -> bool:
-    """Return whether more of the text is in another script than in Latin."""
+    """Return whether more of the text is in another script than is in Latin script."""
     latin = other = 0
     for letter in filter(str.isalpha, unicodedata.normalize("NFKC", text)):
         script = unicodedata.name(letter, "").split()
@@ -111,10 +111,11 @@ def _is_in_other_words(text: str) -> bool:
 
 
 def _outweighs(words: Sequence[str], table: frozenset[str]) -> bool:
-    """Return whether a language's function words outweigh the English ones.
+    """Return whether a language's function words outweigh the English ones in a text.
 
-    Words of both languages count half on either side. One other word suffices if there is no
-    English function word and at most half of the remaining words are in the dictionary.
+    A word that belongs to both languages counts half on either side. A single foreign word suffices
+    if there is no English function word and at most half of the remaining words are in the
+    dictionary.
     """
     small = small_words()
     theirs = [word for word in words if word in table]

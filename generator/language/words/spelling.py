@@ -26,18 +26,18 @@ _SHORT = frozenset(
      "without", "some", "front", "back", "inside", "top", "row", "line", "stack", "place", "one",
      "two", "half", "pair"]
 )  # fmt: skip
-"""Words other than nouns that are often misspelt."""
+"""Words, other than nouns, that are often misspelt."""
 
 
 def correct(
     words: Sequence[Word], known: Collection[str]
 ) -> tuple[tuple[Word, ...], dict[str, str]]:
-    """Return words with misspelt ones corrected, and the corrections.
+    """Return words with spelling mistakes corrected, and the corrections.
 
     A word that is neither English nor in ``known`` becomes the nearest word of the catalogue or of
-    the grammar, at most one edit away (two for long words). Among several, the one is preferred
-    whose objects match the others of the text. If a text has such words, a rare English word that
-    is one edit from a common one is corrected too.
+    the grammar, at most one edit away (two for long words). If there are several such words, the
+    one whose objects best match the others in the text is preferred. If a text contains misspelt
+    words, a rare English word that is one edit away from a common one is corrected too.
     """
     strange = [w.text for w in words if _is_strange(w, known)]
     found = {word: best for word in sorted({*strange}) if (best := _best(word, words, strange))}
@@ -104,7 +104,7 @@ def _candidates() -> tuple[str, ...]:
 
 
 def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> str | None:
-    """Return the word that was probably intended by a misspelt word, or None."""
+    """Return the word that a misspelt word was probably meant to be, or None."""
     plural = word.endswith("s") and not word.endswith("ss")
     before = {a.text for a, b in itertools.pairwise(words) if b.text == word}
     ranked = []
@@ -130,7 +130,7 @@ def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> 
 
 
 def _sound_alike(a: str, b: str) -> bool:
-    """Return whether words with different initials may sound alike: "kutlery"."""
+    """Return whether words with different initial letters may sound alike: "kutlery"."""
     return a == b or any({a, b} <= set(group) for group in ("ckqs", "sz", "fpv", "gj", "iey", "uw"))
 
 
@@ -139,7 +139,7 @@ def _means(word: str) -> bool:
 
 
 def _whole(word: str | None) -> str | None:
-    """Return "chess board" for "chessboard", a name of two words in the catalogue."""
+    """Return "chess board" for "chessboard" if the two-word name is in the catalogue."""
     if word is None or lexicon.category_of((word,)) is not None or word in lexicon.vocabulary():
         return word
     return _split(word) or word

@@ -1,1 +1,1 @@
-"""Reading of foreign meshes, with limits."""
+"""Reading of foreign meshes, within limits."""

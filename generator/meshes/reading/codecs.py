@@ -3,7 +3,7 @@
 Draco (``KHR_draco_mesh_compression``) is decoded by DracoPy, meshopt (``EXT_meshopt_compression``)
 by meshoptimizer. Quantised attributes (``KHR_mesh_quantization``) become floats, and their texture
 coordinates are transformed as ``KHR_texture_transform`` specifies (files with rotated textures are
-still rejected). Like all mesh readers, this runs in its caller's child process.
+still rejected). Like all mesh readers, this code runs in the caller's child process.
 """
 
 from __future__ import annotations
@@ -35,16 +35,16 @@ _SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
 
 
 def plain_glb(raw: bytes, what: str) -> bytes:
-    """Return a GLB file without the extensions decoded here; other files are unchanged.
+    """Return a GLB file without the extensions decoded here; return other files unchanged.
 
-    Meshes keep their triangles' positions, texture coordinates and colours.
+    The positions, texture coordinates and colours of the meshes' triangles are kept.
 
     Raises:
         BackendError: the compressed data is damaged, or the decoder is not installed.
     """
     try:
         header, data = split_glb(raw, what)
-    except BackendError:  # the inspection of the returned file raises it
+    except BackendError:  # inspection of the returned file raises the error
         return raw
     used = {*_names(header, "extensionsUsed"), *_names(header, "extensionsRequired")} & _DECODED
     if not used:
@@ -57,7 +57,7 @@ def plain_glb(raw: bytes, what: str) -> bytes:
         return _Rewriter(header, data).run()
     except MemoryError:  # handled by the sandbox
         raise
-    except Exception as error:  # decoders raise many types of errors for malformed files
+    except Exception as error:  # for malformed files, decoders raise many types of errors
         raise BackendError(
             f"{what} cannot be decompressed ({type(error).__name__}: {error}). Export it "
             "uncompressed."
@@ -70,7 +70,7 @@ def _names(header: Header, key: str) -> Sequence[str]:
 
 
 class _Rewriter:
-    """Writes a new binary chunk with plain attributes, and a header that refers to them."""
+    """Writes a new binary chunk with plain attributes, and a header that refers to it."""
 
     def __init__(self, header: Header, data: bytes) -> None:
         self._header, self._data = header, data
@@ -135,7 +135,7 @@ class _Rewriter:
         return _floats(self._raw(index), self._header["accessors"][index])
 
     def _raw(self, index: int) -> np.ndarray:
-        """Return the stored numbers of an accessor, shape (count, columns)."""
+        """Return the stored numbers of an accessor, in the shape (count, columns)."""
         accessor = self._header["accessors"][index]
         if "sparse" in accessor:
             raise ValueError("sparse accessors are not supported")
@@ -166,7 +166,7 @@ class _Rewriter:
         return self._data[start : start + size]
 
     def _accessor(self, column: np.ndarray) -> int:
-        """Write an attribute and return its accessor; equal attributes share one."""
+        """Write an attribute and return its accessor; equal attributes share an accessor."""
         column = np.ascontiguousarray(column)
         key = (column.dtype.str, column.shape, column.tobytes())
         if key not in self._kept:
@@ -193,7 +193,7 @@ def _fits(primitive: Header) -> bool:
 
 
 def _floats(values: np.ndarray, accessor: Header) -> Float[np.ndarray, "n k"]:
-    """Return quantised numbers as floats; normalised ones are in [-1, 1], as glTF defines."""
+    """Return quantised numbers as floats; normalised ones are in [-1, 1], as glTF specifies."""
     floats = values.astype(np.float32)
     if accessor.get("normalized") and values.dtype.kind in "iu":
         return np.maximum(floats / np.float32(np.iinfo(values.dtype).max), np.float32(-1.0))
@@ -201,7 +201,7 @@ def _floats(values: np.ndarray, accessor: Header) -> Float[np.ndarray, "n k"]:
 
 
 def _meshopt(coded: Header, content: bytes) -> bytes:
-    """Return a buffer view decompressed by meshopt."""
+    """Return a buffer view decompressed with meshopt."""
     import meshoptimizer
 
     count, stride = int(coded["count"]), int(coded["byteStride"])
@@ -226,7 +226,7 @@ def _meshopt(coded: Header, content: bytes) -> bytes:
 
 
 def _transform_of(header: Header, primitive: Header) -> Header | None:
-    """Return the texture transform of a primitive's base colour; None without one."""
+    """Return the texture transform of a primitive's base colour, or None if it has none."""
     if "material" not in primitive:
         return None
     return _transform(header["materials"][primitive["material"]])
@@ -246,7 +246,7 @@ def _move_texture(uv: Float[np.ndarray, "n 2"], transform: Header) -> Float[np.n
 
 
 def _drop_transform(material: Header) -> Header:
-    """Return a material without the texture transform that was applied to its coordinates."""
+    """Return a material without the texture transform, which the coordinates now include."""
     if _transform(material) is None:
         return material
     plain = dict(base_color(material))
@@ -283,7 +283,7 @@ def split_glb(raw: bytes, what: str) -> tuple[Header, bytes]:
 
 
 def join_glb(header: Header, data: bytes) -> bytes:
-    """Return the GLB file of a header and a binary chunk."""
+    """Return the GLB file made of a header and a binary chunk."""
     text = json.dumps(header).encode()
     text += b" " * (-len(text) % 4)
     data += b"\0" * (-len(data) % 4)
@@ -293,10 +293,10 @@ def join_glb(header: Header, data: bytes) -> bytes:
 
 
 def check_size(raw: bytes, what: str, maximum: int) -> None:
-    """Check the size of a file.
+    """Check that a file is not too large.
 
     Raises:
-        BackendError: there are more than ``maximum`` bytes.
+        BackendError: the file has more than ``maximum`` bytes.
     """
     if len(raw) > maximum:
         raise BackendError(

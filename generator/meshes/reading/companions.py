@@ -1,4 +1,4 @@
-"""The files that an OBJ file refers to: its materials and their pictures, from its own folder."""
+"""The files to which an OBJ file refers, materials and their pictures, from its own folder."""
 
 from __future__ import annotations
 
@@ -22,16 +22,15 @@ def companions(
 ) -> Mapping[str, bytes]:
     """Return an OBJ's material libraries and their pictures, by the names that it uses.
 
-    ``folder`` is the folder of the OBJ; an OBJ without a folder (None) may not refer to files. A
-    file with several names ("a.png", "./a.png") is read once; ``max_bytes`` limits all files
-    together.
+    ``folder`` is the folder of the OBJ; if it is None, the OBJ must not refer to files. A file with
+    several names ("a.png", "./a.png") is read once; ``max_bytes`` limits all files together.
 
     Raises:
         BackendError: a file is missing, outside the folder, too large, or not a picture.
     """
     beside = _Beside(what, folder, max_bytes)
     found: dict[str, bytes] = {}
-    shown: dict[str, bytes] = {}  # pictures of these maps
+    shown: dict[str, bytes] = {}  # these maps are pictures
     for library in _names(_LIBRARY, raw, what, _MOST_LIBRARIES):
         text = beside.library(library)
         found[library] = text
@@ -46,7 +45,7 @@ def companions(
 
 
 def total_bytes(beside: Mapping[str, bytes]) -> int:
-    """Return the bytes of all files of an OBJ, counting a file with several names once."""
+    """Return the total bytes of an OBJ's files, counting a file that has several names once."""
     return sum({id(content): len(content) for content in beside.values()}.values())
 
 
@@ -69,7 +68,7 @@ class _Beside:
     _libraries: dict[int, bytes] = field(default_factory=dict[int, bytes])
 
     def library(self, name: str) -> bytes:
-        """Return a material library, as UTF-8."""
+        """Return a material library in UTF-8."""
         raw = self.read(name, MOST_LIBRARY)
         if id(raw) not in self._libraries:
             check_lines(raw, f"{self.what}: {name[:80]!r}")

@@ -1,7 +1,7 @@
 """A foreign GLB reduced to its visible content: meshes at their positions, and base colours.
 
-Parsers receive no node trees, animations, cameras, lines or points, no pictures for other purposes,
-and no data that is not part of a visible mesh, so none of these can harm them.
+Parsers receive no node trees, animations, cameras, lines or points, no other pictures, and no data
+that does not belong to a visible mesh. None of these can therefore harm them.
 """
 
 from __future__ import annotations
@@ -26,14 +26,15 @@ _NOTHING = {"componentType": 5121, "count": 0, "type": "SCALAR"}
 
 
 class Crooked(ValueError):
-    """The node tree of a GLB is invalid; the message gives the reason."""
+    """The node tree of a GLB is invalid; the message says why."""
 
 
 def flatten(raw: bytes, header: Header) -> bytes:
-    """Return an inspected GLB reduced to its visible content.
+    """Return an inspected GLB, reduced to its visible content.
 
     Each visible mesh becomes a root node with its world transform. Materials keep only their base
-    colour (for specular-glossiness, the diffuse colour); no other picture is decoded.
+    colour (or diffuse colour, if they are specular-glossiness materials); no other pictures are
+    decoded.
     """
     places = list(mesh_places(header))
     meshes = [_plain_mesh(header, mesh) for mesh in header.get("meshes", ())]
@@ -67,7 +68,7 @@ def flatten(raw: bytes, header: Header) -> bytes:
 
 
 def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]]:
-    """Yield the index and transform of each visible mesh, once per node that has it.
+    """Yield the index and transform of each visible mesh, once for each node that has it.
 
     Raises:
         Crooked: the nodes do not form a tree.
@@ -84,7 +85,7 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
         if at in seen:
             raise Crooked("a node has two parents")
         seen.add(at)
-        with np.errstate(all="ignore"):  # overflows give vertices that are rejected later
+        with np.errstate(all="ignore"):  # overflows result in vertices that are rejected later
             matrix = above @ local_matrix(nodes[at])
         if "mesh" in nodes[at]:
             yield int(nodes[at]["mesh"]), matrix
@@ -92,7 +93,7 @@ def mesh_places(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]
 
 
 def roots_of(header: Header, scene: int) -> Sequence[int]:
-    """Return the root nodes of a scene; if no scene has nodes, those of all trees."""
+    """Return the root nodes of a scene, or those of all trees if no scene has nodes."""
     scenes = header.get("scenes", ())
     if not any(entry.get("nodes") for entry in scenes):
         return _topmost(header.get("nodes", ()))
@@ -102,7 +103,7 @@ def roots_of(header: Header, scene: int) -> Sequence[int]:
 def shown_nodes(header: Header) -> Iterator[Header]:
     """Yield each node that a scene contains, once per scene.
 
-    A file without nodes shows all of its meshes, a file without root nodes all of its trees.
+    A file without nodes shows all of its meshes; a file without root nodes shows all of its trees.
 
     Raises:
         Crooked: the nodes do not form a tree.
@@ -124,13 +125,13 @@ def shown_nodes(header: Header) -> Iterator[Header]:
 
 
 def _topmost(nodes: Sequence[Header]) -> Sequence[int]:
-    """Return the nodes without a parent."""
+    """Return the nodes that have no parent."""
     below = {child for node in nodes for child in node.get("children", ())}
     return [k for k in range(len(nodes)) if k not in below]
 
 
 def base_color(material: Header) -> Header:
-    """Return a material's base colour: its factor and texture, if it has them."""
+    """Return a material's base colour: its factor and its texture, if it has them."""
     plain = material.get("pbrMetallicRoughness", {})
     found = {key: plain[key] for key in ("baseColorFactor", "baseColorTexture") if key in plain}
     gloss = material.get("extensions", {}).get(_GLOSS, {})
@@ -139,7 +140,7 @@ def base_color(material: Header) -> Header:
 
 
 def picture_of(header: Header, material: Header) -> int | None:
-    """Return the image index of a material's base colour texture, or None."""
+    """Return the image index of the texture of a material's base colour, or None."""
     base = base_color(material)
     if "baseColorTexture" not in base:
         return None
@@ -149,7 +150,7 @@ def picture_of(header: Header, material: Header) -> int | None:
 
 
 def local_matrix(node: Header) -> Float[np.ndarray, "4 4"]:
-    """Return a node's transform in its parent: matrix, or translation, rotation and scale."""
+    """Return a node's transform in its parent: a matrix, or translation, rotation and scale."""
     matrix = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4).T
     if not {"translation", "rotation", "scale"} & node.keys():
         return matrix
@@ -163,7 +164,7 @@ def local_matrix(node: Header) -> Float[np.ndarray, "4 4"]:
 
 
 def _plain_mesh(header: Header, mesh: Header) -> dict[str, Any]:
-    """Return a mesh's triangle primitives, with only the attributes that are used."""
+    """Return the triangle primitives of a mesh, with only the attributes that are used."""
     pieces = []
     for primitive in mesh["primitives"]:
         given = primitive["attributes"]
@@ -177,7 +178,7 @@ def _plain_mesh(header: Header, mesh: Header) -> dict[str, Any]:
 
 
 def _columns(header: Header, meshes: Sequence[Header]) -> dict[str, Any]:
-    """Return accessors, views, buffers, textures and images; unused ones are emptied."""
+    """Return accessors, views, buffers, textures and images, with the unused ones emptied."""
     primitives = [primitive for mesh in meshes for primitive in mesh["primitives"]]
     used = {index for primitive in primitives for index in primitive["attributes"].values()}
     used |= {primitive["indices"] for primitive in primitives if "indices" in primitive}

@@ -1,4 +1,4 @@
-"""Checks of a foreign mesh file before any of it is decoded."""
+"""Checks of a foreign mesh file, made before any part of it is decoded."""
 
 from __future__ import annotations
 
@@ -42,9 +42,9 @@ def inspect_glb(
 ) -> Header:
     """Return the JSON header of a GLB file (glTF 2.0) after checking that it is safe to read.
 
-    ``what`` names the file in messages. Meshes of more than ``most_faces`` triangles in total,
-    including repetitions, are rejected, and so are distinct colour textures of more than
-    ``most_texels`` pixels in total.
+    ``what`` names the file in messages. Files are rejected if their meshes have more than
+    ``most_faces`` triangles in total, including repetitions, or if their distinct colour textures
+    have more than ``most_texels`` pixels in total.
 
     Raises:
         BackendError: the file is not a GLB, is truncated, too large or compressed, refers to
@@ -80,10 +80,10 @@ def open_glb(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> tupl
 
 
 def inspect_obj(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> None:
-    """Check that an OBJ file is text with faces, and not too many triangles.
+    """Check that an OBJ file is a text that contains faces, but not too many triangles.
 
     Raises:
-        BackendError: it is not such a file, or is too large.
+        BackendError: it is not such a file, or it is too large.
     """
     check_size(raw, what, bounds.MOST_OBJ_BYTES)
     if b"\0" in raw[:4096]:
@@ -110,7 +110,7 @@ def inspect_obj(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> N
 
 
 def check_lines(text: bytes, what: str) -> None:
-    """Check that no line of a file exceeds the limit.
+    """Check that no line of a file is longer than the limit.
 
     Raises:
         BackendError: a line is too long.
@@ -124,9 +124,9 @@ def check_lines(text: bytes, what: str) -> None:
 def check_pictures(
     pictures: Iterable[bytes], maximum: int = bounds.MOST_TEXELS_TOGETHER
 ) -> str | None:
-    """Return why pictures cannot be used, or None. Only their headers are read.
+    """Return why pictures cannot be used, or None; only their headers are read.
 
-    ``maximum`` limits the total number of pixels; equal pictures count once.
+    ``maximum`` limits the total number of pixels; identical pictures count once.
     """
     sizes: dict[bytes, int] = {}
     for raw in pictures:
@@ -199,7 +199,7 @@ def _amounts(header: Header, size: int) -> str | None:
 
 
 def _faces(header: Header, maximum: int) -> str | None:
-    """Count triangles as drawn in all scenes: a mesh at two nodes counts twice."""
+    """Count the triangles drawn in all scenes; a mesh at two nodes counts twice."""
     per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
     if sum(parts for *_, parts in per_mesh) > bounds.MOST_MESHES:
         return f"has meshes with more than {bounds.MOST_MESHES} pieces. Join them."
@@ -240,7 +240,7 @@ def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
 
 
 def _pictures(header: Header, data: bytes, maximum: int) -> str | None:
-    """Check the pictures of base colours; no others are decoded."""
+    """Check the pictures used for base colours; no others are decoded."""
     seen = {picture_of(header, material) for material in header.get("materials", ())}
     images = [header["images"][at] for at in seen if at is not None]
     shown = {image.get("bufferView", image.get("uri")): image for image in images}

@@ -1,4 +1,4 @@
-"""Reads a foreign mesh file in a child process with limits, which returns arrays."""
+"""Reading of foreign mesh files in a child process that has limits and returns arrays."""
 
 from __future__ import annotations
 
@@ -42,9 +42,9 @@ def _as_backend_error(what: str) -> Iterator[None]:
 
 
 def _in_child(reader: Callable[P, ColoredSurface]) -> Callable[P, ColoredSurface]:
-    """Return a reader that runs in a child process; its arrays are read-only.
+    """Return a reader that runs in a child process; the arrays that it returns are read-only.
 
-    It also raises ``BackendError`` if the child process reaches a limit.
+    The reader also raises ``BackendError`` if the child process reaches a limit.
     """
     signature = inspect.signature(reader)
 
@@ -59,4 +59,4 @@ def _in_child(reader: Callable[P, ColoredSurface]) -> Callable[P, ColoredSurface
 
 
 load_surface = _in_child(read_surface)
-"""Reads a whole GLB or OBJ file as one surface; see ``read_surface`` and ``_in_child``."""
+"""Read a whole GLB or OBJ file as one surface; see ``read_surface`` and ``_in_child``."""

@@ -1,4 +1,4 @@
-"""A foreign mesh as read: pieces in one frame, each face with its own colours."""
+"""A foreign mesh as read: its pieces in one frame, each face with its own colours."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ _LINEAR = np.arange(256) / 255.0
 
 @dataclass(frozen=True, eq=False)
 class ColoredSurface:
-    """Triangles with colours. ``picture`` is each face's index into ``pictures``, or -1.
+    """Triangles with colours; ``picture`` is each face's index into ``pictures``, or -1.
 
     A face with a picture is textured at its vertices' ``uv`` (v upwards, repeating); other faces
-    have their vertices' ``colors``. ``opacity`` below 1 makes the whole surface translucent.
+    have their vertices' ``colors``. An ``opacity`` below 1 makes the whole surface translucent.
     """
 
     vertices: Float[np.ndarray, "n 3"]
@@ -64,7 +64,7 @@ class ColoredSurface:
         return replace(self, faces=faces)
 
     def upright(self, up: Axis) -> ColoredSurface:
-        """Return the surface with +z up, given the file's upward axis."""
+        """Return the surface with +z up, given the upward axis of the file."""
         if up == "z":
             return self
         x, y, z = self.vertices.T
@@ -91,15 +91,15 @@ def read_surface(
     beside: Mapping[str, bytes] = MappingProxyType({}),
     most_faces: int = MOST_FACES,
 ) -> ColoredSurface:
-    """Return the whole content of a GLB or OBJ file as one surface, node transforms applied.
+    """Return the whole content of a GLB or OBJ file as one surface, with node transforms applied.
 
-    Only the base colour of a material is used: factor, texture, and alpha if it blends. ``what``
-    names the file in messages; ``beside`` holds the files that an OBJ refers to, by name (see
-    ``companions``).
+    Only the base colour of a material is used: its factor, its texture and, if the material blends,
+    its alpha. ``what`` names the file in messages; ``beside`` contains the files to which an OBJ
+    refers, by name (see ``companions``).
 
     Raises:
-        BackendError: see ``inspection``; or the file has more than ``most_faces`` faces, or numbers
-            that are not finite.
+        BackendError: the file does not pass ``inspection``, has more than ``most_faces`` faces, or
+            contains numbers that are not finite.
     """
     header: Header = {}
     if kind == "glb":
@@ -117,9 +117,9 @@ def read_surface(
         asset = header.get("asset")
         maker = str(asset.get("generator", "")) if isinstance(asset, dict) else ""
         return surface_of(parts, what, kind == "glb" and "trimesh" not in maker, most_faces)
-    except (BackendError, MemoryError):  # the latter is handled by the sandbox
+    except (BackendError, MemoryError):  # the latter error is handled by the sandbox
         raise
-    except Exception as error:  # parsers raise many types of errors for malformed files
+    except Exception as error:  # for malformed files, parsers raise many types of errors
         raise BackendError(
             f"{what} cannot be read ({type(error).__name__}: {error}). Export it again."
         ) from error
@@ -132,10 +132,10 @@ def surface_of(
     most_faces: int = MOST_FACES,
     pictures: Pictures | None = None,
 ) -> ColoredSurface:
-    """Return meshes in one frame as one surface without unused vertices.
+    """Return meshes in one frame as a single surface without unused vertices.
 
-    ``what`` names the meshes in messages. Plain colours are ``linear`` as in glTF, or sRGB
-    (trimesh's). ``pictures`` are shared by all surfaces of a file.
+    ``what`` names the meshes in messages. Plain colours are ``linear``, as in glTF, or sRGB, as in
+    trimesh. ``pictures`` are shared by all surfaces of a file.
 
     Raises:
         BackendError: no mesh has faces, there are more than ``most_faces``, or a vertex is missing,
@@ -190,7 +190,7 @@ def _place_meshes(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
 def _piece(
     part: trimesh.Trimesh, pictures: Pictures, linear: bool
 ) -> tuple[np.ndarray, np.ndarray, int, float]:
-    """Return a mesh's uv, vertex colours, index into ``pictures`` (or -1), and alpha."""
+    """Return a mesh's uv, vertex colours, index into ``pictures`` (or -1) and alpha."""
     visual: Any = part.visual
     material: Any = getattr(visual, "material", None)
     count = len(part.vertices)
@@ -205,7 +205,7 @@ def _piece(
     flat = _to_srgb(factor, linear)
     if image is not None and getattr(visual, "uv", None) is not None:
         tint = factor[:3] / 255 if linear else light(factor[:3] / 255)
-        if hasattr(material, "image"):  # of an OBJ: many programs write grey next to the picture
+        if hasattr(material, "image"):  # in an OBJ: many programs write grey as well as the picture
             tint = np.ones(3)
         return uv, np.tile(flat, (count, 1)), pictures.place(image, tint), alpha
     colors = getattr(visual, "vertex_attributes", {}).get("color", None)
@@ -217,7 +217,7 @@ def _piece(
 
 
 def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
-    """Return a material's plain colour; grey without a material."""
+    """Return a material's plain colour, or grey if there is no material."""
     if material is None:
         return np.array(_GREY, np.uint8)
     given = (getattr(material, name, None) for name in ("baseColorFactor", "diffuse"))
@@ -230,7 +230,7 @@ def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
 
 
 def _dissolve(material: Any) -> float:
-    """Return the opacity ``d`` of an OBJ's material; 1 for other materials, and if it is 0."""
+    """Return the opacity ``d`` of an OBJ's material, or 1 if it is 0 or for other materials."""
     words = getattr(material, "kwargs", {}).get("d", ())
     try:
         value = float(words[0])
@@ -240,7 +240,7 @@ def _dissolve(material: Any) -> float:
 
 
 def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
-    """Return colours as bytes, from bytes, 16-bit numbers or fractions of one."""
+    """Return colours as bytes, converted from bytes, 16-bit numbers or fractions of one."""
     if values.dtype == np.uint8:
         return values
     if values.dtype == np.uint16:
@@ -251,6 +251,6 @@ def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
 
 
 def _to_srgb(colors: UInt8[np.ndarray, "*k c"], linear: bool) -> UInt8[np.ndarray, "*k 3"]:
-    """Return plain colours in sRGB, without alpha."""
+    """Return plain colours converted to sRGB, without alpha."""
     table = to_srgb(_LINEAR) if linear else _LINEAR
     return np.round(255 * table).astype(np.uint8)[colors[..., :3]]

@@ -1,4 +1,4 @@
-"""The textures of a foreign mesh, each decoded and stored once, however many parts share it."""
+"""The textures of a foreign mesh, each decoded and stored once even if several parts share it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ TEXTURE_LIMITS = PictureLimits(
     formats=("PNG", "JPEG", "WEBP", "BMP", "TGA"), max_bytes=MOST_BYTES, max_pixels=MOST_TEXELS,
     cpu_seconds=20.0,
 )  # fmt: skip
-"""Limits on one texture."""
+"""Limits on a single texture."""
 
 Texels = UInt8[np.ndarray, "_ _ 3"]
 
@@ -29,9 +29,9 @@ _LINEAR = np.arange(256) / 255.0
 
 
 class Pictures:
-    """Collects textures; ``kept`` has each of them once per tint.
+    """Collects textures; ``kept`` contains each of them once per tint.
 
-    They are read-only, so that meshes can share them.
+    The textures are read-only, so that meshes can share them.
     """
 
     def __init__(self, what: str, maximum: int = MOST_TEXELS_TOGETHER) -> None:
@@ -45,7 +45,7 @@ class Pictures:
         self._places: dict[Hashable, int] = {}
 
     def place(self, image: Image.Image, tint: Float[np.ndarray, "3"]) -> int:
-        """Return the index in ``kept`` of a picture, its linear colours multiplied by ``tint``.
+        """Return the index in ``kept`` of a picture with its linear colours multiplied by ``tint``.
 
         Raises:
             BackendError: the picture cannot be read, or the limit of stored texels is exceeded.
@@ -72,7 +72,7 @@ class Pictures:
         return decode(file, what, BackendError, TEXTURE_LIMITS, "rgb", MOST_TEXTURE).pixels
 
     def _key(self, source: Image.Image | bytes) -> Hashable:
-        """Return a key: equal for equal files, and for identical pictures without a file."""
+        """Return a key that is equal for equal files, and for identical pictures without a file."""
         if id(source) not in self._keys:
             self._sources.append(source)
             self._keys[id(source)] = (
@@ -92,7 +92,7 @@ def light(shown: np.ndarray) -> np.ndarray:
 
 
 def _file(image: Image.Image) -> bytes | None:
-    """Return the file of a picture that is not decoded yet, if it is in memory."""
+    """Return the file of a picture that has not been decoded yet, if it is in memory."""
     file = getattr(image, "fp", None)
     return file.getvalue() if isinstance(file, io.BytesIO) else None
 

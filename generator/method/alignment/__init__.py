@@ -1,4 +1,4 @@
-"""Top-view spatial alignment, TSA (Sec. 3.3): positions and scales from a top view."""
+"""Top-view spatial alignment, TSA (Sec. 3.3): positions and scales taken from a top view."""
 
 from .equations import metres_per_pixel as metres_per_pixel
 from .equations import own_extent as own_extent

@@ -1,4 +1,4 @@
-"""Eqs. 5 and 6: the anchor instance, and scales from top-view boxes."""
+"""Eqs. 5 and 6: the anchor instance, and scales computed from top-view boxes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ def pixel_area_and_ratio_error(
     """Return A_px and epsilon_ratio of Eq. 5.
 
     A_px = w_img h_img and epsilon_ratio = |log r_phys - log r_img|, with r = width / height; r_phys
-    is that of the physical ``size`` (metres) rotated by ``yaw`` and projected onto the XY-plane.
+    is the ratio of the physical ``size`` (metres) after rotation by ``yaw`` and projection onto the
+    XY-plane.
     """
     w_img, h_img = box[2] - box[0], box[3] - box[1]
     w_phys, h_phys = rotated_extent(np.asarray(size), yaw)
@@ -32,7 +33,7 @@ def rma_score(area: float, ratio_error: float, tau: float = 0.25) -> float:
 
 
 def select_anchor(scores: Mapping[str, float]) -> str:
-    """Return the name with the highest RMA-Score (the first of equals)."""
+    """Return the name with the highest RMA-Score, or the first of several with equal scores."""
     if not scores:
         raise SceneError("The top view shows no object that could be the scaling anchor.")
     return max(scores, key=lambda name: scores[name])
@@ -49,16 +50,17 @@ def metres_per_pixel(
 def own_extent(
     across: Float[np.ndarray, "2"], yaw: float, size: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "3"]:
-    """Return an object's extent along its own axes, computed from its axis-aligned top-view extent.
+    """Return an object's extent along its own axes, derived from its axis-aligned top-view extent.
 
     Args:
         across: width and height of the box in the top view, metres (along world x and y).
         yaw: the object's yaw, radians.
-        size: commonsense extent; supplies the proportions where the box does not determine them.
+        size: commonsense extent; supplies the proportions if the box does not determine them.
 
-    The box is W = |cos| l + |sin| w, H = |sin| l + |cos| w. Its inverse is used where it is
-    well-conditioned (|cos 2 yaw| near 1) and agrees with the proportions to within a factor of 1.4;
-    near 45 degrees the proportions of ``size`` are used. The height follows the mean scale.
+    The box is W = |cos| l + |sin| w, H = |sin| l + |cos| w. The inverse is used if it is
+    well-conditioned (|cos 2 yaw| near 1) and agrees with the proportions of ``size`` to within a
+    factor of 1.4. Otherwise, as near 45 degrees, these proportions are used. The height is scaled
+    by the mean of the horizontal scales.
     """
     c, s = abs(np.cos(yaw)), abs(np.sin(yaw))
     box = rotated_extent(size, yaw)
@@ -77,11 +79,12 @@ def own_extent(
 def rectangle_box(
     box: Float[np.ndarray, "4"], mesh: Mesh, size: Float[np.ndarray, "3"], yaw: float
 ) -> Float[np.ndarray, "4"]:
-    """Return the top-view box of an object's own rotated rectangle, given the box of its outline.
+    """Return the top-view box of an object's rotated rectangle, given the box of its outline.
 
     Eqs. 5 and 6 project the box of the physical size. The top view shows the outline of the object
-    itself, whose box is smaller (a mug rotated by 45 degrees) and may be off-centre (because of its
-    handle). ``mesh`` is canonical, ``size`` in metres, ``yaw`` in radians.
+    itself. The box of this outline is smaller if the object is rotated (a mug by 45 degrees, say),
+    and may be off-centre (because of the mug's handle). ``mesh`` is canonical, ``size`` in metres,
+    ``yaw`` in radians.
     """
     points = mesh.vertices[:, :2] * size[:2] @ rotation_z(yaw)[:2, :2].T
     low, high = points.min(0), points.max(0)

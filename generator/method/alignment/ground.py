@@ -1,9 +1,9 @@
 """Top-view boxes derived from the reference picture, on a plane below its camera.
 
-The plane is that of the tabletop, one unit below the camera, since a single picture has no metric
-scale. An object's model, rotated by its yaw and scaled and placed to match its box in the picture,
-can stand on that plane in only one position, which determines its top-view box. Boxes are (left,
-far, right, near), +x right and +y towards the viewer as in a top view.
+The plane is that of the tabletop. It is one unit below the camera, since a single picture has no
+metric scale. If an object's model is rotated by its yaw and must match the object's box in the
+picture, it can stand on that plane at only one size and position, which determine its top-view box.
+Boxes are (left, far, right, near), +x right and +y towards the viewer as in a top view.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def boxes_on_ground(
     rank = {i.name: stacking.get(i.name, Stacking(2)) for i in instances if i.name != TABLE}
     shown = {i.name: i for i in instances if i.name in rank and i.name in models}
     boxes: dict[str, Float[np.ndarray, "4"]] = {}
-    tops: dict[str, tuple[float, float]] = {}  # heights of feet and tops
+    tops: dict[str, tuple[float, float]] = {}  # the heights of the objects' feet and tops
     for name in sorted(shown, key=lambda n: rank[n].order):
         low, high = tops.get(rank[name].on, (0.0, 0.0))
         floor = low + _INSIDE * (high - low) if rank[name].inside else high
@@ -55,9 +55,9 @@ def table_on_ground(
 ) -> Float[np.ndarray, "3"] | None:
     """Return the positions of the tabletop's left, right and far ends on the plane.
 
-    Returns None if the picture's border cuts off one of the ends, or no table is visible. Legs and
-    the table's edge lie below the plane and therefore appear nearer: they extend the outline only
-    at the near end, which is not used.
+    Returns None if the picture's border cuts off one of the ends, or if no table is visible. The
+    legs and the side of the tabletop lie below the plane and therefore appear nearer. They extend
+    the outline only at the near end, which is not used.
     """
     mask = np.asarray(table.mask)
     rows, columns = np.nonzero(mask)
@@ -75,7 +75,7 @@ def table_on_ground(
 def _stand(
     thing: Instance, model: Model, yaw: float, floor: float, eye: Camera
 ) -> tuple[Float[np.ndarray, "4"], float] | None:
-    """Return an object's top-view box and its height, both in units of the camera's height."""
+    """Return an object's top-view box and height, both in units of the camera's height."""
     import torch
 
     from ...render.soft import fit_center, object_to_camera

@@ -1,4 +1,4 @@
-"""TSA as a stage: position and scale of every object from a top view."""
+"""TSA as a stage: the position and scale of every object from a top view."""
 
 from __future__ import annotations
 
@@ -42,8 +42,9 @@ def complete_boxes(
 ) -> tuple[TopView, tuple[str, ...]]:
     """Return the top view with a box for every instance that is visible in its picture.
 
-    Detections are matched to instances of the same label, nearest relative position first; a wrong
-    label costs more than any distance. Detections without a match are dropped with a warning.
+    Detections are matched to instances with the same label, starting with the nearest relative
+    positions; a wrong label costs more than any distance. Detections without a match are dropped
+    with a warning.
 
     Raises:
         SceneError: no object is visible in the picture.
@@ -94,13 +95,13 @@ class AlignmentConfig:
         tau: tolerance of the aspect ratio in the RMA-Score (Eq. 6; the paper's 0.25).
         size_limit: maximum factor between an object's scale and its commonsense size, in both
             directions.
-        guess_limit: the same limit for a picture without a text, where names, and therefore
-            commonsense sizes, are guesses.
+        guess_limit: the same limit for a picture without a text, for which the names, and therefore
+            the commonsense sizes, are guesses.
         table_limit: an anchor that would make the table larger or smaller than its commonsense size
             by this factor is skipped.
-        check: compare the top view with the reference picture, and correct by geometry the objects
-            that an image model moved, or drew far too large or too small. The paper has no such
-            check. Missing objects are added by geometry in either case.
+        check: whether to compare the top view with the reference picture. Objects that an image
+            model moved or drew far too large or too small are then corrected by geometry. The paper
+            has no such check. Missing objects are added by geometry in either case.
     """
 
     tau: float = 0.25
@@ -116,11 +117,12 @@ class AlignmentConfig:
 
 @dataclass(frozen=True, eq=False)
 class Alignment:
-    """Result of TSA (Fig. 14).
+    """The result of TSA (Fig. 14).
 
-    ``placements`` are those of the objects, in the instances' order, without the table;
-    ``table_scale`` is the table's extent in metres; ``scores`` holds the RMA-Score of each object.
-    If TSA is disabled (Sec. 4.3), anchor, scale and top view are None and there are no scores.
+    ``placements`` are the placements of the objects, in the order of the instances and without the
+    table; ``table_scale`` is the table's extent in metres; ``scores`` holds the RMA-Score of each
+    object. If TSA is disabled (Sec. 4.3), the anchor, the scale and the top view are None, and
+    there are no scores.
     """
 
     anchor: str | None
@@ -147,8 +149,8 @@ def align(
 ) -> Alignment:
     """Estimate the translation t_i and scale s_i of every instance, and the table's scale.
 
-    The world origin is on the floor under the table's centre. An object's z results from lowering
-    its mesh onto the mesh of its support.
+    The world origin is on the floor under the table's centre. The z coordinate of an object is
+    found by lowering its mesh onto the mesh of its support.
 
     Raises:
         SceneError: no object is visible in the top view.
@@ -223,7 +225,7 @@ def _scale(
 def _table_scale(
     top: TopView, alpha: float, usual: Float[np.ndarray, "3"], modelled: bool
 ) -> Float[np.ndarray, "3"]:
-    """Rescale the table to its box; the height changes only slightly unless it is ``modelled``."""
+    """Rescale the table to its box; its height changes only slightly unless it is ``modelled``."""
     box = np.asarray(top.table_box)
     across = (box[2:] - box[:2]) * alpha
     factor = float(np.sqrt(across.prod() / np.prod(usual[:2])))
@@ -237,7 +239,7 @@ def _limit(
     limit: float,
     warnings: list[str],
 ) -> Float[np.ndarray, "3"]:
-    """Return the extent scaled to within ``limit`` of the usual size, by the two longest sides."""
+    """Return the extent scaled so that its two longest sides are within ``limit`` of the usual."""
     factor = float(np.sqrt(np.prod(np.sort(extent)[1:]) / np.prod(np.sort(usual)[1:])))
     allowed = float(np.clip(factor, 1 / limit, limit))
     if not np.isclose(allowed, factor):
@@ -248,7 +250,7 @@ def _limit(
 
 
 def _centers(top: TopView, alpha: float) -> dict[str, Float[np.ndarray, "2"]]:
-    """Return the box centres relative to the table's centre, metres, world x and y."""
+    """Return the centres of the boxes relative to the table's centre, metres, in world x and y."""
     middle = np.asarray(top.table_box).reshape(2, 2).mean(0)
     return {
         name: (np.asarray(box).reshape(2, 2).mean(0) - middle) * alpha * [1, -1]
@@ -293,7 +295,7 @@ def ask_layout(
     reasoner: Reasoner,
     guesser: PoseGuesser,
 ) -> Alignment:
-    """Return the instances with the reasoner's positions and scales; the table has its usual size.
+    """Return the instances at the reasoner's positions and scales; the table has its usual size.
 
     The reasoner also determines the supports, as in TSA, so only x, y and the sizes differ from
     TSA. There is no anchor and no top view.

@@ -1,9 +1,9 @@
-"""Compares a top view with the reference picture: objects that an image model moved or dropped.
+"""Comparison of a top view with the picture, to find objects that an image model moved or omitted.
 
 The picture determines each object's top-view box on the plane of the tabletop (``ground``). One
-scale and one shift map all of these boxes into a correct top view. They are estimated from the
-majority of the drawn objects on the table; if too few agree, from the ends of the tabletop; and if
-these are cut off, from usual sizes.
+scale and one shift map all of these boxes into a correct top view. Both are estimated from the
+majority of the drawn objects on the table. If too few of these agree, the ends of the tabletop are
+used instead and, if these are cut off, usual sizes.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from ...geometry import rotated_extent
 from ...scene import TABLE, Instance, Model, Rotation, Stacking, TopView, View
 from .ground import boxes_on_ground, table_on_ground
 
-_ASTRAY = 0.05  # maximum deviation of a box from geometry, as a fraction of the table's longer side
+_ASTRAY = 0.05  # maximum deviation from geometry, as a fraction of the table's longer side
 _OWN = 0.15  # additional deviation, as a fraction of the box's own length
 _CLOSE = 0.5  # fraction of that limit within which boxes agree on a scale and a shift
-_LOOSE = 1.5  # factor on the limit if only the tabletop's ends give scale and shift
-_VAGUE = 3.0  # factor on the limit if only usual sizes do
+_LOOSE = 1.5  # factor on the limit if only the tabletop's ends determine scale and shift
+_VAGUE = 3.0  # factor on the limit if only usual sizes determine them
 _GROWN = 1.6  # maximum factor by which a box may be drawn too large or too small
-_TINY = 0.02  # negligible difference of lengths, as a fraction of the table's longer side
-_ROOM = 0.15  # how far an object's centre may lie outside its support's box, as a share of it
+_TINY = 0.02  # negligible difference between lengths, as a fraction of the table's longer side
+_ROOM = 0.15  # how far an object's centre may be outside its support's box, as a fraction of it
 _FEWEST = 4  # minimum number of objects on the table for a reliable scale and shift
-_AGREE = 0.6  # minimum share of them that must agree, at least three
+_AGREE = 0.6  # minimum fraction of these that must agree; at least three
 _SCALED = 1.6  # maximum factor between that scale and the one from the tabletop's ends
 _SHIFTED = 0.3  # maximum distance from the ends' shift, as a fraction of the table's longer side
 
@@ -44,7 +44,7 @@ Box = Float[np.ndarray, "4"]
 
 @dataclass(frozen=True, eq=False)
 class _Carried:
-    """A scale and a shift from the ground into the top view; ``slack`` multiplies the limits."""
+    """A scale and a shift from the ground to the top view; ``slack`` multiplies the limits."""
 
     scale: float
     shift: Float[np.ndarray, "2"]
@@ -64,13 +64,13 @@ def check_top_view(
     image_size: tuple[int, int],
     only_missing: bool = False,
 ) -> tuple[TopView, tuple[str, ...]]:
-    """Return the top view with a box for every instance, and a warning per correction.
+    """Return the top view with a box for every instance and a warning for each correction.
 
-    A box whose position or size differs too much from geometry is replaced by the geometric one. If
-    most boxes differ, all are replaced. ``models`` and ``rotations`` determine the boxes'
-    proportions; scale and shift are estimated only from objects that stand on the table. ``top``
-    may lack boxes; ``view`` and ``image_size`` (width, height) are those of the reference picture.
-    With ``only_missing`` the boxes of the top view are kept unchanged.
+    A box whose position or size differs too much from the geometric box is replaced by the latter.
+    If most boxes differ, all are replaced. ``models`` and ``rotations`` determine the boxes'
+    proportions. The scale and the shift are estimated only from objects that stand on the table.
+    ``top`` may lack boxes; ``view`` and ``image_size`` (width, height) are those of the reference
+    picture. With ``only_missing``, the boxes that the top view has are kept unchanged.
     """
     ground = boxes_on_ground(instances, models, rotations, stacking, view, image_size)
     boxes = {name: np.asarray(box, float) for name, box in top.boxes.items()}
@@ -131,7 +131,7 @@ def _put(tries: Sequence[Box | None], below: Box | None) -> Box:
 
 
 def _over(box: Box, below: Box) -> bool:
-    """Return whether the centre of a box lies over another box, within a tolerance."""
+    """Return whether the centre of a box lies over another box, with a tolerance."""
     middle, slack = _middle(box), _ROOM * (below[2:] - below[:2])
     return bool((middle >= below[:2] - slack).all() and (middle <= below[2:] + slack).all())
 
@@ -164,7 +164,7 @@ def _limit(box: Box, length: float) -> float:
 def _agreement(
     ground: Mapping[str, Box], drawn: Mapping[str, Box], ends: _Carried | None, length: float
 ) -> _Carried | None:
-    """Return the scale and shift on which most drawn boxes agree, or None."""
+    """Return the scale and shift that most of the drawn boxes agree on, or None."""
     names = list(drawn)
     if len(names) < _FEWEST:
         return None
@@ -192,7 +192,7 @@ def _likely(
     drawn: Mapping[str, Box],
     length: float,
 ) -> bool:
-    """Return whether a scale and a shift are close to those from the tabletop's ends."""
+    """Return whether a scale and a shift are close to those derived from the tabletop's ends."""
     if ends is None:
         return True
     middle = np.mean([ground[n] for n in drawn], axis=0)
@@ -201,7 +201,7 @@ def _likely(
 
 
 def _fit(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
-    """Return the scale and shift that map the centres best; None if the scale is not positive."""
+    """Return the scale and shift that best map the centres; None if the scale is not positive."""
     a, b = (np.array([_middle(box) for box in boxes]) for boxes in (here, there))
     x, y = a - a.mean(0), b - b.mean(0)
     spread = float((x * x).sum())
@@ -235,7 +235,7 @@ def _guess(
     models: Mapping[str, Model],
     rotations: Mapping[str, Rotation],
 ) -> Box:
-    """Return a box of the model's size, placed on the table as in the picture."""
+    """Return a box of the model's size, positioned on the table as in the picture."""
 
     def extent(name: str) -> Float[np.ndarray, "2"]:
         yaw = rotations[name].yaw if name in rotations else 0.0

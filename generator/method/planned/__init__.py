@@ -1,7 +1,7 @@
 """Corrections of a reconstruction by the plan of its text, beyond the paper.
 
-Image models omit, hide, duplicate and misplace objects, and image-to-3D models guess the sides that
-no picture shows. The plan lists the requested objects, their approximate sizes, supports and
+Image models omit, hide, duplicate and misplace objects. Image-to-3D models guess the sides that no
+picture shows. The plan lists the requested objects, their approximate sizes, supports and
 relations. Whatever agrees with the plan is kept; the rest is corrected, and the scene's provenance
 lists the corrections.
 """

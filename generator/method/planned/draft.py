@@ -1,4 +1,4 @@
-"""Compare a reconstruction with its plan, object by object."""
+"""Object-by-object comparison of a reconstruction with its plan."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ from ...scene import TABLE, Instance, Model, Placement, Rotation, ScenePlan
 from .matches import fresh_names, match_planned, rename_plan
 
 ALIKE = 1.35, 1.2
-"""Maximum ratio between a side and that of the plan's model, and that of other variants of its
-kind, if the drawing shows the catalogue's objects. Beyond it the object has another size."""
+"""Maximum ratio between corresponding sides of an object and of the plan's model, or of another
+variant of its kind, if the drawing shows catalogue objects. Beyond it, the sizes differ."""
 
 REAL = 2.0, 1.5
-"""The same if the drawing shows arbitrary objects of the planned kinds."""
+"""The same ratio for a drawing that shows arbitrary objects of the planned kinds."""
 
 UNKNOWN = 2.0
-"""The same for objects that the catalogue lacks, whose sizes and shapes are guesses."""
+"""The same ratio for objects that the catalogue lacks, whose sizes and shapes are guesses."""
 
 TABLES = 1.3
-"""The same for the sides of a table."""
+"""The same ratio for the sides of a table."""
 
-_HARDLY = 0.05  # logarithm of the factor below which there is no warning
-_VARIANTS = 4  # number of variants of a catalogue object that sizes are compared with
-_APART = 104_729  # offset between the seeds of two variants
-_SLACK = 0.008, 0.1  # tolerated difference of sides: metres, and share of the longest side
+_HARDLY = 0.05  # logarithm of the factor below which no warning is given
+_VARIANTS = 4  # number of variants of a catalogue object with which sizes are compared
+_APART = 104_729  # difference between the seeds of two variants
+_SLACK = 0.008, 0.1  # tolerated difference between sides: metres, and fraction of the longest side
 
 LOOSE = ("group", "heap")
 """Kinds of groups without a fixed arrangement."""
@@ -51,12 +51,12 @@ class SceneDraft:
         models: the model of every planned object, at its size in metres.
         planned: the plan's own models of these objects.
         seen: names of the objects that are in the reconstruction.
-        shown: placements in the reconstruction of objects on their planned support.
+        shown: placements, in the reconstruction, of the objects that are on their planned support.
         table: the table's model, at its size in metres.
-        warnings: the corrections.
+        warnings: descriptions of the corrections.
         found: yaws of the objects in the reconstruction.
-        yaws: yaws of objects in the drawing, radians, if it determines them; without members of
-            groups, which are arranged as a whole.
+        yaws: yaws of objects in the drawing, radians, if the drawing determines them. Members of
+            groups are omitted, since groups are arranged as a whole.
     """
 
     plan: ScenePlan
@@ -98,12 +98,12 @@ def draft_scene(
     rotations: Mapping[str, Rotation] = MappingProxyType({}),
     turn: Turn | None = None,
 ) -> SceneDraft:
-    """Match a reconstruction to the plan and correct sizes and shapes that differ.
+    """Match a reconstruction to the plan, and correct sizes and shapes that differ.
 
-    ``models`` are those of the instances and the table, ``placements`` are in the world frame;
-    ``table_scale`` is the table's extent, metres; ``seed`` determines the looks of the objects that
-    the plan adds. ``alike`` sets the tolerances of sizes (``ALIKE``, ``REAL``). ``rotations`` are
-    those of the instances' models, and ``turn`` estimates the rotation of another model. An object
+    ``models`` are the models of the instances and the table; ``placements`` are in the world frame;
+    ``table_scale`` is the table's extent, metres. ``seed`` determines the appearance of the objects
+    that the plan adds. ``alike`` is the tolerance of sizes (``ALIKE``, ``REAL``). ``rotations`` are
+    the rotations of the instances' models, and ``turn`` estimates that of another model. An object
     whose sides all differ by about the same factor is scaled; one with other proportions is
     replaced by the plan's model. Instances that match no planned object are left out.
     """
@@ -157,13 +157,13 @@ def draft_scene(
 
 
 def _plan_warning(name: str, reason: str, told: bool) -> str:
-    """Return the warning that an object has the plan's shape, and its yaw unless ``told``."""
+    """Return a warning that an object has the plan's shape, and the plan's yaw unless ``told``."""
     tail = "" if told else " The drawing does not determine its yaw, so it is the plan's too."
     return f"{name} is built from the plan: {reason}.{tail}"
 
 
 def _list_grouped(plan: ScenePlan, besides: Collection[str] = ()) -> set[str]:
-    """Return the names of the objects in groups, except groups of the kinds ``besides``."""
+    """Return the names of the objects in groups, except in groups of the kinds ``besides``."""
     groups = [g for g in plan.groups if g.kind not in besides]
     return {n for g in groups for n in (*g.members, *([g.around] if g.around else []))}
 
@@ -176,9 +176,10 @@ def _size_factors(
 ) -> dict[str, float | str]:
     """Return each reconstructed object's scale factor, or why the plan's model replaces it.
 
-    A size from the text ("small") is matched exactly, a usual size approximately, in any variant of
-    its kind. Objects that must fit each other are the plan's, and so are matching objects of
-    several place settings, unless all of them were reconstructed.
+    A size that the text states ("small") must be matched exactly; a usual size need only match some
+    variant of the object's kind approximately. The plan's models replace objects that must fit each
+    other, and also corresponding objects of several place settings unless all of these were
+    reconstructed.
     """
     variants = [build_models(plan, seed)]
     fitted = find_fitted(plan)
@@ -223,8 +224,8 @@ def compare_sizes(
 ) -> float | None:
     """Return the factor that scales an object to a planned size; None if the shapes differ.
 
-    Extents are (length, width, height) in metres; the order of the horizontal sides is ignored. 1
-    means that no side differs by more than ``tolerance``.
+    Extents are (length, width, height) in metres; the order of the horizontal sides is ignored. A
+    factor of 1 means that no side differs by more than ``tolerance``.
     """
     have, want = (np.array([*np.sort(e[:2]), e[2]], float) for e in (found, planned))
     slack = min(_SLACK[0], _SLACK[1] * float(want.max()))
@@ -247,10 +248,10 @@ def _fit_table(
     scale: Float[np.ndarray, "3"],
     seed: int,
 ) -> tuple[Model, dict[str, Placement]]:
-    """Return the table, resized to the plan if its size differs, and the placements on it."""
+    """Return the table, resized as planned if its size differs, and the placements on it."""
     try:
         wanted = np.array(table_size(plan, build_models(plan, seed)).size)
-    except SceneError:  # Only the objects in the picture determine whether all fit.
+    except SceneError:  # Only the objects in the picture determine whether everything fits.
         wanted = np.array(plan.table.size)
     ratio = wanted / scale
     if (np.abs(np.log(ratio[:2])) <= np.log(TABLES)).all():
@@ -263,14 +264,14 @@ def _fit_table(
 
 
 Turn = Callable[[str, Model], Rotation]
-"""Estimates the rotation of another model of the named instance in the drawing (Sec. 3.3)."""
+"""Function that estimates how another model of the named instance is rotated in the drawing."""
 
 AGREE = float(np.deg2rad(15.0))
-"""Yaws of two shapes of one object agree if they differ by less than this."""
+"""Yaws of two shapes of one object agree if they differ by less than this angle."""
 
 TOLD, SURE = 0.2, 0.5
-"""Minimum margins (``Rotation.margin``) at which the drawing determines a yaw: one on which two
-shapes agree, and one of the plan's shape alone."""
+"""Minimum margins (``Rotation.margin``) at which the drawing determines a yaw: a yaw on which two
+shapes agree, and a yaw of only the plan's shape."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -279,9 +280,9 @@ class FoundYaws:
 
     Attributes:
         yaws: yaws of the reconstructed shapes, by name.
-        rotations: certainty of these yaws.
-        turn: estimates the yaw of another shape. If None, the yaws are those of the objects'
-            fronts, which all shapes share.
+        rotations: the estimates of these yaws, with their certainty.
+        turn: function that estimates the yaw of another shape. If None, the yaws are those of the
+            objects' fronts, which all shapes share.
     """
 
     yaws: Mapping[str, float]
@@ -289,10 +290,10 @@ class FoundYaws:
     turn: Turn | None = None
 
     def of(self, name: str, planned: Model) -> float | None:
-        """Return the yaw of the plan's model in the drawing; None if it cannot be determined.
+        """Return the yaw of the plan's model in the drawing, or None if it cannot be determined.
 
-        A modeler chooses the axes of its meshes, so the yaw of a reconstructed shape counts only if
-        the plan's shape matches the drawing at the same yaw.
+        Modelers choose the axes of their meshes, so the yaw of a reconstructed shape is used only
+        if the plan's shape matches the drawing at the same yaw.
         """
         yaw = self.yaws[name]
         if self.turn is None:

@@ -1,4 +1,4 @@
-"""Positions for the objects of a draft: those in the drawing where they hold, else the plan's."""
+"""Positions for a draft's objects: those in the drawing if they are valid, otherwise the plan's."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from ...layout.rest import support_of
 from ...scene import TABLE, Model, Placement, RelationOutcome
 from .draft import LOOSE, SceneDraft
 
-_ROUNDS = 3  # rounds, each of which keeps fewer placements of the drawing
-_OVERLAP = 0.015  # metres of tolerated overlap between footprints that stay: positions are guesses
-_BEYOND = 0.01  # metres that they may extend beyond the table's edge
+_ROUNDS = 3  # number of rounds, each of which keeps fewer placements from the drawing
+_OVERLAP = 0.015  # tolerated overlap between kept footprints, metres; positions are guesses
+_BEYOND = 0.01  # how far these may extend beyond the table's edge, metres
 _LOST = 3  # number of unmet relations that an object without a position counts as
 
 Places = Mapping[str, Placement]
@@ -39,15 +39,15 @@ class Laid:
 
 
 def lay_out_draft(draft: SceneDraft, seed: int) -> Laid:
-    """Return the draft with positions: from the drawing where the plan agrees, else from the plan.
+    """Return the draft with positions: the drawing's where they agree with the plan, or the plan's.
 
-    Rows, circles and place settings are arranged by the plan as a whole. If a relation would not
-    hold, its objects are placed again too, and finally all objects; among the layouts with the
-    fewest faults the first is used. An object that still does not fit on or in another one is
-    rebuilt from the plan, and so is that other object.
+    Rows, circles and place settings are arranged as a whole, as planned. If a relation would not
+    hold, its objects are placed again too and, as a last resort, all objects. The first of the
+    layouts with the fewest faults is used. If an object still does not fit on or in another one,
+    both are rebuilt from the plan.
 
     Raises:
-        SceneError: no placement is known, and the objects fit on no plausible table.
+        SceneError: no placement is known, and the objects do not fit on any plausible table.
     """
     laid = _lay_out(draft, seed)
     unfit = {n for o in laid.unmet if o.kind in ("on", "in") for n in (o.name, o.target)}
@@ -112,13 +112,13 @@ def _judge(
     moved = [n for n in draft.seen if n in places and n not in kept]
     if moved:
         warnings = (*warnings, f"Placed by the plan instead of the drawing: {', '.join(moved)}.")
-    if lost:  # the obstacle is unknown
+    if lost:  # it is not known what the obstacle is
         culprits |= {*kept}
     return Laid(draft, ordered, table, warnings, tuple(unmet)), culprits
 
 
 def _list_kept(draft: SceneDraft) -> dict[str, Placement]:
-    """Return the placements of the drawing that do not contradict the plan."""
+    """Return the placements from the drawing that do not contradict the plan."""
     supports = {o.name: support_of(o) or TABLE for o in draft.plan.objects}
 
     def stand(name: str) -> str:
@@ -134,7 +134,7 @@ def _list_kept(draft: SceneDraft) -> dict[str, Placement]:
 
 
 def _without(draft: SceneDraft, kept: Places, names: Collection[str]) -> dict[str, Placement]:
-    """Return the placements without ``names``, and without objects whose support is removed."""
+    """Return the placements without ``names`` and without objects whose support is removed."""
     left = {name: place for name, place in kept.items() if name not in names}
     while gone := [n for n, p in left.items() if p.on != TABLE and p.on not in left]:
         left = {name: place for name, place in left.items() if name not in gone}
@@ -142,7 +142,7 @@ def _without(draft: SceneDraft, kept: Places, names: Collection[str]) -> dict[st
 
 
 def _find_crowding(draft: SceneDraft) -> set[str]:
-    """Return objects that overlap others or stand off the table; larger objects have priority."""
+    """Return objects that overlap others or extend off the table; larger objects have priority."""
     outline = outline_of(draft.table)
     standing = {n: p for n, p in draft.shown.items() if p.on == TABLE}
     shapes = {n: footprint(draft.models[n], p.yaw) for n, p in standing.items()}

@@ -1,4 +1,4 @@
-"""Matches instances to planned objects, and names all of them."""
+"""Matching of instances to planned objects, and names for all of them."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from ...layout.rest import support_of
 from ...layout.scores import SIDES
 from ...scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan
 
-_NEVER = 1e3  # cost of an impossible pair
+_NEVER = 1e3  # cost of a pair that cannot match
 _SUPPORT, _SIZE, _COLOR = 0.5, 0.1, 0.6
-"""Costs of another support, of a volume e^3 times as large, and of white instead of black."""
+"""Costs of a different support, of a volume e^3 times as large, and of white instead of black."""
 
 
 def match_planned(
@@ -27,12 +27,13 @@ def match_planned(
     placed: Mapping[str, Placement],
     models: Mapping[str, Model],
 ) -> dict[str, str]:
-    """Return which instance shows which planned object, as planned name to instance name.
+    """Return which instance shows each planned object, as a map from planned to instance names.
 
-    ``models`` are the plan's, by planned name. An instance with the planned word is preferred to
-    one of the same category, and that to one with the same last word ("coffee mug", "mug"). Objects
-    with the same word are distinguished by their supports, by their colours if the text has any,
-    and by their sizes; identical ones by their positions relative to others.
+    ``models`` maps planned names to the plan's models. An instance with the planned word is
+    preferred to one of the same category, which is preferred to one with the same last word
+    ("coffee mug", "mug"). Objects with the same word are distinguished by their supports, their
+    sizes and, if the text mentions any, their colours; identical objects by their positions
+    relative to others.
     """
     labels = {i.name: i.label for i in instances if i.name in placed}
     nouns = {planned.name: planned.noun for planned in plan.objects}
@@ -71,7 +72,7 @@ def _tone(crop: UInt8[np.ndarray, "h w 4"]) -> Float[np.ndarray, "3"]:
 def _swap_alike(
     plan: ScenePlan, pairs: dict[str, str], placed: Mapping[str, Placement]
 ) -> dict[str, str]:
-    """Return the pairs, with identical objects swapped if more relations of sides then hold."""
+    """Return the pairs, swapping identical objects if more of the relations to sides then hold."""
     alike: dict[str, list[str]] = {}
     for planned in plan.objects:
         if planned.name in pairs:
@@ -91,7 +92,7 @@ def _swap_alike(
 def _count_wrong_sides(
     plan: ScenePlan, pairs: Mapping[str, str], placed: Mapping[str, Placement]
 ) -> int:
-    """Return the number of planned objects on the wrong side of another object or the table."""
+    """Return the number of planned objects on the wrong side of another object or of the table."""
     at = {name: placed[found].translation[:2] for name, found in pairs.items()}
     at[TABLE] = np.zeros(2)
     return sum(
@@ -103,7 +104,7 @@ def _count_wrong_sides(
 
 
 def _compare_words(planned: PlannedObject, label: str) -> float | None:
-    """Return the cost of a label for a planned object; None if they do not match."""
+    """Return the cost of a label for a planned object, or None if they do not match."""
     if label == planned.noun:
         return 0.0
     found = find_category(label)
@@ -113,7 +114,7 @@ def _compare_words(planned: PlannedObject, label: str) -> float | None:
 
 
 def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, str]:
-    """Return names for the ``missing`` objects that no instance has."""
+    """Return unused names for the ``missing`` objects."""
     names: dict[str, str] = {}
     used = set(taken)
     for planned in missing:
@@ -125,7 +126,7 @@ def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, 
 
 
 def retarget(planned: PlannedObject, names: Mapping[str, str]) -> PlannedObject:
-    """Return a planned object with its relations' targets renamed by ``names``, old to new."""
+    """Return a planned object with its relations' targets renamed by ``names`` (old to new)."""
     relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
     return replace(planned, relations=relations)
 

@@ -1,4 +1,4 @@
-"""Keeps objects apart and on the table, by their footprints at shared heights."""
+"""The cost that keeps objects apart and on the table, from their footprints at shared heights."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
     from torch import Tensor
 
 _CORNERS = 16  # maximum number of corners of an outline
-_LEAST = 1e-3  # minimum shared height of two objects, metres
+_LEAST = 1e-3  # minimum height range that two objects share, metres
 _FOUND = 0.2  # weight of an overlap that existed at the start
 _DEEP = 0.02  # depth of overlap beyond which the cost saturates, metres
-_TOP = 0.01  # thickness of the layer below its highest point that counts as a table's top, metres
+_TOP = 0.01  # thickness of the layer below the highest point that counts as a table's top, metres
 _SLACK = 1e-4  # metres
 
 
@@ -29,9 +29,10 @@ _SLACK = 1e-4  # metres
 class Crowd:
     """``m`` pairs of objects that could collide, and the tabletop's outline.
 
-    ``first`` and ``second`` are the pairs' rows, ``one`` and ``other`` their outlines about the
-    objects' centres at yaw 0 and the initial sizes, metres. Both are convex, counter-clockwise, and
-    padded with repeated points. ``least`` is the initial gap of a pair, at most 0.
+    ``first`` and ``second`` are the rows of each pair's objects; ``one`` and ``other`` are the
+    outlines of these about the objects' centres, at yaw 0 and the initial sizes, metres. Both are
+    convex, counter-clockwise, and padded with repeated points. ``least`` is the initial gap of a
+    pair, at most 0.
     """
 
     first: Int[Tensor, "m"]
@@ -44,11 +45,11 @@ class Crowd:
     def cost(
         self, place: Float[Tensor, "n 2"], yaw: Float[Tensor, "n"], grow: Float[Tensor, "n"]
     ) -> Tensor:
-        """Return how far objects overlap or leave the table, metres.
+        """Return how far objects overlap or extend off the table, metres.
 
-        An initial overlap has a lower weight unless it grows, and saturates with its depth:
-        outlines are larger than objects, and no small motion separates an object from one that
-        supports it but was assumed to stand beside it.
+        An initial overlap has a lower weight unless it grows, and its cost saturates with depth.
+        There are two reasons: outlines are larger than objects, and if an object was assumed to
+        stand beside the one that actually supports it, no small motion can separate them.
         """
         a, b = (
             placed_outlines(shape, place[rows], yaw[rows], grow[rows])
@@ -67,7 +68,7 @@ def placed_outlines(
     yaw: Float[Tensor, "m"],
     grow: Float[Tensor, "m"],
 ) -> Float[Tensor, "m k 2"]:
-    """Return outlines rotated by ``yaw`` (radians), scaled by ``grow``, centred at ``place``."""
+    """Return outlines rotated by ``yaw`` (radians), scaled by ``grow`` and centred at ``place``."""
     import torch
 
     c, s = yaw.cos()[:, None], yaw.sin()[:, None]
@@ -77,7 +78,7 @@ def placed_outlines(
 
 
 def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, "m"]:
-    """Return the gaps between convex outlines along the best edge of either, metres.
+    """Return the gaps between convex outlines along the best edge of either one, metres.
 
     A negative value is the minimum displacement that separates the two. If two edges separate them
     equally well, one of the edges gets the whole gradient; otherwise coincident outlines would not
@@ -89,7 +90,7 @@ def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, 
 
 
 def _beyond(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m j 2"]) -> Float[Tensor, "m"]:
-    """Return the distance of all of ``b`` from the best separating edge of ``a``."""
+    """Return how far all of ``b`` is beyond the best separating edge of ``a``."""
     import torch
 
     along = a.roll(-1, 1) - a
@@ -107,8 +108,8 @@ def make_crowd(
 ) -> Crowd:
     """Return the pairs of objects that must stay apart.
 
-    ``chains`` are the names of all direct and indirect supports of each object. An object may
-    overlap its supports; two other objects are compared at the heights they share.
+    ``chains`` lists the names of all direct and indirect supports of each object. An object may
+    overlap its supports; any other two objects are compared at the heights that they share.
     """
     import torch
 
@@ -136,7 +137,7 @@ def make_crowd(
 
 
 def _shared_heights(a: Placement, b: Placement) -> tuple[float, float]:
-    """Return the lowest and highest height that both objects share, metres."""
+    """Return the lowest and the highest height that both objects share, metres."""
     low, high = ([p.translation[2] + s * p.scale[2] / 2 for p in (a, b)] for s in (-1, 1))
     return max(low), min(high)
 
@@ -144,7 +145,7 @@ def _shared_heights(a: Placement, b: Placement) -> tuple[float, float]:
 def _footprint(
     mesh: Mesh, placement: Placement, low: float, high: float
 ) -> Float[np.ndarray, "k 2"]:
-    """Return the outline of an object between two heights (metres) in its own axes."""
+    """Return an object's outline between two heights (metres), in its own axes."""
     corners = np.asarray(mesh.vertices, float) * placement.scale
     z = corners[:, 2] + placement.translation[2]
     ends = np.concatenate([mesh.faces[:, [k, (k + 1) % 3]] for k in range(3)])
@@ -157,7 +158,7 @@ def _footprint(
 
 
 def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline; points on a line give a thin box."""
+    """Return the convex outline; for points on a line it is a thin box."""
     try:
         return convex_outline(points)
     except InputError:
@@ -166,7 +167,7 @@ def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the outline with ``_CORNERS`` corners: drop the least important or repeat the last."""
+    """Return the outline with ``_CORNERS`` corners; drop minor ones or repeat the last."""
     while len(outline) > _CORNERS:
         before, after = outline - np.roll(outline, 1, 0), np.roll(outline, -1, 0) - outline
         lost = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
@@ -175,7 +176,7 @@ def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _tabletop(model: Model | None, scale: Float[np.ndarray, "3"]) -> Float[np.ndarray, "k 2"]:
-    """Return the tabletop's outline about its centre, metres; its box if it has no model."""
+    """Return the tabletop's outline about its centre, metres, or its box if it has no model."""
     half = np.asarray(scale)[:2] / 2
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * half
     if model is not None:

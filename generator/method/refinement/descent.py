@@ -1,4 +1,4 @@
-"""Misfit of outlines, and its minimisation by gradient descent."""
+"""The misfit of outlines, and its minimisation by gradient descent."""
 
 # Torch's tensor methods lack type annotations.
 # pyright: reportUnknownMemberType=false, reportUnknownVariableType=false
@@ -16,16 +16,16 @@ from .problem import ObservedThings, PosedThings, Problem, RefinementConfig, sta
 if TYPE_CHECKING:
     from torch import Tensor
 
-_HELD = 0.05  # weight of the deviation from the poses of DRO and TSA
-_APART = 20.0  # weight per metre of overlap, or of distance beyond the table's edge
-_ROUNDS = 20  # Adam's steps for the camera's position
-_REACH = 0.02  # unit of the camera's motion, as a share of the objects' mean distance
+_HELD = 0.05  # weight of deviations from the poses of DRO and TSA
+_APART = 20.0  # weight per metre of overlap or of distance beyond the table's edge
+_ROUNDS = 20  # number of Adam steps for the camera's position
+_REACH = 0.02  # unit of the camera's motion, as a fraction of the objects' mean distance
 
 
 def misfits(
     seen: ObservedThings, posed: PosedThings, config: RefinementConfig
 ) -> tuple[Float[np.ndarray, "n"], Float[Tensor, "3"]]:
-    """Return one minus each object's overlap of outline and mask, and the camera's position.
+    """Return one minus the overlap of each object's outline and mask, and the camera's position.
 
     The camera's position maximises the overlap, since nothing else determines it.
     """
@@ -116,7 +116,7 @@ def _misfit(
     rotation = soft.object_to_camera(posed.yaw, torch.zeros(count), seen.rotation)
     away = (posed.place - camera)[:, None]
     center = soft.rotate(away, seen.rotation.expand(count, 3, 3))[:, 0]
-    if grow is not None:  # an object twice as large at twice the distance looks the same
+    if grow is not None:  # an object that is twice as large at twice the distance looks the same
         center = center / grow[:, None]
     drawn = soft.render(
         posed.surface, rotation, center, resolution, owner=torch.arange(count),

@@ -1,4 +1,4 @@
-"""The refinement as a stage, and its measure: the misfit of outlines."""
+"""The refinement as a stage, and its measure, the misfit of outlines."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from ...threads import single_thread
 from .descent import descend, misfits
 from .problem import RefinementConfig, make_posed, make_problem, make_seen, pose_placements
 
-_WORSE = 0.02  # increase of an object's misfit above which its pose is not changed
+_WORSE = 0.02  # an object's pose is not changed if its misfit would increase by more than this
 
 
 @dataclass(frozen=True, eq=False)
 class Refinement:
-    """Result of the joint refinement.
+    """The result of the joint refinement.
 
     ``before`` and ``after`` are one minus the overlap of outlines (Eq. 2), averaged over the
-    objects, for the given and the returned placements; 0 if nothing was refined.
+    objects, for the given and the returned placements. Both are 0 if nothing was refined.
     """
 
     placements: tuple[Placement, ...]
@@ -41,15 +41,15 @@ def refine_scene(
     config: RefinementConfig,
     seed: int = 0,
 ) -> Refinement:
-    """Optimise the poses of all objects and the camera's position to match the outlines.
+    """Optimise the poses of all objects and the camera's position so that the outlines match.
 
     ``instances``, ``view`` and ``image_size`` (width, height) are those of the reference picture.
     The table's model, if given, determines the outline of its top; ``table_scale`` is its extent,
-    metres. ``placements`` are in the world frame; ``seed`` is for the surface samples.
+    metres. ``placements`` are in the world frame; ``seed`` is the seed of the surface samples.
 
-    The camera's direction is fixed: outlines agree as well at an elevation 3 degrees off, so they
-    do not determine it; the table's edges do. A result with a higher misfit is discarded, for the
-    whole scene or for a single object. A picture with fewer than two objects, which does not
+    The camera's direction is fixed. Outlines agree equally well at an elevation 3 degrees off, so
+    they do not determine it; the table's edges do. A result with a higher misfit is discarded, for
+    the whole scene or for a single object. A picture with fewer than two objects, which does not
     determine the camera's position, is left unchanged.
     """
     shown = _shown_instances(instances)
@@ -89,11 +89,11 @@ def outline_misfit(
     config: RefinementConfig | None = None,
     seed: int = 0,
 ) -> float:
-    """Return one minus the overlap of outlines of a finished scene, averaged over the instances.
+    """Return one minus the mean overlap of the outlines of a finished scene.
 
-    The measure of ``Refinement``, for objects at rest, seen by a camera with the picture's
-    direction at the best-matching position. An instance without an object counts as 1, and so does
-    one whose object is far from its outline; the table and instances without visible pixels are
+    This is the measure of ``Refinement`` for objects at rest, as seen by a camera that has the
+    picture's direction and the best-matching position. An instance counts as 1 if it has no object
+    or if its object is far from its outline. The table and instances without visible pixels are
     ignored.
     """
     config = config or RefinementConfig()
@@ -109,7 +109,7 @@ def outline_misfit(
             np.array([o.pose.position for o in there]), config, seed,
         )  # fmt: skip
         found, _ = misfits(seen, posed, config)
-    found = np.nan_to_num(found, nan=1.0)  # too far from its outline
+    found = np.nan_to_num(found, nan=1.0)  # the object is too far from its outline in the picture
     return float((found.sum() + len(shown) - len(there)) / len(shown))
 
 
@@ -118,7 +118,7 @@ def _shown_instances(instances: Sequence[Instance]) -> dict[str, Instance]:
 
 
 def _resting_mesh(thing: Object) -> Mesh:
-    """Return an object's mesh in metres, rotated as at rest."""
+    """Return an object's mesh in metres, rotated as it is at rest."""
     mesh = thing.model.mesh
     turn = quaternion_matrix(thing.pose.quaternion)
     return replace(mesh, vertices=(mesh.vertices * thing.scale) @ turn.T)
@@ -132,7 +132,7 @@ def _move(
     models: Mapping[str, Model],
     height: float,
 ) -> tuple[Placement, ...]:
-    """Return the placements after one step each, lowered onto their supports."""
+    """Return the placements, each changed by one step and lowered onto its support."""
     across = carries @ steps[:, 1:3]
     moved = {
         p.name: replace(

@@ -26,8 +26,8 @@ from ...errors import require
 class ObservedThings:
     """Visible outlines of ``n`` objects in tight crops, and the camera's direction.
 
-    ``middle`` holds the crops' centres in x/z, y/z of the camera; ``scale`` is in pixels per unit
-    of those.
+    ``middle`` holds the crops' centres in the camera's x/z, y/z; ``scale`` is in pixels per unit of
+    these.
     """
 
     mask: Float[Tensor, "n r r"]
@@ -39,7 +39,7 @@ class ObservedThings:
 
 @dataclass(frozen=True, eq=False)
 class PosedThings:
-    """Poses of ``n`` objects: surface, yaw (radians), box centre (metres)."""
+    """Poses of ``n`` objects: surface, yaw (radians) and box centre (metres)."""
 
     surface: SampledSurface
     yaw: Float[Tensor, "n"]
@@ -48,11 +48,11 @@ class PosedThings:
 
 @dataclass(frozen=True, eq=False)
 class Links:
-    """How an object's motion and growth affect the objects on it: rows are affected by columns.
+    """How the motion and growth of objects (columns) affect the objects on them (rows).
 
-    ``carries`` is 1 for an object itself and all of its supports; ``lifts`` is how much their
-    growth lifts its centre: half of its own height, and the heights of its supports unless it is
-    inside them.
+    ``carries`` is 1 for an object itself and for all of its supports. ``lifts`` is how much their
+    growth lifts the object's centre: half of its own height, and the heights of its supports unless
+    it is inside them.
     """
 
     carries: Float[Tensor, "n n"]
@@ -76,7 +76,7 @@ def make_seen(
     image_size: tuple[int, int],
     config: RefinementConfig,
 ) -> ObservedThings:
-    """Return the visible outlines of objects; any of ``all_things`` may occlude them."""
+    """Return the visible outlines of objects, which any of ``all_things`` may occlude."""
     from ...render.crop import MARGIN, hiders, in_reference, mask_in_crop, tight_box, tight_crop
     from ...render.soft import smooth
 
@@ -109,7 +109,7 @@ def make_problem(
     config: RefinementConfig,
     seed: int,
 ) -> Problem:
-    """Return the problem of the ``moving`` objects, some or all of the placed ones."""
+    """Return the problem for the ``moving`` objects, which are some or all of the placed ones."""
     below = {p.name: p for p in placements}
     chains = [[q.name for q in _chain(p, below)] for p in moving]
     crowd = make_crowd(moving, chains, models, table_scale)
@@ -138,7 +138,7 @@ def pose_placements(
     config: RefinementConfig,
     seed: int,
 ) -> PosedThings:
-    """Return placed objects with points sampled from their models."""
+    """Return placed objects, with points sampled from their models."""
     meshes, scales = [models[p.name].mesh for p in placements], [p.scale for p in placements]
     places = np.array([p.translation for p in placements])
     return make_posed(meshes, scales, [p.yaw for p in placements], places, config, seed)
@@ -152,7 +152,7 @@ def make_posed(
     config: RefinementConfig,
     seed: int,
 ) -> PosedThings:
-    """Return posed objects with points sampled from their surfaces."""
+    """Return posed objects, with points sampled from their surfaces."""
     from ...render.soft import sample_surface, stack
 
     pairs = zip(meshes, scales, strict=True)
@@ -161,9 +161,9 @@ def make_posed(
 
 
 def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
-    """Return where a camera of given direction sees the objects centred in their crops.
+    """Return where a camera with a given direction sees the objects centred in their crops.
 
-    Least squares over the distances of the objects' centres from their rays.
+    The position minimises the squared distances of the objects' centres from their rays.
     """
     rays = np.column_stack([seen.middle.numpy(), np.ones(len(seen.middle))]) @ seen.rotation.numpy()
     rays = rays.astype(float) / np.linalg.norm(rays, axis=1, keepdims=True)
@@ -174,14 +174,14 @@ def standpoint(seen: ObservedThings, posed: PosedThings) -> Float[Tensor, "3"]:
 
 
 def tensor(array: object) -> Tensor:
-    """Return numbers as a torch tensor, in single precision."""
+    """Return numbers as a single-precision torch tensor."""
     import torch
 
     return torch.as_tensor(np.asarray(array), dtype=torch.float32)
 
 
 def _chain(placement: Placement, below: Mapping[str, Placement]) -> list[Placement]:
-    """Return an object's support, the support of that, and so on down to the table."""
+    """Return an object's support, the support of that support, and so on down to the table."""
     chain: list[Placement] = []
     while placement.on in below and below[placement.on] not in chain:
         placement = below[placement.on]
@@ -194,13 +194,13 @@ class RefinementConfig:
     """Settings of the joint refinement.
 
     Attributes:
-        steps: Adam's steps; 0 disables the refinement.
+        steps: number of Adam steps; 0 disables the refinement.
         learning_rate: Adam's initial step, in units of the scales below; it decays to zero.
-        turn, move, grow: typical errors of yaw (radians), position (metres) and size (logarithm); 0
-            fixes the quantity.
+        turn, move, grow: typical errors of yaw (radians), position (metres) and size (logarithm). A
+            quantity whose error is 0 is fixed.
         resolution: side of the compared crops, pixels.
-        points: surface points sampled per object.
-        unsure: weight of pixels where another instance may occlude this one.
+        points: number of surface points sampled per object.
+        unsure: weight of the pixels where another instance may occlude this one.
     """
 
     steps: int = 40

@@ -1,8 +1,8 @@
-"""Sec. 3.3, Differentiable Rotation Optimizer (DRO): each object's yaw r_i, Eqs. 1 to 4.
+"""Differentiable Rotation Optimizer (DRO, Sec. 3.3): each object's yaw r_i, Eqs. 1 to 4.
 
-Every candidate yaw is rendered with a soft rasteriser, cropped tightly and compared with the tight
-crop of the completed instance. A coarse search over the full circle is followed by Adam on the best
-candidates, all in one tensor.
+The object is rendered at every candidate yaw with a soft rasteriser, cropped tightly and compared
+with the tight crop of the completed instance. After a coarse search over the full circle, Adam
+refines the best candidates, all in one tensor.
 """
 
 from .certainty import margin as margin

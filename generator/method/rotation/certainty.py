@@ -1,4 +1,4 @@
-"""Certainty of a yaw, against other candidates and against small rotations."""
+"""How certain a yaw is, compared with other candidates and with small rotations."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ OTHER = float(np.deg2rad(20.0))
 """Minimum angle between two different answers; closer yaws count as the same answer."""
 
 RISE = 0.02
-"""Relative increase of the loss that defines a minimum's width."""
+"""Relative increase of the loss that defines the width of a minimum."""
 
 _SAME = float(np.deg2rad(8.0))  # a candidate is unchanged if refinement moved it by less than this
-_LEAST = 1e-9  # loss of a perfect match, avoids division by zero
+_LEAST = 1e-9  # loss of a perfect match; avoids division by zero
 _STEP = float(np.deg2rad(2.0))  # step of the second difference
 
 
@@ -23,8 +23,8 @@ def margin(rounds: Rows, order: int = 1) -> float:
     """Return the relative increase of the loss from the answer to the best other yaw.
 
     Yaws that differ by a multiple of 2 pi / ``order`` are the same answer. ``rounds`` are one
-    object's candidates, highest resolution first. Each rival is compared at its highest resolution
-    with the best candidate at that resolution. Returns 0 without a rival.
+    object's candidates, highest resolution first. Each rival is compared, at its highest
+    resolution, with the best candidate at that resolution. Returns 0 if there is no rival.
     """
     answer, least, judged = rounds[0][0].yaw, float("inf"), list[float]()
 
@@ -45,8 +45,8 @@ def margin(rounds: Rows, order: int = 1) -> float:
 def widths(objective: Objective, found: list[RotationCandidate]) -> list[float]:
     """Return the change of yaw, radians in (0, pi], that adds ``RISE`` to each object's loss.
 
-    Computed from the second difference at the best pose of each of the objective's objects; pi if
-    the loss has no minimum there.
+    It is computed from the second difference at the best pose of each object of the objective, and
+    is pi if the loss has no minimum there.
     """
     import torch
 

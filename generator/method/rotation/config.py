@@ -1,4 +1,4 @@
-"""Settings of the rotation optimiser: fast defaults, and the settings of the paper."""
+"""Settings of the rotation optimiser: fast defaults, and those of the paper."""
 
 from __future__ import annotations
 
@@ -14,52 +14,59 @@ from ...errors import InputError, require
 class RotationConfig:
     """Settings of the rotation optimiser.
 
-    The defaults are for a CPU; ``paper()`` gives the values of Sec. 4.1, ``quick()`` a third of the
-    work.
+    The defaults are for a CPU. ``paper()`` returns the values of Sec. 4.1; ``quick()`` returns
+    settings that need a third of the work.
 
     Attributes:
         lambda_s, lambda_e, lambda_a: weights of Eq. 1.
         coarse_step: step of the coarse search over the full circle, radians.
         candidates: number of coarse angles that are refined.
-        separation: minimum angle between two candidates, radians; 0 takes the best angles even if
-            they are adjacent. A positive value keeps the opposite direction among the candidates.
-        coarse_resolution, thinning: side of the crops in the coarse search and its refinement,
-            pixels; only every ``thinning``-th point is drawn.
-        coarse_steps: Adam's steps at the coarse resolution; 0 refines at full resolution only.
-        rivals, rival, rival_steps: maximum number of candidates, within the relative loss ``rival``
-            of the best, that are then refined at full resolution, and the number of steps.
+        separation: minimum angle between two candidates, radians. If 0, the best angles are taken
+            even if they are adjacent; a positive value keeps the opposite direction among the
+            candidates.
+        coarse_resolution, thinning: side of the crops, in pixels, in the coarse search and its
+            refinement, in which only every ``thinning``-th point is drawn.
+        coarse_steps: number of Adam steps at the coarse resolution; if 0, candidates are refined
+            only at full resolution.
+        rivals, rival, rival_steps: maximum number of candidates that are then refined at full
+            resolution, their maximum relative loss above the best, and the number of steps.
         crowded: if the last candidate's loss is within this relative margin of the best, the
-            candidates are selected again at full resolution and not refined coarsely; 0 disables
-            this.
+            candidates are selected again at full resolution instead of being refined coarsely; 0
+            disables this.
         doubt, close_steps, close_resolution, close_points: rivals whose losses stay within the
             relative margin ``doubt`` of the best are refined once more, at a higher resolution; 0
             steps disable this.
-        finalists, tie: maximum number of candidates, within the relative loss ``tie`` of the best,
-            that are then refined by ``steps``.
+        finalists, tie: maximum number of candidates that are finally refined by ``steps``, and
+            their maximum relative loss above the best.
         resolution: side of the compared crops, pixels.
-        points: surface points sampled per object.
-        learning_rate: Adam's step, radians.
-        steps: Adam's steps at full resolution.
-        decay: decrease the step to zero along a cosine, which ends exactly at the minimum.
-        patience: stop after this many steps without progress; 0 never stops early.
-        suspect, flat: an object whose coarse losses vary by less than the share ``suspect`` of the
-            lowest may be rotationally symmetric. Its own renders are then compared with each other;
-            if rotation adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. The same
-            comparison finds rotations that leave an ambiguous object unchanged. 0 disables both.
-        edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
-        keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
-        perspective: view each object along its own ray; False views all objects as if they stood at
-            the image centre.
-        refine_camera: also adjust the camera's elevation per candidate, within ``max_tilt``.
-        max_tilt: maximum change of elevation, radians; 0 changes none.
-        refine_fit: also shift and scale the candidates of partially occluded objects, by at most
-            ``max_fit`` of the crop's side, since their completed outlines are guesses. The search
-            then also starts with the object extending beyond each side of its box where it may be
-            occluded. ``fit_cost`` is the loss added by a change of ``max_fit``.
-        relight: apply the picture's light, a linear function of the surface normal, to each render
-            before Eq. 4 compares the two.
-        unsure: weight of pixels where another instance may occlude this one.
-        device: torch device, "cpu" or "cuda". Only the CPU is reproducible bit for bit.
+        points: number of surface points sampled per object.
+        learning_rate: the step size of Adam, radians.
+        steps: number of Adam steps at full resolution.
+        decay: whether to decrease the step size to zero along a cosine, so that the descent ends
+            exactly at the minimum.
+        patience: number of steps without progress after which the descent stops; if 0, it never
+            stops early.
+        suspect, flat: an object whose coarse losses vary by less than the fraction ``suspect`` of
+            the lowest may be rotationally symmetric. Its own renders are then compared with each
+            other. If rotation adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. The
+            same comparison finds rotations that leave an ambiguous object unchanged. 0 disables
+            both.
+        edge_unit: the distance that counts as 1 in Eq. 3, as a fraction of the crop's side.
+        keep_aspect: whether to pad the tight crop to a square; if False, it is stretched, and its
+            aspect ratio is lost.
+        perspective: whether to view each object along its own ray; if False, all objects are viewed
+            as if they were at the centre of the image.
+        refine_camera: whether to adjust the camera's elevation, too, for each candidate, within
+            ``max_tilt``.
+        max_tilt: maximum change of the elevation, radians; if 0, it is not changed.
+        refine_fit: whether to shift and scale the candidates of partially occluded objects as well,
+            by at most ``max_fit`` of the crop's side, since their completed outlines are guesses.
+            The search is then also started with the object extending beyond its box, at each side
+            where it may be occluded. ``fit_cost`` is the loss added by a change of ``max_fit``.
+        relight: whether to apply the picture's light, a linear function of the surface normal, to
+            each render before Eq. 4 compares the two.
+        unsure: weight of the pixels where another instance may occlude this one.
+        device: torch device, "cpu" or "cuda". Only the CPU's results are reproducible bit for bit.
     """
 
     lambda_s: float = 0.5
@@ -128,7 +135,7 @@ class RotationConfig:
     def quick(cls) -> RotationConfig:
         """Return settings with fewer candidates and no high-resolution comparison of similar ones.
 
-        Front and back are confused more often if they hardly differ, and rotational symmetry is not
+        If front and back hardly differ, they are confused more often; rotational symmetry is not
         detected.
         """
         return cls(

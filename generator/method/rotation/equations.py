@@ -1,6 +1,6 @@
-"""Eqs. 1 to 4: the agreement of a rendered yaw with the picture.
+"""Eqs. 1 to 4: the agreement between a rendered yaw and the picture.
 
-``weight`` is the weight of each pixel; 1 everywhere gives the paper's equations.
+``weight`` is the weight of each pixel; a weight of 1 everywhere gives the paper's equations.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def silhouette_loss(
     mask: Float[Tensor, "*b h w"],
     weight: Float[Tensor, "*b h w"] | float = 1.0,
 ) -> Float[Tensor, "b"]:
-    """Eq. 2: one minus the soft intersection over union of silhouette and mask."""
+    """Return Eq. 2: one minus the soft intersection over union of silhouette and mask."""
     from ...render.soft import soft_iou
 
     return 1 - soft_iou(soft, mask, weight)
@@ -36,7 +36,7 @@ def edge_loss(
     distance: Float[Tensor, "*b h w"],
     weight: Float[Tensor, "*b h w"] | float = 1.0,
 ) -> Float[Tensor, "b"]:
-    """Eq. 3: mean distance D_S to the mask's contour, weighted by each candidate's own edges."""
+    """Return Eq. 3: mean distance D_S to the mask's contour, weighted by each candidate's edges."""
     counted = weight * edges
     return (counted * distance).sum((-2, -1)) / (counted.sum((-2, -1)) + _EPSILON)
 
@@ -46,7 +46,7 @@ def appearance_loss(
     target: tuple[Float[Tensor, "*_t _c _h _w"], ...],
     weight: tuple[Float[Tensor, "*_t _h _w"], ...] | None = None,
 ) -> Float[Tensor, "b"]:
-    """Eq. 4: squared distance of the features Phi, averaged over positions and maps.
+    """Return Eq. 4: squared distance between features Phi, averaged over positions and maps.
 
     The paper prints a sum; the average makes lambda_a independent of the resolution. ``weight`` has
     one map for each feature map.
@@ -63,14 +63,14 @@ def rotation_loss(
     appearance: Float[Tensor, "b"],
     config: RotationConfig,
 ) -> Float[Tensor, "b"]:
-    """Eq. 1: the weighted sum of the three terms."""
+    """Return Eq. 1: the weighted sum of the three terms."""
     return config.lambda_s * silhouette + config.lambda_e * edge + config.lambda_a * appearance
 
 
 def contour_distance(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "h w"]:
-    """Return D_S of Eq. 3: each pixel's distance to the nearest Canny edge of ``mask``, pixels.
+    """Return D_S of Eq. 3: each pixel's distance to the nearest Canny edge of ``mask``, in pixels.
 
-    SciPy's transform is used because OpenCV's exact one is not reproducible bit for bit.
+    SciPy's distance transform is used because OpenCV's exact one is not reproducible bit for bit.
     """
     import cv2
     from scipy import ndimage

@@ -1,4 +1,4 @@
-"""Rotations of a picture's instances."""
+"""Estimates of how the instances of a picture are rotated."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def estimate_rotation(
     config: RotationConfig,
     seed: int = 0,
 ) -> Rotation:
-    """Estimate r_i of one instance with a model; see ``estimate_rotations``.
+    """Estimate r_i of one instance that has a model; see ``estimate_rotations``.
 
     Raises:
         InputError: there is no such instance, or it has no visible pixels.
@@ -103,13 +103,13 @@ def optimise_rotation(
     seed: int = 0,
     hidden: Bool[np.ndarray, "h w"] | None = None,
 ) -> Rotation:
-    """Estimate the yaw of one object: coarse search, then gradient descent on the candidates.
+    """Estimate one object's yaw: a coarse search, then gradient descent on the best candidates.
 
     Returns the best yaw in [-pi, pi) with its loss, and all refined (yaw, loss) pairs, best first.
-    ``model.size`` gives the proportions; ``model.orientation``, if set, is one more start, and
-    decides where the picture is ambiguous. The crop's alpha is S; ``encoder`` gives Phi;
-    ``image_size`` is (width, height) of the reference image, pixels; ``seed`` is for the surface
-    samples; ``hidden`` marks the pixels where the object may be occluded.
+    ``model.size`` gives the proportions; ``model.orientation``, if set, is an additional start, and
+    decides if the picture is ambiguous. The crop's alpha is S; ``encoder`` computes Phi;
+    ``image_size`` is (width, height) of the reference image, pixels; ``seed`` is the seed of the
+    surface samples; ``hidden`` marks the pixels where the object may be occluded.
 
     Raises:
         InputError: the crop is empty or the model has no surface.

@@ -1,4 +1,4 @@
-"""Targets of the comparison, and L_rot of Eq. 1 for all objects of a scene at once."""
+"""Targets of the comparison, and L_rot (Eq. 1) for all objects of a scene at once."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from ...render.soft import CropFit
 
 
-_NEAR_SIDE = 0.04  # distance from a side of the box at which occlusion counts, share of the crop
-_TOUCH = 0.08  # minimum share of a side that is occluded
+_NEAR_SIDE = 0.04  # distance from the box's side within which occlusion counts, fraction of crop
+_TOUCH = 0.08  # minimum fraction of a side that is occluded
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,9 +37,10 @@ class Target:
     """Targets for the renders of ``s`` objects, in crops of one resolution.
 
     ``image`` is the crop over grey and ``mask`` is S, both smoothed like the renders; ``distance``
-    is D_S over ``edge_unit``; ``features`` are Phi(I_instance); ``weight`` is the weight of each
-    pixel, ``weights`` the same at the features' sizes. ``cut`` marks the sides of the box (left,
-    top, right, bottom) at which the object may be occluded, and therefore extend beyond the box.
+    is D_S divided by ``edge_unit``; ``features`` are Phi(I_instance); ``weight`` is the weight of
+    each pixel, and ``weights`` are the same at the features' resolutions. ``cut`` marks the sides
+    of the box (left, top, right, bottom) at which the object may be occluded and may therefore
+    extend beyond the box.
     """
 
     image: Float[Tensor, "s 3 h w"]
@@ -53,7 +54,7 @@ class Target:
 
 @dataclass(frozen=True, eq=False)
 class Candidates:
-    """Poses to compare: object index, yaw and tilt (radians), and position in the crop of each."""
+    """Poses to compare: object index, yaw and tilt (radians), and position in the crop for each."""
 
     owner: Int[Tensor, "b"]
     yaw: Float[Tensor, "b"]
@@ -63,10 +64,11 @@ class Candidates:
 
 @dataclass(frozen=True, eq=False)
 class Objective:
-    """L_rot of Eq. 1 for ``s`` objects, each seen at its own position in the image.
+    """L_rot (Eq. 1) for ``s`` objects, each seen at its own position in the image.
 
-    ``middle`` and ``span`` are the objects' boxes in x/z, y/z of the camera. ``loose`` marks
-    objects whose outline was completed by a guess: they may be shifted and scaled in their crops.
+    ``middle`` and ``span`` are the centres and sizes of the objects' boxes in the camera's x/z,
+    y/z. ``loose`` marks objects whose outline was completed by a guess; they may be shifted and
+    scaled in their crops.
     """
 
     surface: SampledSurface
@@ -82,7 +84,7 @@ class Objective:
         return len(self.middle)
 
     def __call__(self, poses: Candidates) -> Float[Tensor, "b"]:
-        """Render the candidates and return each one's loss."""
+        """Render the candidates and return the loss of each."""
         return self.compare(self.render(poses), self.target, poses.owner)
 
     def place(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
@@ -180,7 +182,7 @@ def make_target(
 def cut_sides(
     hidden: Bool[np.ndarray, "r r"], box: Float[np.ndarray, "4"]
 ) -> Bool[np.ndarray, "4"]:
-    """Return the occluded sides (left, top, right, bottom) of a tight crop of ``box``."""
+    """Return the occluded sides (left, top, right, bottom) of the tight crop of ``box``."""
     from ...render.crop import MARGIN
 
     side = len(hidden)
@@ -207,9 +209,9 @@ def make_objectives(
     seed: int = 0,
     hidden: list[Bool[np.ndarray, "h w"] | None] | None = None,
 ) -> Levels:
-    """Prepare Eq. 1 for objects of one image, at the resolutions of the settings.
+    """Prepare Eq. 1 for the objects of one image, at the resolutions in the settings.
 
-    ``image_size`` is (width, height) of the reference image; ``hidden`` as in ``make_target``.
+    ``image_size`` is (width, height) of the reference image; ``hidden`` is as in ``make_target``.
 
     Raises:
         InputError: torch does not have the configured device; a crop or a mesh is empty.
@@ -270,14 +272,14 @@ def _stack(targets: list[Target], device: str) -> Target:
 
 LEFT, TOP, RIGHT, BOTTOM = range(4)
 
-_MOST = 0.3  # limit of the change of size, and of position as a share of the crop's side
+_MOST = 0.3  # limit of the change of size, and of position as a fraction of the crop's side
 
 
 def reaching_past(objective: Objective, poses: Candidates, side: int) -> CropFit:
     """Return the fit of candidates that match their boxes at all sides except one.
 
-    The two opposite sides determine the size, the third the position. A candidate that would end
-    inside its box, or extend far beyond it, is fitted tightly instead.
+    The two sides adjacent to it determine the size; the opposite side determines the position. A
+    candidate that would end inside its box, or extend far beyond it, is fitted tightly instead.
     """
     import torch
 
@@ -288,7 +290,7 @@ def reaching_past(objective: Objective, poses: Candidates, side: int) -> CropFit
     low, high = bounds(objective.surface.corners[owner], *objective.place(poses))
     own, box = high - low, objective.span[owner]
     inner = 1 - 2 * MARGIN
-    own = inner * own / own.amax(1, keepdim=True)  # shares of the crop's side
+    own = inner * own / own.amax(1, keepdim=True)  # as fractions of the crop's side
     box = inner * box / box.amax(1, keepdim=True)
     along, across = (1, 0) if side in (LEFT, RIGHT) else (0, 1)
     zoom = (box[:, along] / own[:, along]).log()

@@ -1,7 +1,7 @@
-"""The orientation in which a modeler saw its model (``Model.orientation``), used as a hint.
+"""The orientation from which a modeler saw its model (``Model.orientation``), used as a hint.
 
-The yaw that it implies is one more start of the search, and decides between candidates whose losses
-hardly differ. It never overrides a loss that is clearly lowest.
+The yaw that it implies is an additional start of the search, and decides between candidates whose
+losses hardly differ. It never overrides a candidate whose loss is clearly lowest.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ SHARE = 0.05
 def prior_yaw(model: Model) -> float | None:
     """Return the yaw (radians, [-pi, pi)) nearest to a model's orientation.
 
-    Returns None without an orientation, or if the model leans by more than ``UPRIGHT`` from the
-    vertical.
+    Returns None if the model has no orientation, or leans from the vertical by more than
+    ``UPRIGHT``.
     """
     seen = model.orientation
     if seen is None or seen[2, 2] < np.cos(UPRIGHT):
@@ -36,15 +36,15 @@ def prior_yaw(model: Model) -> float | None:
 
 
 def agrees(yaw: float, prior: float | None) -> bool:
-    """Return whether a yaw is within ``NEAR`` of a prior."""
+    """Return whether a yaw is within ``NEAR`` of the prior."""
     return prior is not None and abs(wrap(yaw - prior)) <= NEAR
 
 
 def prefer(found: list[RotationCandidate], prior: float | None) -> list[RotationCandidate]:
-    """Return candidates, best first, but with the one that the prior supports in front.
+    """Return the candidates, best first, but with the one that the prior supports in front.
 
-    That candidate is the best one that differs from the best overall and agrees with the prior, if
-    the best overall does not and their losses cannot be distinguished.
+    If the best candidate does not agree with the prior, the supported one is the best that does. It
+    is moved to the front only if the losses of the two cannot be distinguished.
     """
     if prior is None or not found or agrees(found[0].yaw, prior):
         return found
@@ -59,7 +59,7 @@ def prefer(found: list[RotationCandidate], prior: float | None) -> list[Rotation
 def same_side(found: RotationCandidate, order: int, prior: float | None) -> RotationCandidate:
     """Return a candidate rotated by the multiple of 2 pi / ``order`` that agrees with the prior.
 
-    The object looks the same after that rotation. Without such a multiple the candidate is
+    The object looks the same after that rotation. If there is no such multiple, the candidate is
     unchanged.
     """
     turns = (found.yaw + 2 * np.pi * k / order for k in range(order))

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 Place = tuple[float, float, float]
-"""Shift to the right and down, as shares of a crop's side, and logarithm of the zoom."""
+"""Shift to the right and down, as fractions of a crop's side, and the logarithm of the zoom."""
 
 
 class RotationCandidate(NamedTuple):
@@ -21,15 +21,15 @@ class RotationCandidate(NamedTuple):
 
 
 Rows = list[list[RotationCandidate]]
-"""Candidates, best first: of several objects, or of one object at several resolutions."""
+"""Candidates, best first, of several objects, or of one object at several resolutions."""
 
 
 @dataclass(frozen=True)
 class RotationAnswer:
     """The result for one object.
 
-    ``looks`` are its candidates at each resolution, highest first; ``margin``, ``width``,
-    ``symmetric`` and ``order`` are those of ``generator.scene.Rotation``.
+    ``looks`` are the object's candidates at each resolution, highest first; ``margin``, ``width``,
+    ``symmetric`` and ``order`` are as in ``generator.scene.Rotation``.
     """
 
     looks: Rows

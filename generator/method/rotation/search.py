@@ -1,7 +1,7 @@
-"""Coarse search over the full circle, then gradient descent on the best candidates.
+"""A coarse search over the full circle, then gradient descent on the best candidates.
 
-Each level compares fewer candidates at a higher resolution; most objects are decided before the
-last.
+Each level compares fewer candidates at a higher resolution; for most objects the result is clear
+before the last level.
 """
 
 # Torch's tensor methods lack type annotations.
@@ -28,15 +28,15 @@ if TYPE_CHECKING:
     from torch import Tensor
 
 
-_CHUNK = 24  # coarse candidates of an object per rendering batch
-_SHIFT = 0.3  # Adam's step of shift and zoom, relative to that of yaw
+_CHUNK = 24  # number of an object's coarse candidates per rendering batch
+_SHIFT = 0.3  # Adam's step size for shift and zoom, relative to that for yaw
 
 
 def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list[RotationAnswer]:
-    """Return the result for every object.
+    """Return the result for each object.
 
-    A rotationally symmetric object has one candidate, yaw 0. ``priors`` are yaws (radians) that the
-    models' own orientations imply (see ``prior``), or None.
+    A rotationally symmetric object has a single candidate, yaw 0. ``priors`` are yaws (radians)
+    that the models' own orientations imply (see ``prior``), or None.
     """
     config, coarse, fine = levels.coarse.config, levels.coarse, levels.fine
     hints = [None] * len(coarse) if priors is None else list(priors)
@@ -83,8 +83,8 @@ def _answer(
     candidates: list[RotationCandidate],
     prior: float | None,
 ) -> RotationAnswer:
-    """Return an object's answer; if another side fits about as well, check for symmetry."""
-    # The coarse search is needed too: all finalists may be symmetric to each other.
+    """Return an object's result; if another side fits about as well, check for symmetry."""
+    # The coarse search is needed too, since all finalists may be symmetric to each other.
     config, sure, order = levels.coarse.config, margin(looks), 1
     least = min(looks[0], key=lambda f: f.loss).yaw
     if config.flat and sure < config.doubt:
@@ -99,7 +99,7 @@ def _answer(
 def _starts(
     levels: Levels, priors: Sequence[float | None]
 ) -> tuple[Rows, list[bool], list[RotationCandidate | None], Rows]:
-    """Search all yaws: (best candidates, crowded, candidate if round, all) of each object."""
+    """Search all yaws; return (best candidates, crowded, candidate if round, all) per object."""
     config = levels.coarse.config
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
     losses, places = coarse_search(levels.coarse, yaws)
@@ -110,7 +110,7 @@ def _starts(
     for k, row in enumerate(losses):
         best = select(yaws, row, config)
         close = len(best) > 1 and row[best[-1]] < (1 + config.crowded) * row.min()
-        crowded.append(not flat[k] and bool(close))  # too similar: select at full resolution
+        crowded.append(not flat[k] and bool(close))  # too similar: select again at full resolution
         if crowded[-1]:
             row = losses_at(levels.fine, k, yaws, places[k])
             best = select(yaws, row, config)
@@ -133,7 +133,7 @@ def _starts(
 def _with_start(
     objective: Objective, number: int, found: list[RotationCandidate], yaw: float
 ) -> list[RotationCandidate]:
-    """Return the starts, best first, with one at ``yaw`` (radians) added unless one is near."""
+    """Return the starts, best first, adding one at ``yaw`` (radians) unless one is near it."""
     if any(abs(wrap(f.yaw - yaw)) < objective.config.separation / 3 for f in found):
         return found
     nearest = min(found, key=lambda f: abs(wrap(f.yaw - yaw)))
@@ -147,7 +147,8 @@ def coarse_search(
 ) -> tuple[Float[np.ndarray, "s n"], list[list[Place]]]:
     """Return each object's lowest loss at each yaw (radians), and its position in the crop.
 
-    An object that may be occluded is also drawn extending beyond its box, at one side at a time.
+    An object that may be occluded is also drawn so that it extends beyond its box, at one side at a
+    time.
     """
     import torch
 
@@ -167,7 +168,7 @@ def coarse_search(
 
 
 def coarse_losses(objective: Objective, yaws: Float[np.ndarray, "n"]) -> Float[np.ndarray, "s n"]:
-    """Return Eq. 1 of each object at each yaw (radians), without gradients."""
+    """Return Eq. 1 for each object at each yaw (radians), without gradients."""
     import torch
 
     count = len(objective)
@@ -189,7 +190,7 @@ def losses_at(
     yaws: Float[np.ndarray, "n"],
     places: Sequence[Sequence[float]],
 ) -> Float[np.ndarray, "n"]:
-    """Return Eq. 1 of one object at yaws (radians) and positions in its crop; no gradients."""
+    """Return Eq. 1 for one object at yaws (radians) and positions in its crop; no gradients."""
     import torch
 
     from ...render.soft import CropFit
@@ -208,7 +209,7 @@ def losses_at(
 def select(
     yaws: Float[np.ndarray, "n"], losses: Float[np.ndarray, "n"], config: RotationConfig
 ) -> list[int]:
-    """Return the yaws with the lowest loss: at most ``candidates``, ``separation`` apart."""
+    """Return the yaws with the lowest loss: at most ``candidates``, spaced by ``separation``."""
     chosen: list[int] = []
     for k in np.argsort(losses, kind="stable"):
         if all(abs(wrap(yaws[k] - yaws[n])) >= config.separation - 1e-6 for n in chosen):
@@ -219,7 +220,7 @@ def select(
 
 
 def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
-    """Descend with Adam from each start; return the best of each path, best first.
+    """Descend with Adam from each start; return the best point of each path, best first.
 
     ``starts`` has a list for each object. The whole batch stops once no path improves.
     """
@@ -283,7 +284,7 @@ def _rivals(
     config: RotationConfig,
     prior: float | None,
 ) -> list[RotationCandidate]:
-    """Return the best distinct candidates, with one that agrees with the prior if close enough."""
+    """Return the best distinct candidates, and one that agrees with the prior if it is close."""
     kept: list[RotationCandidate] = []
     for candidate in sorted(found, key=lambda f: f.loss):
         near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)

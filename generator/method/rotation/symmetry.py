@@ -11,15 +11,16 @@ from jaxtyping import Bool, Float
 from .equations import contour_distance
 from .objective import Candidates, Objective, Target
 
-_TURNS = 24  # number of yaws compared with the first
+_TURNS = 24  # number of yaws that are compared with the first
 
 
 def looks_round(
     close: Callable[[], Objective], suspects: Bool[np.ndarray, "s"], flat: float
 ) -> Bool[np.ndarray, "s"]:
-    """Return which suspects are rotationally symmetric: those that rotation hardly changes.
+    """Return which suspects are rotationally symmetric, that is, hardly changed by rotation.
 
-    ``close`` makes the objective that draws them; it is called only if there are suspects.
+    ``close`` is a function that makes the objective which renders them; it is called only if there
+    are suspects.
     """
     if not suspects.any():
         return np.zeros_like(suspects)
@@ -29,10 +30,10 @@ def looks_round(
 
 
 def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> int:
-    """Return the order of an object's symmetry, 1 to 4: it looks the same after 1/order of a turn.
+    """Return an object's order of symmetry, 1 to 4: it looks the same after 1/order of a full turn.
 
-    Rotated from ``yaw`` (radians) by any multiple of that, its own render changes by less than
-    ``flat``.
+    If the object is rotated from ``yaw`` (radians) by any multiple of that angle, its own render
+    changes by less than ``flat``.
     """
     shares = np.array([0, 1 / 4, 1 / 3, 1 / 2, 2 / 3, 3 / 4])
     same = _changes(objective, number, yaw + 2 * np.pi * shares) < flat
@@ -41,7 +42,7 @@ def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> i
 
 
 def turning_changes(objective: Objective, number: int) -> float:
-    """Return how much rotation changes an object's own render, by Eq. 1, above sampling noise."""
+    """Return how much rotating an object changes its render (Eq. 1), beyond sampling noise."""
     yaws = np.arange(_TURNS) * (2 * np.pi / _TURNS)
     return float(_changes(objective, number, yaws).max())
 
@@ -49,10 +50,10 @@ def turning_changes(objective: Objective, number: int) -> float:
 def _changes(
     objective: Objective, number: int, yaws: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return how much a render differs from that at the first yaw, above sampling noise."""
+    """Return how much each render differs from the one at the first yaw, beyond sampling noise."""
     import torch
 
-    # Half of its points draw it at the first yaw, the other half at all yaws. The loss between the
+    # Half of the points render the first yaw; the other half render all yaws. The loss between the
     # two halves at the same yaw is the sampling noise.
 
     device = objective.middle.device

@@ -1,4 +1,4 @@
-"""Appositions after a noun phrase: brackets, numbers, kinds, orders."""
+"""Appositions that follow a noun phrase: brackets, numbers, kinds and orders."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _THEM = frozenset(
 
 
 class BracketReader(PlaceReader):
-    """Parses appositions in brackets, dashes and commas."""
+    """Parses appositions that brackets, dashes or commas set off."""
 
     def _bracket(self, noun: Noun, out: list[Post]) -> bool:
         """Parse a number or a length in an apposition: "candles (4)", "plates - four to six -"."""
@@ -96,7 +96,7 @@ class BracketReader(PlaceReader):
         return True
 
     def _kinds_listed(self, noun: Noun) -> bool:
-        """Parse "cookie cutters (star, heart, moon)": the kinds, and thus the count."""
+        """Parse "cookie cutters (star, heart, moon)" as kinds, which also give the count."""
         k, kinds = self.i, 0
         while k < len(self.tokens):
             one, end = read_noun(self.tokens, k)
@@ -116,7 +116,7 @@ class BracketReader(PlaceReader):
         return True
 
     def _of_each(self, noun: Noun, out: list[Post]) -> bool:
-        """Parse ", two of each colour": a count per kind or list item."""
+        """Parse ", two of each colour" as a count for each kind or list item."""
         k = int(self._tag() in ("comma", "open", "dash"))
         number = fw.NUMBERS.get(self._text(k), 0.0)
         if k and self._tag(k) == "number":
@@ -203,7 +203,7 @@ class BracketReader(PlaceReader):
         return "size" if small else "size down"
 
     def _aside(self) -> bool:
-        """Skip a bracket that is not understood."""
+        """Skip a bracket whose content is not understood."""
         if self._tag() != "open":
             return False
         end = next((k for k in range(1, 12) if self._tag(k) in ("close", *ENDS)), 0)
@@ -221,13 +221,13 @@ class BracketReader(PlaceReader):
         return True
 
     def _counts_them(self, found: Noun, end: int) -> bool:
-        """Return whether ", three of them" counts the previous noun."""
+        """Return whether ", three of them" states the count of the previous noun."""
         following = [token.text for token in self.tokens[end - 2 : end + 2]]
         bare = not found.words and (found.count is not None or found.amount is not None)
         return bare and "them" in following
 
     def _parcels(self, found: Noun, noun: Noun, out: list[Post]) -> bool:
-        """Parse "5 blue, 2 red": a count per attribute."""
+        """Parse "5 blue, 2 red" as a count for each attribute."""
         each: list[Mapping[str, str]] = []
         one: Noun | None = found
         while one is not None and one.kind == "adjective" and one.count:
@@ -267,6 +267,6 @@ def _describes(noun: Noun) -> bool:
 
 
 def _explains(found: Noun, noun: Noun) -> bool:
-    """Return whether a known word in brackets explains an unknown one before them."""
+    """Return whether a known word in brackets explains the unknown one before them."""
     strange = noun.kind == "thing" and noun.category is None
     return strange and found.category is not None and not found.determined

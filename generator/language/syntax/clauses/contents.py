@@ -1,4 +1,4 @@
-"""Objects that a noun phrase contains, carries or lacks, and its purpose."""
+"""What a noun phrase says that an object contains, carries or lacks, and what it is for."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ class HoldingReader(BracketReader):
                 break
             self.i += 1
         if self._text() in ("there", "here"):
-            self.i += 1  # the object may be elsewhere
+            self.i += 1  # the object may be somewhere else
             return True
         out.append(Lack(tuple(items)))
         return bool(items)
 
     def _denial(self, place: Location, out: list[Post]) -> None:
-        """Parse "not on the book", and the alternative: "but next to it"."""
+        """Parse "not on the book", and the alternative that follows: "but next to it"."""
         out.append(Lack((), place))
         target = place.target
         if self._tag() == "comma" and self._text(1) == "which" and isinstance(target, Noun):
@@ -131,7 +131,7 @@ class HoldingReader(BracketReader):
         return True
 
     def _kinds(self, noun: Noun, inner: Noun) -> tuple[Noun, ...]:
-        """Parse "bottles of gin, rum and vermouth": one of each."""
+        """Parse "bottles of gin, rum and vermouth" as one of each."""
         several = noun.plural and noun.amount is None
         if (
             not several
@@ -157,7 +157,7 @@ class HoldingReader(BracketReader):
         return ()
 
     def _purpose(self) -> bool:
-        """Skip a purpose ("for meal prep"), unless it states the number of people."""
+        """Skip a purpose ("for meal prep") unless it states the number of people."""
         before = self.i
         if self._people():
             self.i = before
@@ -169,7 +169,7 @@ class HoldingReader(BracketReader):
         return True
 
     def _more_colors(self, end: int, colors: list[Mapping[str, str]]) -> int:
-        """Add the colours after "in pink": "and purple"; return where they end."""
+        """Add "and purple" after "in pink" to the colours; return where they end."""
         while end < len(self.tokens) and self.tokens[end].tag in ("and", "comma"):
             more, beyond = read_noun(self.tokens, end + 1)
             alone = more is not None and more.kind == "adjective" and not more.determined

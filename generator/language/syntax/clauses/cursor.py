@@ -1,4 +1,4 @@
-"""A position in a list of tokens, and lookahead from there."""
+"""A position in a list of tokens, with lookahead."""
 
 from __future__ import annotations
 
@@ -18,29 +18,29 @@ from ..text import function_words as fw
 from ..text.tokens import Token
 
 ENDS = ("stop", "line")
-"""Tags of sentence ends."""
+"""Tags of tokens that end a sentence."""
 
 SUPPORTING = ("on", "in")
-"""Relations to a support."""
+"""Relations to an object that supports another."""
 
 
 class Cursor(ABC):
     """A position in tokens; base class of the parsers of places, modifiers, lists and clauses.
 
-    The parsers are mutually recursive: a list has modifiers, and a modifier has lists.
+    The parsers are mutually recursive, since lists contain modifiers and modifiers contain lists.
     """
 
     def __init__(self, tokens: Sequence[Token]) -> None:
         self.tokens = list(tokens)
         self.i = 0
         self.skipped: list[Token] = []
-        self.lost: list[str] = []  # parsed phrases that do not affect the plan
+        self.lost: list[str] = []  # phrases that were parsed but do not affect the plan
         self._heading: Location | None = None
-        self._pending: list[Clause] = []  # clauses parsed together with the previous one
-        self._task = ""  # verb of the robot task in this sentence
-        self._guests = 0  # number of people, if nothing else is stated
+        self._pending: list[Clause] = []  # clauses that were parsed together with the previous one
+        self._task = ""  # verb of a robot's task in this sentence
+        self._guests = 0  # number of people unless something else is stated
         self._ordered = False  # whether a list goes from left to right
-        self._each_count = 0.0  # count for each item of a list
+        self._each_count = 0.0  # count that applies to each item of a list
         self._seats = False  # whether the number of people is known
 
     def _starts_noun(self, ahead: int, *, determined: bool = False) -> bool:
@@ -85,7 +85,7 @@ class Cursor(ABC):
         return self.tokens[k].value if k < len(self.tokens) else None
 
     def _skip(self, words: frozenset[str] | set[str]) -> bool:
-        """Skip words of a set unless they belong to a noun; return whether any were skipped."""
+        """Skip words in a set unless they belong to a noun; return whether any were skipped."""
         before = self.i
         while self._tag() == "word" and self._text() in words:
             noun, _ = read_noun(self.tokens, self.i)
@@ -120,11 +120,11 @@ class Cursor(ABC):
 
     @abstractmethod
     def _people(self) -> int:
-        """Parse "for four people"; return the number, 0 for none."""
+        """Parse "for four people"; return the number, or 0 if there is none."""
 
     @abstractmethod
     def _returns(self) -> str | None:
-        """Return "on" or "in" if the rest of a list puts all of it "on it" or "in it"."""
+        """Return "on" or "in" if the rest of a list puts all of its items "on it" or "in it"."""
 
     @abstractmethod
     def _posts(self, noun: Noun | None, out: list[Post], *, nested: bool = False) -> None:
@@ -136,4 +136,4 @@ class Cursor(ABC):
 
     @abstractmethod
     def _contents(self, noun: Noun, out: list[Post]) -> bool:
-        """Parse the contents after "of"."""
+        """Parse the contents that follow "of"."""

@@ -1,4 +1,4 @@
-"""Lists of objects, and the ends of lists of attached objects."""
+"""Lists of objects, and where lists of attached objects end."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class ListReader(PostReader):
     """Parses lists of noun phrases."""
 
     def _lead(self) -> Location | None:
-        """Parse a place before its objects: "On the tray are ...", "to its left a book"."""
+        """Parse a place that precedes its objects: "On the tray are ...", "to its left a book"."""
         before = self.i
         place = self._place(leading=True)
         if place is None:
@@ -100,7 +100,7 @@ class ListReader(PostReader):
         return [noun for noun in out if noun not in bare]
 
     def _entry(self) -> list[Noun]:
-        """Parse one noun phrase with its modifiers, or a zone of the table with its objects."""
+        """Parse a noun phrase with its modifiers, or a zone of the table with its objects."""
         headed = self._zone_heading()
         if headed:
             return headed
@@ -192,7 +192,7 @@ class ListReader(PostReader):
         return False
 
     def _returns(self) -> str | None:
-        """Return "on" or "in" if the rest of a list puts all of it "on it" or "in it"."""
+        """Return "on" or "in" if the rest of a list puts all of its items "on it" or "in it"."""
         k = 0
         while self._tag(k) not in (*ENDS, "", "carry", "colon", "dash", "relative"):
             if self._text(k) in fw.BE:
@@ -213,7 +213,7 @@ class ListReader(PostReader):
 
 
 def _describe_before(items: list[Noun]) -> list[Noun]:
-    """Return a list in which "a vase, tall and slim, and a candle" has two items."""
+    """Return a list in which "a vase, tall and slim, and a candle" has only two items."""
     out: list[Noun] = []
     open_to = False  # whether the following item describes this one
     for noun in items:
@@ -230,7 +230,7 @@ def _describe_before(items: list[Noun]) -> list[Noun]:
 
 
 def _describes(noun: Noun, before: Noun) -> bool:
-    """Return whether describing words in a list apply to the previous item."""
+    """Return whether describing words in a list apply to the item before them."""
     bare = noun.kind == "adjective" and noun.words and not (noun.determined or noun.other)
     if not bare or before.kind != "thing" or not before.determined:
         return False
@@ -241,7 +241,7 @@ def _describes(noun: Noun, before: Noun) -> bool:
 
 
 def _is_elsewhere(item: Noun, how: How) -> bool:
-    """Return whether an item of a list "with ..." has a position of its own elsewhere."""
+    """Return whether an item in a list after "with" has a position of its own elsewhere."""
     return how == "with" and any(
         isinstance(post, Location)
         and post.kind in ("left_of", "right_of", "behind", "in_front_of", "next_to")
@@ -268,7 +268,7 @@ def _may_hold(owner: Noun, item: Noun) -> bool:
 
 
 _FOOD = frozenset({"bread", "fruit", "slab", "sweet", "meal"})
-"""Families of food."""
+"""Families of objects that are food."""
 
 
 def _is_food(item: Noun) -> bool:
@@ -278,7 +278,7 @@ def _is_food(item: Noun) -> bool:
 
 
 def _carries(owner: Noun) -> bool:
-    """Return whether an object's purpose is to carry others: a tray, a basket, a board."""
+    """Return whether an object is made to carry others, such as a tray, a basket or a board."""
     if owner.category is None or owner.head.split()[-1:] == ["plate"]:
         return False
     outer = CATEGORIES[owner.category]

@@ -17,10 +17,10 @@ from .lists import ListReader
 
 
 class OpeningReader(ListReader):
-    """Parses openings, people and verbs."""
+    """Parses openings, numbers of people, and verbs."""
 
     def _opening(self) -> Arranged | None:
-        """Skip politeness and verbs at the start; return the arrangement implied by a verb."""
+        """Skip polite words and verbs at the start; return the arrangement that a verb implies."""
         while not self._ended():
             if self._tag() == "task":
                 self._task = "robot"
@@ -128,7 +128,7 @@ class OpeningReader(ListReader):
         return self._guests or EVERYONE
 
     def _people(self) -> int:
-        """Parse "for four people", "for two"; return the number, 0 for none."""
+        """Parse "for four people" or "for two"; return the number, or 0 if there is none."""
         k = self.i
         while self._text(k - self.i) in ("set", "laid", "the", "table", "ready"):
             k += 1
@@ -153,7 +153,7 @@ class OpeningReader(ListReader):
         return int(number)
 
     def _seats_named(self, subjects: list[Noun]) -> int:
-        """Return the number of seats in "two places side by side: ...", 0 for other phrases."""
+        """Return the number of seats in "two places side by side: ...", or 0 for other phrases."""
         count = int(subjects[0].count or 0)
         if not is_seat(subjects[0]) or not 1 < count <= 24 or not self._starts_noun(1):
             return 0
@@ -161,7 +161,7 @@ class OpeningReader(ListReader):
         return count
 
     def _is_fragment(self, noun: Noun) -> bool:
-        """Return whether an isolated phrase requests nothing: "Tonight's buffet.", "Hiya"."""
+        """Return whether a phrase on its own requests nothing: "Tonight's buffet.", "Hiya"."""
         if noun.kind != "thing" or noun.category is not None or noun.post or noun.plural:
             return False
         counted = noun.count is not None or noun.amount is not None or noun.each
@@ -191,7 +191,7 @@ class OpeningReader(ListReader):
         return False
 
     def _is_predicate(self, subjects: list[Noun]) -> bool:
-        """Return whether the next verb only locates its subject: "sleeps", "comes"."""
+        """Return whether the next verb only says where its subject is: "sleeps", "comes"."""
         if not subjects or self._tag() != "word" or self._text() in fw.BE:
             return False
         if self._text().endswith("s") and self._text(1) in ("it", "them"):
@@ -225,7 +225,7 @@ class OpeningReader(ListReader):
         return Clause([noun], predicate)
 
     def _complement(self) -> list[Post]:
-        """Parse "is a red one", "is red and shiny": describing words after a verb."""
+        """Parse "is a red one" or "is red and shiny", that is, describing words after a verb."""
         each: list[Mapping[str, str]] = []
         while True:
             k = self.i
@@ -250,7 +250,7 @@ class OpeningReader(ListReader):
 
 
 def describe_each(said: Sequence[Mapping[str, str]]) -> tuple[Mapping[str, str], ...]:
-    """Return "red and blue" as one attribute per object, "red and shiny" as shared attributes."""
+    """Return "red and blue" as one attribute per object, but "red and shiny" as shared ones."""
     if len(said) > 1 and all(words and words.keys() == said[0].keys() for words in said):
         return tuple(said)
     merged: dict[str, str] = {}
@@ -260,13 +260,13 @@ def describe_each(said: Sequence[Mapping[str, str]]) -> tuple[Mapping[str, str],
 
 
 def is_seat(noun: Noun) -> bool:
-    """Return whether a phrase denotes the places at a table: "places", "settings"."""
+    """Return whether a phrase means the places at a table: "places", "settings"."""
     return noun.kind in ("setting", "collective") and bool(
         {singular(word) for word in noun.words[-1:]} & fw.SEATED
     )
 
 
 def people_of(noun: Noun) -> int:
-    """Return the number of people in "five guests"; 0 for other phrases."""
+    """Return the number of people in "five guests", or 0 for other phrases."""
     people = noun.kind == "setting" and noun.words[-1] in fw.PEOPLE_WORDS
     return int(noun.count) if people and noun.count and 1 < noun.count <= 24 else 0

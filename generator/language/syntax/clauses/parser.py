@@ -1,4 +1,4 @@
-"""Tokens to clauses: lists of objects, their modifiers, and predicates."""
+"""From tokens to clauses: lists of objects, their modifiers, and predicates."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from .openings import OpeningReader, is_seat, people_of
 
 
 class Parser(OpeningReader):
-    """Recursive descent parser of sentences; skipped tokens are in ``skipped``."""
+    """A recursive descent parser of sentences; the tokens that it skips are in ``skipped``."""
 
     def sentences(self) -> list[Sentence]:
         """Return all sentences."""
@@ -153,7 +153,7 @@ class Parser(OpeningReader):
         return Clause(subjects, predicate, lead, people)
 
     def _places(self, subjects: list[Noun], people: int) -> Clause:
-        """Parse "places for five with plates only", the last item of a list."""
+        """Parse "places for five with plates only" as the last item of a list."""
         self.i += 1
         laid = Clause(self._items(None, "with"), people=people)
         self._skip({"only"})
@@ -163,7 +163,7 @@ class Parser(OpeningReader):
         return Clause(subjects[:-1])
 
     def _read_headed(self, subjects: list[Noun], predicate: list[Post]) -> None:
-        """Parse "an office desk: a laptop, a mug": the list belongs to the heading."""
+        """Parse "an office desk: a laptop, a mug", whose list belongs to the heading."""
         told = ("setting", "abstract", "title", "adjective")
         if subjects and all(noun.kind in told for noun in subjects[:-1]):
             del subjects[:-1]  # "a still life, everything on a cloth: ..."
@@ -209,7 +209,7 @@ class Parser(OpeningReader):
 
 
 def _is_rest(noun: Noun) -> bool:
-    """Return whether a phrase denotes the objects not mentioned yet: "the others", "the rest"."""
+    """Return whether a phrase means the objects not yet mentioned: "the others", "the rest"."""
     return noun.kind == "member" and noun.definite and noun.other and noun.plural
 
 

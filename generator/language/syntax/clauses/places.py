@@ -23,16 +23,16 @@ _DEGREES = frozenset({"right", "just", "directly", "immediately", "slightly", "f
 
 
 _DIRECTED = frozenset({"left_of", "right_of", "in_front_of", "behind", "next_to", "under"})
-"""Relations that may follow a distance."""
+"""Relations that a distance may precede."""
 
-_BESIDE = 0.15  # metres: maximum distance of "next to"
+_BESIDE = 0.15  # maximum distance that counts as "next to", metres
 
 
 class PlaceReader(Cursor):
-    """Parses places."""
+    """Parses places of objects."""
 
     def _place(self, *, leading: bool = False) -> Location | None:
-        """Parse a place; return None if no place starts here."""
+        """Parse a place, or return None if no place starts here."""
         before = self.i
         if (distance := self._distance()) is not None:
             return self._place_apart(distance, leading=leading)
@@ -95,7 +95,7 @@ class PlaceReader(Cursor):
         return None
 
     def _distance(self) -> tuple[int, float] | None:
-        """Return the end of "5 cm" in "5 cm behind the banana", and the distance in metres."""
+        """Return where "5 cm" ends in "5 cm behind the banana", and the distance in metres."""
         noun, end = read_noun(self.tokens, self.i)
         if noun is None:
             return None
@@ -121,7 +121,7 @@ class PlaceReader(Cursor):
         return (self.i + k, meters) if directed or led or away else None
 
     def _read_size(self, out: list[Post]) -> None:
-        """Parse "3 m long and 1 m wide", and "that is 3 m long", after a table."""
+        """Parse "3 m long and 1 m wide" or "that is 3 m long" after a table."""
         k = self.i
         if self._text() in ("that", "which") and self._text(1) in fw.BE:
             k += 2
@@ -198,7 +198,7 @@ class PlaceReader(Cursor):
         return Location(kind, whose)
 
     def _target(self, *, nested: bool) -> Noun | None:
-        """Parse the target of a relation; ``nested``: subsequent modifiers belong to it."""
+        """Parse a relation's target; if ``nested``, the modifiers that follow belong to it."""
         if self._text() in ("both", "all") and not self._starts_noun(1) and self._tag(1) != "word":
             token = self._take()
             return Noun("pronoun", ("them",), token.span, "them", plural=True, definite=True)
@@ -250,7 +250,7 @@ class PlaceReader(Cursor):
         return noun
 
     def _brings_back(self) -> bool:
-        """Return whether "with tongs in it" comes next, whose "it" is the topic of the sentence."""
+        """Return whether "with tongs in it" comes next, where "it" is the topic of the sentence."""
         self.i += 1
         back = self._returns()
         self.i -= 1
@@ -273,7 +273,7 @@ class PlaceReader(Cursor):
         return Noun("pronoun", ("them",), span, "them", plural=True, definite=True, each=True)
 
     def _starts_longer(self) -> bool:
-        """Return whether a pronoun begins a noun phrase: "these two cups", "one plate"."""
+        """Return whether a pronoun begins a longer noun phrase: "these two cups", "one plate"."""
         return self._text() in ("these", "those", "one") and self._starts_noun(1)
 
     def _between(self, target: Noun) -> None:

@@ -1,4 +1,4 @@
-"""Modifiers after a noun phrase."""
+"""Modifiers that follow a noun phrase."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from .cursor import ENDS, SUPPORTING
 
 
 class PostReader(HoldingReader):
-    """Parses modifiers after a noun phrase."""
+    """Parses modifiers that follow a noun phrase."""
 
     def _posts(self, noun: Noun | None, out: list[Post], *, nested: bool = False) -> None:
         """Parse all modifiers of a noun phrase, or of a verb.
 
-        ``nested``: of the target of a relation, whose modifiers end at a comma.
+        ``nested`` means that the noun is the target of a relation, so its modifiers end at a comma.
         """
         while not self._ended() and not (nested and self._tag() in ("comma", "open", "and")):
             before = self.i
@@ -108,7 +108,7 @@ class PostReader(HoldingReader):
         return bool(carries) and closed and self._starts_noun(1, determined=True)
 
     def _places_on(self, ahead: int) -> bool:
-        """Return whether contents, or a place up to the closing dash, come next."""
+        """Return whether contents come next, or a place that extends to the closing dash."""
         if self._tag(ahead) == "carry" and self._value_at(ahead) == "hold":
             return True
         before = self.i
@@ -121,7 +121,7 @@ class PostReader(HoldingReader):
         return (arranged or place is not None) and ends
 
     def _compared(self, out: list[Post]) -> bool:
-        """Parse "half as tall as the mug", "bigger than the plate" as small or large."""
+        """Parse "half as tall as the mug" or "bigger than the plate" as small or large."""
         k = int(self._tag() == "comma")
         k += self._text(k) in ("slightly", "much", "somewhat", "far")
         k += 2 * ((self._text(k), self._text(k + 1)) == ("a", "bit"))
@@ -144,7 +144,7 @@ class PostReader(HoldingReader):
         return True
 
     def _side_apart(self, out: list[Post]) -> bool:
-        """Parse ", centre" after "at the back"."""
+        """Parse ", centre" when it follows "at the back"."""
         side = fw.SIDES.get(self._text(1)) if self._tag() == "comma" else None
         placed = any(isinstance(p, Location) and isinstance(p.target, Zone) for p in out)
         if side is None or not placed or self._tag(2) not in (*ENDS, "", "comma"):
@@ -188,7 +188,7 @@ class PostReader(HoldingReader):
         return bool(items)
 
     def _one_each(self, noun: Noun | None) -> bool:
-        """Parse "a dinner plate each", if the number of people is known."""
+        """Parse "a dinner plate each" if the number of people is known."""
         ends = self._tag(1) in (*ENDS, "", "comma", "and")
         if noun is None or not self._seats or self._tag() != "each" or not ends:
             return False
@@ -207,7 +207,7 @@ class PostReader(HoldingReader):
         return each
 
     def _told(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Skip irrelevant phrases: "that is", "sorted by the robot", "like soldiers"."""
+        """Skip phrases that do not matter: "that is", "sorted by the robot", "like soldiers"."""
         if self._text() in fw.HANDLED and self._text(1) == "by" and self._starts_noun(2):
             self.i = read_noun(self.tokens, self.i + 2)[1]
             return True
@@ -255,7 +255,7 @@ class PostReader(HoldingReader):
         return True
 
     def _ellipsis(self, noun: Noun | None, out: list[Post]) -> bool:
-        """Parse a verbless clause about one of several objects: "the third two doughnuts"."""
+        """Parse a clause without a verb about one of several objects: "the third two doughnuts"."""
         told = noun is not None and noun.kind == "member" and (noun.ordinal or noun.other)
         if not told or out or not self._starts_noun(0, determined=True):
             return False
@@ -263,7 +263,7 @@ class PostReader(HoldingReader):
         return True
 
     def _is_participle(self) -> bool:
-        """Return whether an irrelevant participle comes next: "parked in front"."""
+        """Return whether a participle that does not matter comes next: "parked in front"."""
         word = self._text()
         placed = self._tag(1) in ("relation", "here", "arranged") or (
             read_zone(self.tokens, self.i + 1) is not None
@@ -316,7 +316,7 @@ class PostReader(HoldingReader):
         return True
 
     def _described(self, out: list[Post]) -> bool:
-        """Parse describing words after the noun: "a book open", "three mugs upside down"."""
+        """Parse describing words that follow the noun: "a book open", "three mugs upside down"."""
         word = self._text()
         colored = word.endswith("ed") and is_verb(word) and self._text(1) in COLORS
         noun, end = read_noun(self.tokens, self.i + colored)  # "a towel dyed blue"

@@ -1,4 +1,4 @@
-"""Ends of noun phrases: verbs, prepositions and places that follow them."""
+"""Where noun phrases end: verbs, prepositions and places that follow them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _CLOSING = frozenset({"comma", "stop", "line", "and", "colon", "dash", "open", "
 
 
 def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Return whether a word no longer belongs to this noun phrase."""
+    """Return whether a word does not belong to this noun phrase any more."""
     word = tokens[i].text
     telling = all(is_describing(w) or w in fw.SIDES for w in run.words)
     if word in ("one", "ones") and run.words and telling:
@@ -93,7 +93,7 @@ def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
 
 
 def _is_said_of_stuff(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Return whether a participle modifies a noun of material: "a cloth folded in the corner"."""
+    """Return whether a participle follows a noun of material: "a cloth folded in the corner"."""
     if not tokens[i].text.endswith(("ed", "en")) or not is_stuff(run.words):
         return False
     after = [token for token in tokens[i + 1 : i + 3] if token.text not in COLORS]
@@ -101,12 +101,12 @@ def _is_said_of_stuff(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool
 
 
 def is_stuff(words: Sequence[str]) -> bool:
-    """Return whether words end with a material that also names an object: a "glass", a "cloth"."""
+    """Return whether the words end with a material that is also an object: a "glass", a "cloth"."""
     return bool(words) and words[-1] in MATERIALS and bool(lexicon.category_of((words[-1],)))
 
 
 def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
-    """Return whether "round" is a preposition here: "six cups round it", not "round table"."""
+    """Return whether "round" is a preposition, as in "six cups round it", not "round table"."""
     if tokens[i].text != "round" or not nouns or i + 1 >= len(tokens):
         return False
     following = tokens[i + 1].text
@@ -114,7 +114,7 @@ def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
 
 
 def _is_place(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Return whether "front left" or a final "centre" locates the preceding noun."""
+    """Return whether "front left" or a final "centre" says where the preceding noun is."""
     opens = tokens[i].text in fw.SIDES or tokens[i].text in ("dead", "smack", "bang")
     if not opens or not _is_known(run.words):
         return False
@@ -154,7 +154,7 @@ def _is_said_of(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
 
 
 def _is_single(run: PhraseStart) -> bool:
-    """Return whether a noun phrase began as singular: "a", "the", "one", "each"."""
+    """Return whether a noun phrase began as singular, with "a", "the", "one" or "each"."""
     return run.each or run.article or run.definite or run.numbers == [1.0]
 
 

@@ -1,4 +1,4 @@
-"""The head noun of a phrase: its kind, category, number, attributes."""
+"""The head noun of a phrase: its kind, category, number and attributes."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ from .introductions import MORE, PhraseStart, is_describing, multiply
 from .tree import Noun, NounKind
 
 _COMPOUNDED = frozenset(["rest", "stand", "set", "kit", "press", "mount", "guard", "control"])
-"""Nouns that name an object only in a compound: "foot rest"."""
+"""Nouns that name an object only as part of a compound: "foot rest"."""
 
 _AMOUNTS = {"heap": (5, 5), "pyramid": (6, 6)}
-"""Number of objects in an arrangement if the text does not state it; three for others."""
+"""Number of objects in an arrangement if the text does not state it; three for all others."""
 
 _POSITIONS = frozenset(
     ["left", "right", "back", "front", "middle", "center", "centre", "top", "bottom", "upper",
      "lower", "topmost", "uppermost"]
 )  # fmt: skip
-"""Words that distinguish one of several similar objects: "the left plate"."""
+"""Words that single out one of several similar objects: "the left plate"."""
 
 _PORTIONS = frozenset(
     ["half", "slice", "piece", "wedge", "chunk", "segment", "strip", "quarter", "stick"]
@@ -47,13 +47,13 @@ _FIGURES = frozenset(
     ["toy", "plastic", "ceramic", "porcelain", "wooden", "bronze", "lego", "tin", "miniature",
      "little", "tiny", "clay", "chess", "felt", "knitted", "stuffed", "plush"]
 )  # fmt: skip
-"""Words that mark a person as a figure: "a plastic soldier"."""
+"""Words which indicate that a person is a figure: "a plastic soldier"."""
 
 _VERBAL = ("ed", "ing", "ly")
 
 
 def noun_of(run: PhraseStart) -> Noun:
-    """Build the noun phrase of a parsed introduction and its words."""
+    """Build the noun phrase from a parsed introduction and the words that follow."""
     cut_plural = _cut_portion(run)
     words = tuple(run.words)
     kind, head, category, family = _head(words, run.name, definite=run.definite)
@@ -115,7 +115,7 @@ def noun_of(run: PhraseStart) -> Noun:
 
 
 def _cut_portion(run: PhraseStart) -> bool:
-    """Remove the portion from "lemon halves" and "tomato slices"; return whether it was plural."""
+    """Cut off the portion in "lemon halves" and "tomato slices"; return whether it was plural."""
     if len(run.words) < 2 or lexicon.singular(run.words[-1]) not in _PORTIONS:
         return False
     whole = tuple(run.words)
@@ -169,7 +169,7 @@ def _head(
 
 
 def _compound(modifiers: Sequence[str]) -> tuple[str, ...]:
-    """Return the nouns before a head: "bleach cleanser" of a bleach cleanser bottle."""
+    """Return the nouns before a head, such as "bleach cleanser" of a bleach cleanser bottle."""
     start = len(modifiers)
     while start and not is_describing(word := modifiers[start - 1]):
         if word in fw.SIDES or word in fw.SUPERLATIVES or word in fw.ORDINALS or word in STOPS:
@@ -179,13 +179,13 @@ def _compound(modifiers: Sequence[str]) -> tuple[str, ...]:
 
 
 def _only_describes(tail: tuple[str, ...]) -> bool:
-    """Return whether the first word of a name only describes: the colour of "green apple"."""
+    """Return whether the first word of a name only describes, like the colour in "green apple"."""
     key = lexicon.category_of(tail[1:]) if len(tail) > 1 and tail[0] in COLORS else None
     return key is not None and key == lexicon.category_of(tail)
 
 
 def _look_up(words: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | None, str]:
-    """Return the dictionary entry of a noun phrase missing in the catalogue."""
+    """Return the dictionary entry of a noun phrase that the catalogue lacks."""
     entry = entry_of(words)
     last = words[-1]
     strange = len(words) > 1 and not is_describing(words[-2])
@@ -216,7 +216,7 @@ def _count(run: PhraseStart) -> tuple[float | None, tuple[int, int] | None]:
 
 
 def attributes_of(modifiers: Sequence[str]) -> dict[str, str]:
-    """Return the "color", "material", "size" and "state" given by describing words."""
+    """Return the "color", "material", "size" and "state" that describing words state."""
     found: dict[str, str] = {}
     for before, word in zip((None, *modifiers), modifiers, strict=False):
         if word in COLORS and not (word in MATERIALS and "color" in found):

@@ -1,4 +1,4 @@
-"""Beginnings of noun phrases: articles, numbers, lengths and "a stack of"."""
+"""How noun phrases begin: articles, numbers, lengths and "a stack of"."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _MADE = (("out", "of"), ("from",), ("made", "of"), ("made", "from"), ("made", "o
 
 @dataclass
 class PhraseStart:
-    """State of a noun phrase while its introduction is parsed."""
+    """The state of a noun phrase while its introduction is parsed."""
 
     numbers: list[float] = field(default_factory=list)
     described: bool = False  # "a 300 page book": the number follows "a"
@@ -154,7 +154,7 @@ def _is_of(tokens: Sequence[Token], i: int) -> int:
 
 
 def may_continue(tokens: Sequence[Token], i: int) -> bool:
-    """Return whether a noun may follow here, optionally after "of"."""
+    """Return whether a noun may follow here, possibly after "of"."""
     i += _is_of(tokens, i)
     return i < len(tokens) and tokens[i].tag in ("word", "name", "number")
 
@@ -199,7 +199,7 @@ def _value(token: Token) -> float | None:
 
 
 def _is_figure(token: Token) -> bool:
-    """Return whether a number is in digits or a word like "seven", unlike "dozen"."""
+    """Return whether a number is in digits or is a word like "seven", not one like "dozen"."""
     return token.tag == "number" or token.text in SPELT
 
 
@@ -267,7 +267,7 @@ def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 
 
 def is_describing(word: str) -> bool:
-    """Return whether a word only describes: a colour, a material, a size, a state."""
+    """Return whether a word only describes, as a colour, a material, a size or a state."""
     listed = any(word in words for words in (COLORS, SHADES, MATERIALS, SIZES, STATES, MORE))
     return listed or is_adjective(word) or (word.endswith("ly") and len(word) > 4)
 

@@ -1,4 +1,4 @@
-"""Noun phrases: numbers, describing words, and the noun last."""
+"""Noun phrases: numbers, describing words and, last, the noun."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .tree import Noun
 
 
 def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
-    """Return the noun phrase that starts at a token and its end; None if there is none."""
+    """Return the noun phrase that starts at a token, and its end; None if there is none."""
     if (some := _share(tokens, start)) is not None:
         return some
     run = PhraseStart(first=start)
@@ -60,7 +60,7 @@ _REMAINDER = (("the", "rest"), ("the", "remainder"), ("the", "other", "half"))
 
 
 def _content(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Parse describing words and the noun; return where they end."""
+    """Parse the describing words and the noun; return where they end."""
     while i < len(tokens):
         token = tokens[i]
         if token.tag == "name":

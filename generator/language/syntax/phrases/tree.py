@@ -1,4 +1,4 @@
-"""Parse tree of a text: noun phrases, their modifiers, clauses; traversal of all phrases."""
+"""The parse tree of a text: noun phrases, their modifiers and clauses; traversal of phrases."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NounKind = Literal[
     "vague",  # "things", "stuff"
     "abstract",  # not an object: "happiness"
     "member",  # "one", "the other", "two of them"
-    "adjective",  # only describing words
+    "adjective",  # consists only of describing words
 ]
 Arrangement = Literal[
     "stack", "heap", "pyramid", "row", "column", "circle", "fan", "scatter", "grid", "group"
@@ -33,8 +33,8 @@ class Zone:
     Attributes:
         x: -1 left, 0 middle, 1 right; None if not stated.
         y: -1 front, 0 middle, 1 back; None if not stated.
-        edge: at the edge there; without x and y, at any edge.
-        spread: one object in each: "in the corners".
+        edge: whether the zone is at the edge there; without x and y, at any edge.
+        spread: whether there is one object in each such zone: "in the corners".
     """
 
     x: int | None = None
@@ -45,11 +45,12 @@ class Zone:
 
 @dataclass(frozen=True)
 class Location:
-    """Place of an object: a relation to a noun phrase, or a zone of the table.
+    """The place of an object: a relation to a noun phrase, or a zone of the table.
 
-    ``each``: each subject has its own target ("each on a saucer"), or each target its own subject
-    ("on every plate"). ``table``: modifiers of the table in a zone ("in the middle of a round
-    table"). ``whole``: applies to the whole list ("..., all on a tray").
+    ``each`` means that each subject has its own target ("each on a saucer"), or each target its own
+    subject ("on every plate"). ``table`` holds the modifiers of the table that a zone mentions ("in
+    the middle of a round table"). ``whole`` means that the place applies to the whole list ("...,
+    all on a tray").
     """
 
     kind: str
@@ -61,9 +62,10 @@ class Location:
 
 @dataclass(frozen=True)
 class Carry:
-    """Objects attached to an object by "with", "holding" or "of" (a bowl of apples).
+    """Objects that "with", "holding" or "of" attaches to another object (a bowl of apples).
 
-    ``back`` is "on" or "in" for lists that end accordingly ("with an apple and a pear on it").
+    ``back`` is "on" or "in" if the list ends with "on it" or "in it" ("with an apple and a pear on
+    it").
     """
 
     how: How
@@ -74,7 +76,7 @@ class Carry:
 
 @dataclass(frozen=True)
 class Lack:
-    """Objects that an object lacks; ``place``: a place that is denied."""
+    """Objects that an object lacks, or a ``place`` at which it is said not to be."""
 
     items: tuple[Noun, ...]
     place: Location | None = None
@@ -82,10 +84,10 @@ class Lack:
 
 @dataclass(frozen=True)
 class Arranged:
-    """Arrangement of several objects.
+    """The arrangement of several objects.
 
-    ``order`` is "size", "size down" (largest first), "color" or "listed" (from left to right in the
-    order of the text), if stated.
+    ``order``, if stated, is "size", "size down" (largest first), "color" or "listed" (from left to
+    right in the order of the text).
     """
 
     kind: Arrangement
@@ -94,9 +96,10 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Description:
-    """Attributes after the noun: the same for all, or one entry for each object.
+    """Attributes that follow the noun: the same for all objects, or one entry for each object.
 
-    ``lengths``: "20 cm long", metres; ``upright`` if they are heights.
+    ``lengths`` are lengths such as "20 cm long", in metres; ``upright`` means that they are
+    heights.
     """
 
     each: tuple[Mapping[str, str], ...]
@@ -106,7 +109,7 @@ class Description:
 
 @dataclass(frozen=True)
 class Counted:
-    """Count of a noun that was named without a number: "... (there are 5)"."""
+    """The count of a noun that was named without a number: "... (there are 5)"."""
 
     count: float
 
@@ -116,7 +119,7 @@ VARIED: Mapping[str, tuple[Mapping[str, str], ...]] = {
         "red", "blue", "yellow", "green", "white", "orange", "purple", "black")),
     "size": tuple({"size": word} for word in ("small", "medium", "large")),
 }  # fmt: skip
-"""Attributes for "in different colours" and "of various sizes", used in turn."""
+"""Attributes that "in different colours" and "of various sizes" stand for, used in turn."""
 
 
 Post = Location | Carry | Lack | Arranged | Description | Counted
@@ -128,28 +131,28 @@ class Noun:
 
     Attributes:
         kind: sort of noun.
-        words: describing words and head, as written.
+        words: describing words and the head, as written.
         span: position in the text.
         head: the noun in the singular ("teapot").
         category: key of the catalogue; None if there is none.
         count: the stated number; None if there is none.
         amount: range of a vague number ("a few").
-        definite: "the", "this".
-        other: "the other", "a second".
-        each: "each", "every".
-        ordinal: index of one of several, from 1; -1 for the last; 0 if not stated.
-        plural: several objects by its form.
+        definite: whether it has "the" or "this".
+        other: whether it has "the other" or "a second".
+        each: whether it has "each" or "every".
+        ordinal: index of one of several objects, from 1; -1 means the last, 0 that none is stated.
+        plural: whether its form means several objects.
         attributes: maps "color", "material", "size", "state", ... to words.
         variants: attributes of individual objects ("red, green and blue cubes").
         members: categories of a collective.
         lengths: lengths in metres ("20 cm long").
-        half: whether only half of them are meant ("half of the apples").
+        half: whether only half of the objects are meant ("half of the apples").
         upright: whether its only length is its height ("20 cm tall").
         arrangement: "a stack of", "stacked".
         position: "left", "right", ... ("the left plate").
         post: modifiers after the noun.
-        seated: number per person.
-        joint: connector to the previous item of its list: "", "and", "comma".
+        seated: number of objects per person.
+        joint: connector to the previous item in its list: "", "and", "comma".
         family: kind of object that represents a noun without a category ("appliance").
     """
 
@@ -192,7 +195,7 @@ def is_everything(noun: Noun) -> bool:
 
 
 EVERYONE = -1
-"""Value of ``Clause.people`` if their number was stated earlier."""
+"""Value of ``Clause.people`` if the number of people was stated earlier."""
 
 
 @dataclass
@@ -201,8 +204,8 @@ class Clause:
 
     Attributes:
         subjects: the list.
-        predicate: modifiers by a verb for all of them ("... are on the tray").
-        lead: the place before them ("On the tray are ...").
+        predicate: modifiers that a verb adds to all of them ("... are on the tray").
+        lead: the place that precedes them ("On the tray are ...").
         people: number of people for whom the objects are laid; 0 if not stated, ``EVERYONE`` for
             the number stated earlier.
     """
@@ -221,7 +224,7 @@ class Sentence:
 
 
 def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[str]:
-    """Return the objects of the sentences, as written, whose place was not interpreted."""
+    """Return the objects in the sentences, as written, whose place was not interpreted."""
     return [
         " ".join(noun.words)
         for noun in _nouns(sentences)
@@ -230,12 +233,12 @@ def list_unread(sentences: Sequence[Sentence], read: Collection[Span]) -> list[s
 
 
 def find_spans(noun: Noun) -> list[Span]:
-    """Return the spans of a noun phrase and of all noun phrases in it."""
+    """Return the spans of a noun phrase and of all noun phrases that it contains."""
     return [inner.span for inner in _nouns_of(noun)]
 
 
 def find_things(sentences: Sequence[Sentence]) -> list[Span]:
-    """Return the spans of object names: of a lab coat, but not of a lab."""
+    """Return the spans of object names: of a lab coat, for example, but not of a lab."""
     return [noun.span for noun in _nouns(sentences) if noun.kind == "thing"]
 
 

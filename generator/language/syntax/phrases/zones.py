@@ -26,15 +26,16 @@ _TOPS = frozenset(["surface", "tabletop", "top", "area", "workspace", "scene", "
 
 @dataclass(frozen=True)
 class FoundZone:
-    """A zone in tokens.
+    """A zone found in the tokens.
 
     Attributes:
         zone: the part of the table.
         end: index of the token after it.
-        of: whether "of" follows, so that it may be a part of another object than the table.
+        of: whether "of" follows, so that the zone may be part of an object other than the table.
         table: first and end token of the table's name, if present.
-        aside: "to the left".
-        loose: "on the left", without "side", "corner" or "of the table": possibly of an object.
+        aside: whether it is a phrase such as "to the left".
+        loose: whether "on the left" has no "side", "corner" or "of the table" and may thus refer to
+            an object.
     """
 
     zone: Zone
@@ -90,7 +91,7 @@ _MIDDLE = frozenset(["centre", "center", "middle"])
 
 
 def _stands_alone(tokens: Sequence[Token], i: int) -> FoundZone | None:
-    """Parse "dead centre", "centre stage", and a bare "left" or "centre" after an object."""
+    """Parse "dead centre", "centre stage", and just "left" or "centre" after an object."""
     k = i + (_text(tokens, i) in ("dead", "smack", "right", "bang", "front"))
     if _text(tokens, k) in _MIDDLE and (k > i or _text(tokens, k + 1) == "stage"):
         end = k + 1 + (_text(tokens, k + 1) == "stage")
@@ -112,7 +113,7 @@ _NAMING = frozenset(["word", "name", "close", "arranged"])
 
 
 def _is_corner(tokens: Sequence[Token], i: int) -> bool:
-    """Return whether "front right" is a zone here, without a preposition."""
+    """Return whether "front right", without a preposition, is a zone here."""
     sides = [fw.SIDES.get(_text(tokens, k), (None, None)) for k in (i, i + 1)]
     named = next((k for k in (i + 1, i + 2) if _text(tokens, k) in fw.ZONE_NOUNS), 0)
     if named and all(_text(tokens, k) in fw.SIDES for k in range(i, named)):
@@ -192,7 +193,7 @@ def _tag(tokens: Sequence[Token], i: int) -> str:
 
 
 def _is_noun(tokens: Sequence[Token], i: int) -> bool:
-    """Return whether a word that may belong to a noun phrase continues it here."""
+    """Return whether a word that can be part of a noun phrase continues it here."""
     if _tag(tokens, i) == "name":
         return True
     word = _text(tokens, i)
@@ -201,5 +202,5 @@ def _is_noun(tokens: Sequence[Token], i: int) -> bool:
 
 
 def _is_thing(tokens: Sequence[Token], i: int) -> bool:
-    """Return whether a zone's noun is rather the first word of an object ("side plate")."""
+    """Return whether a zone's noun is really the first word of an object ("side plate")."""
     return _tag(tokens, i + 1) == "word" and _text(tokens, i + 1) in ("plate", "table", "lamp")

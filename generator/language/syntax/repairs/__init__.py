@@ -1,1 +1,1 @@
-"""Corrections in a text, and talk that does not affect the plan."""
+"""Corrections in a text, and remarks that do not affect the plan."""

@@ -25,12 +25,12 @@ _MARKERS = tuple(
         "no just", "forget that", "but forget that", "forget it",
     )
 )  # fmt: skip
-"""Phrases that retract or change the preceding words."""
+"""Phrases that take back or change the preceding words."""
 
 _WEAK = frozenset(
     {("no",), ("make",), ("wait",), ("better",), ("er",), ("actually",), ("no", "make")}
 )
-"""Phrases that are corrections only if the following words confirm it."""
+"""Phrases that are corrections only if the words after them confirm it."""
 
 _LED = frozenset(
     [
@@ -88,7 +88,7 @@ def correct_course(tokens: Sequence[Token]) -> list[Token]:
 
 
 def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
-    """Return where a correction begins, with its pauses, and where the corrected words begin."""
+    """Return where a correction, with its pauses, begins, and where the corrected words begin."""
     if i == 0 or tokens[i - 1].tag not in _PAUSES:
         return None
     words = _words(tokens, i)
@@ -129,7 +129,7 @@ def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
 
 
 def _words(tokens: Sequence[Token], i: int) -> tuple[str, ...]:
-    """Return up to four words from a token on, up to the next punctuation mark."""
+    """Return up to four words, starting from a token, up to the next punctuation mark."""
     words: list[str] = []
     for token in tokens[i : i + 4]:
         if token.tag in (*_PAUSES, *ENDS):
@@ -139,7 +139,7 @@ def _words(tokens: Sequence[Token], i: int) -> tuple[str, ...]:
 
 
 def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
-    """Return the tokens before ``start`` as corrected; None if nothing matches."""
+    """Return the tokens before ``start``, corrected, or None if nothing matches."""
     before, after = tokens[:start], tokens[right:]
     if after[0].tag == "no":  # "some ants - kidding, no ants"
         return [*before, Token("stop", after[0].words), *after]
@@ -221,7 +221,7 @@ def _place_before(before: Sequence[Token]) -> int | None:
 
 
 def _nouns(before: Sequence[Token]) -> list[tuple[int, int, Noun]]:
-    """Return the noun phrases of tokens, each with its start and end."""
+    """Return the noun phrases in tokens, each with its start and end."""
     found, k = [], 0
     while k < len(before):
         noun, end = read_noun(before, k)
@@ -241,7 +241,7 @@ def _last_noun(before: Sequence[Token]) -> tuple[int, int] | None:
 def _recount(
     before: list[Token], said: Sequence[Token], noun: Noun, head: str | None, rest: list[Token]
 ) -> list[Token] | None:
-    """Change the number of the last counted objects, optionally only those with a given head."""
+    """Change the number of the last counted objects, or of those with a given head."""
     number = [t for t in said if t.tag == "number" or t.text in fw.NUMBERS or t.text in fw.AMOUNTS]
     if not number or (noun.count is None and noun.amount is None):
         return None
@@ -275,5 +275,5 @@ def _repaint(before: list[Token], noun: Noun, rest: list[Token]) -> list[Token] 
 
 
 def _word_token(token: Token, word: str) -> Token:
-    """Return a token with another word at the same position."""
+    """Return a token at the same position with another word."""
     return Token("word", (replace(token.words[0], text=word),), word)

@@ -2,7 +2,7 @@
 
 Every number in digits, with its sign, exponent and unit, is compared with the interpretation:
 counts, numbers of people, and lengths. Numbers of parts ("a pot with 2 handles") have no effect,
-neither in words nor in digits. Ages, years, hours, ordinals, numbers of list items and numbers in
+whether in words or in digits. Ages, years, hours, ordinals, numbers of list items and numbers in
 names ("WD-40", "iPhone 15") are not quantities.
 """
 
@@ -29,7 +29,7 @@ from ..text.figures import WrittenNumber, written_numbers
 from ..text.numbers import SPELT
 from ..text.tokens import Token
 
-_TIMES = (10, 12, 20, 100, 1000)  # possible units of a fraction
+_TIMES = (10, 12, 20, 100, 1000)  # units that a fraction can have
 _SPELT = re.compile(rf"(?i)(?<![\w-])(?:{'|'.join(SPELT)})(?![\w-])")
 _UNCOUNTED = ("part", "setting")
 _NO_QUANTITY = ("title", "abstract")
@@ -37,11 +37,11 @@ _NO_QUANTITY = ("title", "abstract")
 
 @dataclass(frozen=True)
 class NumberUse:
-    """Use of the numbers of a text, each in order of appearance.
+    """How the numbers in a text are used, each in order of appearance.
 
     Attributes:
         unused: numbers that the interpretation does not use.
-        ranges: ranges of which it uses the lower bound.
+        ranges: ranges of which the interpretation uses the lower bound.
     """
 
     unused: tuple[WrittenNumber, ...]
@@ -56,18 +56,18 @@ def check_numbers(
     people: Iterable[int],
     objects: int,
 ) -> NumberUse:
-    """Return which quantities in a text were used.
+    """Return which quantities in a text are used.
 
     Args:
         text: the whole text.
         spelt: its tokens.
-        said: the tokens after corrections and without talk.
-        sentences: their parse.
+        said: the tokens after corrections, without remarks.
+        sentences: the parsed tokens.
         people: numbers of people at the table.
-        objects: number of objects on it; larger counts are not used.
+        objects: number of objects on the table; larger counts are not used.
     """
     quantities = _quantities(sentences, people, objects)
-    withdrawn = _places_of(spelt) - _places_of(said)  # retracted by the text, or part of talk
+    withdrawn = _places_of(spelt) - _places_of(said)  # taken back by the text, or part of a remark
     numbers = [
         number
         for number in written_numbers(text)
@@ -83,7 +83,7 @@ def check_numbers(
 
 @dataclass(frozen=True)
 class _Quantities:
-    """Counts and lengths of the interpretation, and the noun phrases with their spans."""
+    """Counts and lengths in the interpretation, and the noun phrases with their spans."""
 
     nouns: tuple[Noun, ...]
     counts: frozenset[float]
@@ -103,7 +103,7 @@ class _Quantities:
 
 
 def _quantities(sentences: Sequence[Sentence], people: Iterable[int], objects: int) -> _Quantities:
-    """Return the quantities of sentences; those of parts and zones are not used."""
+    """Return the quantities in sentences; those of parts and zones are not used."""
     nouns = tuple(
         noun
         for sentence in sentences
@@ -131,7 +131,7 @@ def _read_counts(nouns: Sequence[Noun], posts: Sequence[Counted | Description]) 
 
 
 def _spelt_unused(text: str, nouns: Iterable[Noun]) -> Iterator[WrittenNumber]:
-    """Yield numbers in words that count parts ("three handles") or describe ("a ten euro note")."""
+    """Yield spelled-out numbers of parts ("three handles") and descriptions ("a ten euro note")."""
     for noun in nouns:
         start, end = noun.span
         found = _SPELT.search(text, start, end)
@@ -158,7 +158,7 @@ def _is_count(number: WrittenNumber, around: Sequence[Noun], elsewhere: Iterable
 
 
 def _counts(noun: Noun, value: float) -> bool:
-    """Return whether a noun phrase has this count, possibly times another number."""
+    """Return whether a noun phrase has this count, possibly multiplied by another number."""
     if value in (noun.amount or ()) or abs(noun.ordinal) == value:
         return True
     count = noun.count or 0.0
@@ -181,7 +181,7 @@ def _alike(variants: Sequence[Mapping[str, str]]) -> set[float]:
 
 
 def _kept_lengths(noun: Noun) -> tuple[float, ...]:
-    """Return the lengths of a noun that determine a size: only the largest, except for a table."""
+    """Return the lengths of a noun that determine a size: only the largest, except for tables."""
     if noun.kind == "table" or not noun.lengths:
         return noun.lengths
     return (max(noun.lengths),)
@@ -219,7 +219,7 @@ def _nouns_of(post: Post) -> Iterator[Noun]:
 
 
 def _posts_of(predicate: Sequence[Post], nouns: Sequence[Noun]) -> list[Counted | Description]:
-    """Return descriptions and counts; in "a mug (2)" the count comes first."""
+    """Return descriptions and counts; in "a mug (2)", the count comes first."""
     posts = [*predicate]
     for noun in nouns:
         posts += [p for p in noun.post if not isinstance(p, Counted) or noun.count is None]

@@ -1,4 +1,4 @@
-"""Phrases that do not describe the table: "I hate it", "the iron? Leave it"."""
+"""Remarks that do not describe the table: "I hate it", "the iron? Leave it"."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _WANTING = frozenset(
      "take", "bring", "choose", "would", "could", "can", "should", "will", "please", "find",
      "left", "leave", "d", "ll"]
 )  # fmt: skip
-"""Verbs of requests."""
+"""Verbs that express requests."""
 
 _MODIFYING = frozenset(
     ["really", "just", "also", "am", "was", "were", "is", "are", "always", "never", "only", "do",
@@ -34,7 +34,7 @@ _PAUSES = ("comma", "dash", "close", "open", "colon", *ENDS)
 
 
 def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
-    """Return tokens without clauses that request nothing, and the text of these clauses."""
+    """Return tokens without clauses that request nothing, and the text of those clauses."""
     out: list[Token] = []
     lost: list[str] = []
     i = 0
@@ -93,7 +93,7 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
 
 
 def _contrast(tokens: Sequence[Token], i: int) -> Token | None:
-    """Return the valid word of "not black but white"; None for other phrases."""
+    """Return the word that holds in "not black but white", or None for other phrases."""
     if tokens[i].tag != "no" or i + 3 >= len(tokens) or tokens[i + 2].text != "but":
         return None
     told = all(is_describing(tokens[k].text) for k in (i + 1, i + 3))
@@ -101,7 +101,7 @@ def _contrast(tokens: Sequence[Token], i: int) -> Token | None:
 
 
 def _left_out_end(tokens: Sequence[Token], i: int) -> int:
-    """Return the end of the objects in "leave the shoes out"; ``i`` for other phrases."""
+    """Return where the objects in "leave the shoes out" end, or ``i`` for other phrases."""
     if tokens[i].text not in ("leave", "keep", "take"):
         return i
     noun, end = read_noun(tokens, i + 1)
@@ -111,7 +111,7 @@ def _left_out_end(tokens: Sequence[Token], i: int) -> int:
 
 
 def _is_also(tokens: Sequence[Token], i: int) -> bool:
-    """Return whether "so does" or "as do" comes next, which is equivalent to "and"."""
+    """Return whether "so does" or "as do" comes next, which means the same as "and"."""
     if tokens[i].text not in ("so", "as") or i + 2 >= len(tokens):
         return False
     verb = tokens[i + 1].text in ("do", "does", "is", "are")
@@ -132,7 +132,7 @@ _LINKING = frozenset(["however", "though", "meanwhile", "instead", "therefore"])
 
 
 def _join_subject(out: list[Token], tokens: Sequence[Token], i: int) -> int:
-    """Add the objects after "so does" to the subject of their sentence; return where they end."""
+    """Add the objects after "so does" to their sentence's subject; return where they end."""
     start = max((k + 1 for k, token in enumerate(out) if token.tag in ENDS), default=0)
     verb = next((k for k in range(start, len(out)) if out[k].text in fw.BE), len(out))
     end = i
@@ -151,7 +151,7 @@ def _join_subject(out: list[Token], tokens: Sequence[Token], i: int) -> int:
 
 
 def _open_brackets(tokens: list[Token]) -> list[Token]:
-    """Return tokens in which bracketed statements are sentences."""
+    """Return tokens in which statements in brackets become sentences."""
     out = list(tokens)
     for i, token in enumerate(tokens):
         if token.tag != "open":
@@ -178,7 +178,7 @@ def _robot(texts: Sequence[str]) -> int:
 
 
 def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
-    """Return the end of "if possible", "otherwise any mug" and of "not on the table but"."""
+    """Return where "if possible", "otherwise any mug" or "not on the table but" ends."""
     texts = [token.text for token in tokens[i : i + 10]]
     if skipped := _robot(texts):
         return i + skipped
@@ -235,7 +235,7 @@ def _end_of_skip(tokens: Sequence[Token], i: int) -> int:
 
 
 def _talk_end(tokens: Sequence[Token], i: int) -> int:
-    """Return the end of a clause that only tells something; ``i`` for other clauses."""
+    """Return the end of a clause that is only a remark, or ``i`` for other clauses."""
     k = i
     while k < len(tokens) and tokens[k].text in (
         "because",

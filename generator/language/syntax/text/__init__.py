@@ -1,1 +1,1 @@
-"""Text to words and tokens, and the function words of English."""
+"""From text to words and tokens, and the function words of English."""

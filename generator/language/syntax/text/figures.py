@@ -36,17 +36,17 @@ Role = Literal["count", "range", "aside", "name"]
 
 @dataclass(frozen=True)
 class WrittenNumber:
-    """A number as written in a text.
+    """A number as it is written in a text.
 
     Attributes:
         text: the number with its unit, as written.
-        start: start in the text.
-        end: end in the text.
+        start: where it starts in the text.
+        end: where it ends in the text.
         value: None if it is not a plain number ("10^9"); the lower bound of a range.
         unit: "" if it has none.
         role: a "count" may count or measure, as may the lower bound of a "range"; an "aside" does
             neither; a "name" is not a quantity.
-        read: replacement for the grammar; None for the text itself.
+        read: replacement for the grammar; None means the text itself.
     """
 
     text: str
@@ -62,7 +62,7 @@ _ROLES: Mapping[str, Role] = MappingProxyType(
     {"code": "aside", "clock": "name", "ratio": "aside", "decade": "name", "date": "name",
      "label": "name", "turned": "aside"}
 )  # fmt: skip
-"""Roles of the kinds that are blanked completely."""
+"""Roles of those kinds of number that are blanked completely."""
 
 _SCALE = re.compile(r"(?i)\b(?:scale|ratio)(?:\s(?:of|is))?\s*$")
 _PART = re.compile(r"(?i)-[a-z]+")
@@ -70,7 +70,7 @@ _FULL = re.compile(r"(?i) (?:full|filled|empty)\b(?! (?:of|with)\b)")
 
 
 def written_numbers(text: str) -> Iterator[WrittenNumber]:
-    """Yield the numbers of a text: digits, ranges in words, and masses etc. in words."""
+    """Yield the numbers in a text: digits, ranges in words, and masses and the like in words."""
     place = 0
     while found := ANY.search(text, place):
         kind = next((k for k in SPECIAL if found[k] is not None), None)
@@ -86,7 +86,7 @@ def written_numbers(text: str) -> Iterator[WrittenNumber]:
 
 
 def settle_numbers(text: str) -> str:
-    """Return the text with numbers replaced for the grammar; its length is unchanged."""
+    """Return a text with its numbers replaced for the grammar; its length is unchanged."""
     parts: list[str] = []
     place = 0
     for number in written_numbers(text):
@@ -100,7 +100,7 @@ def settle_numbers(text: str) -> str:
 
 
 def _special(kind: str, text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Return a number of a special kind; None if it is a plain number."""
+    """Return a number of a special kind, or None if it is a plain number."""
     if kind not in _ROLES:
         return _READERS[kind](text, found)
     scaled = kind == "clock" and (
@@ -114,14 +114,14 @@ def _blank(found: re.Match[str], role: Role) -> WrittenNumber:
 
 
 def _ordinal(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Parse "2nd", which the vocabulary knows as "second"; the grammar does not know "7th"."""
+    """Parse "2nd", which the grammar knows as "second"; it does not know "7th"."""
     if 1 <= int(found.group()[:-2][:9]) <= max(fw.ORDINALS.values()):
         return WrittenNumber(found.group(), *found.span(), role="name")
     return _blank(found, "aside")
 
 
 def _label(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Parse "Windows 11": the name remains, without its number."""
+    """Parse "Windows 11", of which the name remains, without its number."""
     said = found.group()
     name = said.rstrip("0123456789 -–")
     return WrittenNumber(said, *found.span(), role="name", read=name.ljust(len(said)))
@@ -177,7 +177,7 @@ def _least(text: str, found: re.Match[str]) -> WrittenNumber:
 
 
 def _share(text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Parse "2 of 3 mugs" as all of them; the grammar knows "two of the three"."""
+    """Parse "2 of 3 mugs" as all of them; the grammar itself handles "two of the three"."""
     part, whole = found["part"], found["whole"]
     spelt = found["the"] and not part[0].isdigit()
     if spelt or _bound(part) > _bound(whole):
@@ -206,7 +206,7 @@ def _bound(said: str) -> float:
 
 
 def _plain(text: str, found: re.Match[str]) -> WrittenNumber | None:
-    """Return a plain number; None if the digits are part of a word ("PS5")."""
+    """Return a plain number, or None if the digits are part of a word ("PS5")."""
     if found["name"]:
         return None
     digits = found["digits"] or ""
@@ -249,13 +249,13 @@ def _role(text: str, found: re.Match[str], unit: str) -> tuple[Role, str | None]
 
 
 def _is_fraction(digits: str) -> bool:
-    """Return whether digits are just a fraction; halves are states of objects ("1/2 a lemon")."""
+    """Return whether digits are just a fraction; halves describe objects ("1/2 a lemon")."""
     alone = re.fullmatch(rf"\d+/\d+|[{FRACTIONS}]", digits) is not None
     return alone and digits not in ("1/2", "½")
 
 
 def _value(digits: str) -> float | None:
-    """Return the value of "1,000", "2.5", "2,5", "3 1/2" and "3½"; None for other texts."""
+    """Return the value of "1,000", "2.5", "2,5", "3 1/2" and "3½", or None for other texts."""
     if re.fullmatch(r"\d+,\d{1,2}", digits):
         return float(digits.replace(",", "."))
     if digits and digits in FRACTIONS:

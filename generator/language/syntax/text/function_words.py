@@ -1,4 +1,4 @@
-"""Function words of English used by the grammar. Data only."""
+"""The function words of English that the grammar uses. This module contains only data."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ NUMBERS: Mapping[str, float] = MappingProxyType(
         "single": 1, "another": 1, "twin": 2, "twins": 2, "quartet": 4, "lone": 1,
     }
 )  # fmt: skip
-"""Number words; "half a dozen", "two hundred" and "three pairs" are multiplied."""
+"""Number words; the grammar multiplies "half a dozen", "two hundred" and "three pairs"."""
 
 PARTICLES = _words("off over up down out away")
 
 NEVER_INSIDE = _words("but although though however unless whether because until during via "
                       "than whilst instead")  # fmt: skip
-"""Words that end a noun phrase."""
+"""Words at which a noun phrase ends."""
 
 LEFT_OUT = frozenset(
     {("sold", "out"), ("not", "present"), ("not", "included"), ("not", "there"), ("not", "allowed"),
@@ -46,10 +46,10 @@ LEFT_OUT = frozenset(
      ("taken", "away"), ("taken", "off"), ("kept", "away"), ("not", "available"),
      ("not", "required")}
 )  # fmt: skip
-"""Two-word phrases that exclude objects."""
+"""Phrases of two words that exclude objects."""
 ELSEWHERE = _words("attic cupboard drawer kitchen cellar fridge freezer shed garage wardrobe car "
                    "basement pantry closet hall bag")  # fmt: skip
-"""Places of objects that "stay" away from the table."""
+"""Places away from the table where objects "stay"."""
 
 KINDS = _words("color colour kind type sort flavor flavour size shape one")
 
@@ -61,23 +61,23 @@ BOUNDS = tuple(
         "a maximum of", "a minimum of", "a total of", "as many as",
     )
 )  # fmt: skip
-"""Phrases that bound a number."""
+"""Phrases that set a bound on a number."""
 
 AWAY = frozenset({"away", "apart", "off", "further", "farther"})
 """Words that may follow a distance: "5 cm away"."""
 
 ASPECTS = frozenset({("color",), ("colour",), ("size",), ("shape",), ("style",), ("height",)})
-"""Nouns after "in" with an attribute: "blue in colour"."""
+"""Nouns after "in" and an attribute: "blue in colour"."""
 
 NOBODY = _words("nothing nobody somebody someone something anything everybody anybody everyone")
 
 GETS = _words("gets get has have having receives needs is are should must will there sits")
-"""Verbs after the people for whom objects are laid."""
+"""Verbs that follow the people for whom objects are laid."""
 
 ORDINALS: Mapping[str, int] = MappingProxyType(
     {"first": 1, "second": 2, "third": 3, "fourth": 4, "fifth": 5, "sixth": 6, "last": -1}
 )
-"""Ordinals as an index; -1 is the last."""
+"""Ordinals as indices; -1 is the last."""
 
 AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
     {
@@ -86,7 +86,7 @@ AMOUNTS: Mapping[str, tuple[int, int]] = MappingProxyType(
         "plenty": (4, 5), "handful": (4, 5), "bunch": (3, 4), "mixed": (3, 4),
     }
 )  # fmt: skip
-"""Vague amounts with their minimum and maximum number."""
+"""Vague amounts, with the minimum and maximum number that they mean."""
 
 DEFINITE = _words("the this that these those its his her my your their our")
 INDEFINITE = _words("a an any")
@@ -130,7 +130,7 @@ RELATIONS = _table(
     around: surrounds, surround, encircles, encircle
     """
 )
-"""Prepositions to relations of two objects. ``surrounded`` and ``under`` are inverted."""
+"""Prepositions, and the relations they express; ``surrounded`` and ``under`` are inverted."""
 
 HERE = _table(
     """
@@ -149,7 +149,7 @@ HERE = _table(
     under: underneath, below, beneath
     """
 )
-"""Phrases that relate to the last mentioned object."""
+"""Phrases that refer to the object mentioned last."""
 
 CARRIES = _table(
     """
@@ -170,7 +170,7 @@ CARRIES = _table(
 """Phrases that attach other objects ("a bowl containing two apples")."""
 
 FULL = _words("full filled stuffed packed brimming heaped piled")
-"""First words of phrases for vessels with several contents."""
+"""First words of phrases about vessels that have several contents."""
 
 NEGATIONS = _words("no without not never except excluding minus lacking neither nor none hardly")
 NEGATED = ("free of", "but no", "but not", "and no", "not any", "no longer any", "with no",
@@ -237,7 +237,7 @@ GROUPS = _table(
     group: items, plenty, spread, sprig, clump
     """
 )
-"""Nouns before "of" that only state a count or an arrangement."""
+"""Nouns before "of" that state only a count or an arrangement."""
 
 FORMING = ("in", "into", "as", "forming", "form", "forms", "to form", "making", "make", "makes",
            "to make", "to build", "building", "arranged in", "set in", "set out in",
@@ -248,7 +248,7 @@ FORM_ARTICLES = ("a", "one", "a single", "a straight", "a neat", "a little", "a 
                  "one straight")  # fmt: skip
 FORMS = ("stack", "tower", "pile", "heap", "pyramid", "row", "line", "column", "circle", "ring",
          "arc", "semicircle", "fan", "grid", "cluster", "bunch")  # fmt: skip
-"""Patterns of arrangement phrases: one word from each set, in order: "forming a neat circle"."""
+"""Patterns of arrangement phrases, one word from each set in order: "forming a neat circle"."""
 
 SUPERLATIVES: Mapping[str, str] = MappingProxyType(
     {
@@ -257,7 +257,7 @@ SUPERLATIVES: Mapping[str, str] = MappingProxyType(
         "thickest": "large", "widest": "large",
     }
 )  # fmt: skip
-"""Words for one of several of different sizes."""
+"""Words for one of several objects of different sizes."""
 
 COMPARED: Mapping[str, str] = MappingProxyType(
     {
@@ -266,7 +266,7 @@ COMPARED: Mapping[str, str] = MappingProxyType(
         "wider": "large", "longer": "large", "higher": "large", "thicker": "large",
     }
 )  # fmt: skip
-"""Phrases for a neighbouring object."""
+"""Phrases that compare an object with a neighbouring one."""
 
 ORDERS = _table(
     """
@@ -298,7 +298,7 @@ POSTURES = _table(
     upright: upright, standing upright, standing up, on end, standing on end, stood on end
     """
 )
-"""Phrases for postures that differ from the usual one."""
+"""Phrases for postures that differ from an object's usual one."""
 
 ARRANGING_VERBS = _table(
     """
@@ -315,27 +315,27 @@ ARRANGING_VERBS = _table(
 BE = _words("is are was were be been being sits sit stands stand lies lie lays rests rest lay sat "
             "stood remain remains stays stay goes go belongs belong appears appear hangs hang "
             "leans lean faces face should must can could shall will would may might")  # fmt: skip
-"""Verbs between subjects and predicates."""
+"""Verbs that connect subjects to predicates."""
 
 SINGULAR = _words(
     "is sits stands lies rests hangs leans goes stays belongs was remains faces being"
 )
-"""Singular verbs: in a list they apply only to its last item."""
+"""Singular verbs, which apply only to the last item of a list."""
 
 MOVING = _words("pick push pull take move slide lift grab turn drop throw grasp drag place put "
                 "bring "
                 "sweep reach weigh rotate open close wipe hang insert press pour "
                 "stack")  # fmt: skip
-"""Verbs of instructions to a robot."""
+"""Verbs that instruct a robot."""
 TASKS = MOVING - _words("place put drop stack open close hang turn bring take pour press")
-"""Those that describe a task, so that the moved object is not at its goal yet."""
+"""Verbs that describe a task, so that the moved object is not yet at its goal."""
 CARRYING = _words("move slide push pull bring drag sweep")
-"""Those for which every place is a goal."""
+"""Verbs for which every place is a goal."""
 
 HANDLED = _words("sorted moved grasped picked handled cleaned cleared used seen made tidied "
                  "collected "
                  "done packed eaten washed left arranged")  # fmt: skip
-"""Participles of actions: "sorted by the robot"."""
+"""Participles that describe actions: "sorted by the robot"."""
 
 PARTICIPLES = _words(
     "sitting standing lying resting placed put located positioned laying leaning hanging seen "
@@ -359,7 +359,7 @@ STARTERS = _words(
     "use stick park leave keep hide tuck see find pick grab push pull take move slide lift pour "
     "turn spread start begin place putting balance wash clean clear tidy sort build pack"
 )
-"""Words that only open a sentence; skipped up to its first object."""
+"""Words that only open a sentence; they are skipped up to its first object."""
 
 FILLERS = _words(
     "of from for at to as or than about onto through per via during after until while when where "
@@ -390,7 +390,7 @@ NO_NOUNS = _words(
     "beside besides beyond inside outside within without upon onto into off out up down over "
     "under through throughout via per than as if so then there here"
 )
-"""Words that are never the head of a noun phrase, unless they are in the catalogue."""
+"""Words that are never the head of a noun phrase unless they are in the catalogue."""
 
 RELATIVE = _words("that which who whose where")
 JOINING = _words("and plus or")
@@ -398,19 +398,19 @@ PEOPLE_WORDS = _words("people persons guests diners children kids adults players
                       "guest us everyone couples students pupils participants")  # fmt: skip
 SEATED = _words("person guest diner child kid adult player friend place seat setting student pupil "
                 "participant head cover")  # fmt: skip
-"""Nouns after "each" and "per" for people or seats."""
+"""Nouns for people or seats that follow "each" and "per"."""
 
 AT_SEATS = frozenset(
     {"on each side", "on either side", "on both sides", "at each end", "at both ends"}
 )
-"""Phrases for all seats, once the number of people is known."""
+"""Phrases that mean all seats, once the number of people is known."""
 
 WEIGHTS = _words(
     "kg g gram grams kilo kilos kilogram kilograms ml l litre litres liter liters oz "
     "degree degrees percent ounce ounces lb lbs pound pounds pint pints cl dl watt w v volt "
     "volts gb tb"
 )
-"""Units of weight, volume and the like, which do not affect positions or shapes."""
+"""Units of weight, volume and the like, which affect neither positions nor shapes."""
 
 MEASURES: Mapping[str, float] = MappingProxyType(
     {
@@ -435,7 +435,7 @@ SIDES: Mapping[str, tuple[int | None, int | None]] = MappingProxyType(
         "centrally": (0, 0),
     }
 )  # fmt: skip
-"""Words for zones of the table; "far" and "near" only before another zone."""
+"""Words for zones of the table; "far" and "near" count only before another zone."""
 
 ZONE_NOUNS = _words("side sides corner corners edge edges half part end area portion section third "
                     "zone region hand quarter spot position border margin ends")  # fmt: skip

@@ -10,7 +10,7 @@ from . import function_words as fw
 
 SPELT = ("two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
          "twelve", "fifteen", "twenty", "thirty", "forty", "fifty")  # fmt: skip
-"""Single-word numbers that may measure and bound ranges."""
+"""Single-word numbers that can be used in measures and as bounds of ranges."""
 
 _OTHER_UNITS = (
     r"kg|kilos?|kilograms?|kilogrammes?|mg|g|grams?|grammes?|tonnes?|tons?|"
@@ -37,7 +37,7 @@ _MONTHS = (
 NAMES = ("page", "chapter", "volume", "version", "room", "route", "channel", "level", "windows",
          "iphone", "ipad", "playstation", "xbox", "galaxy", "pixel", "formula",
          "apollo")  # fmt: skip
-"""Words followed by a number that is part of a name."""
+"""Words that can be followed by a number that belongs to a name."""
 
 SPECIAL: Mapping[str, str] = MappingProxyType(
     {
@@ -64,7 +64,7 @@ SPECIAL: Mapping[str, str] = MappingProxyType(
         "thousands": rf"(?<!,)[1-9]\d{{0,2}}(?:\.\d{{3}})+(?![\w.])(?!{_UNITS})",  # "1.000"
     }
 )  # fmt: skip
-"""Kinds of numbers besides plain ones, with their patterns; the first match wins."""
+"""Kinds of numbers other than plain ones, with their patterns; the first match wins."""
 
 _PLAIN = rf"""
     (?P<name>(?<![a-z])[a-z]+[-_]?(?={DIGITS}))?            # "WD-40", "PS5", "block_2"
@@ -107,7 +107,7 @@ _SMALL = frozenset(
 
 
 def ends_name(text: str, found: re.Match[str]) -> int | None:
-    """Return the number of letters after digits that belong to a name; None if they do not.
+    """Return how many letters after digits belong to a name, or None if they do not.
 
     In "4K monitor" they begin a name; in "a Boeing 747 model" a determiner and a capitalised word
     precede them, and no plural follows that they could count.
@@ -131,7 +131,7 @@ def ends_name(text: str, found: re.Match[str]) -> int | None:
 
 
 def is_name(text: str, found: re.Match[str]) -> bool:
-    """Return whether digits are no quantity: an age, a year, a list number, or in a name."""
+    """Return whether digits are not a quantity but an age, a year, a list number or in a name."""
     before, after = text[: found.start("digits")], text[found.end() :]
     if (found["unit"] or "").strip(' "') or found["power"]:
         return False

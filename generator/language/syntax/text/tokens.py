@@ -1,4 +1,4 @@
-"""Words to tokens of the grammar: the longest phrase with a meaning wins."""
+"""From words to the tokens of the grammar: the longest meaningful phrase wins."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from .words import Word
 
 @dataclass(frozen=True)
 class Token:
-    """One or more words with a common meaning.
+    """One or more words that have a common meaning.
 
-    ``tag``: "relation", "here", "carry", "no", "arranged", "order", "posture", "be", "and",
-    "comma", "stop", "colon", "open", "close", "of", "relative", "each", "word", "number".
+    ``tag`` is one of "relation", "here", "carry", "no", "arranged", "order", "posture", "be",
+    "and", "comma", "stop", "colon", "open", "close", "of", "relative", "each", "word", "number".
     ``value`` is the meaning of the phrase.
     """
 
@@ -32,7 +32,7 @@ class Token:
 
     @property
     def span(self) -> tuple[int, int]:
-        """Start and end in the text."""
+        """Where it starts and ends in the text."""
         return self.words[0].start, self.words[-1].end
 
 
@@ -44,7 +44,7 @@ _MARKS: Mapping[str, str] = {
 
 @cache
 def _phrases() -> Mapping[tuple[str, ...], tuple[str, str]]:
-    """Return each phrase of function words with its tag and meaning."""
+    """Return each phrase of function words with its tag and its meaning."""
     table: dict[tuple[str, ...], tuple[str, str]] = {}
     for tag, phrases in (
         ("relation", fw.RELATIONS), ("here", fw.HERE), ("carry", fw.CARRIES),
@@ -75,7 +75,7 @@ _LONGEST = 6
 
 
 def tokens_of(words: Sequence[Word], is_noun: Any) -> list[Token]:
-    """Return the tokens of words.
+    """Return the tokens for words.
 
     ``is_noun`` returns whether words, including function words, name one object ("salt and pepper
     shakers"); the words of such a name remain separate tokens.
@@ -103,7 +103,7 @@ def tokens_of(words: Sequence[Word], is_noun: Any) -> list[Token]:
 
 
 def _name_length(words: Sequence[Word], i: int, is_noun: Any) -> int:
-    """Return the number of words from ``i`` on that name one object and include a function word."""
+    """Return how many words from ``i`` on name one object and include a function word."""
     for length in range(min(_LONGEST, len(words) - i), 1, -1):
         run = words[i : i + length]
         if all(w.kind == "word" for w in run) and is_noun(tuple(w.text for w in run)):
@@ -130,14 +130,14 @@ def _phrase(words: Sequence[Word], i: int) -> tuple[int, str, Any]:
 
 
 def list_skipped(tokens: Sequence[Token]) -> list[str]:
-    """Return the words of skipped tokens that have a meaning."""
+    """Return those words of skipped tokens that have a meaning."""
     empty = small_words() | fw.FILLERS
     return [t.text for t in tokens if t.tag in ("word", "name") and t.text not in empty]
 
 
 @cache
 def small_words() -> frozenset[str]:
-    """Return all words known to the grammar."""
+    """Return all words that the grammar knows."""
     sets = (fw.NUMBERS, fw.AMOUNTS, fw.DEFINITE, fw.INDEFINITE, fw.PRONOUNS, fw.BE, fw.PARTICIPLES,
             fw.STARTERS, fw.FILLERS, fw.RELATIVE, fw.PEOPLE_WORDS, fw.MEASURES, fw.SIDES,
             fw.ZONE_NOUNS, fw.GROUPS, fw.ORDINALS)  # fmt: skip

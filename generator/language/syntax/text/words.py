@@ -1,4 +1,4 @@
-"""Text to words, numbers and punctuation marks, each with its span."""
+"""From text to words, numbers and punctuation marks, each with its span."""
 
 from __future__ import annotations
 
@@ -48,14 +48,14 @@ _PARTS = re.compile(
     r"year|level|ring|hole|string|button|key|arm|branch|wick|pack|page|card|star|"
     r"pointed|way|wheeled|headed|bladed)s?\b"
 )
-"""Words like "two-tier" that describe one object."""
+"""Words such as "two-tier" that describe a single object."""
 _TIMES = re.compile(r"(?<=[a-z)])\s+[x×]\s?(\d{1,2})\b(?!\s?(?:[x×]|[cm]?m\b|in\b))", re.IGNORECASE)
-"""Counts after the noun: "forks x4"."""
+"""Counts that follow the noun: "forks x4"."""
 _SPELT_LENGTH = re.compile(
     rf"(?i)(?<![\w-])({'|'.join(SPELT)})[ -]"
     r"(?=(?:mm|cm|millimet(?:er|re)|centimet(?:er|re)|inch|f(?:oo|ee)t\b)(?:e?s)?\b)"
 )
-"""Lengths in words: "ten centimetres"."""
+"""Lengths written in words: "ten centimetres"."""
 _WITH = re.compile(r"(?<=[a-z,.)]) w (?=[a-z\d])")
 _LEFTMOST = re.compile(r"(?i)\b(left|right)most\b(?=( (?:is|being|has|holds|stands|and)\b|,)?)")
 _FOOT_LONG = re.compile(r"(?i)\bfoot[ -]long\b")
@@ -80,7 +80,7 @@ _BULLET = re.compile(r"(?m)^[ \t]*(?:[-*•‣·–]|\d+[.)])[ \t]+")
 
 @dataclass(frozen=True)
 class Word:
-    r"""A word in lower case without accents, a number, or a punctuation mark.
+    r"""A lower-case word without accents, a number, or a punctuation mark.
 
     ``start`` and ``end`` are its span in the text. Marks are punctuation, "\n" for the end of a
     line, "'s" for a possessive, and "-" for a dash between parts of a sentence.
@@ -93,7 +93,7 @@ class Word:
 
 
 def words_of(text: str) -> tuple[Word, ...]:
-    """Return the words of a text; bullets and numbers of list items become line ends."""
+    """Return the words in a text; bullets and the numbers of list items become line ends."""
     text = settle_numbers(text)
     text = _TAG.sub(lambda found: " " * len(found.group()), text)
     text = _BAKERS.sub(lambda found: "13".ljust(len(found.group())), text)
@@ -131,7 +131,7 @@ def _facts_of(text: str) -> list[Word]:
 
 
 def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
-    """Return the words of a piece of text after normalisation."""
+    """Return the words in a piece of text after normalisation."""
     said, name = piece.group(), piece.lastgroup
     if name == "number":
         return [(said.replace(",", ""), "number")]
@@ -159,7 +159,7 @@ def _readings(piece: re.Match[str]) -> list[tuple[str, WordKind]]:
 
 
 def _fraction(found: re.Match[str]) -> str:
-    """Replace "3 1/2" by "3½" of equal length; other fractions are unchanged."""
+    """Replace "3 1/2" by "3½", padded to equal length; other fractions are unchanged."""
     sign = _FRACTIONS.get(int(found[2]) / int(found[3]))
     return found.group() if sign is None else f"{found[1] or ''}{sign}".ljust(len(found.group()))
 
@@ -171,7 +171,7 @@ _UNIT = re.compile(rf"\s*(?:{'|'.join(MEASURES)})\b", re.IGNORECASE)
 
 
 def _decimal(letters: list[str], letter: str, rest: str) -> str:
-    """Return a fraction sign as a decimal after a number, or "half" before an object."""
+    """Return a fraction sign as a decimal if it follows a number, or as "half" before an object."""
     value = f"{unicodedata.numeric(letter):.3g}"
     if letters and letters[-1].isdigit():
         return value[1:]
@@ -179,7 +179,7 @@ def _decimal(letters: list[str], letter: str, rest: str) -> str:
 
 
 def _plain(text: str) -> tuple[str, list[int]]:
-    """Return the text in lower case without accents, and the original position of each letter."""
+    """Return the text in lower case without accents, and each letter's original position."""
     letters: list[str] = []
     places: list[int] = []
     for place, letter in enumerate(text):
