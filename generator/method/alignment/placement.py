@@ -97,8 +97,8 @@ class AlignmentConfig:
             directions.
         guess_limit: the same limit for a picture without a text, for which the names, and therefore
             the commonsense sizes, are guesses.
-        table_limit: an anchor that would make the table larger or smaller than its commonsense size
-            by this factor is skipped.
+        table_limit: an anchor is skipped if it would make the table larger or smaller than its
+            commonsense size by this factor.
         check: whether to compare the top view with the reference picture. Objects that an image
             model moved or drew far too large or too small are then corrected by geometry. The paper
             has no such check. Missing objects are added by geometry in either case.
