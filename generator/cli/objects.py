@@ -247,7 +247,8 @@ def _table(*columns: str) -> Table:
 
     table = Table(box=None, pad_edge=False)
     for column in columns:
-        table.add_column(column, overflow="fold", no_wrap=column == "key" or column.startswith("size"))
+        whole = column == "key" or column.startswith("size")
+        table.add_column(column, overflow="fold", no_wrap=whole)
     return table
 
 
