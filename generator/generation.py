@@ -59,17 +59,17 @@ class Config:
 
     def __post_init__(self) -> None:
         if not 0 <= self.leave_out <= 1:
-            raise InputError(f"Config.leave_out is a share in [0, 1], got {self.leave_out}.")
+            raise InputError(f"Config.leave_out must be in [0, 1], got {self.leave_out}.")
         known: tuple[Ablation, ...] = get_args(Ablation)
         if isinstance(self.without, str):
             raise InputError(
-                f"Config.without is a tuple of {' and '.join(map(repr, known))}, got the text "
-                f"{self.without!r}."
+                f"Config.without must be a tuple of {' and '.join(map(repr, known))}, not the "
+                f"string {self.without!r}."
             )
         unknown = next((s for s in self.without if s not in known), None)
         if unknown is not None:
             raise InputError(
-                f"Config.without: {unknown!r} is no stage to leave out." + choices(unknown, known)
+                f"Config.without: unknown stage {unknown!r}." + choices(unknown, known)
             )
         object.__setattr__(self, "without", tuple(s for s in known if s in self.without))
 

@@ -234,7 +234,7 @@ def _as_it_is(surface: ColoredSurface, body: ForeignBody) -> Mesh:
     sound = areas(surface.vertices, surface.faces) > 0
     surface = surface.keep(sound)
     if not len(surface.faces):
-        raise InputError(f"The mesh of {body.name!r} has only triangles without area.")
+        raise InputError(f"The mesh of {body.name!r} has only zero-area triangles.")
     size = best_size(surface, _TEXTURE, len(surface.faces))
     return own_texture(surface) or painted_faces(surface, size)
 

@@ -204,7 +204,7 @@ def _folders(root: ET.Element) -> tuple[dict[str, str], bool]:
 
 
 def _parse(raw: bytes, what: str, above: int, most: int) -> ET.Element:
-    """Return the root of an XML text without entities, of at most ``most`` elements.
+    """Parse XML without entities and with at most ``most`` elements; return its root.
 
     ``above`` is the nesting depth of its root, which counts towards the maximum depth.
     """

@@ -74,7 +74,7 @@ class RayPool(TaskPool):
 
     @cached_property
     def keeper(self) -> RayKeeper:
-        """The keeper of the spending databases: an actor on this machine."""
+        """Access to the spending databases through an actor on this machine."""
         return RayKeeper(_keeping_actor(self._ray))
 
     def close(self, grace: float = 0.0) -> None:

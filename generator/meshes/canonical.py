@@ -124,7 +124,7 @@ def _list_repairs(counts: Mapping[str, int]) -> tuple[str, ...]:
 
 
 def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
-    """Return a normalised mesh as an instance's raw model: its own proportions, the usual size.
+    """Return a normalised mesh as an instance's raw model of the usual size; proportions are kept.
 
     For a known category, mass and friction are those of the catalogue; otherwise the density is
     that of light wood.
@@ -143,7 +143,7 @@ def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
 
 
 def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
-    """Return physical properties that give an imported mesh of usual size its category's mass."""
+    """Return properties that give an imported mesh of usual size the mass of its category."""
     if kind is None:
         return Physics(density=500.0, friction=0.6)
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED

@@ -41,7 +41,7 @@ def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
     """
     surface = surface.keep(_sound(surface.vertices, surface.faces, weld_index(surface.vertices)))
     if not len(surface.faces):
-        raise BackendError(f"{what} has only triangles without area. Export a mesh with faces.")
+        raise BackendError(f"{what} has only zero-area triangles. Export a mesh with faces.")
     used = surface.vertices[surface.faces].reshape(-1, 3)
     extent = np.ptp(used, axis=0)
     if extent.min() < _FLAT * extent.max():

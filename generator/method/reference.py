@@ -284,7 +284,7 @@ def _read_bytes(source: object, config: ReferenceConfig, what: str = "picture") 
         data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
     if not isinstance(data, bytes):
         raise InputError(
-            "A text, a plan or a picture (path, bytes or array) is needed, got "
+            "Expected a text, a plan or a picture (path, bytes or array), got "
             f"{type(source).__name__}."
         )
     if not data or len(data) > config.max_bytes:

@@ -33,7 +33,7 @@ _FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial filter with a sig
 
 @dataclass(frozen=True, eq=False)
 class SampledSurface:
-    """Sample points of the textured surfaces of ``s`` objects, in each object's frame, metres.
+    """Points sampled on the textured surfaces of ``s`` objects (metres, each object's frame).
 
     ``area`` (m^2) is the area that one point represents. ``covered`` marks points that are just
     below another surface, such as a label, and too close to it for a depth buffer. ``corners`` are

@@ -107,7 +107,7 @@ class GraspLabels:
             if ((array < 0) | (array > most)).any():
                 raise InputError(f"GraspLabels.{name} must be in [0, {most:g}].")
         if (np.abs(self.position) > _FARTHEST).any():
-            raise InputError(f"GraspLabels.position must be within {_FARTHEST:g} m.")
+            raise InputError(f"GraspLabels.position must be in [-{_FARTHEST:g}, {_FARTHEST:g}] m.")
         if (np.abs(np.linalg.norm(self.quaternion, axis=1) - 1) > 1e-4).any():
             raise InputError("GraspLabels.quaternion must have length 1.")
 

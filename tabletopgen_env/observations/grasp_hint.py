@@ -229,7 +229,7 @@ def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
 def _rise(
     world: World, name: str, end: Float[np.ndarray, "3"], depth: float, broad: float
 ) -> float:
-    """Return entry 6 on the way to ``end``; the load is ``depth`` deep and ``broad`` wide."""
+    """Return entry 6 for the move to ``end`` with a load ``depth`` deep and ``broad`` wide."""
     tool = world.data.site_xpos[world.tcp]
     if math.hypot(*(end - tool)[:2]) <= NEAR:
         return 0.0

@@ -49,7 +49,7 @@ MAPS, CELLS = 3, 48
 """Number of maps, and of cells along a side of each."""
 
 CELL, STEP = 0.005, 0.002
-"""Size of a cell, and unit of height, metres."""
+"""Size of a cell, and unit of height, in metres."""
 
 _FINE = CELL / 2  # spacing of the sampled points, metres: walls are thinner than a cell
 _PLACE, _TURN, _TILT = 5e-4, 5e-3, 0.01  # resolution of poses: metres, radians, of an axis
@@ -78,7 +78,7 @@ class HeightLook:
         self._seen: UInt8[np.ndarray, "3 48 48"] = np.zeros((MAPS, CELLS, CELLS), np.uint8)
 
     def __reduce__(self) -> tuple[type[HeightLook], tuple[()]]:
-        """Return the state of a copy: empty caches."""
+        """Return the state for copying or pickling, without the cached values."""
         return HeightLook, ()
 
     def maps(

@@ -263,7 +263,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
             return runner.visit(dict.fromkeys(chosen, work))
 
     def close_extras(self, **kwargs: Any) -> None:
-        """Close the slots, the threads or processes, and the background work of ``scenes``."""
+        """Close the environments, end their threads or processes, and close ``scenes``."""
         if not hasattr(self, "_runner") or self._process != os.getpid():
             return
         try:

@@ -140,7 +140,10 @@ def _check(
     lerobot.check()
     check_installed(format, lerobot)
     if resume and format not in RESUMABLE:
-        raise InputError(f"The format {format!r} cannot be resumed, only {', '.join(RESUMABLE)}.")
+        raise InputError(
+            f"A recording in the format {format!r} cannot be resumed, only one in "
+            f"{', '.join(RESUMABLE)}."
+        )
     return _target(config, out, format)
 
 

@@ -159,7 +159,7 @@ class ObservationConfig:
 
     @cached_property
     def sizes(self) -> dict[CameraName, tuple[int, int]]:
-        """Height and width of each camera's pictures, pixels."""
+        """Height and width of each camera's pictures, in pixels."""
         return _read_cameras(self.cameras, self.image_size)[1]
 
     def key(self, camera: CameraName, kind: Kind) -> str:
@@ -193,7 +193,7 @@ class RenderConfig:
 
     @property
     def shape(self) -> tuple[int, int]:
-        """Height and width, pixels."""
+        """Height and width in pixels."""
         assert isinstance(self.size, tuple)
         return self.size
 
@@ -204,7 +204,7 @@ def _check_name(what: str, name: Any, known: Collection[str]) -> None:
 
 
 def _picture_size(name: str, size: int | tuple[int, int], maximum: int) -> tuple[int, int]:
-    """Return height and width of the setting ``name``, each at most ``maximum`` pixels."""
+    """Return the height and width in the setting ``name``, each at most ``maximum`` pixels."""
     sizes = tuple(size) if isinstance(size, Iterable) else (size, size)
     if len(sizes) != 2 or not all(_is_whole(k, _SMALLEST, maximum) for k in sizes):
         raise InputError(
@@ -231,7 +231,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
 def _read_cameras(
     wanted: Any, size: Any
 ) -> tuple[tuple[CameraName, ...], dict[CameraName, tuple[int, int]]]:
-    """Return the selected cameras, and the size of each one's pictures, pixels."""
+    """Return the selected cameras, and the size of each one's pictures, in pixels."""
     preset = PRESETS.get(wanted) if isinstance(wanted, str) else None
     names: Any = _some("camera", wanted if preset is None else tuple(preset), _CAMERAS)
     if isinstance(size, Mapping):

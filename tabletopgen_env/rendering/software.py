@@ -153,7 +153,7 @@ def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, n
 
 @lru_cache(_KEPT)
 def _cylinder(radius: float, half: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return an upright cylinder, cached because every picture draws the marker."""
+    """Return an upright cylinder, cached because every picture shows the goal marker."""
     turn = np.linspace(0, 2 * np.pi, _ROUND, endpoint=False)
     ring = np.column_stack([np.cos(turn), np.sin(turn)])
     low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (-1.0, 1.0))
@@ -162,7 +162,7 @@ def _cylinder(radius: float, half: float) -> tuple[np.ndarray, np.ndarray]:
 
 @lru_cache(_KEPT)
 def _ellipsoid(*radii: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return an ellipsoid, cached because every picture may draw the marker as a ball."""
+    """Return an ellipsoid, cached because the goal marker in every picture may be a ball."""
     k = np.arange(200) + 0.5
     polar, turn = np.arccos(1 - k / 100), np.pi * (1 + 5**0.5) * k
     ball = [np.cos(turn) * np.sin(polar), np.sin(turn) * np.sin(polar), np.cos(polar)]

@@ -26,31 +26,31 @@ PEDESTAL = "pedestal"
 """Name of the pedestal's body."""
 
 PEDESTAL_RADIUS = 0.09
-"""Radius of the round pedestal, metres."""
+"""Radius of the round pedestal, in metres."""
 
 GAP = 0.012
-"""Gap between pedestal and table edge, metres."""
+"""Gap between pedestal and table edge, in metres."""
 
 LIFT = 0.01
 """Height of the base above the table top, metres, since its foot projects over the edge."""
 
 NEAREST = 0.30
-"""Minimum horizontal distance from the base at which the hand can point straight down, metres."""
+"""Minimum horizontal distance from the base at which the hand can point straight down (metres)."""
 
 STRETCH = 0.70
 """Maximum distance from the shoulder to the wrist joint, metres (0.72 is a straight arm)."""
 
 CLEARANCE = 0.13
-"""Radius about the base's axis that must be free of objects, metres."""
+"""Radius about the base's axis that must be free of objects, in metres."""
 
 TALL = 0.28
-"""Height above the table at which an object obstructs the arm, metres."""
+"""Height above the table at which an object obstructs the arm, in metres."""
 
 ARM_BREADTH = 0.07
-"""Half the width of the forearm plus a margin, metres."""
+"""Half the width of the forearm plus a margin, in metres."""
 
 SWING = np.deg2rad(110.0)
-"""Maximum bearing of a target from straight ahead, radians."""
+"""Maximum bearing of a target from straight ahead, in radians."""
 
 _WRIST = franka.FLANGE + franka.TCP
 _WRIST_OFFSET = franka.JOINTS[6].a
@@ -69,7 +69,7 @@ class Mount:
         position = frozen_array(self.position, np.float64, (3,), "Mount.position")
         object.__setattr__(self, "position", position)
         if not np.isfinite(self.yaw):
-            raise InputError("Mount.yaw must be finite radians.")
+            raise InputError("Mount.yaw must be a finite angle in radians.")
 
     @classmethod
     def beside(cls, scene: Scene) -> Mount:
@@ -241,7 +241,7 @@ def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:
 
 
 def _gap(mount: Mount, box: _Box) -> float:
-    """Return the horizontal distance from the base's axis to an object's oriented box, metres."""
+    """Return the horizontal distance from the base's axis to an object's oriented box (metres)."""
     offset = (mount.position - box.middle) @ box.axes
     offset[2] = 0.0
     return float(np.linalg.norm(np.maximum(np.abs(offset) - box.half, 0)[:2]))

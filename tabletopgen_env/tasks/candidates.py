@@ -23,7 +23,7 @@ from ..world.world import World
 from .task import Choice, Episode
 
 ROOM = 0.008
-"""Minimum clearance between a container's hollow and an object in it at any yaw, metres."""
+"""Minimum clearance between a container's hollow and an object in it at any yaw, in metres."""
 
 NO_GRASP = "the arm cannot reach any grasp of it, or its neighbours leave no room for the hand"
 """Reason for objects without a reachable grasp according to ``has_grasp``."""
@@ -114,7 +114,7 @@ def nothing(world: World, reasons: Mapping[str, str | None]) -> SceneError:
 
 
 def rest_height(world: World, name: str) -> float:
-    """Return the height of an object's centre above its support, metres."""
+    """Return the height of an object's centre above its support, in metres."""
     return float(world.position(name)[2]) - world.lowest(name)
 
 
@@ -216,7 +216,7 @@ def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | Non
     """Return the object that a goal option names, None without the option.
 
     ``use`` completes the error for unknown objects ("to put things on"), ``wanted`` the one for
-    other values ("Stack is an object's name").
+    other values ("Stack must be an object's name").
 
     Raises:
         InputError: the option is a spot or a point, or the object does not exist.

@@ -38,7 +38,7 @@ class Swap(Task):
         self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw two objects, or use the given ones; see ``Task.sample``."""
-        wanted = given_object(world, goal, "to swap with", "Swap is the other object's name")
+        wanted = given_object(world, goal, "to swap with", "Swap must be the other object's name")
         reasons = liftable(world)
         for obj in world.scene.objects:
             if not on_table(obj):

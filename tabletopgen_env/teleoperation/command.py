@@ -218,8 +218,8 @@ def _check_left_out(config: RecordConfig, card: Card, policy: str) -> None:
     if given:
         flags = ", ".join(f"--{name.replace('_', '-')}" for name in given)
         raise InputError(
-            f"The policy {policy} does {card.task} in an environment like that of its training. "
-            f"Leave out {flags}, or the policy."
+            f"The policy {policy} performs {card.task} in an environment like that of its "
+            f"training. Leave out {flags}, or leave out the policy."
         )
 
 

@@ -36,7 +36,7 @@ class RecordedPlay:
 
     @property
     def seconds(self) -> float:
-        """The duration of the episode, seconds."""
+        """The duration of the episode in seconds."""
         return (len(self.rows) - 1) / CONTROL_HZ
 
     def to_bytes(self) -> bytes:
@@ -106,5 +106,5 @@ def record_play(bundle: Path, task: str, seed: int = 0, tries: int = TRIES) -> R
     finally:
         env.close()
     if play is None:
-        raise SceneError(f"The expert cannot solve {task} at {bundle.name}.")
+        raise SceneError(f"The expert cannot solve {task} in {bundle.name}.")
     return play

@@ -90,7 +90,7 @@ def _check(bundles: Sequence[Path], out: Path) -> None:
     names = [bundle.name for bundle in bundles]
     twice = next((name for name in names if names.count(name) > 1), None)
     if twice is not None:
-        raise InputError(f"Two bundles are called {twice!r}. Name each once.")
+        raise InputError(f"Two bundles are named {twice!r}. Each needs a different name.")
     if out.is_dir() and any(out.iterdir()) and not (out / _MARKER).is_file():
         raise InputError(
             f"{out} contains something other than a page, which would be deleted. Choose a new "

@@ -41,7 +41,7 @@ class Fields:
         return found
 
     def optional_text(self, name: str, max_length: int, *, multiline: bool = False) -> str | None:
-        """Return a string, None if it is missing or null."""
+        """Return a string, or None if it is missing or null."""
         found = self._get(name)
         if found is None:
             return None
@@ -49,7 +49,7 @@ class Fields:
         return found
 
     def seed(self) -> int:
-        """Return the field ``seed``; 0 if it is missing."""
+        """Return the field ``seed``, or 0 if it is missing."""
         found = self._get("seed")
         if found is None:
             return 0
@@ -57,21 +57,21 @@ class Fields:
         return found
 
     def number(self, name: str, minimum: float, maximum: float) -> float | None:
-        """Return a number, None if it is missing or null."""
+        """Return a number, or None if it is missing or null."""
         found = self._get(name)
         if found is None:
             return None
         return _check_number(found, f"{self._what} needs {name}", minimum, maximum)
 
     def choice(self, name: str, known: Collection[str]) -> str:
-        """Return one of the strings in ``known``."""
+        """Return the field's value, which must be one of the strings in ``known``."""
         found = self.optional_choice(name, known)
         if found is None:
             raise InputError(f"{self._what} needs {name}.{choices('', known)}")
         return found
 
     def optional_choice(self, name: str, known: Collection[str]) -> str | None:
-        """Return one of the strings in ``known``, None if it is missing or null."""
+        """Return one of the strings in ``known``, or None if the field is missing or null."""
         found = self._get(name)
         if found is None:
             return None
@@ -81,7 +81,7 @@ class Fields:
         return found
 
     def texts(self, name: str, max_count: int, max_length: int) -> tuple[str, ...]:
-        """Return a list of strings, empty if it is missing."""
+        """Return a list of strings, or an empty one if the field is missing."""
         found = self._get(name)
         if found is None:
             return ()
@@ -92,7 +92,7 @@ class Fields:
         return tuple(found)
 
     def pair(self, name: str, size: float) -> tuple[float, float] | None:
-        """Return two numbers in [-``size``, ``size``], None if missing or null."""
+        """Return two numbers in [-``size``, ``size``], or None if they are missing or null."""
         found = self._get(name)
         if found is None:
             return None

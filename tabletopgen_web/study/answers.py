@@ -20,7 +20,7 @@ MAX_ANSWER_BYTES = 2**20
 """Maximum size of one rater's answers, bytes; 200 scenes of 8 methods take less."""
 
 MAX_FILE_BYTES = 16 * MAX_ANSWER_BYTES
-"""Maximum size of a rater's list of answers from a studio, bytes."""
+"""Maximum size of a rater's list of answers from a studio, in bytes."""
 
 _MAX_FILES = 5_000
 _RATER = re.compile(r"[0-9a-f]{16}")
@@ -77,7 +77,10 @@ def read_all(paths: Sequence[Path], key: StudyKey) -> tuple[list[RaterAnswers], 
     """
     files = [file for path in paths for file in _files(path)]
     if not files:
-        raise InputError("There are no answers. Pass files answers-STUDY-RATER.json, or a folder.")
+        raise InputError(
+            "There are no answers. Pass files named answers-STUDY-RATER.json, or a folder that "
+            "contains them."
+        )
     if len(files) > _MAX_FILES:
         raise InputError(f"{len(files)} files of answers; the maximum is {_MAX_FILES}.")
     left: list[Refusal] = []

@@ -82,7 +82,8 @@ def detect(
     things += _carriers(image, sight, things)
     if len(things) > _MOST:
         raise SceneError(
-            f"More than {_MOST} objects on the table. Cut the picture into parts with fewer."
+            f"There are more than {_MOST} objects on the table. Cut the picture into parts that "
+            "each show fewer objects."
         )
     table = table_of(image, sight)
     measured = None

@@ -188,7 +188,7 @@ def _board(
 def _thin(
     outline: Float[np.ndarray, "k 2"], heights: Float[np.ndarray, "2"]
 ) -> Float[np.ndarray, "n 3"]:
-    """Return at most 16 corners of an outline at both heights, with the same bounding box."""
+    """Return at most 16 corners of an outline, with its bounding box, at each of two heights."""
     at = np.linspace(0, 2 * np.pi, 12, endpoint=False) + np.pi / 12
     ways = np.column_stack([np.cos(at), np.sin(at)])
     ways = np.concatenate([ways, [[1, 0], [-1, 0], [0, 1], [0, -1]]])

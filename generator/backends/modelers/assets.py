@@ -79,7 +79,7 @@ def _walk(home: Path) -> Iterator[Path]:
 
 
 def _name(inside: Path) -> str:
-    """Return the object shown by a mesh, from its path within the folder; "" if unknown."""
+    """Return an object's name from the path of its mesh within the folder, or "" if unknown."""
     for part in (inside.stem, *reversed(inside.parts[:-1])):
         word = plain(_NUMBER.sub("", part))
         if word and word not in _MODEL_WORDS:

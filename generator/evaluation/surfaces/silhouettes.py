@@ -1,4 +1,4 @@
-"""Yaw and size errors that are visible in a picture, since another value would fit a mask better.
+"""Yaw and size errors that a picture reveals: another value would fit the mask better.
 
 Each object is drawn alone from the picture's camera, as it stands and with other yaws or scales.
 Pixels of other objects in the picture are ignored, so that occluded parts have no effect. Each
@@ -20,7 +20,7 @@ from ...scene import TABLE, Object
 from .symmetry import order, yaw_error
 
 TURNS = tuple(np.deg2rad(range(15, 360, 15)).tolist())
-"""Yaws to test, radians."""
+"""Yaws to test in radians."""
 
 FACTORS = (0.4, 0.5, 0.6, 0.7, 0.8, 1.25, 1.4, 1.65, 2.0, 2.5)
 """Scales to test."""

@@ -118,7 +118,7 @@ def stations(config: SweepConfig | None = None) -> tuple[Station, ...]:
 
 
 def center_and_radius(scene: Scene) -> tuple[Float[np.ndarray, "3"], float]:
-    """Return the centre of the scene's bounding box, and half the box's diagonal, metres."""
+    """Return the centre of the scene's bounding box and half the box's diagonal, in metres."""
     points = np.concatenate([item.vertices for item in scene_items(scene)])
     low, high = points.min(0), points.max(0)
     return (low + high) / 2, float(np.linalg.norm(high - low)) / 2

@@ -230,7 +230,7 @@ def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
 
 
 def _dissolve(material: Any) -> float:
-    """Return the opacity ``d`` of an OBJ's material, or 1 if it is 0 or for other materials."""
+    """Return the opacity ``d`` of an OBJ material, or 1 if it is 0 or not given."""
     words = getattr(material, "kwargs", {}).get("d", ())
     try:
         value = float(words[0])

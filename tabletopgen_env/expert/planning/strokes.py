@@ -21,13 +21,13 @@ from .grasps import TIP
 from .heights import HeightMap, height_map, parts_of, surroundings
 
 BEHIND = 0.025
-"""Distance between the fingers and the object before a stroke, metres."""
+"""Distance between the fingers and the object before a stroke, in metres."""
 
 HOVER = 0.06
-"""Height from which the hand moves straight down, metres."""
+"""Height from which the hand moves straight down, in metres."""
 
 PAD = 0.01
-"""Half the thickness of the closed fingers' pads, metres."""
+"""Half the thickness of the closed fingers' pads, in metres."""
 
 _THICK = 0.013  # half the closed fingers' thickness, metres
 _HALF_STRIP = 0.012  # half the width of the contact strip, metres
@@ -139,7 +139,7 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return the tool's position (x, y, world) and height at a low contact, None if none exists."""
+    """Return the tool's position (x, y, world) and height to touch the object low down, or None."""
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()
     palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
@@ -200,7 +200,7 @@ def _is_free(
 
 
 def _rectangle(half: tuple[float, float], opening: float) -> Float[np.ndarray, "n 2"]:
-    """Return a grid over a rectangle whose first side is along ``opening``, metres."""
+    """Return a grid over a rectangle whose first side is along ``opening``, in metres."""
     axis = np.array([np.cos(opening), np.sin(opening)])
     sides = [np.linspace(-h, h, max(int(2 * h / 0.01), 2) + 1) for h in half]
     grid = np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)

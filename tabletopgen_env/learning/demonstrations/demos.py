@@ -1,4 +1,4 @@
-"""Grasp demonstrations ("showings"): objects as a policy observes them, with the expert's grasps.
+"""Grasp demonstrations: objects as a policy observes them, with the expert's grasps.
 
 They are used to train a policy's grasp head (``networks.grasp_head``). No episode is played: the
 expert lists its grasps of each object on a table at rest.
@@ -36,7 +36,7 @@ its lowest point). The other columns are as in ``Grasp``.
 """
 
 CHUNK = 100
-"""Number of tables per file of showings."""
+"""Number of tables per file of demonstrations."""
 
 MOST = 200
 """The maximum number of grasps per object; the best ones are kept."""
@@ -62,7 +62,7 @@ class GraspShowing:
 
 
 def showings(source: SceneSource, tables: int, seed: int) -> Iterator[list[GraspShowing]]:
-    """Yield the showings of ``tables`` random tables, one list per table."""
+    """Yield the demonstrations of ``tables`` random tables, one list per table."""
     rng, look = np.random.default_rng((seed, 6)), HeightLook()
     worlds = WorldCache(Panda(), 1)
     for _ in range(tables):
@@ -78,7 +78,7 @@ def showings(source: SceneSource, tables: int, seed: int) -> Iterator[list[Grasp
 
 
 def showing(world: World, name: str, look: HeightLook) -> GraspShowing | None:
-    """Return the showing of an object at its current pose; None if no grasp is reachable."""
+    """Return the demonstration of an object as it stands, or None if no grasp is reachable."""
     plan = choose(world, name)
     if plan is None:
         return None
@@ -101,7 +101,7 @@ def showing(world: World, name: str, look: HeightLook) -> GraspShowing | None:
 def gather(
     source: SceneSource, number: int, folder: Path, heed: Callable[[], None] | None = None
 ) -> list[GraspShowing]:
-    """Return the showings of chunk ``number``, generating and saving them if ``folder`` lacks them.
+    """Return the demonstrations of chunk ``number``; generate and save them if they are missing.
 
     ``heed`` is called after each generated table.
 
@@ -121,7 +121,7 @@ def gather(
 
 
 def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
-    """Write showings to a file atomically; raise StorageError if it cannot be written."""
+    """Write demonstrations to a file atomically; raise StorageError if it cannot be written."""
     content = BytesIO()
     np.savez_compressed(
         content,
@@ -135,7 +135,7 @@ def write_showings(shown: Sequence[GraspShowing], path: Path) -> None:
 
 
 def read_showings(path: Path) -> list[GraspShowing]:
-    """Read a file of showings; raise BundleError if it is damaged."""
+    """Read a file of demonstrations; raise BundleError if it is damaged."""
     try:
         kept = read_arrays(path, "The file of showings", InputError, max_bytes=_MAX_BYTES)
         maps, stands, grasps, counts = (kept[k] for k in ("maps", "stands", "grasps", "counts"))

@@ -15,8 +15,8 @@ from ..networks.grasp_head import GraspHead, turn_maps
 from .demos import GraspShowing
 
 SEEN_TURNS = 4
-"""Number of finger directions per showing in a batch. Training on a third of all directions takes a
-third of the time.
+"""Number of finger directions per demonstration in a batch. Training on a third of all directions
+takes a third of the time.
 """
 
 _RATE = 3e-3
@@ -36,10 +36,10 @@ def teach_head(
     note: Callable[[int, float], None] | None = None,
     size: int = 16,
 ) -> None:
-    """Fit a head in place with ``steps`` batches of ``size`` showings, mirrored at random.
+    """Fit a head in place with ``steps`` batches of ``size`` demonstrations, mirrored at random.
 
-    Each showing contributes ``SEEN_TURNS`` finger directions, in at least one of which the expert
-    has a grasp.
+    Each demonstration contributes ``SEEN_TURNS`` finger directions, in at least one of which the
+    expert has a grasp.
 
     ``note`` receives the number of steps done and the mean loss since its last call.
     """
@@ -67,7 +67,7 @@ def teach_head(
 def batch_of(
     shown: Sequence[GraspShowing], signs: Int[Tensor, "b 2"]
 ) -> tuple[GraspBatch, Float[Tensor, "b t 6"]]:
-    """Return a batch of showings, and the head's inputs other than the maps.
+    """Return a batch of demonstrations, and the head's inputs other than the maps.
 
     ``signs`` is -1 where an axis of the hand is mirrored. The mirror image of a grasp is a grasp of
     the mirrored object by an arm at the mirrored position.
@@ -93,7 +93,7 @@ def batch_of(
 def some_turns(
     batch: GraspBatch, sides: Float[Tensor, "b t 6"], generator: torch.Generator
 ) -> tuple[GraspBatch, Float[Tensor, "b k 6"]]:
-    """Return a batch with ``SEEN_TURNS`` random finger directions of each showing.
+    """Return a batch with ``SEEN_TURNS`` random finger directions of each demonstration.
 
     One of the directions is drawn with a probability equal to its share of the grasps. The shares
     of the remaining cells are then normalised.
@@ -128,7 +128,7 @@ def _places(grasps: Float[np.ndarray, "g 7"], sign: Sequence[int]) -> Places:
 
 
 def found_share(head: GraspHead, shown: Sequence[GraspShowing], worse: float = 0.6) -> float:
-    """Return the share of showings in which the head's plan matches one of the expert's grasps.
+    """Return the fraction of demonstrations where the head's plan matches an expert's grasp.
 
     Grasps match within 8 mm horizontally, 12 mm vertically and 16 degrees. Only grasps whose score
     is at most ``worse`` below that of the expert's choice count.

@@ -71,7 +71,9 @@ def lay_out(take: Take, count: int, observation: spaces.Space, action: spaces.Bo
         if isinstance(space, spaces.Text):
             return take((count,), f"U{space.max_length}")
         if not isinstance(space, spaces.Box):
-            raise TypeError(f"Observations must be boxes and texts, or dicts of them, not {space}.")
+            raise TypeError(
+                f"Observation spaces must be Box or Text, or a Dict of these, not {space}."
+            )
         return take((count, *space.shape), space.dtype)
 
     parts = observation.spaces if isinstance(observation, spaces.Dict) else observation

@@ -26,7 +26,7 @@ from .scene_server import AskedScenes, Wish
 from .slots import Job, SlotSet, attempt
 
 STEP, DONE = b"s", b"."
-"""The step request, and the answer if all results are in the arrays."""
+"""The step request, and the reply when all results are in the shared arrays."""
 
 
 @dataclass(frozen=True)

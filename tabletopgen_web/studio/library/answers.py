@@ -1,4 +1,4 @@
-"""Answers of studies from raters: JSON objects, one file per rater."""
+"""Raters' answers to studies, stored as one JSON file per rater."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class AnswerBook:
     def add(
         self, study: str, rater: str, answer: Mapping[str, Any], *, shared: bool = False
     ) -> int:
-        """Add an answer of a rater unless it exists; return the number of the rater's answers.
+        """Add a rater's answer unless it exists; return the number of the rater's answers.
 
         ``shared`` marks answers that anyone with the study's address may have sent; their limit is
         lower.
@@ -98,7 +98,7 @@ def _count(folder: Path) -> int:
 
 
 def _size(folder: Path, but: Path) -> int:
-    """Return the total size of all but one of a folder's files, bytes; 0 without a folder."""
+    """Return the size in bytes of a folder's files except ``but``, or 0 if there is no folder."""
     paths = [path for path in folder.iterdir() if path != but] if folder.is_dir() else []
     return sum(path.stat().st_size for path in paths)
 

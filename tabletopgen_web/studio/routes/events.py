@@ -27,7 +27,7 @@ async def listen(request: Request) -> Response:
     """Stream the events after ``since``, or after the client's last event, then new ones."""
     services = services_of(request)
     if services.listeners.locked():
-        raise RefusedError(503, "Too many pages listen to this studio. Close some.")
+        raise RefusedError(503, "Too many pages are connected to this studio. Close some of them.")
     position = request.headers.get("last-event-id") or request.query_params.get("since") or "0"
     if not position.isascii() or not position.isdecimal() or len(position) > 15:
         raise InputError(f"since must be the number of an event, not {position[:40]!r}.")

@@ -106,7 +106,7 @@ def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, 
     from safetensors import SafetensorError, safe_open
 
     if not path.is_file():
-        raise BackendError(f"The eye's weights {path.name!r} are missing. {restore}")
+        raise BackendError(f"The detector's weights file {path.name!r} is missing. {restore}")
     try:
         with safe_open(path, framework="pt") as file:
             state = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
@@ -130,4 +130,6 @@ def _fill(network: nn.Module, state: dict[str, torch.Tensor]) -> None:
 
 
 def _useless(path: Path, error: Exception, restore: str) -> BackendError:
-    return BackendError(f"The eye's weights {path.name!r} cannot be used ({error}). {restore}")
+    return BackendError(
+        f"The detector's weights file {path.name!r} cannot be used ({error}). {restore}"
+    )

@@ -19,7 +19,7 @@ _CLOSING = frozenset({"comma", "stop", "line", "and", "colon", "dash", "open", "
 
 
 def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Return whether a word does not belong to this noun phrase any more."""
+    """Return whether a word no longer belongs to this noun phrase."""
     word = tokens[i].text
     telling = all(is_describing(w) or w in fw.SIDES for w in run.words)
     if word in ("one", "ones") and run.words and telling:

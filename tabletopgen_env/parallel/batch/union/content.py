@@ -78,12 +78,14 @@ class ObjectContent:
 
 @dataclass(frozen=True, eq=False)
 class SceneContent:
-    """A scene; ``fixed`` are the geoms of table and pedestal, at ``fixed_pos`` and ``fixed_mat``.
+    """A scene: its objects, its fixed geoms and its table.
 
-    ``table`` is the height of the top above the base and the half extents of its outline, the
-    longer first; ``floor`` the height of the floor; ``yaw`` the yaw of the base in the world;
-    metres and radians. ``hulls`` holds the vertices of the convex meshes by name, ``robot`` the
-    ``robot_numbers``, and ``look`` the appearance of the scene, None without pictures.
+    ``fixed`` lists the geoms of the table and the pedestal, with positions ``fixed_pos`` and
+    rotations ``fixed_mat``. ``table`` is the height of the top above the base and the half extents
+    of its outline, the longer first; ``floor`` is the height of the floor and ``yaw`` the yaw of
+    the base in the world, all in metres and radians. ``hulls`` holds the vertices of the convex
+    meshes by name, ``robot`` the ``robot_numbers``, and ``look`` the appearance of the scene, or
+    None without pictures.
     """
 
     name: str
