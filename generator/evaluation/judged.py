@@ -28,9 +28,9 @@ CRITERIA: Mapping[str, str] = MappingProxyType(
             "model is whole."
         ),
         "IA": (
-            "Image alignment: how closely the scene matches the reference picture. Judge the "
-            "style, the kinds, number and positions of the things, and how closely the table and "
-            "each thing resemble those in the picture."
+            "Image alignment: how far the scene shows what the reference picture shows. Judge the "
+            "style, which things there are and how many, where they lie, and how much the table "
+            "and each thing resemble theirs."
         ),
         "PP": (
             "Physical plausibility: whether the scene could stand in a room as it is. Judge "
