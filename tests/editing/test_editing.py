@@ -114,7 +114,7 @@ def test_a_taken_place_names_the_nearest_free_one(desk: Path) -> None:
     laptop = bundle.load(desk).object("laptop_1").pose.position
     with pytest.raises(SceneError, match=r"in the way. The nearest free position is (.*)\.$") as e:
         editing.move(desk, "mug_1", (laptop[0], laptop[1]))
-    place = str(e.value).split("is at ")[1].rstrip(".").split()
+    place = str(e.value).split("position is ")[1].rstrip(".").split()
     edited = editing.move(desk, "mug_1", (float(place[0]), float(place[1])))
     assert edited.scene.report is not None
     assert edited.scene.report.passed
