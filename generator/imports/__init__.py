@@ -38,6 +38,6 @@ def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
     Raises:
         BundleError: the entry in the scene's provenance has another format.
     """
-    from ..imports.scene import list_outcomes as run
+    from ..imports.scene import list_outcomes as run  # `.scene` would bind the parameter
 
     return run(scene)

@@ -13,8 +13,8 @@ import trimesh
 from foreign_models import CUBE, TABLE, write
 
 from generator.errors import InputError
-from generator.imports import importer
-from generator.imports.importer import read_scene
+from generator.imports import reader
+from generator.imports.reader import read_scene
 from generator.sandbox import SandboxLimits
 
 NAN = CUBE.replace("1 2 .77", "nan 2 .77")
@@ -48,10 +48,10 @@ def test_a_reader_that_reaches_a_limit_is_one_error(
     points = " ".join(f"{k % 97 * 0.01} {k % 89 * 0.01} {k % 83 * 0.01}" for k in range(300_000))
     head = f'<asset><mesh name="m" vertex="{points}"/></asset>'
     path = write(tmp_path, TABLE + CUBE.replace('type="box"', 'type="mesh" mesh="m"'), head)
-    monkeypatch.setattr(importer, "LIMITS", SandboxLimits(cpu_seconds=0.1))
+    monkeypatch.setattr(reader, "LIMITS", SandboxLimits(cpu_seconds=0.1))
     with pytest.raises(InputError, match=r"'scene\.xml' takes more than 0\.1 s of CPU time"):
         read_scene("mjcf", path)
-    monkeypatch.setattr(importer, "LIMITS", SandboxLimits(memory=2**22))
+    monkeypatch.setattr(reader, "LIMITS", SandboxLimits(memory=2**22))
     with pytest.raises(InputError, match=r"'scene\.xml' .*memory"):
         read_scene("mjcf", path)
 
@@ -59,7 +59,7 @@ def test_a_reader_that_reaches_a_limit_is_one_error(
 _READ = """
 import sys
 from pathlib import Path
-from generator.imports.importer import read_scene
+from generator.imports.reader import read_scene
 print("begun", flush=True)
 print(len(read_scene("mjcf", Path(sys.argv[1])).objects))
 """
@@ -108,7 +108,7 @@ import json, resource, sys
 from pathlib import Path
 from generator.errors import TabletopError
 from generator.imports.importer import find_source
-from generator.imports.importer import read_scene
+from generator.imports.reader import read_scene
 
 def used():
     both = [resource.getrusage(kind) for kind in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]

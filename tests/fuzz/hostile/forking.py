@@ -19,7 +19,7 @@ from generator.sandbox import SandboxLimits, child, runner
 
 PRELOADED = (
     "mujoco", "trimesh", "scipy.spatial", "generator.imports.folder", "generator.imports.glb",
-    "generator.imports.mjcf", "generator.imports.importer", "generator.meshes.reading.codecs",
+    "generator.imports.mjcf", "generator.imports.reader", "generator.meshes.reading.codecs",
     "generator.pictures.decoder",
 )  # fmt: skip
 

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 
 from generator.errors import TabletopError
-from generator.imports.importer import SourceKind, read_scene
 from generator.imports.mjcf_files import gather
+from generator.imports.reader import SourceKind, read_scene
 from generator.meshes.reading.inspection import inspect_glb
 
 from ..forking import Forked, forked_children, preload
