@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from tabletop_objects import get_category
+from tabletop_objects import find_category
 from tabletop_objects.kit.surfaces import size_factor
 
-from ..errors import InputError
 from ..geometry import quaternion_yaw
 from ..scene import Object, Scene
 from .surfaces.symmetry import order, yaw_error
@@ -142,10 +141,8 @@ def _usual(scene: Scene, thing: Object) -> tuple[Float[np.ndarray, "3"], str] | 
         return np.array(planned[0].size), "plan"
     factor = size_factor(planned[0].attributes) if planned else 1.0
     for word in (thing.model.category, thing.label):
-        try:
-            return factor * np.array(get_category(word).size), "catalogue"
-        except InputError:
-            continue
+        if (category := find_category(word)) is not None:
+            return factor * np.array(category.size), "catalogue"
     return None
 
 

@@ -36,7 +36,7 @@ class Rule:
     """One way in which a phrase without a noun refers to objects.
 
     Attributes:
-        example: a text in which this rule, and no other, resolves a phrase.
+        example: a text in which this rule resolves a phrase.
         resolve: function that returns the members, or ``SKIP`` if the rule does not apply.
     """
 
@@ -206,7 +206,7 @@ class MemberReader(ThingReader, ABC):
 
     def _ordinal(self, noun: Noun) -> Group:
         """Return what "the second", "the left one" or "the empty one" means in the last group."""
-        groups = [group for group in self._context.mentioned if len(group) > 1]
+        groups = self._groups()
         if not groups:
             return []
         group = groups[-1]
@@ -230,7 +230,7 @@ class MemberReader(ThingReader, ABC):
 
     def _superlative(self, noun: Noun) -> Group:
         """Return the one that "the smallest" or "the middle one" means in the last group."""
-        groups = [group for group in self._context.mentioned if len(group) > 1]
+        groups = self._groups()
         if not groups:
             return []
         group = groups[-1]
