@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import numbers
+from typing import Literal
 
 from tabletop_objects.errors import InputError as InputError
 from tabletop_objects.errors import TabletopError as TabletopError
@@ -50,6 +51,26 @@ class StorageError(TabletopError, OSError):
 
 class SceneError(TabletopError, RuntimeError):
     """A scene cannot be built, fails its physical gate, or allows no valid task."""
+
+
+class PlaceError(SceneError):
+    """An object cannot stand at the requested position on the table.
+
+    Attributes:
+        reason: whether another object is in the way, or the position is off the table.
+        free: the nearest free position (x, y) on the table, metres, world frame; None if there is
+            none.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        reason: Literal["occupied", "off the table"] = "occupied",
+        free: tuple[float, float] | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.reason: Literal["occupied", "off the table"] = reason
+        self.free = free
 
 
 MAX_SEED = 2**63 - 1

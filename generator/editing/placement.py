@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..errors import SceneError
+from ..errors import PlaceError, SceneError
 from ..geometry import inside_margin, rotation_z, turned_quaternion, yaw_quaternion
 from ..layout import arrange_more, unmet_relations
 from ..layout.rest import sunk
@@ -70,7 +70,8 @@ def _with(scene: Scene, thing: Object) -> Scene:
 def _check_place(scene: Scene, name: str) -> None:
     """Check that an object's requested position is free and on the table.
 
-    The error names the nearest free position.
+    Raises:
+        PlaceError: it is not; the error has the nearest free position.
     """
     thing = scene.object(name)
     if thing.placement.on != TABLE:
@@ -78,13 +79,17 @@ def _check_place(scene: Scene, name: str) -> None:
     off = inside_margin(base(thing, thing.pose), scene.table.outline).min() < 0
     if not off and not overlapping(scene, name):
         return
-    free = nearest_free(scene, name, thing.pose)
     x, y = thing.pose.position[:2]
-    tail = "Remove or move something first."
-    if free is not None:
-        tail = f"The nearest free position is {free.position[0]:.3f} {free.position[1]:.3f}."
+    tail, free = "Remove or move something first.", None
+    if (there := nearest_free(scene, name, thing.pose)) is not None:
+        free = round(float(there.position[0]), 3), round(float(there.position[1]), 3)
+        tail = f"The nearest free position is {free[0]:.3f} {free[1]:.3f}."
     why = "that is off the table" if off else "another object is in the way"
-    raise SceneError(f"{name} cannot stand at {x:.3f} {y:.3f} m: {why}. {tail}")
+    raise PlaceError(
+        f"{name} cannot stand at {x:.3f} {y:.3f} m: {why}. {tail}",
+        "off the table" if off else "occupied",
+        free,
+    )
 
 
 _TOUCH = 1e-3  # maximum distance between touching objects, metres

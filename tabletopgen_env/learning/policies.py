@@ -319,8 +319,10 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
         raise ValueError(f"invalid layer widths {network.layers}")
     task, squash = check_type(payload["task"], str), check_type(payload["squash"], str)
-    if task not in NAMES or squash not in get_args(Squash):
-        raise ValueError(f"unknown combination of task {task!r} and squash {squash!r}")
+    if task not in NAMES:
+        raise ValueError(f"unknown task {task!r}")
+    if squash not in get_args(Squash):
+        raise ValueError(f"unknown squash function {squash!r}")
     env = check_type(payload["env"], dict)
     Recipe(
         "checks that they are consistent", task, "sac", env=env, network=network

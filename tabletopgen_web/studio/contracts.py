@@ -40,8 +40,12 @@ class FigureRow:
 class JobResult:
     """Result of a job: a scene of the workspace, or a file to fetch from ``url``.
 
+    A failed job has a result, with ``facts`` alone, if its error has more to tell than its message.
+
     ``facts`` hold details: ``spent`` (cost of calls to servers); for an episode ``success`` and
-    ``steps``; for an edit ``not_understood`` (ignored words); for a scene from a picture
+    ``steps``; for an edit ``not_understood`` (ignored words); for an edit that failed because an
+    object cannot stand at the requested position, ``place`` ("occupied" or "off the table") and
+    ``free_position`` (nearest free x, y in metres, or None); for a scene from a picture
     ``mean_iou`` (similarity of its view to the picture, in [0, 1] or None) and ``doubts`` (reasons
     why it may not match the picture).
     """

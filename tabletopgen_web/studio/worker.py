@@ -16,7 +16,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from generator.errors import TabletopError
+from generator.errors import PlaceError, TabletopError
 from generator.io.bounded import parse_object
 
 from .specs import ComposeSpec, EditSpec, EpisodeSpec, ExportSpec, GenerateSpec, read_spec
@@ -64,6 +64,12 @@ def main() -> int:
         return 0
     except KeyboardInterrupt:
         return 130
+    except PlaceError as error:
+        telling.say(
+            type="error",
+            message=str(error),
+            facts={"place": error.reason, "free_position": error.free},
+        )
     except TabletopError as error:
         telling.say(type="error", message=str(error))
     except MemoryError:

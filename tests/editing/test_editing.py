@@ -11,7 +11,7 @@ from changed import kept
 
 import assets_cache
 from generator import bundle, editing
-from generator.errors import BundleError, InputError, SceneError
+from generator.errors import BundleError, InputError, PlaceError, SceneError
 from generator.physics.gate import judge
 
 DESK = {"laptop_1", "computer_mouse_1", "notebook_1", "pen_1", "mug_1", "stapler_1"}
@@ -96,7 +96,7 @@ def test_restyling_keeps_size_and_all_else(desk: Path, tmp_path: Path) -> None:
         (lambda b: editing.move(b, "mug_1"), InputError, "Give a position"),
         (lambda b: editing.move(b, "mug_1", (float("nan"), 0.0)), InputError, "finite"),
         (lambda b: editing.move(b, "mug_1", "nowhere"), InputError, "nowhere"),
-        (lambda b: editing.move(b, "mug_1", (3.0, 0.0)), SceneError, "off the table"),
+        (lambda b: editing.move(b, "mug_1", (3.0, 0.0)), PlaceError, "off the table"),
         (lambda b: editing.restyle(b, "low poly"), InputError, "Did you mean 'low-poly'"),
         (lambda b: editing.restyle(b, "cartoon", ["cup"]), InputError, "no object 'cup'"),
         (lambda b: editing.remove(b / "nothing", "mug_1"), BundleError, "no bundle"),
@@ -112,9 +112,11 @@ def test_what_cannot_be_done_is_refused(
 @pytest.mark.slow
 def test_a_taken_place_names_the_nearest_free_one(desk: Path) -> None:
     laptop = bundle.load(desk).object("laptop_1").pose.position
-    with pytest.raises(SceneError, match=r"in the way. The nearest free position is (.*)\.$") as e:
+    with pytest.raises(PlaceError, match=r"in the way. The nearest free position is ") as e:
         editing.move(desk, "mug_1", (laptop[0], laptop[1]))
-    place = str(e.value).split("position is ")[1].rstrip(".").split()
-    edited = editing.move(desk, "mug_1", (float(place[0]), float(place[1])))
+    assert e.value.reason == "occupied"
+    assert e.value.free is not None
+    assert str(e.value).endswith("is {:.3f} {:.3f}.".format(*e.value.free))
+    edited = editing.move(desk, "mug_1", e.value.free)
     assert edited.scene.report is not None
     assert edited.scene.report.passed

@@ -122,7 +122,7 @@ def respelt(path: Path, **changes) -> Path:
 @pytest.mark.parametrize(
     ("changes", "why"),
     [
-        ({"task": "Juggle"}, "no task 'Juggle'"),
+        ({"task": "Juggle"}, "unknown task 'Juggle'"),
         ({"env": {"scenes": "/etc"}}, "has no 'scenes'"),
         ({"env": {"observation": "point_cloud", "points": 10**12}}, "observation='state'"),
         ({"inputs": {"": 10**9}}, "invalid sizes"),
@@ -134,7 +134,7 @@ def respelt(path: Path, **changes) -> Path:
         ({"network": {"layers": [4096] * 8}}, "invalid layer widths"),
         ({"network": {"layers": [16, 17], "width": 8}}, "is torch.float32"),
         ({"network": {"layers": [16], "width": 8}}, "do not match its network"),
-        ({"squash": "sigmoid"}, "sigmoid"),
+        ({"squash": "sigmoid"}, "unknown squash function 'sigmoid'"),
         ({"seed": "0"}, "type int"),
         ({"validation": {"solved": 9, "episodes": 4, "tables": 1, "scenes": "x"}}, "9 of 4"),
         ({"validation": {"solved": 2, "episodes": 4, "tables": 5, "scenes": "x"}}, "5 tables"),

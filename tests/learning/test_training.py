@@ -226,7 +226,7 @@ def test_a_finished_run_says_so(small, folder: Path) -> None:
         train(small("ppo", steps=32), folder, TrainingPlan(episodes=1), True, told.append).steps
         == 32
     )
-    assert any("has 32 steps already" in line for line in told)
+    assert any("has completed its 32 steps" in line for line in told)
 
 
 @pytest.mark.slow

@@ -48,6 +48,10 @@ def main() -> int:
         case "fails":
             say(type="error", message="The mug is broken.")
             return 1
+        case "occupied":
+            facts = {"place": "occupied", "free_position": [0.1, 0.2]}
+            say(type="error", message="A mug is in the way.", facts=facts)
+            return 1
         case "crashes":
             os.kill(os.getpid(), signal.SIGSEGV)
         case "silent":

@@ -63,6 +63,13 @@ def test_a_job_that_fails_says_why_and_the_next_one_runs(
     assert wait_for(fake, queue(fake))["state"] == "done"
 
 
+def test_a_failed_job_keeps_the_facts_of_its_error(fake: TestClient) -> None:
+    row = wait_for(fake, queue(fake, "occupied"))
+    assert (row["state"], row["error"]) == ("failed", "A mug is in the way.")
+    assert row["result"]["scene"] is None
+    assert row["result"]["facts"] == {"place": "occupied", "free_position": [0.1, 0.2]}
+
+
 def test_the_log_is_bounded_and_holds_no_secret(
     fake: TestClient, monkeypatch: pytest.MonkeyPatch
 ) -> None:

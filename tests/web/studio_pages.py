@@ -89,6 +89,7 @@ def drag(page: Page, name: str, right: float, down: float, *, shift: bool = Fals
         if remedy.is_visible():
             remedy.click()
         page.wait_for_timeout(100)
+    assert page.url != before, page.get_by_role("alert").all_text_contents()
     scene = page.url.rpartition("/")[2]
     wait_for_scene(page, scene)
 

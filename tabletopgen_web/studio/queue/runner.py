@@ -105,7 +105,9 @@ class Runner:
         elif work.cancelled:
             self._finish(job.id, "cancelled")
         else:
-            self._finish(job.id, "failed", latest.get("error") or ending.describe())
+            facts = latest.get("facts")
+            result = JobResult(facts=facts) if facts else None
+            self._finish(job.id, "failed", latest.get("error") or ending.describe(), result)
 
     def _hear(self, job: str, message: Mapping[str, Any], latest: dict[str, Any]) -> None:
         """Record a message of the process; ``latest`` keeps the last one."""
@@ -120,6 +122,7 @@ class Runner:
             latest["result"] = _as_result(job, message)
         elif kind == "error":
             latest["error"] = str(message["message"])[:_MAX_ERROR]
+            latest["facts"] = message.get("facts")
 
     def _finish(
         self, job: str, state: JobState, error: str | None = None, result: JobResult | None = None

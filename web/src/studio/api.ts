@@ -79,7 +79,7 @@ export interface FigureRow {
   url: string;
 }
 
-/** Result of a job: a scene of the workspace, or a file to fetch from `url`. */
+/** Result of a job: a scene of the workspace, or a file to fetch from `url`; of a failed one, facts about its error. */
 export interface JobResult {
   scene: string | null;
   file: string | null;

@@ -61,8 +61,8 @@ export function EditPage({ id }: { id: string }) {
     if (location.hash === here) engine.value?.putBack();
     const asked = over.request as EditRequest;
     const said = over.error ?? `The edit was ${over.state}.`;
-    const onto = asked.to && said.includes("in the way") ? ` To place it on something, write “on the …” under “Move it”.` : "";
-    tell(said + onto, true, remedyOf(asked, said, edit));
+    const onto = asked.to && over.result?.facts["place"] === "occupied" ? ` To place it on something, write “on the …” under “Move it”.` : "";
+    tell(said + onto, true, remedyOf(asked, over, edit));
   };
 
   useEffect(() => {
@@ -162,10 +162,9 @@ export function wordsOf(name: string, move: Move): Edit {
 }
 
 /** If a place is occupied, the server suggests a free one nearby. */
-function remedyOf(asked: Edit, said: string, edit: (asked: Edit) => Promise<void>): Message["remedy"] {
-  const free = /nearest free place is at (-?\d+\.?\d*) (-?\d+\.?\d*)/.exec(said);
-  if (!free || asked.action !== "move") return undefined;
-  const to: [number, number] = [Number(free[1]), Number(free[2])];
+function remedyOf(asked: Edit, over: JobRow, edit: (asked: Edit) => Promise<void>): Message["remedy"] {
+  const to = over.result?.facts["free_position"] as [number, number] | null | undefined;
+  if (!to || asked.action !== "move") return undefined;
   return { label: "Place it there", run: () => void edit({ ...asked, to }) };
 }
 
