@@ -1,4 +1,4 @@
-"""Regenerate the starter bundles: ``python -m assets_cache.make_starter``.
+"""Regeneration of the starter bundles: ``python -m assets_cache.make_starter``.
 
 It composes, checks and publishes fourteen tables of eight themes and several outlines in
 ``assets_cache/starter``, and the tables for specific tasks in ``assets_cache/tasks``. The same

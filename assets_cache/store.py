@@ -33,14 +33,14 @@ def user_root(cache: str | Path | None = None) -> Path:
 
 
 def roots(cache: str | Path | None = None) -> tuple[Path, ...]:
-    """Return the existing folders to search; the first match wins."""
+    """Return the existing folders to search, in order of precedence."""
     wanted = [cache, os.environ.get(_VARIABLE), *_SHIPPED, user_root(cache)]
     paths = dict.fromkeys(Path(p) for p in wanted if p)
     return tuple(p for p in paths if p.is_dir())
 
 
 def entries(cache: str | Path | None = None) -> list[Path]:
-    """Return all bundles of the store by name; the first folder that has a name wins."""
+    """Return the store's bundles by name; for equal names, the first folder takes precedence."""
     found = {path.name: path for root in reversed(roots(cache)) for path in _bundles(root)}
     return [found[name] for name in sorted(found)]
 
@@ -185,7 +185,7 @@ def _bundles_of(text: str, cache: str | Path | None) -> list[Path]:
 
 
 def _by_path(text: str) -> list[Path]:
-    """Return the bundles at a path, or that match a glob of paths."""
+    """Return the bundles at a path, or those that match a glob of paths."""
     try:
         path = Path(text).expanduser()
         if (path / "scene.json").is_file():

@@ -28,7 +28,7 @@ Ablation = Literal["dro", "tsa"]
 
 @dataclass(frozen=True)
 class Config:
-    """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
+    """Settings of every stage; the defaults are the paper's unless a stage documents others.
 
     Attributes:
         rotation: settings of the rotation stage. The plan of a text settles what this stage leaves
@@ -74,7 +74,7 @@ class Config:
         object.__setattr__(self, "without", tuple(s for s in known if s in self.without))
 
     def for_text(self) -> Config:
-        """Return the settings for the scene of a text."""
+        """Return the settings for generating from a text."""
         device = self.rotation.device
         if self.rotation != RotationConfig(device=device):
             return self

@@ -66,7 +66,7 @@ def turned_quaternion(quaternion: Float[np.ndarray, "4"], yaw: float) -> Float[n
 
 
 def rotated_extent(extent: Float[np.ndarray, "3"], yaw: float) -> Float[np.ndarray, "2"]:
-    """Return the world x, y extent of a box of size ``extent`` rotated by ``yaw`` radians."""
+    """Return the world x and y extents of a box of size ``extent`` rotated by ``yaw`` radians."""
     c, s = abs(np.cos(yaw)), abs(np.sin(yaw))
     return np.array([c * extent[0] + s * extent[1], s * extent[0] + c * extent[1]])
 

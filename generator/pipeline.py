@@ -1,4 +1,4 @@
-"""The method on one page (Sec. 3, Fig. 2): each step of :func:`generate` is a stage."""
+"""The whole method (Sec. 3, Fig. 2): each step of :func:`generate` is one stage."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def generate(
     progress: Progress | None = None,
     watch: Watch | None = None,
 ) -> Generation:
-    """Turn a text or one picture of a tabletop into a simulated table.
+    """Turn a description or one picture of a tabletop into a simulated table.
 
     Args:
         source: a text, a plan, or a picture (path, encoded bytes, or uint8 array).
@@ -143,7 +143,7 @@ class _Run:
     models: Mapping[str, Model]
 
     def _guesser(self, stage: Ablation) -> PoseGuesser | None:
-        """Return the reasoner that replaces a stage, or None if the stage runs."""
+        """Return the pose guesser that replaces a stage, or None if the stage is to run."""
         return self.guesser if stage in self.config.without else None
 
     def rotate(self) -> dict[str, Rotation]:

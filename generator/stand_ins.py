@@ -51,7 +51,7 @@ class Family:
 
     @property
     def container(self) -> bool:
-        """Whether other objects can be placed inside it."""
+        """Whether other objects can be placed inside the stand-in."""
         return self.like is not None and CATEGORIES[self.like].container
 
 
@@ -62,7 +62,7 @@ def build_stand_in(
     attributes: Mapping[str, str] = MappingProxyType({}),
     size: Extent | None = None,
 ) -> Model:
-    """Return a model of a family, marked as a stand-in.
+    """Return a model of a stand-in family, marked as a stand-in.
 
     An empty or unknown ``family`` gives a plain block. ``size`` is the extent in metres; None uses
     the family's extent and the attribute "size".
@@ -82,7 +82,7 @@ def build_stand_in(
 
 
 def stand_in_size(family: str, attributes: Mapping[str, str] = MappingProxyType({})) -> Extent:
-    """Return the expected extent of a family's stand-in in metres."""
+    """Return the expected extent, in metres, of a stand-in of a family."""
     x, y, z = FAMILIES.get(family, FAMILIES["block"]).extent
     factor = size_factor(attributes)
     return x * factor, y * factor, z * factor

@@ -1,4 +1,4 @@
-"""Tables: a top outline, legs and a material; the top is exactly flat at canonical z = +0.5."""
+"""Tables with a top outline, legs and a material; the top is exactly flat at canonical z = +0.5."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ OUTLINES = ("rectangle", "square", "round", "oval", "triangle", "slatted")
 
 
 def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
-    """Return the top's convex outline in metres, counter-clockwise, with at most 16 points."""
+    """Return the top's convex counter-clockwise outline of at most 16 points, in metres."""
     x, y, _ = plan.size
     if plan.outline in ("round", "oval"):
         circle = ellipse(2, 2, 16)
@@ -41,7 +41,7 @@ def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
 
 
 def build_table(plan: PlannedTable, seed: int) -> Model:
-    """Build the canonical model of a planned table of ``plan.size`` metres: the top and the legs.
+    """Build the canonical model, a top and legs, of a planned table of ``plan.size`` metres.
 
     Raises:
         InputError: the outline or the legs are unknown, or a side is outside 0.2 to 4 m.
@@ -65,7 +65,7 @@ def build_table(plan: PlannedTable, seed: int) -> Model:
 
 
 def _friction(material: str) -> float:
-    """Return the sliding friction of a tabletop; polished stone, glass and metal have less."""
+    """Return a tabletop's sliding friction, which is lower for polished stone, glass and metal."""
     smooth = {"glass", "marble", "stone", *METALS}
     return 0.45 if smooth & set(material.lower().replace("-", " ").split()) else 0.5
 
@@ -85,7 +85,7 @@ def _table(plan: PlannedTable, rng: np.random.Generator) -> Shape:
 
 
 def _top(plan: PlannedTable, low: float, high: float) -> tuple[list[Solid], ConvexPart]:
-    """Return the top's solids and its single collision part, between z ``low`` and ``high``."""
+    """Return the solids of the top and its single collision part, from z ``low`` to ``high``."""
     x, y, _ = plan.size
     outline = outline_of(plan)
     if plan.outline == "slatted":
@@ -121,7 +121,7 @@ def _apron(plan: PlannedTable, top: float) -> list[Solid]:
 
 
 def _feet(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
-    """Return the points where the legs join the top: near its corners, three for a triangle."""
+    """Return the points near the corners of the top (three for a triangle) where legs join it."""
     x, y, _ = plan.size
     if plan.outline == "triangle":
         return np.array([[-0.36, -0.39], [0.36, -0.39], [0.0, 0.26]]) * [x, y]
@@ -247,7 +247,7 @@ LEGS: Mapping[str, Callable[[Float[np.ndarray, "k 2"], float, float], Legs]] = M
 
 
 def _tiles(plan: PlannedTable, rng: np.random.Generator) -> tuple[Tile, Tile]:
-    """Return the textures of top and legs."""
+    """Return the textures of the top and of the legs."""
     words = plan.material.lower().replace("-", " ").split()
     asked = rgb(plan.color) if plan.color else None
     dark: RGB = (58, 58, 62)

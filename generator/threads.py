@@ -29,7 +29,7 @@ def threads() -> int:
 
 @contextmanager
 def torch_threads(count: int) -> Iterator[None]:
-    """Run torch on ``count`` threads inside the block; one Python thread may use it at a time."""
+    """Run torch on ``count`` threads inside the block; use it in one Python thread at a time."""
     import torch
 
     before = torch.get_num_threads()

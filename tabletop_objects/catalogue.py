@@ -1,4 +1,4 @@
-"""Look up, build and locate the categories in ``objects`` through their index."""
+"""Functions that look up, build and locate the categories in ``objects`` by their index."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class _Deferred:
 
 
 def read_module(module: str) -> Mapping[str, Category]:
-    """Return a module's categories: its decorated functions first, then its ``CATEGORIES``."""
+    """Return a module's categories: first its decorated functions, then its ``CATEGORIES``."""
     content = vars(import_module(module))
     drawn = [c for c in content.values() if isinstance(c, Category)]
     own = [c for c in drawn if c.shape.__module__ == module]  # skip imported categories
@@ -67,13 +67,13 @@ def read_module(module: str) -> Mapping[str, Category]:
 
 
 def find_category(word: str) -> Category | None:
-    """Return the category with this key, noun or alias (singular, any case), or None."""
+    """Return the category with this key, noun or alias (singular, in any case), or None."""
     key = _names().get(word.lower().replace("_", " ").strip())
     return None if key is None else load_index()[key]
 
 
 def get_category(word: str) -> Category:
-    """Return the category with this key, noun or alias (singular, any case).
+    """Return the category with this key, noun or alias (singular, in any case).
 
     Raises:
         InputError: no category has that name.
@@ -88,7 +88,7 @@ def get_category(word: str) -> Category:
 
 
 def categories(theme: str | None = None, role: str | None = None) -> tuple[Category, ...]:
-    """Return the categories with the given theme ("kitchen") and role ("container"), by rank."""
+    """Return the categories of a theme ("kitchen") and a role ("container"), ordered by rank."""
     return tuple(
         c
         for c in load_index().values()
@@ -97,7 +97,7 @@ def categories(theme: str | None = None, role: str | None = None) -> tuple[Categ
 
 
 def search(text: str, limit: int = 10) -> tuple[Category, ...]:
-    """Return the categories whose names match ``text``, best match first.
+    """Return the categories whose names match ``text``, sorted from best to worst match.
 
     Exact matches come first, then names that contain all words of the text, then names with a
     similar spelling.
@@ -117,7 +117,7 @@ def search(text: str, limit: int = 10) -> tuple[Category, ...]:
 
 @cache
 def _names() -> Mapping[str, str]:
-    """Return the key of each name; keys take precedence over aliases, low ranks over high ones."""
+    """Map names to keys; keys take precedence over aliases, and low ranks over high ranks."""
     known = load_index().values()
     names = {alias: c.key for c in reversed(tuple(known)) for alias in c.aliases}
     names |= {name: c.key for c in known for name in (c.key.replace("_", " "), c.noun)}
@@ -150,7 +150,7 @@ def build(
 def look_of(
     category: Category, seed: int, attributes: Mapping[str, str] = MappingProxyType({})
 ) -> Look:
-    """Return a seed's choices for a variant of a category; ``attributes`` override them."""
+    """Return the seeded random choices for a variant; ``attributes`` override them."""
     digest = hashlib.sha256(category.key.encode()).digest()
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, int.from_bytes(digest[:4], "big")])
     return Look(rng, attributes)
@@ -162,7 +162,7 @@ def load_category(category: Category) -> Category:
 
 
 def find_declaration(key: str) -> Category | None:
-    """Return the category declared with this key, whether or not it is indexed, or None.
+    """Return the category declared with a key, indexed or not, or None if there is none.
 
     Only the module that contains the declaration is imported.
     """
@@ -174,7 +174,7 @@ def find_declaration(key: str) -> Category | None:
 
 
 def find_source(category: Category) -> tuple[Path, int]:
-    """Return the file that declares a category, and the line number, counted from 1."""
+    """Return the file that declares a category, and the number of the line, counted from 1."""
     if isinstance(draw := category.shape, _Deferred):
         path = Path(__file__).parent.joinpath(*draw.module.split(".")[1:]).with_suffix(".py")
         line = _find_line(path, category.key)
@@ -194,14 +194,14 @@ def _search_sources(key: str) -> tuple[Path, int] | None:
 
 
 def _find_line(path: Path, key: str) -> int:
-    """Return the number of the line that declares a category in a file, or 0."""
+    """Return the number of the line that declares a category in a file, or 0 if none does."""
     text = path.read_text(encoding="utf-8")
     declared = re.search(rf'[cC]ategory\(\s*"{re.escape(key)}",', text)
     return 0 if declared is None else text.count("\n", 0, declared.start()) + 1
 
 
 def model_of(category: Category, look: Look, size: Extent | None = None) -> Model:
-    """Draw one variant in its canonical frame, with the density that gives it the right mass.
+    """Draw one variant in its canonical frame, with a density that yields the expected mass.
 
     ``size`` overrides the variant's extent and the attribute "size". Hollow objects are shells of
     constant wall thickness, so their mass grows with their surface area when they are scaled.

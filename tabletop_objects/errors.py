@@ -9,7 +9,7 @@ _SIMILAR = 60.0  # minimum similarity of a misspelt name, out of 100
 
 
 class TabletopError(Exception):
-    """Base class of all errors the project raises deliberately.
+    """Base class of all errors that the project raises deliberately.
 
     The message is safe to print on a terminal: control characters in quoted text are escaped.
     """
@@ -19,11 +19,11 @@ class TabletopError(Exception):
 
 
 class InputError(TabletopError, ValueError):
-    """An argument is invalid: a text, an image, a setting or an action."""
+    """Raised if an argument, such as a text, an image, a setting or an action, is invalid."""
 
 
 def choices(wrong: str, available: Iterable[str]) -> str:
-    """Return the end of an error message about an unknown name: a suggestion and all names."""
+    """Return a suggestion and all names, as the end of an error message about an unknown name."""
     names = sorted(available)
     shown = ", ".join(names) if names else "nothing"
     return f"{suggestion(wrong, names)} Available: {shown}."

@@ -1,4 +1,4 @@
-"""Write ``index.json``: ``python -m tabletop_objects.index``.
+"""Writer of ``index.json``: run ``python -m tabletop_objects.index``.
 
 The index holds the properties of every category. Categories keep their ranks, because these affect
 random choices and decide which category an ambiguous alias refers to. New categories are appended

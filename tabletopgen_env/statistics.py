@@ -6,7 +6,7 @@ import math
 
 
 def wilson(solved: int, count: int) -> tuple[float, float]:
-    """Return Wilson's 95 % interval of a success rate; (0, 1) for no trials."""
+    """Return Wilson's 95 % interval of a success rate, or (0, 1) for no trials."""
     from scipy.stats import binomtest
 
     if not count:
@@ -16,7 +16,7 @@ def wilson(solved: int, count: int) -> tuple[float, float]:
 
 
 def newcombe(solved: int, count: int, other: int, other_count: int) -> tuple[float, float]:
-    """Return the 95 % interval of the difference of two rates from independent episodes.
+    """Return the 95 % interval of the difference between two rates from independent episodes.
 
     R. G. Newcombe, "Interval estimation for the difference between independent proportions",
     Statistics in Medicine 17 (1998), method 10: Wilson's intervals, combined. (-1, 1) for no
@@ -32,7 +32,7 @@ def newcombe(solved: int, count: int, other: int, other_count: int) -> tuple[flo
 
 
 def newcombe_paired(both: int, one: int, other: int, neither: int) -> tuple[float, float]:
-    """Return the 95 % interval of the difference of two rates on the same episodes.
+    """Return the 95 % interval of the difference between two rates on the same episodes.
 
     ``both`` episodes were solved by both, ``one`` only by the first, ``other`` only by the second.
     R. G. Newcombe, "Improved confidence intervals for the difference between binomial proportions

@@ -25,7 +25,7 @@ _SECONDS = 600  # time limit of a build
 
 
 def static_folder() -> Path:
-    """Return the folder of the built front end; a source checkout builds it if it is missing.
+    """Return the folder of the built front end; in a source checkout, build it if it is missing.
 
     Raises:
         BackendError: the front end is missing and cannot be built; the message gives the cause.

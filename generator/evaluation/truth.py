@@ -1,4 +1,4 @@
-"""Comparison of a scene with the true one, by object: yaw, position, size and support."""
+"""Comparison of each object's yaw, position, size and support with those in the true scene."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ class UsualSize:
 
 
 def usual_sizes(scene: Scene) -> tuple[UsualSize, ...]:
-    """Return the usual sizes of those objects whose noun or plan determines one."""
+    """Return the usual size of each object whose noun or plan determines such a size."""
     return tuple(
         UsualSize(thing.name, *known, _ratio(thing.scale, known[0]))
         for thing in scene.objects

@@ -1,4 +1,4 @@
-"""A scene or an object in the form that all exports write: meshes, inertia and convex pieces.
+"""A scene or an object in the form common to all exports: meshes, inertia and convex pieces.
 
 Everything is in the body's own frame (an object's is its canonical frame scaled to metres; the
 table's has its origin at the centre of its box), z up in the world, metres, kilograms, radians.
@@ -58,7 +58,7 @@ class ExportPiece:
 
     @property
     def radius(self) -> float:
-        """Radius of a cylinder or a sphere, metres."""
+        """Radius of a cylinder or a sphere, in metres."""
         return float(np.delete(self.half, self.axis).mean())
 
 
@@ -93,7 +93,7 @@ class ExportBody:
 
 @dataclass(frozen=True, eq=False)
 class ExportWorld:
-    """Bodies above a floor at z = 0, as all formats write them.
+    """Bodies above a floor at z = 0, in the form common to all formats.
 
     Attributes:
         name: name of the scene or the object.
@@ -109,7 +109,7 @@ class ExportWorld:
 
 
 def scene_world(scene: Scene) -> ExportWorld:
-    """Return a scene in the form that exports write.
+    """Return a scene in the form common to all exports.
 
     Raises:
         SceneError: the table's shape has no volume.
@@ -182,7 +182,7 @@ def free_name(word: str, taken: set[str]) -> str:
 
 
 def piece_of(part: ConvexPart) -> ExportPiece:
-    """Return a convex part as MuJoCo collides with it: as a primitive if possible."""
+    """Return a convex part as MuJoCo represents it in collisions: as a primitive if possible."""
     kind, (low, high) = primitive_kind(part), part.bounds
     center, half = (low + high) / 2, (high - low) / 2
     surface = _surface(kind, part, half)
@@ -194,7 +194,7 @@ def piece_of(part: ConvexPart) -> ExportPiece:
 
 
 def _surface(kind: GeomKind, part: ConvexPart, half: Float[np.ndarray, "3"]) -> Trimesh:
-    """Return the surface of a part: in place for a hull, about the origin for a primitive."""
+    """Return a part's surface: at its position for a hull, about the origin for a primitive."""
     import trimesh
     from trimesh import creation
 

@@ -52,7 +52,7 @@ class EngineFriction:
 
 
 def engine_friction(bodies: Sequence[ExportBody], table: float) -> Mapping[str, EngineFriction]:
-    """Return the coefficients of each body by name; the floor's equal those of the ``table``."""
+    """Return the coefficients of each body by name; the floor has those of the table."""
     wanted = {body.name: max(body.friction, table) for body in bodies}  # on the table, in MuJoCo
     most = max(wanted.values())
     middle = max(table, _REACH * most)
@@ -70,7 +70,7 @@ def _harmonic(wanted: float, other: float) -> float:
 
 
 def drake_properties(piece: ExportPiece, friction: float) -> Mapping[str, str | None]:
-    """Return the tags of a collision element that Drake reads, with their values, if any."""
+    """Return the tags that Drake reads in a collision element, with their values, if any."""
     tags: dict[str, str | None] = {
         "drake:compliant_hydroelastic": None,
         "drake:hydroelastic_modulus": number_text([HYDROELASTIC_MODULUS]),

@@ -90,7 +90,7 @@ def _piece_details(piece: ExportPiece) -> dict[str, Any]:
 def _arrange(
     tree: dict[str, Any], name: str, details: Mapping[str, dict[str, Any]], roots: Sequence[str]
 ) -> None:
-    """Set the nodes' extras, and attach bodies to rotated roots, with pieces in their own scene.
+    """Set the nodes' extras, attach bodies to rotated roots, and put pieces into a separate scene.
 
     ``roots`` are the names of the root nodes of the visual scene and the collision scene.
     """

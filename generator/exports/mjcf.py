@@ -1,4 +1,4 @@
-"""MJCF with every mesh in a file: ``scene.xml``, for importers that need meshes as files.
+"""MJCF export with each mesh in its own file: ``scene.xml``, for importers that require mesh files.
 
 It equals a bundle's ``scene.xml``, including cameras and the keyframe "settled", except that the
 table has an inertia, too, and bodies that are added without one get theirs from their geoms.

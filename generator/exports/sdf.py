@@ -1,4 +1,4 @@
-"""SDFormat 1.9: ``scene.sdf``, a world of models, as Gazebo loads it.
+"""SDFormat 1.9 export: ``scene.sdf``, a world of models that Gazebo can load.
 
 Table and floor are static models. A convex piece is one collision: a primitive, or a mesh that is
 its hull. Friction is isotropic Coulomb friction, given separately for Gazebo and for Drake; see

@@ -96,7 +96,7 @@ def _link(
 
 
 def mean_color(body: ExportBody) -> list[float]:
-    """Return the mean colour of the visible part of a body's texture, 0 to 1."""
+    """Return the mean colour, from 0 to 1, of the visible part of a body's texture."""
     mesh = body.mesh
     area = areas(body.vertices, mesh.faces.astype(np.int64))
     shown = sample_texture(mesh.texture, mesh.uv[mesh.faces].astype(np.float64).mean(1))

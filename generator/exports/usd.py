@@ -205,7 +205,7 @@ def _paint(stage: Any, path: str, body: ExportBody, visual: Any, folder: Path) -
 
 
 def _friction(stage: Any, path: str, body: ExportBody) -> Any:
-    """Write a body's physics material; PhysX takes the larger of two coefficients, like MuJoCo."""
+    """Write a body's physics material; PhysX then uses the larger coefficient, as MuJoCo does."""
     from pxr import Sdf, UsdPhysics, UsdShade
 
     material = UsdShade.Material.Define(stage, path)

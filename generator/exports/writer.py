@@ -58,7 +58,7 @@ def export(scene: Scene, to: str, folder: str | Path, name: str | None = None) -
 
 
 def export_object(thing: Object, to: str, folder: str | Path) -> Path:
-    """Write one object as ``export`` writes a scene: free, above a floor, without a table.
+    """Write one object, free above a floor without a table, in the same way as ``export``.
 
     Raises:
         InputError: there is no such format, or its library is not installed.

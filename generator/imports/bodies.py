@@ -1,4 +1,4 @@
-"""Conversion of a foreign body to an object or a table: model, collision shape, mass.
+"""Conversion of a foreign body to an object or a table: its model, collision shape and mass.
 
 Bodies that cannot be repaired are still imported: a torn surface is drawn unchanged, and a surface
 that cannot be decomposed collides as its convex hull.
@@ -55,7 +55,7 @@ _USUAL_SIDE = (3e-3, 1.5)  # metres, of objects on a table: target range of a su
 def build_table(
     body: ForeignBody, drawn: SurfaceCache, budget: CutBudget
 ) -> tuple[Table, Float[np.ndarray, "3"], ImportOutcome]:
-    """Return the table, the translation of the world that centres it, and its repairs.
+    """Return the table, the translation of the world that centres it, and its import outcome.
 
     Raises:
         InputError: the table is too large.
@@ -80,7 +80,7 @@ def build_table(
 def build_object(
     body: ForeignBody, name: str, table: Table, drawn: SurfaceCache, budget: CutBudget
 ) -> tuple[Object, ImportOutcome]:
-    """Return an object whose +z is the body axis that points most nearly up, and its outcome.
+    """Return an object whose +z is the body axis nearest to pointing up, and its import outcome.
 
     Raises:
         InputError: the size or mass is out of range.
@@ -133,13 +133,13 @@ def _outcome(name: str, repairs: Sequence[str], reason: str) -> ImportOutcome:
 
 @dataclass(frozen=True)
 class _Side:
-    """The longest side of a body in the world, in metres, and the body's name in messages."""
+    """The longest side of a body in the world, in metres, and the adjective for it in messages."""
 
     length: float
     word: str
 
     def hint(self) -> str:
-        """Return a scale that gives a plausible size on a table; empty if there is none."""
+        """Return a hint at a scale with a plausible size on a table, or "" if there is none."""
         low, high = _USUAL_SIDE
         factors = (1e-3, 1e-2, 10.0, 100.0, 1000.0)
         fitting = (f for f in factors if low <= f * self.length <= high)
@@ -190,7 +190,7 @@ class SurfaceCache:
         self._meshes: dict[bytes, tuple[Mesh, tuple[str, ...]]] = {}
 
     def draw(self, surface: ColoredSurface, body: ForeignBody) -> tuple[Mesh, tuple[str, ...]]:
-        """Return a surface of a body as one textured mesh, and its repairs.
+        """Return a body's surface as one textured mesh, and the repairs made to it.
 
         Raises:
             InputError: all its triangles have zero area.
@@ -213,7 +213,7 @@ def _digest(surface: ColoredSurface, solid: bool) -> bytes:
 
 
 def _draw(surface: ColoredSurface, body: ForeignBody) -> tuple[Mesh, tuple[str, ...]]:
-    """Return a surface as one textured mesh, and its repairs.
+    """Return a surface as one textured mesh, and the repairs made.
 
     It is repaired and simplified only if necessary. If that fails, it is drawn unchanged.
     """
@@ -258,7 +258,7 @@ def _weigh(
     turn: Float[np.ndarray, "3 3"],
     center: Float[np.ndarray, "3"],
 ) -> MassProperties:
-    """Return the given mass properties, or else the category's, in the object's frame."""
+    """Return the mass properties in the object's frame: those given, or else the category's."""
     if body.mass is not None:
         given = body.mass
         return MassProperties(given.mass, turn @ given.com - center, turn @ given.inertia @ turn.T)
@@ -282,7 +282,7 @@ def _upright(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3 3"]:
 def _move(
     part: ConvexPart, turn: Float[np.ndarray, "3 3"], shift: Float[np.ndarray, "3"]
 ) -> ConvexPart:
-    """Return a part rotated and translated: a hull unless the rotation maps axes to axes."""
+    """Return a rotated, translated part: a hull unless the rotation maps axes to axes."""
     vertices = part.vertices @ turn.T + shift
     if part.kind == "hull" or np.abs(np.abs(turn) - np.abs(turn).round()).max() > 1e-6:
         return ConvexPart(vertices)

@@ -94,7 +94,7 @@ class Refusals:
 
 @dataclass(frozen=True, eq=False)
 class ForeignBody:
-    """A rigid body with its own frame; metres, kilograms, z up in the world.
+    """A rigid body with its own frame, in metres and kilograms; z points up in the world.
 
     Attributes:
         name: its name in the foreign scene.
@@ -133,7 +133,7 @@ class ForeignBody:
             raise InputError(f"The body {self.name!r} has a number that is not finite.")
 
     def scale(self, factor: float) -> ForeignBody:
-        """Return the body with all lengths multiplied.
+        """Return the body with lengths scaled by ``factor``.
 
         A mass that is plausible for the body's unscaled lengths, 1 to 29,000 kg/m³ of its box, was
         computed from them and scales with the volume; any other mass is taken to be in kilograms
@@ -168,7 +168,7 @@ class ForeignScene:
     refused: tuple[ImportOutcome, ...] = ()
 
     def scale(self, factor: float) -> ForeignScene:
-        """Return the scene with all lengths multiplied."""
+        """Return the scene with lengths scaled by ``factor``."""
         if factor == 1:
             return self
         objects = tuple(body.scale(factor) for body in self.objects)
@@ -190,7 +190,7 @@ def check_count(objects: int) -> None:
 
 
 def read_source(folder: Path, name: str, limit: int) -> bytes:
-    """Read a regular file inside a folder, without links or ``..``, of at most ``limit`` bytes.
+    """Read a regular file of at most ``limit`` bytes in a folder; reject links and ``..``.
 
     Raises:
         InputError: the file is missing, too large, or not inside the folder.

@@ -1,4 +1,4 @@
-"""GLB files as bodies: a whole scene in one file.
+"""Conversion of GLB files with whole scenes to bodies.
 
 A body is a node with a mesh, including all nodes below it. The data that ``tabletopgen export --to
 glb`` adds to glTF (``extras``, and the second scene "collision") is read back; nodes without it get
@@ -36,7 +36,7 @@ _COLLISION = "collision"
 
 
 def read_glb(path: Path, table: str | None = None) -> ForeignScene:
-    """Read a GLB file that contains a whole scene, y up as in glTF, lengths in metres.
+    """Read a GLB file that contains a whole scene, with y up and lengths in metres as in glTF.
 
     ``table`` is the name of the table's node; None chooses a node marked as fixed, or one whose
     name suggests a table.
@@ -130,7 +130,7 @@ class _Place:
 
 
 def _places(header: Header, scene: int, what: str) -> Sequence[_Place]:
-    """Return the meshes of a scene; nodes with a body's extras are bodies, or else the top meshes.
+    """Return the meshes of a scene; bodies are nodes with a body's extras or else the top meshes.
 
     Raises:
         InputError: the nodes do not form a tree, or one of them is invalid.
@@ -173,7 +173,7 @@ def _extras(node: object) -> Mapping[str, Any]:
 def _load_each(
     raw: bytes, header: Header, places: Sequence[_Place], what: str
 ) -> list[list[trimesh.Trimesh] | BackendError]:
-    """Return the meshes of each place, or the errors of those that cannot be read."""
+    """Return the meshes at each place, or an error for each place that cannot be read."""
     try:
         return [*_load(raw, header, places, what)]
     except BackendError as error:
@@ -191,7 +191,7 @@ def _load_each(
 def _load(
     raw: bytes, header: Header, places: Sequence[_Place], what: str
 ) -> list[list[trimesh.Trimesh]]:
-    """Return the meshes of each place, in its own node's frame."""
+    """Return the meshes at each place, in the frame of its node."""
     nodes = [{"mesh": place.mesh, "matrix": np.eye(4).ravel().tolist()} for place in places]
     scenes = [{"nodes": [*reversed(range(len(nodes)))]}]  # ``flatten`` takes the last first
     flat = {**header, "nodes": nodes, "scenes": scenes, "scene": 0}
@@ -259,7 +259,7 @@ def _read_body(
 def _split(
     matrix: Float[np.ndarray, "4 4"], name: str
 ) -> tuple[Float[np.ndarray, "3 3"], Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
-    """Return rotation, scale and translation of a node."""
+    """Return the rotation, scale and translation of a node."""
     with np.errstate(all="ignore"):
         scale = np.linalg.norm(matrix[:3, :3], axis=0)
         turn = matrix[:3, :3] / scale

@@ -50,7 +50,7 @@ _SEEN = 0.01  # minimum opacity of a visible geom
 
 
 def read_mjcf(path: Path, folder: Path | None = None, table: str | None = None) -> ForeignScene:
-    """Read an MJCF file; its files must be inside ``folder``, by default its own.
+    """Read an MJCF file; the files it uses must be in ``folder``, by default its own folder.
 
     ``table`` is the name of the fixed body or geom that is the table; None detects it by its name,
     or as the support of most objects.
@@ -133,7 +133,7 @@ class _ModelReader:
         self.seen: Bool[np.ndarray, "g"] = np.array(colors, bool).reshape(-1)
 
     def single_body(self, name: str) -> ForeignBody | None:
-        """Return the only body of a model without joints, unless it is a table; else None."""
+        """Return the only body of a model without joints, or None for a table or other models."""
         groups = self._fixed_groups()
         if self.model.njnt or len(groups) != 1:
             return None
@@ -240,7 +240,7 @@ class _ModelReader:
                 yield f"{count} {what} are ignored"
 
     def _fixed_groups(self) -> dict[str, Int[np.ndarray, "k"]]:
-        """Return the geoms of fixed objects: of each body, and each geom directly in the world."""
+        """Return the geoms of each fixed body, and each geom that belongs directly to the world."""
         model = self.model
         groups: dict[str, list[int]] = {}
         for g in range(model.ngeom):
@@ -253,7 +253,7 @@ class _ModelReader:
         return {n: np.array(k) for n, k in groups.items() if self.solid[k].any()}
 
     def _box(self, geoms: Int[np.ndarray, "k"]) -> Float[np.ndarray, "2 3"]:
-        """Return the corners of the box around colliding geoms, in the world."""
+        """Return the corners of the bounding box of colliding geoms in the world frame."""
         points = [self._part(int(g), np.zeros(3), np.eye(3)).bounds for g in geoms if self.solid[g]]
         return np.stack([np.min(points, axis=0)[0], np.max(points, axis=0)[1]])
 
@@ -318,7 +318,7 @@ class _ModelReader:
         return _KINDS[kind]
 
     def _half(self, geom: int) -> Float[np.ndarray, "3"]:
-        """Return a primitive's half extents along its axes; for a capsule without its caps."""
+        """Return a primitive's half extents along its axes; those of a capsule exclude its caps."""
         size, kind = self.model.geom_size[geom], int(self.model.geom_type[geom])
         if kind == 2:
             return np.full(3, size[0])
@@ -417,7 +417,7 @@ class GeomLooks:
         return self._model.mat_texrepeat[material].astype(np.float64)
 
     def picture(self, geom: int) -> UInt8[np.ndarray, "h w 3"] | None:
-        """Return a geom's texture in its colour, or None; for a cube texture, its first side.
+        """Return a geom's texture in its colour (the first face of a cube texture), or None.
 
         Geoms with the same texture and colour get the same read-only array, so that meshes share
         it. Its longest side is at most ``MOST_TEXTURE``.

@@ -92,7 +92,7 @@ def _list_sound(
     found: Refusals,
     compile_model: CompileModel,
 ) -> list[int]:
-    """Return the bodies that compile, by bisection; ``found`` collects the others.
+    """Return the bodies that compile, found by bisection; ``found`` collects the others.
 
     The search stops at one body beyond ``MAX_REFUSED``.
     """

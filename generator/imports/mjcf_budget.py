@@ -118,7 +118,7 @@ def _file_texels(element: ET.Element, named: Sequence[bytes]) -> float:
 
 
 def _texels_of(raw: bytes) -> int:
-    """Return the texels of a PNG, by its header; 0 for other files, which MuJoCo rejects."""
+    """Return a PNG's texel count from its header, or 0 for other files, which MuJoCo rejects."""
     try:
         return math.prod(png_size(raw))
     except DamagedHeader:
@@ -138,7 +138,7 @@ def _is_few(text: str) -> bool:
 
 
 def _number(text: str) -> float:
-    """Return a nonnegative number; 0 for invalid text, which MuJoCo rejects."""
+    """Return a nonnegative number, or 0 for invalid text, which MuJoCo rejects."""
     try:
         value = float(text)
     except ValueError:

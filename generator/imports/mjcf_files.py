@@ -1,4 +1,4 @@
-"""A foreign MJCF and its files, gathered before MuJoCo reads any: bounded, and inside one folder.
+"""Collection of a foreign MJCF's files, limited in size and to one folder, before MuJoCo reads any.
 
 Includes are expanded in place; files are renamed and passed to MuJoCo in memory, so that it opens
 none itself. Elements that could run code, create files or grow without bounds are rejected.
@@ -37,7 +37,7 @@ _SUFFIXES = {"mesh": (".obj", ".stl", ".msh"), "texture": (".png",)}
 
 @dataclass(frozen=True)
 class GatheredModel:
-    """A model as one XML text, and its files, by name."""
+    """A model as one XML string, and its files by name."""
 
     xml: str
     files: dict[str, bytes]
@@ -72,7 +72,7 @@ def gather(path: Path, folder: Path | None = None) -> GatheredModel:
 
 @dataclass
 class _Reader:
-    """Reads files of one folder; ``base`` is the model's folder, ``files`` are passed to MuJoCo."""
+    """Reads files of one folder; ``base`` is the model's folder, and MuJoCo receives ``files``."""
 
     folder: Path
     base: PurePosixPath
@@ -93,7 +93,7 @@ class _Reader:
         return root
 
     def include(self, parent: ET.Element, where: PurePosixPath, depth: int) -> None:
-        """Replace includes below an element by their content.
+        """Replace the includes below an element with their content.
 
         ``where`` is the folder of its file, ``depth`` its nesting depth.
         """
@@ -150,7 +150,7 @@ class _Reader:
         return self._names[path]
 
     def _find(self, given: str, *places: PurePosixPath) -> PurePosixPath:
-        """Return the path of a referenced file, in the first folder that contains it, or the last.
+        """Return a referenced file's path in the first folder that contains it, or in the last.
 
         For an include, the folders are the model's and the referring file's, in MuJoCo's order.
         """
@@ -180,7 +180,7 @@ class _Reader:
 
 
 def _plain(path: PurePosixPath) -> PurePosixPath | None:
-    """Return a path without ``..``; None if it leaves the folder."""
+    """Return a path without ``..``, or None if it leaves the folder."""
     parts: list[str] = []
     for part in path.parts:
         if part == "..":

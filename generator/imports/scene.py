@@ -1,4 +1,4 @@
-"""Conversion of a foreign scene: builds its objects, settles them and runs the gate."""
+"""Conversion of a foreign scene: building its objects, settling them and running the gate."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def build_scene(
     config: AssemblyConfig | None = None,
     leave_out: bool = False,
 ) -> Scene:
-    """Return a foreign scene, settled, with its report; the gate may have failed.
+    """Return the converted and settled scene with its report; the gate may have failed.
 
     The world is translated so that the table stands on the floor z = 0 at the origin. Objects keep
     their exact poses unless settling moves them. Objects that cannot be built are refused without
@@ -76,7 +76,7 @@ def build_scene(
 
 
 class _Shapes:
-    """Counts the convex parts of a scene as a bundle does: for all bodies and for their models."""
+    """Counts a scene's convex parts as a bundle does: for all bodies and also for their models."""
 
     def __init__(self) -> None:
         self._parts = self._points = 0
@@ -115,7 +115,7 @@ def _content(model: Model) -> Hashable:
 
 
 def list_outcomes(scene: Scene) -> tuple[ImportOutcome, ...]:
-    """Return the import outcome of each object of a scene; empty if it was not imported.
+    """Return the import outcome of each object of a scene, or () if the scene was not imported.
 
     The table is included if it was repaired.
 

@@ -22,7 +22,7 @@ _ALIGNED = 1e-4  # tolerance of a rotation that maps axes to axes
 def solid_surface(
     kind: Solid, half: Float[np.ndarray, "3"]
 ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
-    """Return vertices and outward faces of a solid about the origin with half extents ``half``.
+    """Return the vertices and outward faces of a solid at the origin with half extents ``half``.
 
     Cylinders and capsules are along z; half[2] excludes a capsule's caps.
     """
@@ -74,7 +74,7 @@ def solid_part(
 
 
 def part_of(points: Float[np.ndarray, "n 3"], kind: str) -> ConvexPart:
-    """Return a convex part of a known kind ("sphere", ...), given points on its surface."""
+    """Return a convex part of a known kind, such as "sphere", given points on its surface."""
     if kind == "cylinder":
         flat = [len(np.unique(points[:, k].round(6))) for k in range(3)]
         return ConvexPart(points, "cylinder", (0, 1, 2)[int(np.argmin(flat))])
@@ -84,12 +84,12 @@ def part_of(points: Float[np.ndarray, "n 3"], kind: str) -> ConvexPart:
 
 
 def hull_corners(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    """Return the vertices of the convex hull of points; if coplanar, all distinct points."""
+    """Return the vertices of the points' convex hull, or all distinct points if coplanar."""
     return hull_points(np.unique(np.asarray(points, np.float64).round(7), axis=0))
 
 
 def few_corners(points: Float[np.ndarray, "n 3"], most: int = 128) -> Float[np.ndarray, "k 3"]:
-    """Return at most ``most`` vertices of the convex hull, extreme in evenly spread directions."""
+    """Return at most ``most`` convex hull vertices that are extreme in evenly spread directions."""
     corners = hull_corners(points)
     if len(corners) <= most:
         return corners

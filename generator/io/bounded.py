@@ -1,4 +1,4 @@
-"""Bounded readers of untrusted input: JSON, URLs, regular files, printable text, npz.
+"""Bounded readers of untrusted input: JSON, URLs, regular files, printable text and npz files.
 
 Everything from outside the process (a bundle, a server's answer, a record in a shared folder, a
 file that the user names) is untrusted until one of these functions has checked it. Each takes the
@@ -53,7 +53,7 @@ def parse_json(
     max_bytes: int = _MAX_JSON_BYTES,
     max_depth: int = _MAX_DEPTH,
 ) -> Any:
-    """Parse an untrusted JSON text; all numbers must be finite, all strings valid Unicode.
+    """Parse an untrusted JSON text; all numbers must be finite and all strings valid Unicode.
 
     ``what`` is the start of error messages, such as "The answer of the server". ``max_bytes``
     limits the length, ``max_depth`` the nesting of lists and objects.
@@ -161,7 +161,7 @@ def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult
 def read_regular(
     path: str | Path, what: str, error: type[TabletopError], *, max_bytes: int
 ) -> bytes:
-    """Read a regular file named by the user or a record; never a pipe, a device or a folder.
+    """Read a regular file named by the user or a record; reject pipes, devices and folders.
 
     Links to regular files are followed. ``what`` is the start of error messages, such as "The depth
     map".
@@ -195,7 +195,7 @@ def read_regular(
 def printable(
     text: object, what: str, error: type[TabletopError], *, max_length: int = MAX_NAME_LENGTH
 ) -> str:
-    """Return a name or a label that is safe to print: one line, no control characters, bounded.
+    """Return a name or label that is safe to print: a short line without control characters.
 
     Raises:
         TabletopError: ``error``, if it is not.
@@ -246,7 +246,7 @@ _COMPRESSIONS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
 def read_arrays(
     path: str | Path, what: str, error: type[TabletopError], *, max_bytes: int
 ) -> dict[str, np.ndarray]:
-    """Read all arrays of an npz file, as ``numpy.savez`` writes it, compressed or not.
+    """Read all arrays of an npz file written by ``numpy.savez`` or ``numpy.savez_compressed``.
 
     ``what`` is the start of error messages, such as "The replay buffer". ``max_bytes`` limits the
     size of the file and the total size of its arrays.

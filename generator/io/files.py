@@ -61,7 +61,7 @@ def write_file(content: bytes, path: Path) -> Path:
 
 
 def check_folder(folder: Path, option: str = "--out") -> None:
-    """Check, before any work starts, that a folder is or can be made writable.
+    """Check, before any work starts, that a folder is writable or can be created.
 
     The folder and its parents may be missing. ``option`` names the folder in error messages.
 
@@ -101,7 +101,7 @@ def make_private(folder: Path) -> None:
 
 
 def is_plain_name(name: object) -> bool:
-    """Return whether a name read from a file is a plain entry name, not a path."""
+    """Return whether a name read from a file is a plain entry name and not a path."""
     return (
         isinstance(name, str)
         and name.isprintable()

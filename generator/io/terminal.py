@@ -13,7 +13,7 @@ _UNWRITTEN = 5  # exit code of a StorageError
 
 
 def run_piped(run: Callable[[], int]) -> int:
-    """Run a command; return its exit code, or an error's if its output could not be written.
+    """Run a command and return its exit code, or an error code if its output cannot be written.
 
     The command ends quietly if the reader closes the pipe, as ``| head`` does, and prints an error
     if the disk is full. All other errors of ``run`` are propagated.

@@ -1,4 +1,4 @@
-"""Batches: many scenes in one folder, made by several processes or on Ray, and resumable.
+"""Resumable batches: many scenes in one folder, made by several processes or on Ray.
 
 The same text and seed give the same bytes, regardless of the maker and the degree of parallelism. A
 scene is either done or absent: the process that holds its lock makes it in a private folder, writes

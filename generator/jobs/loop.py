@@ -1,4 +1,4 @@
-"""The main loop of a batch, robust to worker crashes and concurrent batches; also dry runs."""
+"""The main loop of a batch, robust to worker crashes and concurrent batches, and dry runs."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ _ALIKE = ("tabletopgen", "mujoco", "numpy")
 
 
 class RayPool(TaskPool):
-    """Runs up to ``width`` tasks on a Ray cluster, one CPU each, spread over its machines.
+    """Runs up to ``width`` tasks on a Ray cluster, each on one CPU, spread over its machines.
 
     ``address`` is an address for ``ray.init``; "local" starts Ray on this machine with ``width``
     CPUs. If this process is already connected to a cluster, that connection is used and stays open.
@@ -235,7 +235,7 @@ class RayKeeper:
 
 
 class _KeepingActor:
-    """The single process that accesses the spending databases of a cluster's batch."""
+    """The single process that accesses the spending databases of a batch on a cluster."""
 
     def __init__(self) -> None:
         self._owners: dict[str, contextlib.ExitStack] = {}

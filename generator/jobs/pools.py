@@ -10,7 +10,7 @@ from .workers import WorkerPool
 
 @dataclass(frozen=True)
 class PoolOptions:
-    """Workers; results do not depend on them.
+    """Worker options, which do not affect results.
 
     Attributes:
         workers: Number of parallel processes, with one thread each; one per processor is fastest.

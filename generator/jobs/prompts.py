@@ -1,4 +1,4 @@
-"""Jobs of a batch: texts and seeds from a file or a list, and the maker of their scenes."""
+"""Jobs of a batch: prompts and seeds from a file or a list, and the interface of scene makers."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Job:
 
 
 class Maker(Protocol):
-    """Makes scenes in any process; must be picklable and reproducible to the byte."""
+    """Interface for making scenes in any process: picklable, and reproducible to the byte."""
 
     def identity(self) -> dict[str, Any]:
         """Return the settings that determine the scenes, as JSON values."""
@@ -57,7 +57,7 @@ class Maker(Protocol):
 
 
 def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
-    """Return the jobs of texts, with ``variants`` consecutive seeds from ``seed`` or their own.
+    """Return jobs for prompts, with ``variants`` seeds each, from ``seed`` or the job's own seed.
 
     Duplicates are removed.
 
@@ -89,7 +89,7 @@ def _count_seeds(firsts: Sequence[int], variants: int) -> int:
 
 
 def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:
-    """Read texts from a file.
+    """Read prompts from a file.
 
     A ``.json`` file is an array of texts, or of objects with a ``text`` and an optional ``seed``.
     Other files have one text per line; empty lines and lines that begin with ``#`` are skipped.

@@ -43,7 +43,7 @@ PLACE = ".batch"
 
 
 def key_of(job: Job, make: Maker) -> str:
-    """Return the name of a job's record, which for a readable picture depends on its content."""
+    """Return the name of a job's record; for a readable picture, it depends on the content."""
     from ..method.reference import fetch, is_picture_name
 
     picture = None
@@ -98,7 +98,7 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
 
 
 def find_outcome(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
-    """Return a job's recorded outcome, with its bundle in place, or None if it must be made."""
+    """Return a job's recorded outcome if it is still valid, or None if the job must be run."""
     found = read(job, folder / PLACE, name)
     if found is None:
         return None
@@ -162,7 +162,7 @@ def _put_in_place(job: Job, folder: Path, name: str) -> None:
 
 
 def _clear(place: Path, name: str) -> None:
-    """Remove what an earlier attempt left; if that is a link, only the link itself."""
+    """Remove what an earlier attempt left; if it is a link, remove only the link itself."""
     own = place / name
     if own.is_symlink() or own.is_file():
         remove_file(place, name)

@@ -165,7 +165,7 @@ def shared_budget(folder: str | Path, prices: Prices | None = None) -> SharedBud
 
 
 def _share() -> None:
-    """Limit libraries that ignore ``threads`` to that number, since other workers are running."""
+    """Limit the threads of libraries that ignore ``threads``, since other workers are running."""
     import cv2
     import torch
 

@@ -60,7 +60,7 @@ def answer_task(packed: bytes) -> bytes:
 
 
 def _take_pipes() -> tuple[BinaryIO, BinaryIO]:
-    """Return input and output, and detach them from tasks and their child processes."""
+    """Return standard input and output, detached from tasks and their child processes."""
     given, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     with Path(os.devnull).open("rb") as nothing:
         os.dup2(nothing.fileno(), 0)

@@ -143,7 +143,7 @@ class _State:
 
 @dataclass(eq=False)
 class _Worker:
-    """One process at a time. ``busy``: it runs a task; ``proven``: it has finished one."""
+    """One process at a time, ``busy`` while it runs a task, ``proven`` once it has finished one."""
 
     state: _State
     number: int
@@ -211,7 +211,7 @@ class _Worker:
         return value
 
     def discard(self) -> int:
-        """Kill and forget the process; return its exit code. Only for the serving thread.
+        """Kill and forget the process; return its exit code. Call this in the serving thread only.
 
         Other threads kill the process (``_kill``) without changing the worker, because it may be
         about to start another process.

@@ -21,7 +21,7 @@ MAX_OBJECTS = 40
 
 @dataclass(eq=False)
 class Draft:
-    """An object while the text is parsed; ``relations`` are (kind, Draft or "table")."""
+    """An object while the text is parsed; ``relations`` holds pairs (kind, Draft or "table")."""
 
     noun: str
     category: str | None
@@ -53,7 +53,7 @@ Group = list[Draft]
 
 @dataclass(frozen=True, eq=False)
 class Grouping:
-    """Objects arranged as a group: in a row, in a circle around something, as a heap, ..."""
+    """Objects arranged as a group, such as a row, a heap or a circle around something."""
 
     kind: GroupKind
     members: tuple[Draft, ...]
@@ -138,7 +138,7 @@ def phrase_text(noun: Noun) -> str:
 
 
 def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
-    """Return whether "an apple and a pear on a plate" may mean that the apple is on it too.
+    """Return whether "an apple and a pear on a plate" may mean that the apple is on the plate too.
 
     For relations other than "on" and "in", this is possible unless the first object already has a
     relation.

@@ -1,4 +1,4 @@
-"""Explanation, phrase by phrase, of how a text is interpreted."""
+"""Phrase-by-phrase explanation of how a text is interpreted."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ Role = Literal[
 
 @dataclass(frozen=True)
 class Explained:
-    """One phrase of a text, how it is interpreted, and the details."""
+    """One phrase of a text, with its role and its meaning."""
 
     role: Role
     phrase: str
@@ -43,7 +43,7 @@ class Explained:
 
 
 def explain(text: str, seed: int = 0) -> tuple[Explained, ...]:
-    """Explain a text in its own order, followed by the plan's warnings and the unused phrases.
+    """Explain a text's phrases in order, followed by the plan's warnings and the unused phrases.
 
     Raises:
         InputError: The text cannot be planned.

@@ -1,4 +1,4 @@
-"""From words to catalogue categories: exact names, then reviewed synonyms; no fuzzy matching."""
+"""From words to catalogue categories: exact names, then reviewed synonyms, not fuzzy matching."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ NEVER_OBJECTS = PARTS | TABLE_NOUNS
 
 
 def _forms(words: tuple[str, ...]) -> tuple[str, ...]:
-    """Return a noun's possible forms: as written, last word singular, first word singular."""
+    """Return a noun's possible forms: as written or with its last, first or both words singular."""
     cut = words[-1] in PLURAL_ONLY
     last = (*words[:-1], words[-1][:-1] if cut else singular(words[-1]))
     first = (singular(words[0]), *words[1:])

@@ -1,4 +1,4 @@
-"""Names of detected objects: the detector's guesses or the words of a text, weighed with sizes."""
+"""Names of detected objects, from the detector's guesses or a text's words and object sizes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _RARE = 1e-4  # minimum probability of any category
 
 
 def find_kind(word: str) -> Category | None:
-    """Return the category of a word or of its head noun: "mug of tea", "tin mug"."""
+    """Return the category of a term or its head noun ("mug" in "mug of tea" and "tin mug")."""
     parts = (word, word.split(" of ")[0], word.split(" ")[-1])
     return next((found for part in parts if (found := find_category(part))), None)
 
@@ -39,7 +39,7 @@ def weigh(
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     metric: bool = False,
 ) -> Float[np.ndarray, "n k"]:
-    """Update probabilities of names by sizes and shapes, given the most likely table size.
+    """Update the probabilities of names from sizes and shapes, given the most likely table size.
 
     All objects share one table and thus one scale. It is chosen to maximise the joint likelihood of
     the names, unless it was measured (``metric``). Categories that were not evaluated get the
@@ -67,7 +67,7 @@ def _likely(
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     shift: float,
 ) -> Float[np.ndarray, "n k"]:
-    """Return the likelihood of sizes and shapes per category, on a table of log scale ``shift``."""
+    """Return each category's likelihood of the sizes and shapes at table log scale ``shift``."""
     likely = np.full(names.shape, _UNLIKE)
     likely[:, -1] = _ANY
     for row, seen in zip(likely, looks, strict=True):
@@ -90,7 +90,7 @@ def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[st
 
 
 def shape_word(width: float, height: float, share: float) -> str:
-    """Return "tall", "flat", "round" or just "object" from a mask's box and its fill ratio."""
+    """Return "tall object", "flat object", "round object" or "object", by a mask's shape."""
     if height > 1.6 * width:
         return "tall object"
     if width > 1.6 * height:
@@ -134,5 +134,5 @@ def assign(
 
 
 def known_category(instance: Instance, size: SizePrior) -> Category | None:
-    """Return the catalogue's category for an instance's label or its usual size's name, if any."""
+    """Return the catalogue category of an instance's label or of its size prior's name, if any."""
     return find_category(instance.label) or find_category(size.name.rstrip("_0123456789"))

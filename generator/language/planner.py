@@ -1,4 +1,4 @@
-"""From text to plan (Sec. 3, Fig. 20) by rules and data: an English grammar, synonyms, themes."""
+"""From text to plan (Sec. 3, Fig. 20) by rules and data: English grammar, synonyms and themes."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
 def _setting(
     name: str | None, people: int, reading: Reading, objects: Sequence[PlannedObject]
 ) -> PlaceSetting | None:
-    """Return the place setting for several people, or None if there is none."""
+    """Return the place setting for several people, or None if the table has none."""
     if people < 2:
         return None
     setting = setting_of(THEMES[name], objects, people) if name else None

@@ -145,7 +145,7 @@ def _circle(graph: dict[str, set[str]]) -> list[str]:
 
 
 def size_of(planned: PlannedObject) -> tuple[float, float, float]:
-    """Return a planned object's expected extent, metres."""
+    """Return a planned object's expected extent, in metres."""
     if planned.size is not None:
         return planned.size
     if planned.category == GENERIC:
@@ -184,7 +184,7 @@ _FOOT: Mapping[str, float] = {"monitor": 0.42, "desk_lamp": 0.6, "globe": 0.7, "
 
 
 def standing_size(planned: PlannedObject) -> tuple[float, float, float]:
-    """Return the extent of an object's foot, metres, with the object's full height."""
+    """Return the extent, in metres, of an object's base, with the object's full height."""
     x, y, z = size_of(planned)
     share = _FOOT.get(planned.category, 1.0)
     return x * share, y * share, z
@@ -199,7 +199,7 @@ def has_place(planned: PlannedObject, target: PlannedObject) -> bool:
 
 
 def put_in_size(planned: PlannedObject, vessel: tuple[float, float, float]) -> Extent:
-    """Return an object's extent in a vessel, where long ones stand with the head above the rim."""
+    """Return an object's extent in a vessel; long objects stand with the head above the rim."""
     x, y, z = standing_size(planned)
     stem = _STEMS.get(planned.category, 1.0)
     if x < 0.85 * min(vessel[:2]) or (stem == 1.0 and x < 2.2 * max(y, z)):
@@ -247,7 +247,7 @@ def fits(
     outer: tuple[float, float, float],
     container: bool,
 ) -> bool:
-    """Return whether an object of size ``inner`` fits on or in one of size ``outer``, metres."""
+    """Return whether an object of size ``inner`` fits on or in one of size ``outer``, in metres."""
     narrow, middle, longest = sorted(inner)
     if kind == "in":
         mouth = 0.85 * min(outer[:2])

@@ -1,4 +1,4 @@
-"""Objects of a theme, and place settings, for tables that the text leaves open."""
+"""Objects of a theme, and place settings, for tables that the text does not fully describe."""
 
 from __future__ import annotations
 
@@ -91,7 +91,7 @@ def relate_by_habit(
 
 
 def thing(entry: str) -> Thing:
-    """Parse "mug right_of laptop" to category keys; None for nouns that the catalogue lacks."""
+    """Parse "mug right_of laptop" into category keys, with None for nouns not in the catalogue."""
     words = entry.split()
     at = next((i for i, w in enumerate(words) if w in relations.KINDS), len(words))
     key = lexicon.category_of(tuple(words[:at]))
@@ -106,7 +106,7 @@ def thing(entry: str) -> Thing:
 
 
 def read_need(phrase: str) -> PlannedObject | None:
-    """Parse a needed object, an optional size and a name; return None if it is unknown.
+    """Parse a needed object, with an optional size and a name; return None if it is unknown.
 
     "small cucumber" is the category cucumber with size "small".
     """
@@ -123,7 +123,7 @@ def supply(
     needs: Sequence[Sequence[str]],
     rng: np.random.Generator,
 ) -> list[PlannedObject]:
-    """Add one object for each of ``needs``, drawn from those listed and not already present.
+    """Add one object for each of ``needs``, drawn from those of its options not yet present.
 
     Objects of the theme are preferred. If all objects of a need are already present, nothing is
     added.

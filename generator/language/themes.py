@@ -1,4 +1,4 @@
-"""Kinds of table and their typical objects, with the functional relations between these.
+"""Kinds of table and their typical objects, with the functional relations between them.
 
 An entry of ``things`` is ``object`` or ``object relation target``; the target is an earlier object
 of the list, or "table". The first ``core`` entries are always present; the others are drawn at

@@ -42,7 +42,7 @@ _COVERED = 0.7  # maximum fraction of a tray that objects cover
 
 
 def largest_size(category: str) -> Extent:
-    """Return the extent of the largest variant of a category, metres."""
+    """Return the extent of the largest variant of a category, in metres."""
     factor = _GROWTH.get(category, _OTHERS)
     x, y, z = CATEGORIES[category].size
     return factor * x, factor * y, factor * z
@@ -82,7 +82,7 @@ def holds_things(category: str) -> bool:
 
 
 def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects with open, empty vessels and racks in place of those with contents."""
+    """Return the objects, with vessels and racks that hold objects replaced by open, empty ones."""
     objects = _spread_cloths(_clear_cakes(_seat_candles(objects)))
     names = {o.name: o for o in objects}
     inside: dict[str, list[PlannedObject]] = {}
@@ -104,7 +104,7 @@ def _open(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
 
 
 def _seat_candles(objects: Sequence[PlannedObject]) -> list[PlannedObject]:
-    """Return the objects with candles that are "on" candlesticks put into their sockets."""
+    """Return the objects; candles "on" candlesticks are put into the candlesticks' sockets."""
     kinds = {o.name: o.category for o in objects}
     return [
         replace(o, relations=tuple(

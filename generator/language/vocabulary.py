@@ -1,4 +1,4 @@
-"""The planner's vocabulary: numbers, relations, colours, tables and synonyms. Only data."""
+"""The planner's vocabulary as data: numbers, relations, colours, tables and synonyms."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def _table(text: str) -> Mapping[str, str]:
 
 
 def _pairs(text: str) -> tuple[tuple[str, str], ...]:
-    """Parse such lines into (word, key) pairs; a word may have several meanings, best first."""
+    """Parse ``key: word, word`` lines into (word, key) pairs, with a word's best meaning first."""
     lines = [line.split(":") for line in text.strip().splitlines()]
     return tuple((word.strip(), key.strip()) for key, words in lines for word in words.split(","))
 

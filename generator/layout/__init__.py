@@ -1,4 +1,4 @@
-"""Layout of planned objects: relations become free, natural placements on the tabletop."""
+"""Layout of planned objects: relations become natural, collision-free tabletop placements."""
 
 from .arrangement import Layout, arrange, arrange_more, unmet_relations
 from .furniture import build_models, build_top, table_size

@@ -31,7 +31,7 @@ Rotation = Float[np.ndarray, "3 3"]
 
 @dataclass(frozen=True, eq=False)
 class Stem:
-    """A standing object, described along its height: its axis starts at ``foot``; all in metres.
+    """A standing object described along its height, in metres; its axis starts at ``foot``.
 
     ``core`` is its typical radius; ``spheres`` lists (x, y, z, radius) from the foot upwards.
     """
@@ -44,7 +44,7 @@ class Stem:
 
 @dataclass(frozen=True, eq=False)
 class Stance:
-    """An object's rotation in the vessel's frame and the position of its foot, metres."""
+    """An object's rotation in the vessel's frame, and the position of its ``foot`` in metres."""
 
     turn: Rotation
     foot: Float[np.ndarray, "3"]
@@ -52,7 +52,7 @@ class Stance:
 
 @dataclass(frozen=True)
 class _Ring:
-    """Target position of one of ``count`` objects: angle in radians and fraction of the radius.
+    """Target position of one of ``count`` objects, by angle in radians and fraction of the radius.
 
     ``twist`` is the angle between the foot and the point opposite the top, radians.
     """
@@ -98,7 +98,7 @@ def _cover(slab: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "k 4"]
 
 
 def _surface(model: Model) -> Float[np.ndarray, "n 3"]:
-    """Return points on the surface of a model's collision shape, metres."""
+    """Return points, in metres, on the surface of a model's collision shape."""
     steps = 12
     weights = np.array([(i, j, steps - i - j) for i in range(steps + 1)
                         for j in range(steps + 1 - i)]) / steps  # fmt: skip
@@ -142,7 +142,7 @@ def _stand(
     *,
     straight: bool,
 ) -> Stance | None:
-    """Return an object's best stance that is clear of those ``placed``."""
+    """Return an object's best stance that is clear of the objects in ``placed``."""
     feet, tops, cost = _proposals(stem, cavity, ring, straight=straight)
     way = tops - feet
     lean = np.arctan2(np.hypot(way[:, 0], way[:, 1]), way[:, 2])
@@ -172,7 +172,7 @@ def _turn(axis: Float[np.ndarray, "3"]) -> Rotation:
 
 
 def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
-    """Return an object's target position by its index; if there are many, some stand inside.
+    """Return an object's target position by its index; if there are many, some form an inner ring.
 
     All objects are twisted just enough to pass each other where they are closest to the axis.
     """
@@ -194,7 +194,7 @@ def _ring(number: int, count: int, stem: Stem, cavity: Cavity) -> _Ring:
 def _proposals(
     stem: Stem, cavity: Cavity, ring: _Ring, *, straight: bool
 ) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3"], Float[np.ndarray, "n"]]:
-    """Return candidate feet on the floor, the points where the axes pass the rim, and costs."""
+    """Return candidate points on the floor, the points where the axes cross the rim, and costs."""
     steps = (0.15, 0.3, 0.5, 0.75, 1.0, 1.3, 1.6, 2.0, 2.4, 2.8, 3.1)
     spread = np.array([0.0, *(s * v for v in steps for s in (1, -1))])
     twists = np.array([ring.twist] if ring.count == 1 else
@@ -222,7 +222,7 @@ def _at(
     z: float,
     radius: float,
 ) -> Float[np.ndarray, "n 3"]:
-    """Return points at a given height and fraction of the way from the axis to the wall."""
+    """Return points at a given height and fraction of the distance from the axis to the wall."""
     ways = np.column_stack([np.cos(angle), np.sin(angle)])
     height = min(max(z, float(cavity.levels[0])), float(cavity.levels[-1]))
     probe = np.column_stack([cavity.middle + 1e-3 * ways, np.full(len(angle), height)])

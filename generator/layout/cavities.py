@@ -25,7 +25,7 @@ _ROUNDS = 3  # number of iterations that centre the axis between the walls
 
 @dataclass(frozen=True, eq=False)
 class Cavity:
-    """The space in a vessel that is reachable from above, metres, in the frame of the vessel's box.
+    """The space in a vessel that is reachable from above, in metres, relative to the vessel's box.
 
     Attributes:
         middle: x and y of its axis.
@@ -42,12 +42,12 @@ class Cavity:
 
     @property
     def depth(self) -> float:
-        """Depth from the rim to the floor, metres."""
+        """Depth from the rim to the floor, in metres."""
         return self.rim - self.floor
 
     @property
     def mouth(self) -> float:
-        """Minimum width of the opening, metres."""
+        """Minimum width of the opening, in metres."""
         half = SECTORS // 2
         across = self.radii[-1, :half] + self.radii[-1, half:]
         return float(across.min())
@@ -63,7 +63,7 @@ class Cavity:
 
 
 def find_cavity(model: Model) -> Cavity | None:
-    """Return the cavity of a vessel; None if there is no wall around its middle."""
+    """Return the cavity of a vessel, or None if there is no wall around its middle."""
     parts = body_parts(model, model.size)
     height, reach = float(model.size[2]), float(np.hypot(*model.size[:2])) / 2
     column = np.linspace(-height / 2, height / 2, 8 * _LEVELS)
@@ -95,7 +95,7 @@ def _look_around(
     levels: Float[np.ndarray, "l"],
     reach: float,
 ) -> Float[np.ndarray, "l s"]:
-    """Return the distance of the first wall per level and direction, or inf if there is none."""
+    """Return the distance to the first wall by level and direction, or inf if there is none."""
     away = np.linspace(0, reach, _STEPS)
     flat = middle + away[:, None, None] * _WAYS  # (steps, sectors, 2)
     points = np.empty((len(levels), SECTORS, _STEPS, 3))

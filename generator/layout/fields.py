@@ -17,7 +17,7 @@ _DENSITY = 1.6  # surface samples per side of a cell
 
 @dataclass(frozen=True, eq=False)
 class HeightField:
-    """The highest surface in each cell of a grid of the world's x and y.
+    """The highest surface in each cell of a grid over the world's x and y axes.
 
     Attributes:
         origin: centre of the first cell, metres.
@@ -66,7 +66,7 @@ class HeightField:
         return height, empty / max(len(known), 1)
 
     def place(self, cell: tuple[int, int]) -> Float[np.ndarray, "2"]:
-        """Return x and y of a cell's centre, metres."""
+        """Return the x and y of a cell's centre, in metres."""
         return self.origin + self.step * np.asarray(cell, float)
 
 
@@ -82,7 +82,7 @@ def field_of(model: Model, placement: Placement) -> HeightField:
 
 
 def samples(model: Model, placement: Placement, step: float) -> Float[np.ndarray, "n 3"]:
-    """Sample an object's surface so densely that each cell it covers has at least one point."""
+    """Sample an object's surface densely enough that each cell it covers has at least one point."""
     vertices = np.asarray(model.mesh.vertices, float) * placement.scale
     vertices = vertices @ rotation_z(placement.yaw).T + placement.translation
     corners = vertices[model.mesh.faces]

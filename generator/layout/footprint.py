@@ -25,7 +25,7 @@ RIGHT, BACK, LEFT, FRONT = 0, COUNT // 4, COUNT // 2, 3 * COUNT // 4
 
 @dataclass(frozen=True, eq=False)
 class Footprint:
-    """An object's convex outline seen from above at one yaw, relative to its centre, metres.
+    """An object's convex outline seen from above at one yaw, in metres relative to its centre.
 
     ``reach[k]`` is its extent along direction k; ``outline`` is its convex hull.
     """
@@ -42,7 +42,7 @@ class Footprint:
 
     @property
     def area(self) -> float:
-        """Area of the convex hull, square metres."""
+        """Area of the convex hull, in square metres."""
         x, y = self.outline.T
         return float(abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2)
 
@@ -73,7 +73,7 @@ def footprint(model: Model, yaw: float) -> Footprint:
 def gaps(
     own: Footprint, centers: Float[np.ndarray, "m 2"], other: Footprint, at: Float[np.ndarray, "2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return a lower bound of the gap to ``other`` for each centre; negative if the two overlap."""
+    """Return a lower bound of the gap to ``other`` for each centre, negative if the two overlap."""
     blocked = own.reach + np.roll(other.reach, COUNT // 2)
     return ((at - centers) @ DIRECTIONS.T - blocked).max(1)
 

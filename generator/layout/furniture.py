@@ -81,7 +81,7 @@ def _put_in(
     models: Mapping[str, Model],
     rebuild: Callable[[PlannedObject], Model],
 ) -> dict[str, Model]:
-    """Return the models as they stand in a vessel or a rack, by name, and the holder's own."""
+    """Return the models of objects put in a vessel or a rack, and the holder's model, by name."""
     names = [planned.name for planned in held]
     if "places" not in target.attributes:
         return _put_in_vessel(target, held, models)
@@ -97,7 +97,7 @@ def _put_in(
 def _put_in_vessel(
     target: PlannedObject, held: Sequence[PlannedObject], models: Mapping[str, Model]
 ) -> dict[str, Model]:
-    """Return the models in a vessel, and its own, by name; long objects stand and lean."""
+    """Return the models in a vessel and the vessel's model by name; long objects stand and lean."""
     vessel = models[target.name]
     cavity = find_cavity(vessel)
     if cavity is None:
@@ -174,7 +174,7 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
 
 
 def _chain(standing: Sequence[PlannedObject], models: Mapping[str, Model], axis: int) -> float:
-    """Return the table length that chains of side-by-side objects need along an axis, metres.
+    """Return the table length, in metres, that chains of side-by-side objects need along an axis.
 
     Objects that belong in the middle of the table need equal room on both sides.
     """
@@ -214,6 +214,6 @@ def build_top(
 
 
 def outline_of(table: Model) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline of a table model's top, metres, counter-clockwise."""
+    """Return the convex, counter-clockwise outline of a table model's top, in metres."""
     points = table.mesh.vertices[table.mesh.vertices[:, 2] > 0.499]
     return convex_outline(points[:, :2] * table.size[:2])

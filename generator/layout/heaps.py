@@ -61,7 +61,7 @@ def pile_heap(shapes: Sequence[Footprint]) -> Pile | None:
 
 
 def pile_pyramid(shapes: Sequence[Footprint], *, balls: bool) -> Pile | None:
-    """Return the positions in a pyramid: rows (3, 2, 1), or triangles of balls (6, 3, 1).
+    """Return the positions in a pyramid of rows (3, 2, 1) or of triangles of balls (6, 3, 1).
 
     Members left over from complete rows widen the lowest row; balls that cannot form a complete
     pyramid form a heap. Returns None if the objects are too long.

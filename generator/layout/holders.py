@@ -25,7 +25,7 @@ _GAP = 8e-4  # gap between objects, metres
 
 @dataclass(frozen=True)
 class _Box:
-    """Half extents of a box along and across a row of objects; axis 0 is x, axis 1 is y."""
+    """Half extents of a box along and across a row of objects; ``axis`` 0 is x, and 1 is y."""
 
     length: float
     width: float
@@ -69,7 +69,7 @@ def file_away(
 
 
 def _start(box: _Box, wide: float, cavity: Cavity) -> float:
-    """Return the distance from the box's end at which a row fits; its corners may have posts."""
+    """Return the distance from the box's end at which a row fits, as corners may have posts."""
     for start in np.linspace(0.0, 0.2 * box.length, 12):
         ends = np.array([[start - box.length, s * wide / 2, z] for s in (-1, 1)
                          for z in (cavity.floor, cavity.rim)])  # fmt: skip
@@ -143,7 +143,7 @@ def stand_in_holder(model: Model, holder: Holder) -> Model:
 
 
 def room_of(models: Sequence[Model]) -> Extent:
-    """Return the extent of the largest standing object, metres."""
+    """Return the extent of the largest standing object, in metres."""
     across, along, up = np.max([model.size for model in models], axis=0)
     return float(across), float(along), float(up)
 
@@ -155,7 +155,7 @@ def name_slots(holder: Model, names: Sequence[str]) -> Model:
 
 
 def head_up(model: Model) -> Model:
-    """Return a standing model with its wide end up: bristles, blossoms or the wires of a whisk."""
+    """Return a standing model with its wide end up, such as bristles, blossoms or whisk wires."""
     spheres = measure_stem(model).spheres
     wide = np.hypot(spheres[:, 0], spheres[:, 1]) + spheres[:, 3]
     share = spheres[:, 2] / float(model.size[2])
@@ -221,7 +221,7 @@ def leans(model: Model, cavity: Cavity) -> bool:
 def file_in_box(
     vessel: Model, flat: Mapping[str, Model], cavity: Cavity
 ) -> tuple[Model, dict[str, Model]] | None:
-    """Return a box with slots for flat objects on edge, and their models; None if too small."""
+    """Return a box with slots for flat objects on edge, and their models, or None if too small."""
     turned = file_away(flat, cavity)
     if turned is None:
         return None
@@ -234,7 +234,7 @@ def file_in_box(
 
 
 def _lean(model: Model, stem: Stem, stance: Stance) -> tuple[Model, Float[np.ndarray, "3"]]:
-    """Return a leaning model and the centre of its underside in the vessel's frame, metres."""
+    """Return a leaning model and the centre, in metres, of its underside in the vessel's frame."""
     mesh = model.mesh
     turned = (mesh.vertices * model.size - stem.foot) @ stance.turn.T + stance.foot
     unit, center, extent = to_unit_box(

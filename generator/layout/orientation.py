@@ -24,7 +24,7 @@ STRAIGHT = frozenset({
 def natural_yaw(
     planned: PlannedObject, model: Model, plan: ScenePlan, rng: np.random.Generator
 ) -> float:
-    """Return a yaw in radians; 0 turns an object's front (-y) to the viewer."""
+    """Return a natural yaw in radians; 0 turns an object's front (-y) to the viewer."""
     key = planned.category
     if key in CUTLERY and _at_plate(planned, plan):
         across = any(
@@ -79,7 +79,7 @@ def pose(model: Model, posture: str) -> Model:
 
 
 def stand_up(model: Model, slenderness: float) -> Model:
-    """Stand a model that is much longer than wide on end, with +x up; return others unchanged."""
+    """Stand a model on end, with +x up, if it is much longer than wide; return others unchanged."""
     length, *others = model.size
     return model if length < slenderness * max(others) else turn(model, (("y", -90),))
 

@@ -48,7 +48,7 @@ _RIM = 0.04  # maximum height above the rim of a contained object's centre, metr
 
 @dataclass(frozen=True, eq=False)
 class _Thing:
-    """An object at rest: outline seen from above, foot, lowest and highest point, metres."""
+    """An object at rest: its outline seen from above, base position and height range, in metres."""
 
     center: Float[np.ndarray, "3"]
     outline: Float[np.ndarray, "k 2"]
@@ -67,7 +67,7 @@ class _Thing:
 
 @dataclass(frozen=True, eq=False)
 class Rest:
-    """Positions of objects on a tabletop, metres, and contacts by name, including ``TABLE``."""
+    """Positions, in metres, of objects on a tabletop, and contacts by name, including ``TABLE``."""
 
     size: Float[np.ndarray, "2"]
     outline: Float[np.ndarray, "k 2"]
@@ -76,7 +76,7 @@ class Rest:
 
 
 def observe(scene: Scene) -> Rest:
-    """Return positions and contacts in the settled scene."""
+    """Return the positions and contacts in the settled scene."""
     simulation = Simulation(scene)
     simulation.place([o.pose for o in scene.objects])
     names = [o.name for o in scene.objects]
@@ -92,7 +92,7 @@ def observe(scene: Scene) -> Rest:
 
 
 def foresee(placements: Sequence[Placement], models: Mapping[str, Model], table: Model) -> Rest:
-    """Return positions and contacts, assuming that each object stays on its intended support."""
+    """Return the positions and contacts if each object stays on its intended support."""
     things = {
         p.name: _rest(models[p.name], p.scale, Pose(p.translation, yaw_quaternion(p.yaw)))
         for p in placements
@@ -188,7 +188,7 @@ def _rest(model: Model, scale: Float[np.ndarray, "3"], pose: Pose) -> _Thing:
 def _margin(
     planned: PlannedObject, relation: Relation, rest: Rest, turns: dict[str, tuple[int, float]]
 ) -> float:
-    """Return by how many metres a relation holds, 0 or less if it does not."""
+    """Return a relation's margin in metres; relations with 0 or less do not hold."""
     own = rest.things[planned.name]
     if relation.target == TABLE:
         return _table_margin(own, relation, rest, table_sides(planned.relations))
@@ -208,7 +208,7 @@ def _margin(
 
 
 def _support_margin(name: str, relation: Relation, rest: Rest) -> float:
-    """Return how far the object's centre is inside its support; negative if it is not carried."""
+    """Return how far the object's centre is inside its support; negative if it is not supported."""
     own, target = rest.things[name], rest.things[relation.target]
     inside = float(inside_margin(own.center[None, :2], target.outline)[0])
     if not _is_carried(name, relation.target, rest, relation.kind == "in"):
@@ -238,7 +238,7 @@ def _is_carried(name: str, support: str, rest: Rest, inside: bool) -> bool:
 
 
 def _gap(one: _Thing, other: _Thing) -> float:
-    """Return the distance between two bounding boxes seen from above, metres."""
+    """Return the distance, in metres, between two bounding boxes seen from above."""
     apart = np.abs(one.middle - other.middle) - one.half - other.half
     return float(np.hypot(*np.clip(apart, 0, None)))
 

@@ -58,7 +58,7 @@ def put_on(
     state: State,
     shapes: dict[str, Footprint],
 ) -> bool:
-    """Lower an object onto or into its support, where it rests lowest.
+    """Lower an object onto or into its support, at the position where it rests lowest.
 
     If the support has a slot for it, like a rack, the object goes into that slot.
     """
@@ -149,7 +149,7 @@ def _resting_cost(
     shapes: Mapping[str, Footprint],
     state: State,
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return the cost of each position on or in a support; inf where the object cannot stand.
+    """Return the cost of each position on or in a support, or inf where the object cannot stand.
 
     Low positions are preferred, and those far from other objects or, for a single object, those
     near the middle.
@@ -193,7 +193,7 @@ def _rolls(planned: PlannedObject) -> bool:
 def _crowding(
     shape: Footprint, ground: HeightField, base: Placement, cells: tuple[int, ...]
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return how much of the middle, which others need too, an object would take at each place."""
+    """Return how much of the middle, which others also need, an object would take at each place."""
     grid = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), -1)
     centers = ground.origin + ground.step * grid
     away = np.linalg.norm(centers - base.translation[:2], axis=-1)
@@ -201,14 +201,14 @@ def _crowding(
 
 
 def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:
-    """Return some of the cheapest cells, cheapest first."""
+    """Return some of the cheapest cells, in ascending order of cost."""
     order = np.argsort(cost, axis=None, kind="stable")[:400:100]
     cells = [divmod(int(k), cost.shape[1]) for k in order]
     return [cell for cell in cells if np.isfinite(cost[cell])]
 
 
 def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
-    """Return whether an object is in a vessel, or ``heaped`` on its contents; not on its rim."""
+    """Return whether an object is in a vessel or ``heaped`` on its contents, but not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
     return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
 
@@ -329,7 +329,7 @@ def placed_triangles(model: Model, placement: Placement) -> Float[np.ndarray, "m
 def surface(
     corners: Float[np.ndarray, "m 3 3"], points: Float[np.ndarray, "p 2"], *, upper: bool
 ) -> Float[np.ndarray, "p"]:
-    """Return the highest (or lowest) z of triangles at each point; -inf (or inf) if none exists."""
+    """Return the highest (or lowest) z of triangles at each point, or -inf (or inf) if none."""
     none = -np.inf if upper else np.inf
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])

@@ -37,7 +37,7 @@ class Neighbour:
 
 @dataclass(frozen=True, eq=False)
 class Awaited:
-    """An object that will be placed beside the current one: the relation's kind and a footprint.
+    """An object to be placed beside the current one, given by a relation's kind and a footprint.
 
     ``beside`` is the footprint of the object it refers to, and ``offset`` is the position of the
     latter relative to the current object's centre.
@@ -72,7 +72,7 @@ def table_sides(relations: Sequence[Relation]) -> tuple[str, ...]:
 
 
 def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "m 2"]:
-    """Return candidate centres: some as the relations suggest, others all over the table."""
+    """Return candidate centres: some suggested by the relations, others spread over the table."""
     low, high = request.outline.min(0), request.outline.max(0)
     spread = rng.normal(0, 0.26, (_FREE // 2, 2)) * (high - low)
     anywhere = rng.uniform(low, high, (_FREE // 2, 2))
@@ -159,7 +159,7 @@ def score(
 def _crowded_out(
     awaited: Awaited, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how far an awaited object beside this one would overhang the table's edge, metres."""
+    """Return how far an awaited object beside this one would overhang the table, in 5 cm units."""
     theirs, own, way = SIDES[awaited.kind]
     distance = awaited.beside.reach[theirs] + awaited.shape.reach[own] + _BETWEEN
     places = centers + awaited.offset + distance * np.array(way)
@@ -169,7 +169,7 @@ def _crowded_out(
 def violation(
     request: Request, relation: Relation, centers: Float[np.ndarray, "m 2"]
 ) -> Float[np.ndarray, "m"]:
-    """Return how strongly the object at each centre violates a relation; 0 if it holds well."""
+    """Return how strongly the object at each centre violates a relation, or 0 if it holds well."""
     size = np.ptp(request.outline, axis=0)
     if relation.target == TABLE:
         if relation.kind in SIDES:
@@ -224,7 +224,7 @@ def edge_gaps(
 def _hiding(
     shape: Footprint, centers: Float[np.ndarray, "m 2"], others: Sequence[Neighbour]
 ) -> Float[np.ndarray, "m"]:
-    """Return the fraction hidden in the view from the raised front, summed over object pairs."""
+    """Return the fraction hidden when seen from the raised front, summed over pairs of objects."""
     total = np.zeros(len(centers))
     for other in others:
         offset = centers - other.center

@@ -38,7 +38,7 @@ _TURNS = {_FRONT: 0.0, _RIGHT: np.pi / 2, _BACK: np.pi, _LEFT: -np.pi / 2}
 
 
 def seats(count: int, outline: str, size: tuple[float, float]) -> list[Seat]:
-    """Return ``count`` seats at a table with an outline and a size (length, depth), metres."""
+    """Return ``count`` seats at a table with an outline and a size (length, depth) in metres."""
     if outline in ("round", "triangle") or (outline == "oval" and count > 4):
         angles = -np.pi / 2 + 2 * np.pi * np.arange(count) / count
         return [Seat(float(a + np.pi / 2), (float(np.cos(a)), float(np.sin(a)))) for a in angles]

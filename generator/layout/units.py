@@ -28,7 +28,7 @@ _GAP = 0.016  # gap between the objects of a place setting, metres
 
 @dataclass(frozen=True, eq=False)
 class Unit:
-    """A group with the positions of its members relative to its centre.
+    """A group of objects, with their positions relative to its centre.
 
     Attributes:
         planned: object that represents the unit, with the first member's name and all members'
@@ -129,7 +129,7 @@ def _center(
     shapes: Mapping[str, Footprint],
     turn: float,
 ) -> tuple[dict[str, Float[np.ndarray, "2"]], dict[str, float], Footprint]:
-    """Return offsets from the centre of all members, turned towards a seat, and their hull."""
+    """Return the members' offsets and turns about their centre, facing a seat, and their hull."""
     matrix = rotation_z(turn)[:2, :2]
     corners = [shapes[n].outline @ rotation_z(turns[n])[:2, :2].T + places[n] for n in places]
     points = np.concatenate(corners)

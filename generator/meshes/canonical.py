@@ -87,7 +87,7 @@ def normal_surface(
 def repair_surface(
     surface: ColoredSurface, what: str, to: Normal | None = None
 ) -> tuple[Mesh, tuple[str, ...]]:
-    """Return an upright surface as one textured mesh, and its repairs; see ``normal_mesh``.
+    """Return an upright surface as one textured mesh, and the repairs made; see ``normal_mesh``.
 
     Raises:
         BackendError: it cannot be repaired (``repair``) or simplified.
@@ -143,7 +143,7 @@ def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
 
 
 def foreign_physics(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
-    """Return properties that give an imported mesh of usual size the mass of its category."""
+    """Return properties that give an imported mesh of the usual size the mass of its category."""
     if kind is None:
         return Physics(density=500.0, friction=0.6)
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED

@@ -25,12 +25,12 @@ def nearest_inside(
 
 
 def dilate(mask: Mask, side: int) -> Mask:
-    """Return a mask grown with a square brush of ``side`` pixels."""
+    """Return a mask dilated with a square kernel of ``side`` pixels."""
     return cv2.dilate(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
 
 
 def erode(mask: Mask, side: int) -> Mask:
-    """Return a mask shrunk with a square brush of ``side`` pixels, except at the image border."""
+    """Return a mask eroded with a square kernel of ``side`` pixels, except at the image border."""
     return cv2.erode(mask.astype(np.uint8), np.ones((side, side), np.uint8)) > 0
 
 
@@ -58,7 +58,7 @@ def hull_corners(mask: Mask) -> Float[np.ndarray, "k 2"]:
 
 
 def distances(mask: Mask) -> Float[np.ndarray, "h w"]:
-    """Return every pixel's distance from the nearest pixel of ``mask``, pixels.
+    """Return every pixel's distance, in pixels, from the nearest pixel of ``mask``.
 
     SciPy's transform is used because OpenCV's exact one is not reproducible bit for bit.
     """
@@ -66,7 +66,7 @@ def distances(mask: Mask) -> Float[np.ndarray, "h w"]:
 
 
 def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
-    """Return each point's distance from the nearest pixel of ``mask``, pixels."""
+    """Return each point's distance, in pixels, from the nearest pixel of ``mask``."""
     if not mask.any():
         return np.full(len(points), np.inf)
     away = distances(mask)
@@ -75,7 +75,7 @@ def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarra
 
 
 def main_parts(mask: Mask, share: float = 0.1) -> Mask:
-    """Return the largest connected part of a mask, and all others above a ``share`` of its area."""
+    """Return the largest connected part of a mask, and others of at least ``share`` of its area."""
     _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
     areas = stats[1:, cv2.CC_STAT_AREA]
     if not len(areas):
@@ -84,7 +84,7 @@ def main_parts(mask: Mask, share: float = 0.1) -> Mask:
 
 
 def fill_holes(mask: Mask, share: float) -> Mask:
-    """Fill enclosed holes smaller than ``share`` of the mask's area."""
+    """Fill enclosed holes smaller than a fraction ``share`` of the mask's area."""
     outside = (~mask).astype(np.uint8)
     _, numbers, stats, _ = cv2.connectedComponentsWithStats(outside, connectivity=4)
     border = np.unique(np.concatenate([numbers[0], numbers[-1], numbers[:, 0], numbers[:, -1]]))
@@ -94,7 +94,7 @@ def fill_holes(mask: Mask, share: float) -> Mask:
 
 
 def largest_piece(mask: Mask) -> Mask:
-    """Return the largest 4-connected piece of a mask."""
+    """Return the largest 4-connected component of a mask."""
     labels = np.asarray(cv2.connectedComponents(mask.astype(np.uint8), connectivity=4)[1])
     counts = np.bincount(labels.ravel())
     counts[0] = 0
@@ -102,7 +102,7 @@ def largest_piece(mask: Mask) -> Mask:
 
 
 def in_one_piece(mask: Mask, minimum: float = 0.02) -> Mask:
-    """Return a mask with its pieces joined by bridges where they are nearest to each other.
+    """Return a mask whose components are joined by bridges where they are closest to each other.
 
     A bridge is as wide as the narrower of the two ends that it joins. Specks smaller than a
     fraction ``minimum`` of the whole are not joined.

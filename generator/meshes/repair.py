@@ -58,12 +58,12 @@ def welded_shape(vertices: Float[np.ndarray, "v 3"], faces: Faces) -> tuple[Vert
 
 
 def tidy(vertices: Vertices, faces: Faces) -> Int[np.ndarray, "k 3"]:
-    """Return the faces of a welded shape, cleaned as in ``clean``."""
+    """Return the faces of a welded shape, cleaned as by ``clean``."""
     return faces[_sound(vertices, faces, np.arange(len(vertices)))]
 
 
 def inside_out(vertices: Vertices, faces: Faces) -> Bool[np.ndarray, "m"]:
-    """Return which faces must be turned over so that all of them face outwards (by trimesh)."""
+    """Return which faces must be flipped so that all of them face outwards (found by trimesh)."""
     mesh = trimesh.Trimesh(vertices, faces, process=False)
     if mesh.is_watertight and mesh.is_winding_consistent:  # walls of cavities may face inwards
         return np.full(len(faces), mesh.volume < 0)
@@ -122,7 +122,7 @@ def check_surface(faces: Faces, what: str) -> None:
 
 
 def flaws(faces: Faces) -> tuple[float, float]:
-    """Return the fractions of edges that are torn, and that do not join two faces or two pairs."""
+    """Return the fractions of torn edges and of edges that do not join two or four faces."""
     sides, edge, total = _edges(faces)
     net = np.abs(np.bincount(edge, np.where(sides[:, 0] < sides[:, 1], 1, -1)))
     uneven = ((total > 2) & (total % 2 == 1)) | ((total == 2) & (net > 0))
@@ -154,7 +154,7 @@ def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
 
 
 def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool[np.ndarray, "m"]:
-    """Return which faces to keep, that is, no slivers, duplicates, loose crumbs or fins."""
+    """Return which faces to keep, excluding slivers, duplicates, small loose parts and fins."""
     corner = weld[faces]
     kept = np.flatnonzero((corner != np.roll(corner, 1, axis=1)).all(1))
     area = areas(vertices, faces)
@@ -167,7 +167,7 @@ def _sound(vertices: Vertices, faces: Faces, weld: Int[np.ndarray, "n"]) -> Bool
 
 
 def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Return the faces to keep so that no small piece is attached to edges of three faces."""
+    """Return the faces to keep so that no small part is attached to edges shared by three faces."""
     # The faces of a piece are connected by edges of two faces. Pieces with a free rim are removed
     # first, and smaller before larger ones; those that are then attached by sound edges are kept.
     total = np.unique(_edge_keys(faces), return_counts=True)[1]
@@ -197,12 +197,12 @@ def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"
 
 
 def _single_sides(rim: Bool[np.ndarray, "s"]) -> Bool[np.ndarray, "s"]:
-    """Return which half-edges belong to faces that have only rims, given which are rims."""
+    """Return which half-edges belong to faces with only rim half-edges, as marked by ``rim``."""
     return np.tile(rim.reshape(3, -1).all(0), 3)
 
 
 def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:
-    """Return the loop to which each rim half-edge belongs, or -1; loops visit vertices once."""
+    """Return the loop to which each rim half-edge belongs, or -1; loops visit each vertex once."""
     ahead: dict[int, list[int]] = {}
     for side, corner in enumerate(start.tolist()):
         ahead.setdefault(corner, []).append(side)
@@ -232,7 +232,7 @@ def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.nda
 
 
 def _single(corner: Faces, _: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"]:
-    """Return which faces to keep of those that have the same vertices."""
+    """Return which of the faces with the same vertices to keep."""
     group = _group(np.sort(corner, axis=1))
     if int(group.max()) + 1 == len(corner):
         return np.ones(len(corner), bool)
@@ -271,7 +271,7 @@ _SAME = 1e-6  # fraction of the longest side up to which both sides of a sheet a
 
 
 def thicken(surface: ColoredSurface) -> tuple[ColoredSurface, float]:
-    """Return a sheet made thicker, and its new thickness; return other surfaces unchanged, and 0.
+    """Return a thickened sheet and its new thickness, or any other surface unchanged and 0.
 
     A sheet is thinner, along some direction, than ``physics.parts.THINNEST`` or than 0.15 % of its
     longest side. If it has two sides, they are moved apart along that direction; a single layer

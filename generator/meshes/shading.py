@@ -1,4 +1,4 @@
-"""Removal of light from an object's colours: its shading is estimated and divided out.
+"""Removal of lighting from an object's colours: the shading is estimated and divided out.
 
 A picture shows colour times light; a texture must contain colour alone, or the scene's light would
 be applied on top of the picture's. Light is assumed constant over an object and smooth in the
@@ -26,7 +26,7 @@ _LEVELS = 24  # number of steps of a colour's fractions of red and of green
 
 @dataclass(frozen=True, eq=False)
 class Shading:
-    """A surface's brightness as a function of its normal; ``slope`` is the change per unit of n."""
+    """A surface's brightness as a function of its normal; ``slope`` is the gradient."""
 
     slope: Float[np.ndarray, "3"]
 
@@ -77,7 +77,7 @@ def estimate_shading(colors: Rows, normal: Rows, seen: Bool[np.ndarray, "t"]) ->
 
 
 def _hues(colors: Rows) -> Int[np.ndarray, "t"]:
-    """Number colours by their fractions of red and green; nearly black colours form one group."""
+    """Group colours by their fractions of red and green; nearly black colours form one group."""
     total = np.maximum(colors.sum(1), 30.0)
     share = np.minimum((colors[:, :2] / total[:, None] * _LEVELS).astype(int), _LEVELS - 1)
     dark = np.digitize(total / 3, [25.0])
@@ -85,6 +85,6 @@ def _hues(colors: Rows) -> Int[np.ndarray, "t"]:
 
 
 def _directions(normal: Rows) -> Int[np.ndarray, "t"]:
-    """Number directions; along each axis a direction is negative, near zero or positive."""
+    """Group directions by whether they are negative, near zero or positive along each axis."""
     thirds = np.digitize(normal, [-0.4, 0.4])
     return thirds @ np.array([9, 3, 1])

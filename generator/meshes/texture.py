@@ -27,7 +27,7 @@ _SLACK = 1e-3  # tolerance for texture coordinates outside [0, 1]
 
 
 def own_texture(surface: ColoredSurface) -> Mesh | None:
-    """Return a surface as is if one plain colour, or one picture without repeats, covers it."""
+    """Return a surface as is if one plain colour or unrepeated picture covers it, or else None."""
     used, faces = np.unique(surface.faces, return_inverse=True)
     faces = faces.reshape(-1, 3)
     vertices, uv = surface.vertices[used], surface.uv[used]
@@ -97,7 +97,7 @@ class Nearby:
 
     @cached_property
     def reach(self) -> float:
-        """The distance penalty for triangles that face the other way."""
+        """The distance penalty for triangles that face the opposite way."""
         return _FACING * float(np.linalg.norm(np.ptp(self.samples, axis=0)))
 
     @cached_property
@@ -132,7 +132,7 @@ def _chunks(atlas: Atlas) -> Iterator[slice]:
 
 
 def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
-    """Return points on a surface, spread by area, also one per face if few, and their faces."""
+    """Return points spread by area, with one or more per face if faces are few, and their faces."""
     faces = surface.faces
     area = areas(surface.vertices, faces)
     if len(faces) <= _MOST_SAMPLES:
@@ -153,7 +153,7 @@ def _spread(surface: ColoredSurface) -> tuple[Int[np.ndarray, "s"], Float[np.nda
 def _closest(
     point: Texels, triangle: Float[np.ndarray, "t 3 3"]
 ) -> tuple[Texels, Float[np.ndarray, "t"]]:
-    """Return roughly the nearest point of a triangle, as weights, and its squared distance."""
+    """Return a triangle's approximately nearest point, as weights, and its squared distance."""
     # This is the foot of the perpendicular, clamped to the triangle along its sides.
     a, b, c = triangle.transpose(1, 0, 2)
     ab, ac, ap = b - a, c - a, point - a

@@ -41,7 +41,7 @@ class SurfacePoints:
     normal: Texels
 
     def at(self, index: np.ndarray) -> SurfacePoints:
-        """Return a selection of the points."""
+        """Return the points at ``index``."""
         return SurfacePoints(self.point[index], self.normal[index])
 
     def mirror(self, plane: Plane) -> SurfacePoints:
@@ -54,7 +54,7 @@ class SurfacePoints:
 
 
 def opaque_colors(crop: UInt8[np.ndarray, "h w 4"]) -> tuple[Image, Bool[np.ndarray, "h w"]]:
-    """Return the crop's colours, extended over its soft edge and beyond, and its mask."""
+    """Return the crop's colours, extended over and beyond its soft edge, and its mask."""
     mask = crop[..., 3] > 127
     core = cv2.erode(mask.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0
     core = core if core.sum() > 16 else mask
@@ -105,7 +105,7 @@ class CropView:
 def sample(
     image: Real[np.ndarray, "h w c"], pixels: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n c"]:
-    """Sample an image bilinearly at ``pixels`` (centres at halves), clamped to its border."""
+    """Sample an image bilinearly at ``pixels`` (centres at half-integers), clamped to its edge."""
     height, width = image.shape[:2]
     where = np.clip(pixels - 0.5, 0, [width - 1, height - 1])
     low = np.minimum(where.astype(int), [max(width - 2, 0), max(height - 2, 0)])
@@ -197,7 +197,7 @@ def seen_colors(
     shading: Shading,
     planes: tuple[Plane, ...],
 ) -> tuple[Texels, Bool[np.ndarray, "t"]]:
-    """Return the unshaded colours of points, from the picture, and which of the points have one.
+    """Return the points' unshaded colours from the picture, and which points have a colour.
 
     A hidden point gets the colour of its mirror image in one of ``planes``, or in two of them in
     turn, if that image is visible.

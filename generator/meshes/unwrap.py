@@ -51,7 +51,7 @@ def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nda
 
 
 def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.ndarray, "c 2"]]:
-    """Return the largest scale at which rectangles fit a square on shelves, and their corners."""
+    """Return the largest scale for packing rectangles in rows into a square, and their corners."""
     order = np.argsort(-sizes[:, 1], kind="stable")
     # If there are many charts, the gutters alone may exceed the texture.
     gutter = min(_GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes)))))

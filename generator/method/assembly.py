@@ -330,7 +330,7 @@ def _merge(scene: Scene, objects: Sequence[Object]) -> Scene:
 
 
 def keep_unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
-    """Return the scene at rest; objects neither new nor moved keep their exact pose."""
+    """Return the scene at rest; objects that are neither new nor moved keep their exact poses."""
     poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
     moved = (shift_distances(*poses) > _STAYS[0]) | (turn_angles(*poses) > _STAYS[1])
     triples = zip(arranged.objects, rested.objects, moved, strict=True)
@@ -345,7 +345,7 @@ def _only(names: set[str], may: Collection[str] | None) -> set[str]:
 def _steady(
     arranged: Scene, rested: Scene, config: AssemblyConfig, may: Collection[str] | None
 ) -> Scene:
-    """Return the scene at rest, with a foot under each object that topples when gravity tilts."""
+    """Return the scene at rest, with a foot under each object that topples if gravity is tilted."""
     if not config.limits.lean:
         return rested
     standing = {o.name for o in rested.objects if not o.placement.inside}
@@ -356,7 +356,7 @@ def _steady(
 
 
 def _list_footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
-    """Return the names of objects that got a foot in :func:`rest`, in the order of the scene."""
+    """Return the names of objects that received a foot in :func:`rest`, in the scene's order."""
     pairs = zip(arranged.objects, rested.objects, strict=True)
     return tuple(after.name for before, after in pairs if len(after.parts) > len(before.parts))
 
@@ -371,7 +371,7 @@ def _without(scene: Scene, names: set[str]) -> Scene:
 def finish(
     rested: Rested, config: AssemblyConfig | None = None, may: Collection[str] | None = None
 ) -> Scene:
-    """Run the gate; until it passes, shake, and put toppling objects (in ``may``) on feet."""
+    """Run the gate; until it passes, shake the scene and put toppling objects (``may``) on feet."""
     config = config or AssemblyConfig()
     wanted, arranged, scene = rested.wanted, rested.arranged, rested.scene
     poses = [[o.pose for o in each.objects] for each in (wanted, arranged)]

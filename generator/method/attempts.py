@@ -31,7 +31,7 @@ class Candidate:
 
 @dataclass(frozen=True, eq=False)
 class Attempts:
-    """The sound scene with the most relations that hold, or None, and the scenes that failed."""
+    """The scene that passed the gate and meets the most relations, or None, and the failed ones."""
 
     best: Scene | None
     failed: tuple[Scene, ...]

@@ -98,7 +98,7 @@ def _count_in_sight(plan: ScenePlan) -> int:
 def _find(
     reference: Reference, reasoner: Reasoner, segmenter: Segmenter
 ) -> tuple[list[Detection], list[Detection]]:
-    """Return the tables and the objects that a segmenter detects, cleaned."""
+    """Return the cleaned detections of tables and objects by a segmenter."""
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
@@ -135,7 +135,7 @@ def clean(detection: Detection) -> Detection | None:
 
 
 def unique_names(labels: Sequence[str]) -> list[str]:
-    """Return a unique, file-safe name for each label: toy_car_1 and toy_car_2 for two "toy car"."""
+    """Return a unique, file-safe name for each label: toy_car_1 and toy_car_2 for two toy cars."""
     counts: dict[str, int] = {}
     names: list[str] = []
     for label in labels:

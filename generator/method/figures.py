@@ -47,7 +47,7 @@ def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def draw_stage(stage: str, found: Mapping[str, Any]) -> dict[str, UInt8[np.ndarray, "_h _w 3"]]:
-    """Draw the results of a stage of ``pipeline.generate``, by file stem; some stages have none.
+    """Return the pictures of a stage of ``pipeline.generate`` by file stem; some stages have none.
 
     ``found`` is what ``watch`` receives at the end of the stage: fields of a ``Generation``.
     """
@@ -126,7 +126,7 @@ def _things(found: Mapping[str, Any]) -> list[Instance]:
 
 
 def _detection(reference: Reference, things: list[Instance]) -> UInt8[np.ndarray, "h w 3"]:
-    """Draw the detections: each instance's box, and its visible pixels, tinted."""
+    """Draw the detections: each instance's box and its tinted visible pixels."""
     image = np.array(reference.image)
     for index, thing in enumerate(things):
         tint = np.array(BOX_COLORS[index % len(BOX_COLORS)], float)

@@ -63,7 +63,7 @@ def make_models(
 
 
 def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner) -> Model:
-    """Rotate a model so that +z is up and x and y are the size's length and width (Sec. 3.2).
+    """Rotate a model so that +z is up and x and y match the size's length and width (Sec. 3.2).
 
     The reasoner receives the mesh in the model's own proportions, since the canonical mesh fills a
     cube.
@@ -100,7 +100,7 @@ def measured_size(model: Model, extent: Float[np.ndarray, "3"]) -> Float[np.ndar
 def size_axes_turn(
     have: Float[np.ndarray, "3"], want: Float[np.ndarray, "3"]
 ) -> tuple[tuple[str, int], ...]:
-    """Return the quarter turn about z that aligns the longer horizontal sides; empty if aligned."""
+    """Return the quarter turn about z that aligns the longer horizontal sides, or () if aligned."""
     own, asked = np.log(have[0] / have[1]), np.log(want[0] / want[1])
     clear = min(abs(own), abs(asked)) > np.log(SQUARISH)
     return (("z", 90),) if clear and own * asked < 0 else ()

@@ -284,7 +284,7 @@ def most_named(
 
 
 def _list_restless(failures: Sequence[Failure]) -> set[str]:
-    """Return the names of objects that moved or tilted, which a foot may prevent."""
+    """Return the names of objects that moved or tilted, which a weighted foot may prevent."""
     return {name for failure in failures if failure.restless for name in failure.objects}
 
 

@@ -27,7 +27,7 @@ or a 16-bit PNG in millimetres (a path or bytes). 0, NaN and infinity mean unkno
 
 @dataclass(frozen=True)
 class ReferenceConfig:
-    """Limits for pictures: sides in pixels, file size in bytes, longest side after shrinking.
+    """Limits for pictures: sides in pixels, file size in bytes and longest side after resizing.
 
     ``max_ratio`` is the maximum ratio of the longer side to the shorter one, ``max_depth`` is the
     maximum median of a depth map, metres, and ``min_known`` is the minimum fraction of its pixels
@@ -44,7 +44,7 @@ class ReferenceConfig:
 
     @property
     def picture_limits(self) -> PictureLimits:
-        """The limits that a picture's header is checked against."""
+        """The limits against which a picture's header is checked."""
         return PictureLimits(
             max_bytes=self.max_bytes, max_pixels=self.max_pixels, min_side=self.min_side,
             max_ratio=self.max_ratio,
@@ -107,7 +107,7 @@ def read_image(
     config: ReferenceConfig | None = None,
     cancelled: threading.Event | None = None,
 ) -> UInt8[np.ndarray, "h w 3"]:
-    """Decode a picture into sRGB on white, upright, at most ``config.work_side`` pixels long.
+    """Decode a picture into upright sRGB on white, at most ``config.work_side`` pixels long.
 
     A file is decoded in a child process (see ``generator.pictures``). Another thread can terminate
     this process by setting ``cancelled``.
@@ -123,7 +123,7 @@ def _decode(
     config: ReferenceConfig,
     cancelled: threading.Event | None = None,
 ) -> DecodedPicture:
-    """Return a picture upright, in sRGB on white, at most ``config.work_side`` pixels long."""
+    """Return an upright picture in sRGB on white, at most ``config.work_side`` pixels long."""
     limits, what = config.picture_limits, "The picture"
     if not isinstance(source, np.ndarray):
         raw = _read_bytes(source, config)
@@ -172,7 +172,7 @@ def _refer_depth(
 def read_depth(
     source: DepthSource, size: tuple[int, int], config: ReferenceConfig
 ) -> Float[np.ndarray, "h w"]:
-    """Return a depth map in metres, 0 where unknown; it must have ``size`` (width, height).
+    """Return a depth map of ``size`` (width, height) in metres, with 0 where it is unknown.
 
     Raises:
         InputError: the map is not a depth map, has another size, has negative or too few known

@@ -1,4 +1,4 @@
-"""Durations of the stages, never stored in a bundle since equal inputs must give equal bytes."""
+"""Durations of the stages; bundles omit them, so that equal inputs give equal bytes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Watch = Callable[[str, Mapping[str, Any]], None]
 
 
 class Stopwatch:
-    """Steps through stages in order, notifies listeners, and records the seconds of each stage.
+    """Stopwatch that steps through stages in order, notifies listeners, and times each stage.
 
     ``progress`` is called at the start of each stage with its name, its number and the number of
     stages; ``watch`` is called at the end of each stage. Time spent in ``watch`` is not counted.
@@ -44,14 +44,14 @@ class Stopwatch:
         self._found: dict[str, Any] = {}
 
     def step(self, **found: Any) -> None:
-        """End the current stage, with its results ``found``, and begin the next."""
+        """End the current stage, report its results ``found``, and begin the next stage."""
         self._begun = self._end(found)
         if self._progress is not None:
             number = len(self._spent) + 1
             self._progress(self._stages[number - 1], number, len(self._stages))
 
     def stop(self, **found: Any) -> Mapping[str, Seconds]:
-        """End the last stage, with its results ``found``; return the seconds of each, in order."""
+        """End the last stage, report its results ``found``, and return each stage's seconds."""
         self._end(found)
         return MappingProxyType(dict(zip(self._stages, self._spent, strict=False)))
 

@@ -1,4 +1,4 @@
-"""Checks of one category: shape, collision parts, size, mass, variants, stability, style, facts.
+"""Checks of one category: shape, collision parts, size, mass, variants, stability, style and facts.
 
 ``check_category`` runs all checks on the variants of the first seeds. ``tests/catalogue`` and
 ``tabletopgen objects check`` print the same results.
@@ -128,7 +128,7 @@ def _first(name: str, findings: Iterable[tuple[bool, str]]) -> CheckResult:
 
 
 def check_shape(models: Iterable[Model], max_faces: int = MAX_FACES) -> Iterator[CheckResult]:
-    """Yield checks of the surface, number of faces and texture of models."""
+    """Check the surfaces, numbers of faces and textures of models, and yield the results."""
     meshes = [model.mesh for model in models]
     volumes = [signed_volume(m.vertices.astype(float), m.faces) for m in meshes]
     faces = max(len(m.faces) for m in meshes)
@@ -146,7 +146,7 @@ def check_shape(models: Iterable[Model], max_faces: int = MAX_FACES) -> Iterator
 
 
 def check_parts(models: Iterable[Model]) -> Iterator[CheckResult]:
-    """Yield checks of the convex parts of models."""
+    """Check the convex parts of models, and yield the results."""
     models = list(models)
     counts = [len(model.parts) for model in models]
     counted = f"{min(counts)} to {max(counts)}, 1 to {MAX_PARTS} allowed"
@@ -206,7 +206,7 @@ def check_mass(category: Category, model: Model) -> CheckResult:
 
 
 def size_text(size: Iterable[float]) -> str:
-    """Return an extent in metres as "8.5 x 8.3 x 9.5 cm"."""
+    """Format an extent in metres, for example as "8.5 x 8.3 x 9.5 cm"."""
     return " x ".join(f"{100 * side:.3g}" for side in size) + " cm"
 
 
@@ -263,7 +263,7 @@ def check_names(category: Category) -> CheckResult:
 
 @cache
 def _claims() -> Mapping[str, tuple[tuple[str, bool], ...]]:
-    """Map each name to its categories: the key, and whether the name is the category's noun."""
+    """Map each name to pairs: a category's key, and whether the name is that category's noun."""
     claims: dict[str, tuple[tuple[str, bool], ...]] = {}
     for key, category in CATEGORIES.items():
         for name in {category.noun, *category.aliases}:
@@ -287,7 +287,7 @@ def _rows(index: Path) -> Mapping[str, dict[str, object]]:
 
 
 def stand_on_floor(model: Model) -> Object:
-    """Return a model as a body of its real size, with its underside at z = 0."""
+    """Return a model as a body of real size with its underside at z = 0."""
     middle = np.array([0.0, 0.0, model.size[2] / 2])
     parts = body_parts(model, model.size)
     weight = body_mass(model.mesh, model.size, model.physics, parts)
@@ -302,7 +302,7 @@ _SIZE, _COLOR, _SPREAD = 0.05, 8.0, 6.0  # visible steps of log size and of colo
 
 
 def appearance(model: Model) -> Float[np.ndarray, "9"]:
-    """Return log size and the mean and spread of the surface's colours, in visible steps."""
+    """Return the log size and the mean and spread of the colours, in units of a visible step."""
     mesh = model.mesh
     area = areas(mesh.vertices.astype(float) * model.size, mesh.faces)
     height, width = mesh.texture.shape[:2]
@@ -318,7 +318,7 @@ def appearance(model: Model) -> Float[np.ndarray, "9"]:
 
 
 def count_looks(models: Iterable[Model]) -> int:
-    """Count the models that differ visibly (by one step or more) from all those counted before."""
+    """Count the models that differ by a visible step from every model counted before."""
     looks: list[Float[np.ndarray, "9"]] = []
     for model in models:
         here = appearance(model)
@@ -342,7 +342,7 @@ def is_closed(mesh: Mesh) -> bool:
 
 
 def mass_of(model: Model) -> float:
-    """Return the mass of a model at its nominal size, kg."""
+    """Return the mass in kilograms of a model at its nominal size."""
     return body_mass(model.mesh, model.size, model.physics, model_parts(model, model.size)).mass
 
 
@@ -374,7 +374,7 @@ def floor_spec() -> mujoco.MjSpec:
 
 
 def stand(spec: mujoco.MjSpec, model: Model, free: bool) -> mujoco.MjsBody:
-    """Add a model's collision parts to a spec as a body that stands on the floor; return it."""
+    """Add a model's collision parts to a spec as a body on the floor, and return the body."""
     import mujoco
 
     body = spec.worldbody.add_body(name=model.name, pos=[0, 0, model.size[2] / 2])

@@ -1,4 +1,4 @@
-"""Lookups and facts of objects, for people and programs."""
+"""Lookup of objects and of facts about them, for people and programs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _SUGGESTIONS = 5
 
 
 def select(theme: str | None = None, role: str | None = None) -> tuple[Category, ...]:
-    """Return the categories that have a theme and a role, sorted by key.
+    """Return the categories with the given theme and role, sorted by key.
 
     Raises:
         InputError: No category has that theme or role.
@@ -40,7 +40,7 @@ def roles() -> tuple[str, ...]:
 
 
 def find_matches(word: str, limit: int) -> tuple[Category, ...]:
-    """Return the categories whose names match a word best, starting with the best match.
+    """Return the categories whose names best match a word, best match first.
 
     Raises:
         InputError: No category matches.
@@ -54,7 +54,7 @@ def find_matches(word: str, limit: int) -> tuple[Category, ...]:
 
 
 def require_category(word: str) -> Category:
-    """Return the category with a key, noun or alias.
+    """Return the category that has the given key, noun or alias.
 
     Raises:
         InputError: No category has that name.
@@ -115,7 +115,7 @@ def source_text(path: Path, line: int) -> str:
 
 
 def brief_facts(found: Sequence[Category]) -> list[dict[str, Any]]:
-    """Return the facts about categories that a list shows, as JSON values."""
+    """Return the facts shown in a list of categories, as JSON values."""
     return [
         {
             "key": c.key,

@@ -1,4 +1,4 @@
-"""A static page, in one folder, of all objects by theme, with a word search.
+"""A static page, in one folder, that shows all objects by theme and has a word search.
 
 ``index.html`` contains a card for each object, its style sheet and its script; ``THEME.webp``
 holds the thumbnails of a theme. The page loads no other files and works from ``file://``.

@@ -1,4 +1,4 @@
-"""Pictures of single objects: portraits, four variants with dimensions, and four sides."""
+"""Pictures of single objects: portraits, four variants with dimensions, and four views."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def portrait(model: Model, view: View = VIEW, side: int = 160) -> Picture:
 
 
 def draw_looks(category: Category, seed: int, side: int = 240) -> Picture:
-    """Draw four variants of a category with their sizes, and the first one with dimensions."""
+    """Draw four variants of a category with their sizes, and the first with dimension lines."""
     models = [build_variant(category, seed + k) for k in range(LOOKS)]
     cells = [portrait(model, side=side) for model in models]
     captions = [f"seed {seed + k}: {size_text(m.size)}" for k, m in enumerate(models)]

@@ -36,7 +36,7 @@ _QUALITY = 80
 
 
 def by_folder(chosen: Sequence[str] = ()) -> Mapping[str, tuple[Category, ...]]:
-    """Group categories by their first theme, sorted by noun; if ``chosen`` is empty, all themes.
+    """Group the categories of ``chosen`` themes (default: all) by first theme, sorted by noun.
 
     Raises:
         InputError: A theme does not exist.

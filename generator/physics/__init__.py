@@ -1,1 +1,1 @@
-"""Bodies and their motion: mass, convex parts, separation, placement, settling and the gate."""
+"""Mass, convex parts, separation, placement, settling and the physical gate of bodies."""

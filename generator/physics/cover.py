@@ -1,4 +1,4 @@
-"""Growth of convex parts until they contain the drawn mesh.
+"""Growth of convex parts until they contain the visual mesh.
 
 A shape's convex parts are often coarser than its mesh: a ring of wedges has chords where the wall
 is round, and a hull has few vertices. Objects whose meshes extend beyond their parts appear to sink
@@ -48,7 +48,7 @@ _SPECK = np.stack(np.meshgrid(*[(-2e-4, 2e-4)] * 3), -1).reshape(-1, 3)
 def covering(
     parts: Sequence[ConvexPart], vertices: Vertices, faces: Faces
 ) -> tuple[ConvexPart, ...]:
-    """Return parts that contain the mesh to within ``TOLERANCE``: ``parts``, grown, and new hulls.
+    """Return grown ``parts`` and new hulls that together contain the mesh to within ``TOLERANCE``.
 
     A connected piece of the mesh that is convex and uncovered gets its own hull; parts inside such
     a hull are dropped. Everything is in metres and in a common frame.
@@ -89,7 +89,7 @@ def covering(
 def _lacking(
     parts: Sequence[ConvexPart], points: Points, depth: float = -TOLERANCE
 ) -> Int[np.ndarray, "k"]:
-    """Return the indices of points that are in no part, or less than ``depth`` inside it."""
+    """Return the indices of the points that no part contains at a depth of at least ``depth``."""
     left, at = np.arange(len(points)), points
     for part in parts:
         near = np.flatnonzero(_deep_in_box(part, at, depth))
@@ -114,7 +114,7 @@ def _distances(parts: Sequence[ConvexPart], points: Points) -> Float[np.ndarray,
 def _surface(
     places: Vertices, faces: Faces
 ) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
-    """Return vertices and points along the long edges, their normals, and the edges' faces."""
+    """Return vertices and points on long edges, their normals, and the faces beside the edges."""
     # Parts may contain both ends of an edge but not its middle.
     turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
@@ -133,7 +133,7 @@ def _surface(
 
 @dataclass(frozen=True, eq=False)
 class _Sky:
-    """Height of the drawn surface in each cell of a grid, or -inf in cells without samples."""
+    """The height of the drawn surface in each grid cell, or -inf in cells without samples."""
 
     low: Float[np.ndarray, "2"]
     cell: float
@@ -161,12 +161,12 @@ class _Sky:
 
     @cached_property
     def around(self) -> Float[np.ndarray, "49 49"]:
-        """The highest surface within two cells of each cell, since the grid has gaps."""
+        """Maximum height within two cells of each cell, which bridges gaps in the grid."""
         return maximum_filter(self.top, 5, mode="nearest")
 
 
 def _seen_from_above(drawn: Points, normals: Points, sky: _Sky) -> Bool[np.ndarray, "n"]:
-    """Return whether points face up with nothing above them, so that objects may rest there."""
+    """Return which points face upwards with nothing above them, so that objects may rest there."""
     steep = normals[:, 2] < 0.3 * np.linalg.norm(normals, axis=1)
     return ~steep & (drawn[:, 2] > sky.height(drawn) - _OVERHANG)
 
@@ -199,7 +199,7 @@ def _convex_pieces(
 
 
 def _thin(corners: Points) -> ConvexPart:
-    """Return the hull of ``corners``, all of which are extreme, without redundant ones."""
+    """Return the hull of the extreme points ``corners``, with redundant points removed."""
     if len(corners) <= _FEW:
         return ConvexPart(corners.round(6))
     start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
@@ -210,7 +210,7 @@ def _thin(corners: Points) -> ConvexPart:
 
 
 def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
-    """Return the distance of ``points`` from a part, metres; it is negative inside.
+    """Return the signed distance in metres of ``points`` from a part, negative inside.
 
     Near an edge or a corner, it is the distance from the farthest plane, which is a lower bound.
     """
@@ -229,7 +229,7 @@ def outside(part: ConvexPart, points: Points) -> Float[np.ndarray, "n"]:
 
 
 def _heights(points: Points, planes: Float[np.ndarray, "k 4"]) -> Float[np.ndarray, "k n"]:
-    """Return the signed distances of points from planes, metres."""
+    """Return the signed distances of points from planes, in metres."""
     found = planes[:, :3] @ points.T
     found += planes[:, 3:]  # in place, because allocating another array would take most of the time
     return found
@@ -246,7 +246,7 @@ def _hull(part: ConvexPart) -> tuple[Int[np.ndarray, "c"], Float[np.ndarray, "k 
 
 
 def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
-    """Return the part extended by as many of the points as it needs to contain them all."""
+    """Return the part, extended by as many of the points as are needed to contain them all."""
     extreme, planes = _hull(part)
     corners, left = part.vertices[extreme], lacking
     for k in range(_ROUNDS):
@@ -268,7 +268,7 @@ def _grow(part: ConvexPart, lacking: Points) -> ConvexPart:
 def _grown_where_solid(
     part: ConvexPart, lacking: Points, normals: Points, bare: Float[np.ndarray, "k 3"]
 ) -> ConvexPart:
-    """Return the part extended by those points for which it covers no other drawn surfaces."""
+    """Return the part, extended by the points that do not make it cover other drawn surfaces."""
     axis = np.abs(normals).argmax(1)
     facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
     for way in np.unique(facing):  # the points on one side of the surface at a time
@@ -287,7 +287,7 @@ def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
 def _patches(
     places: Vertices, faces: Faces, bare: Float[np.ndarray, "k 3"], sky: _Sky, halvings: int = 4
 ) -> list[ConvexPart]:
-    """Return hulls of triangles, splitting them while their hull covers ``bare`` or fills a hollow.
+    """Return hulls of triangles, which are split while a hull covers ``bare`` or fills a hollow.
 
     Triangles are split along their longest side.
     """

@@ -51,7 +51,7 @@ _MOST_CUTS = 48  # maximum number of pieces for which the next finer cut is trie
 
 
 class CutBudget:
-    """Total number of pieces in the first cuts of several meshes.
+    """Limit on the total number of pieces in the first cuts of several meshes.
 
     A piece takes 0.05 to 0.15 s of CPU time. Solid objects yield 1 to 16 pieces, rough meshes about
     70. Meshes are decomposed as long as pieces are left, and a repeated mesh costs nothing, so the
@@ -66,7 +66,7 @@ class CutBudget:
         self._hulls: dict[str, Hulls | SceneError] = {}
 
     def decompose(self, key: str, run: Callable[[], tuple[Hulls, int]]) -> Hulls:
-        """Return the hulls of the mesh ``key``; ``run`` returns them with the number of pieces.
+        """Return the hulls of the mesh ``key``; ``run`` computes them and the number of pieces.
 
         Raises:
             SceneError: no pieces are left, or ``run`` failed.
@@ -130,7 +130,7 @@ def decompose(
 def _coacd(
     vertices: Vertices, faces: Faces, limits: SandboxLimits, cpu: CpuBudget | None
 ) -> tuple[Hulls, int]:
-    """Return the hulls of a mesh, by CoACD in a sandbox, and the piece count of its first cut."""
+    """Decompose a mesh by CoACD in a sandbox; return its hulls and the first cut's piece count."""
     if len(faces) > _MOST_FACES:
         import fast_simplification
 
@@ -154,7 +154,7 @@ def _coacd(
 
 
 def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> tuple[Hulls, int]:
-    """Return the hulls of a mesh, decomposed in this process, and the pieces in its first cut.
+    """Decompose a mesh in this process; return its hulls and the first cut's piece count.
 
     ``remesh`` rebuilds the surface first, which open and self-overlapping meshes need.
     """
@@ -177,7 +177,7 @@ def run_coacd(vertices: Vertices, faces: Faces, remesh: bool) -> tuple[Hulls, in
 
 
 def _overlaps(vertices: Vertices, faces: Faces) -> bool:
-    """Return whether a closed mesh may overlap itself: too much volume, or pieces that meet."""
+    """Return whether a closed mesh may overlap itself, judged by its volume and its pieces."""
     # CoACD does not terminate on such a mesh unless its surface is rebuilt first.
     from scipy.spatial import ConvexHull, QhullError
 
@@ -192,7 +192,7 @@ def _overlaps(vertices: Vertices, faces: Faces) -> bool:
 
 
 def _pieces_meet(vertices: Vertices, faces: Faces) -> bool:
-    """Return whether the boxes of two connected pieces intersect; assume so if there are many."""
+    """Return whether the boxes of two components intersect; if there are many, assume so."""
     piece = pieces(faces, len(vertices))[faces[:, 0]]
     names, piece = np.unique(piece, return_inverse=True)
     if len(names) > _MOST_PIECES:

@@ -19,7 +19,7 @@ from .simulation import ON_FLOOR, ON_TABLE, Motion, Simulation, find_supported, 
 
 @dataclass(frozen=True)
 class GateLimits:
-    """Limits of the gate; lengths in metres, angles in radians, time in seconds.
+    """Limits of the gate, with lengths in metres, angles in radians and time in seconds.
 
     Attributes:
         penetration: maximum overlap of two collision shapes at the start.
@@ -110,7 +110,7 @@ def judge(scene: Scene, limits: GateLimits | None = None) -> Report:
 
 
 def limits_of(scene: Scene) -> GateLimits:
-    """Return the default limits, with the tilt of gravity with which the scene was tested.
+    """Return the default limits, but with the tilt of gravity that was used to test the scene.
 
     An imported scene is tested on a level table, since its round objects roll as in its source.
     """
@@ -175,7 +175,7 @@ def _speeds_up(
 
 
 def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, list[Failure]]:
-    """Return the maximum motion under tilted gravity, the shortest simulation, and failures."""
+    """Return the largest displacement under tilted gravity, the shortest duration, and failures."""
     worst, shortest = 0.0, limits.seconds
     bounds = np.array([limits.drift, limits.tilt])
     for side in range(4):
@@ -191,7 +191,7 @@ def _leaning(simulation: Simulation, limits: GateLimits) -> tuple[float, float, 
 def find_toppling(
     scene: Scene, limits: GateLimits, angle: float, among: Collection[str] | None = None
 ) -> tuple[str, ...]:
-    """Return the objects that topple (``has_toppled`` by ``angle``, radians) under tilted gravity.
+    """Return the objects that topple by ``angle`` (radians; ``has_toppled``) under tilted gravity.
 
     ``among`` names the objects to test; None means all. The simulation stops early if the tested
     objects are as still as :func:`watch` requires.
@@ -223,7 +223,7 @@ def _leaning_to(side: int, simulation: Simulation, limits: GateLimits) -> Iterat
 def _moving(
     simulation: Simulation, drift: PerObject, tilt: PerObject, limits: GateLimits, *, leaning: bool
 ) -> list[Failure]:
-    """Return failures of the last run: objects that moved too far, or a divergence."""
+    """Return the failures of the last run: objects that moved too far or whose motion diverged."""
     names = [o.name for o in simulation.scene.objects]
     if broken := simulation.diverged:
         return [Failure("diverged", (names[k],), leaning=leaning) for k in broken]
@@ -239,7 +239,7 @@ def _moving(
 
 
 def reach(scene: Scene) -> float:
-    """Return the distance between the farthest object and the best of the table's four sides."""
+    """Return the smallest reach, from one side of the table, that covers all objects."""
     if not scene.objects:
         return 0.0
     low, high = scene.table.outline.min(0), scene.table.outline.max(0)

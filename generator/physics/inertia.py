@@ -25,7 +25,7 @@ Triangles = Float[np.ndarray, "m 3 3"]
 
 @dataclass(frozen=True, eq=False)
 class MassProperties:
-    """``mass`` in kg, ``com`` in m, ``inertia`` about ``com`` in kg m^2."""
+    """Mass properties: ``mass`` in kg, ``com`` in m, and ``inertia`` about ``com`` in kg m^2."""
 
     mass: float
     com: Float[np.ndarray, "3"]
@@ -65,7 +65,7 @@ def volume_mass(triangles: Triangles, density: float) -> MassProperties:
 
 
 def surface_mass(triangles: Triangles, areal_density: float) -> MassProperties:
-    """Return the mass properties of a thin shell with ``areal_density``, kg/m^2.
+    """Return the mass properties of a thin shell of ``areal_density`` (kg/m^2).
 
     A triangle's second moment is A / 12 (aaᵀ + bbᵀ + ccᵀ + ssᵀ).
     """
@@ -129,7 +129,7 @@ def weld(mesh: Mesh) -> tuple[Vertices, Faces]:
 def _from_moments(
     weights: Float[np.ndarray, "m"], triangles: Triangles, first: float, second: float
 ) -> MassProperties:
-    """Sum simplices of masses ``weights``: triangles, or (``first`` 4) tetrahedra to the origin."""
+    """Sum triangles, or (if ``first`` is 4) tetrahedra to the origin, of masses ``weights``."""
     total = float(weights.sum())
     if not total > 0:
         raise SceneError(f"A shape encloses no volume: its mass came out as {total:.3g} kg.")
@@ -142,7 +142,7 @@ def _from_moments(
 
 
 def _bound(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
-    """Keep the centre of mass inside the box, and mass and inertia above their minima."""
+    """Clip the centre of mass to the box, and raise mass and inertia to their minima."""
     mass = max(found.mass, _LEAST_MASS)
     inertia = found.inertia * (mass / found.mass)
     floor = mass * (LEAST_GYRATION * float(np.linalg.norm(scale))) ** 2

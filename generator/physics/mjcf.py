@@ -59,7 +59,7 @@ GeomKind = Literal["mesh", "box", "cylinder", "sphere", "ellipsoid"]
 
 @dataclass(frozen=True)
 class Document:
-    """``scene.xml`` and the files to which it refers, by path relative to it."""
+    """The document ``scene.xml`` and the files to which it refers, by relative path."""
 
     xml: str
     files: Mapping[str, bytes]
@@ -72,7 +72,7 @@ def document(
     paths: Mapping[Mesh, tuple[str, str]] = MappingProxyType({}),
     fixed: Sequence[Object] = (),
 ) -> Document:
-    """Return the MJCF of a scene; without ``visuals``, only the physics.
+    """Return the MJCF of a scene, which without ``visuals`` contains only the physics.
 
     ``paths`` are the paths of existing meshes and textures, to which the document only refers.
     ``fixed`` objects are added before the scene's own, without joints.
@@ -104,7 +104,7 @@ def document(
 def object_document(
     thing: Object, *, visuals: bool = False, floor: float | None = None
 ) -> Document:
-    """Return the MJCF of a single object, free at its pose.
+    """Return the MJCF of a single object, as a free body at its pose.
 
     Args:
         thing: the object.
@@ -139,7 +139,7 @@ def written_poses(things: Sequence[Object]) -> Float[np.ndarray, "n 7"]:
 
 
 def encode_obj(mesh: Mesh) -> bytes:
-    """Return a mesh as Wavefront OBJ: vertices to a millionth of the unit box, uv to 1e-5."""
+    """Return a mesh as Wavefront OBJ, with vertices to 1e-6 of the unit box and uv to 1e-5."""
     corners = np.repeat(mesh.faces + 1, 2, axis=1)  # each corner with a vertex and its uv
     vertex, uv = f" %.{VERTEX_DIGITS}f", f" %.{UV_DIGITS}f"
     text = row_lines(f"v{3 * vertex}\n", mesh.vertices) + row_lines(f"vt{2 * uv}\n", mesh.uv)
@@ -147,7 +147,7 @@ def encode_obj(mesh: Mesh) -> bytes:
 
 
 def row_lines(pattern: str, rows: Real[np.ndarray, "n k"]) -> str:
-    """Return one line per row; formatting all rows at once takes half the time."""
+    """Return one line per row; all rows are formatted in a single operation, for speed."""
     return pattern * len(rows) % tuple(rows.ravel().tolist())
 
 
@@ -162,7 +162,7 @@ def texture_path(encoded: bytes) -> str:
 
 
 def mesh_files(mesh: Mesh) -> dict[str, bytes]:
-    """Return a mesh and its texture, in this order, as files of a bundle by path."""
+    """Return the files of a mesh and its texture in a bundle, by path and in this order."""
     obj, png = encode_obj(mesh), encode_png(mesh.texture)
     return {mesh_path(obj): obj, texture_path(png): png}
 
@@ -238,7 +238,7 @@ def _body(world: ET.Element, thing: Object, assets: _Assets, *, free: bool = Tru
 
 
 class _Assets:
-    """Adds geoms to bodies, and each mesh, texture and hull to the document only once."""
+    """Writer of geoms, which adds each mesh, texture and hull to the document only once."""
 
     def __init__(
         self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
@@ -280,7 +280,7 @@ class _Assets:
     def collide(
         self, body: ET.Element, part: ConvexPart, friction: float, slender: bool = False
     ) -> None:
-        """Add a convex part as a collision geom, a primitive if possible.
+        """Add a convex part as a collision geom, which is a primitive if possible.
 
         Round parts, and the parts of ``slender`` objects, resist rolling on a slightly tilted
         table, as fruit does with its soft spots and a pen with its clip.

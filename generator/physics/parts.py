@@ -1,4 +1,4 @@
-"""Convex parts in metres: the model's own parts, scaled, or a convex decomposition of its mesh."""
+"""Convex parts in metres: a model's scaled parts, or a convex decomposition of its mesh."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def body_parts(
 
 @dataclass(frozen=True)
 class _Shape:
-    """Convex parts and the mesh that they should cover, in metres; compared by digest."""
+    """Convex parts and the mesh that they should cover, in metres, compared by ``digest`` only."""
 
     digest: bytes
     parts: tuple[ConvexPart, ...] = field(compare=False)
@@ -100,7 +100,7 @@ def _cover(shape: _Shape) -> tuple[ConvexPart, ...]:
 
 
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
-    """Raise, slightly, the undersides of parts that stand next to a wide one.
+    """Slightly raise the undersides of parts that stand beside the widest part.
 
     The wedges of a mug's wall end at the height of its bottom, so each of them would add contacts
     with the table. These would take most of a simulation step, and are redundant because of the

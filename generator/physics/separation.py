@@ -30,7 +30,7 @@ _STIFFNESS = 1e4  # cost of a square metre of violated cuts, in square metres of
 
 @dataclass(frozen=True, eq=False)
 class Cut:
-    """``direction · (D_b - D_a) >= distance``; if ``a`` is None, it is the table."""
+    """The constraint ``direction · (D_b - D_a) >= distance``; ``a`` is None for the table."""
 
     a: int | None
     b: int
@@ -85,7 +85,7 @@ def off_table(scene: Scene, thing: Object) -> bool:
 
 
 def ancestry(objects: Sequence[Object]) -> list[tuple[int, ...]]:
-    """Return, for each object, the indices of itself and of its supports, down to the table."""
+    """Return each object's index followed by those of its supports, down to the table."""
     index = {o.name: i for i, o in enumerate(objects)}
     chains = []
     for i, _ in enumerate(objects):
@@ -104,7 +104,7 @@ def with_poses(objects: Sequence[Object], poses: Sequence[Pose]) -> tuple[Object
 def least_push(
     a: Object, b: Object, scene: Scene, clearance: float
 ) -> tuple[Float[np.ndarray, "2"], float]:
-    """Return the horizontal direction and distance by which ``b`` separates from ``a`` soonest.
+    """Return the horizontal direction and the least distance that separate ``b`` from ``a``.
 
     Candidate directions are the normals of both boxes' sides and sixteen around the circle; the
     distance along each is measured on the collision shapes, to 0.1 mm.
@@ -169,7 +169,7 @@ def _least_squares(
 
 
 def _edge_cuts(scene: Scene) -> list[Cut]:
-    """Return the cuts that keep objects on the table, with their footprints inside its outline.
+    """Return the cuts that keep the footprints of objects inside the table's outline.
 
     For an object wider than the table, its centre of mass is used instead.
     """

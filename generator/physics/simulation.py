@@ -1,4 +1,4 @@
-"""A scene in MuJoCo: poses, contacts by object, and time."""
+"""A scene in MuJoCo, with its poses, contacts between objects, and time."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ Motion = Float[np.ndarray, "n 2"]
 
 @dataclass(frozen=True, eq=False)
 class Contacts:
-    """Pairs of touching bodies (object indices, ``ON_TABLE``, ``ON_FLOOR``), lower index first.
+    """Pairs of touching bodies (object indices, ``ON_TABLE`` or ``ON_FLOOR``), lower index first.
 
     ``distance`` is negative for overlaps, metres. A pair may occur several times.
     """
@@ -44,7 +44,7 @@ class Contacts:
     distance: Float[np.ndarray, "n"]
 
     def deepest(self) -> Mapping[tuple[int, int], float]:
-        """Return each pair's deepest overlap (positive, metres), or 0 for pairs that only touch."""
+        """Return each pair's maximum overlap in metres, which is 0 for pairs that only touch."""
         found: dict[tuple[int, int], float] = {}
         for (a, b), distance in zip(self.pairs.tolist(), self.distance.tolist(), strict=True):
             found[a, b] = max(found.get((a, b), 0.0), -distance)
@@ -52,7 +52,7 @@ class Contacts:
 
 
 class Simulation:
-    """A compiled scene and its state, with the scene's objects first, at their own poses.
+    """A compiled scene and its state; initially, the objects are at the scene's poses.
 
     Sleeping is disabled, so that no object is assumed to be at rest. ``fixed`` objects do not
     belong to the scene. They keep their poses and support others like the table; in contacts they
@@ -96,12 +96,12 @@ class Simulation:
 
     @property
     def positions(self) -> Float[np.ndarray, "n 3"]:
-        """Centres of the objects' boxes, metres; writable."""
+        """Centres of the objects' boxes in metres, as a writable view."""
         return self.data.qpos.reshape(-1, 7)[:, :3]
 
     @property
     def centers_of_mass(self) -> Float[np.ndarray, "n 3"]:
-        """The objects' centres of mass in the world, at the last step or contact detection."""
+        """World positions of the objects' centres of mass at the last step or contact detection."""
         return self.data.xipos[self.model.nbody - len(self.scene.objects) :]
 
     @property
@@ -126,7 +126,7 @@ class Simulation:
         self.data.qpos[:] = np.concatenate(rows) if rows else []
 
     def contacts(self, margin: float = 0.0) -> Contacts:
-        """Return the contacts, and the pairs within ``margin`` metres, with exact depths.
+        """Return the contacts and all pairs at most ``margin`` metres apart, with exact depths.
 
         Only objects count: the table's contact with the floor is omitted.
 
@@ -149,7 +149,7 @@ class Simulation:
         return Contacts(pairs, np.array(data.contact.dist, float))
 
     def run(self, seconds: float, damping: float = 0.0) -> None:
-        """Simulate; ``damping`` is the rate (1/s) at which free motion decays.
+        """Simulate for ``seconds``; ``damping`` is the rate (1/s) at which free motion decays.
 
         Raises:
             SceneError: the objects have more contacts than fit in MuJoCo's memory.
@@ -166,7 +166,7 @@ class Simulation:
 
     @contextmanager
     def conditions(self, lean: float, toward: float, timestep: float) -> Iterator[None]:
-        """Tilt gravity by ``lean`` towards ``toward`` (radians) and set the time step meanwhile."""
+        """Temporarily tilt gravity by ``lean`` towards ``toward`` (radians); set the time step."""
         option = self.model.opt
         before = option.gravity.copy(), option.timestep
         across = np.array([np.cos(toward), np.sin(toward)]) * np.sin(lean)
@@ -193,7 +193,7 @@ class Simulation:
 
 
 def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
-    """Return the compiled physics of a scene, as a copy for ``mj_setConst`` to complete.
+    """Return a copy of a scene's compiled physics, which ``mj_setConst`` must complete.
 
     A scene is simulated several times while it settles, each time with other poses. Shapes and
     masses are compiled once for all of these. Once the values that depend on the poses are updated,
@@ -215,7 +215,7 @@ def _compile_at(scene: Scene, fixed: Sequence[Object]) -> mujoco.MjModel:
 
 @dataclass(frozen=True)
 class _Bodies:
-    """The parts of a scene that do not depend on poses; fixed objects are at theirs."""
+    """The parts of a scene that do not depend on poses, except those of fixed objects."""
 
     identity: Hashable
     scene: Scene = field(compare=False)
@@ -259,12 +259,12 @@ def measure_motion(before: States, after: States) -> Motion:
 
 
 def turn_angles(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
-    """Return the angle between two orientations of each object, radians."""
+    """Return the angle in radians between two orientations of each object."""
     dots = [abs(float(a.quaternion @ b.quaternion)) for a, b in zip(before, after, strict=True)]
     return 2 * np.arccos(np.clip(dots, 0.0, 1.0))
 
 
 def shift_distances(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
-    """Return the distance between two positions of each object, metres."""
+    """Return the distance in metres between two positions of each object."""
     pairs = zip(before, after, strict=True)
     return np.array([np.linalg.norm(b.position - a.position) for a, b in pairs], float)

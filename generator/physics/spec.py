@@ -1,4 +1,4 @@
-"""A scene in MuJoCo's memory: the document's model without its files, and its compilation."""
+"""Conversion of a scene to an ``MjSpec`` in memory, without files, and its compilation."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _LOG_WAIT = 5.0  # seconds; limits the wait in a process forked while a thread h
 
 
 def write_no_log() -> None:
-    """Keep MuJoCo from writing a log file in the working directory, in this process from now on.
+    """Prevent this process from writing MuJoCo's log file to the working directory from now on.
 
     Warnings still go to standard error and to the caller's handler. If the caller has named a log
     file, it stays in use. Unlike a warning handler, this function does not affect threads that
@@ -44,7 +44,7 @@ def write_no_log() -> None:
 
 @contextmanager
 def no_console() -> Iterator[None]:
-    """Suppress MuJoCo's printed warnings temporarily; ``list_warnings`` returns relevant ones.
+    """Temporarily suppress MuJoCo's printed warnings; ``list_warnings`` returns relevant ones.
 
     Warnings of other threads are suppressed at the same time, too.
     """
@@ -73,7 +73,7 @@ def _changing_log() -> Iterator[None]:
 
 
 def new_data(model: mujoco.MjModel) -> mujoco.MjData:
-    """Return the state of a model; its simulation writes no log file (``write_no_log``)."""
+    """Return the state of a model for simulation without a log file (``write_no_log``)."""
     import mujoco
 
     write_no_log()
@@ -81,7 +81,7 @@ def new_data(model: mujoco.MjModel) -> mujoco.MjData:
 
 
 def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
-    """Return MuJoCo's warnings since a state was made or reset, one text for each kind."""
+    """Return MuJoCo's warnings since a state was made or reset, one message for each kind."""
     import mujoco
 
     raised = [(kind, data.warning[kind]) for kind in range(len(data.warning))]
@@ -89,7 +89,7 @@ def list_warnings(data: mujoco.MjData) -> tuple[str, ...]:
 
 
 def unsimulatable(name: str, reason: str, when: str = "") -> SceneError:
-    """Return the error which says that MuJoCo cannot simulate a scene."""
+    """Return an error with the message that MuJoCo cannot simulate a scene."""
     said = " ".join(reason.split())[:200]
     return SceneError(
         f"MuJoCo cannot simulate the scene {name!r}{when}: {said!r}. Make the scene again: its "
@@ -156,7 +156,7 @@ def _unbuildable(name: str, error: ValueError) -> SceneError:
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """A mesh at its stored precision, and the names of its shape and texture."""
+    """A mesh rounded to its stored precision, with file names for its shape and texture."""
 
     shape: str
     picture: str
@@ -177,7 +177,7 @@ def _store(numbers: Float[np.ndarray, "n d"], digits: int) -> Float[np.ndarray, 
 
 
 def _name(*arrays: np.ndarray) -> str:
-    """Return a name for the content of arrays; it is equal for equal content."""
+    """Return a name derived from the content of arrays, so that equal content has equal names."""
     digest = hashlib.sha256()
     for array in arrays:
         digest.update(str(array.shape).encode() + array.tobytes())
@@ -185,7 +185,7 @@ def _name(*arrays: np.ndarray) -> str:
 
 
 def _hand_over(spec: mujoco.MjSpec, meshes: Collection[_Drawn]) -> None:
-    """Pass on the meshes and textures to which a specification refers as files."""
+    """Embed in a specification the meshes and textures to which it refers as files."""
     import mujoco
 
     shapes, pictures = {m.shape: m for m in meshes}, {m.picture: m for m in meshes}

@@ -1,4 +1,4 @@
-"""Heights of objects on their supports, from contact between their shapes, and free positions."""
+"""Placement of objects at the height of contact with their supports and at free positions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _GAP = 2e-4  # initial gap between an object and its support, metres
 
 
 def seat_on_table(thing: Object, height: float) -> Object:
-    """Return the object, upright, with its lowest point just above ``height``."""
+    """Return the upright object with its lowest point just above ``height``."""
     x, y, _ = thing.pose.position
     z = height + _GAP - lowest(thing)
     return replace(thing, pose=Pose(np.array([x, y, z]), thing.pose.quaternion))
@@ -55,7 +55,7 @@ def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
 def relocate(
     scene: Scene, stuck: Sequence[str], wanted: Mapping[str, Pose]
 ) -> tuple[Scene, tuple[str, ...]]:
-    """Move objects that could not be freed to the free positions nearest to the requested ones.
+    """Move the ``stuck`` objects to the free positions nearest to those requested.
 
     The largest object is moved first, and the others are ignored meanwhile. Objects on top of a
     moved object move with it. Returns the scene and the names of objects without a free position (a
@@ -82,7 +82,7 @@ def relocate(
 def nearest_free(
     scene: Scene, name: str, wanted: Pose, absent: Collection[str] = ()
 ) -> Pose | None:
-    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing, or None.
+    """Return the free pose of ``name`` on the table nearest to ``wanted``, or None if none is free.
 
     The objects in ``absent`` are ignored.
     """
@@ -102,7 +102,7 @@ def nearest_free(
 
 
 def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
-    """Return whether ``name`` overlaps an object that is not ``absent``, by more than contact."""
+    """Return whether ``name`` overlaps an object not in ``absent`` by more than mere contact."""
     return _depth(Simulation(scene), *_others(scene, name, absent)) > TOLERANCE
 
 
@@ -125,7 +125,7 @@ def spiral(radius: float, spacing: float) -> Iterator[Float[np.ndarray, "2"]]:
 def _seat(
     scene: Scene, index: int, below: int, simulation: Simulation, present: Collection[int]
 ) -> Scene:
-    """Return the scene with an object lowered onto ``below``, among the objects ``present``."""
+    """Return the scene with an object lowered onto ``below``, avoiding the objects ``present``."""
     thing, support = scene.objects[index], scene.objects[below]
     rim = support.pose.position[2] + highest(support)
     reach = float(np.min(support.scale[:2])) / 2
@@ -162,7 +162,7 @@ def _lower(
     top: float,
     fall: float,
 ) -> float | None:
-    """Lower an object at ``xy`` until it touches; None if even the highest position is not free."""
+    """Lower an object at ``xy`` to contact; return its height, or None if ``top`` is not free."""
 
     def free(z: float) -> bool:
         simulation.positions[index] = [*xy, z]
@@ -181,7 +181,7 @@ def _lower(
 
 
 def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[int]]:
-    """Return the index of ``name``, and those of present objects that are not on or under it."""
+    """Return the index of ``name``, and those of all present objects neither on nor under it."""
     chains = ancestry(scene.objects)
     names = [o.name for o in scene.objects]
     index = names.index(name)
@@ -193,6 +193,6 @@ def _others(scene: Scene, name: str, absent: Collection[str]) -> tuple[int, set[
 
 
 def _depth(simulation: Simulation, index: int, others: Collection[int]) -> float:
-    """Return how deeply object ``index`` overlaps any of ``others``."""
+    """Return the depth to which object ``index`` overlaps any of ``others``."""
     deep = simulation.contacts().deepest().items()
     return max((d for (a, b), d in deep if index in (a, b) and a + b - index in others), default=0)

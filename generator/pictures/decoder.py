@@ -54,7 +54,7 @@ def decode(
 def decode_png(
     raw: bytes, what: str, error: type[TabletopError], limits: PictureLimits, form: Form
 ) -> DecodedPicture:
-    """Decode a PNG in this process, as "rgb", "rgba" or "stored".
+    """Decode a PNG in this process, in the form "rgb", "rgba" or "stored".
 
     This is meant for files that come in hundreds, such as the textures of bundles, for which one
     child process per file would be too slow. For a PNG within the limits, the cost is linear in the

@@ -50,7 +50,7 @@ class DamagedHeader(ValueError):
 
 @dataclass(frozen=True)
 class PictureHeader:
-    """From a header: size of the first frame in pixels, and numbers of frames and of JPEG scans."""
+    """The size of a file's first frame in pixels, and its numbers of frames and JPEG scans."""
 
     format: Format
     width: int
@@ -68,7 +68,7 @@ def format_of(raw: bytes, formats: Iterable[Format]) -> Format | None:
 
 
 def refused_format(raw: bytes) -> str | None:
-    """Return the name of a common but unsupported format, from the brand in the ``ftyp`` box."""
+    """Return the name of a common but unsupported format, identified by its ``ftyp`` brand."""
     if raw[4:8] != b"ftyp":
         return None
     if raw[8:12] in _HEIC:
@@ -136,7 +136,7 @@ def _webp(raw: bytes) -> PictureHeader:
 def _chunks(
     raw: bytes, start: int, head: str, check: int, align: int
 ) -> Iterator[tuple[bytes, int, int]]:
-    """Yield the name, offset and size of each chunk; ``head`` is its header's struct format."""
+    """Yield each chunk's name, offset and size; ``head`` is the struct format of chunk headers."""
     count, most = 0, _CHUNKS[0] + len(raw) // _CHUNKS[1]
     while start + 8 <= len(raw):
         first, second = struct.unpack_from(head, raw, start)
@@ -233,7 +233,7 @@ def _tiff(raw: bytes) -> PictureHeader:
 
 
 def _first_size(raw: bytes, at: int, order: str, big: bool) -> tuple[int, int]:
-    """Return the width and height of the first frame, whose tag list is at offset ``at``."""
+    """Return the width and height of the first TIFF frame, whose directory is at offset ``at``."""
     if at >= len(raw):
         raise DamagedHeader("its tags are outside the file")
     head, entry, value = (order + "Q", 20, 12) if big else (order + "H", 12, 8)

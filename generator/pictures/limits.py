@@ -1,4 +1,4 @@
-"""Limits on pictures, one set per kind of caller; headers are checked before decoding."""
+"""Limits on pictures, one set for each kind of caller; headers are checked before decoding."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class PictureLimits:
 def read_header(
     raw: bytes, what: str, error: type[TabletopError], limits: PictureLimits
 ) -> PictureHeader:
-    """Return the header of a picture within limits; ``what`` is the subject of error messages.
+    """Return the header of a picture that is within limits; error messages begin with ``what``.
 
     Raises:
         TabletopError: ``error``, if the format is unsupported, the header is damaged, or a limit is

@@ -41,7 +41,7 @@ _ORIENTATION = 0x0112  # EXIF tag
 def decode_pixels(
     raw: bytes, what: str, limits: PictureLimits, form: Form, max_side: int | None
 ) -> DecodedPicture:
-    """Decode a picture; ``max_side`` limits the longer side of "upright" and "rgb" pixels.
+    """Decode a picture, limiting the longer side of "upright" and "rgb" pixels to ``max_side``.
 
     Raises:
         InputError: The picture is damaged or exceeds a limit.
@@ -85,7 +85,7 @@ def open_picture(raw: bytes, what: str, limits: PictureLimits) -> Iterator[Image
 
 
 def shrink(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a picture as RGB, its longer side at most ``max_side``; may modify the picture."""
+    """Return a picture as RGB with sides of at most ``max_side``; may modify the original."""
     plain = picture if picture.mode == "RGB" else picture.convert("RGB")
     if max_side is not None:
         plain.thumbnail((max_side, max_side), Image.Resampling.LANCZOS)
@@ -93,7 +93,7 @@ def shrink(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w
 
 
 def upright(picture: Image.Image, max_side: int | None) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a picture as sRGB on white, rotated by its EXIF orientation."""
+    """Return a picture as sRGB on a white background, rotated by its EXIF orientation."""
     try:
         picture = ImageOps.exif_transpose(picture)
     except MemoryError:

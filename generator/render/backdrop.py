@@ -60,7 +60,7 @@ class Backdrop:
     def _sample_tiles(
         self, points: Float[np.ndarray, "p 3"], pixel: Float[np.ndarray, "p"]
     ) -> Float[np.ndarray, "p 3"]:
-        """Return the tile colours at points, blended where a pixel covers a large area (metres)."""
+        """Return the tile colours at points, blended where a pixel's size (metres) is large."""
         odd: Int[np.ndarray, "p"] = np.floor(points[:, :2] / self.tile).astype(np.int64).sum(1) % 2
         blended = np.clip(pixel / self.tile * 4, 0, 1)
         share = (odd * (1 - blended) + 0.5 * blended)[:, None]

@@ -18,7 +18,7 @@ _CELLS = 96  # number of cells across the lowered object
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A canonical mesh with a scale (extent, metres), a yaw (radians) and a box centre (metres)."""
+    """A canonical mesh with its scale (extent in metres), yaw (radians) and box centre (metres)."""
 
     mesh: Mesh
     scale: Float[np.ndarray, "3"]
@@ -27,24 +27,24 @@ class Body:
 
     @property
     def vertices(self) -> Float[np.ndarray, "n 3"]:
-        """The vertices in the world frame, metres."""
+        """The vertices in the world frame, in metres."""
         return (self.mesh.vertices * self.scale) @ rotation_z(self.yaw).T + self.position
 
     @property
     def footprint(self) -> Float[np.ndarray, "2 2"]:
-        """The lowest and the highest x and y in the world frame, metres."""
+        """The minimum and maximum x and y in the world frame, in metres."""
         across = self.vertices[:, :2]
         return np.stack([across.min(0), across.max(0)])
 
     def at_height(self, z: float) -> Body:
-        """Return the body with its box centre at height ``z``, metres."""
+        """Return the body with its box centre at height ``z`` in metres."""
         return dataclasses.replace(self, position=np.array([*self.position[:2], z]))
 
 
 def height_field(
     body: Body, low: Float[np.ndarray, "2"], cell: float, shape: tuple[int, int], top: bool
 ) -> Float[np.ndarray, "rows columns"]:
-    """Return the body's upper (``top``) or lower surface on a grid; NaN in cells outside the body.
+    """Return the heights of the body's upper (``top``) or lower surface on a grid, NaN outside it.
 
     Cell (r, c) is the vertical column at x = low_x + (c + 1/2) cell, y = low_y + (r + 1/2) cell.
     """

@@ -23,7 +23,7 @@ def tight_crop(
     resolution: int,
     keep_aspect: bool = True,
 ) -> Float[np.ndarray, "r r 4"]:
-    """Fit ``box`` (pixels of ``rgba``, the object's tight bounds) into a square crop.
+    """Fit ``box``, the object's tight bounds in pixels of ``rgba``, into a square crop.
 
     Returns float32 RGBA in [0, 1] of side ``resolution``, with colours premultiplied by alpha. With
     ``keep_aspect``, the longer side is fitted and the shorter one is padded; otherwise both are
@@ -65,7 +65,7 @@ def in_reference(instance: Instance, box: Float[np.ndarray, "4"]) -> Float[np.nd
 
 
 def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.ndarray, "ch cw 4"]:
-    """Cut an instance's crop from a mask in reference pixels: RGBA with the mask as alpha."""
+    """Crop a mask in reference pixels to an instance; return RGBA with the mask as alpha."""
     import cv2
 
     height, width = instance.crop.shape[:2]
@@ -79,7 +79,7 @@ def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.
 
 
 def hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:
-    """Return a mask of where other objects may occlude an instance, or None if nothing does."""
+    """Return a mask of where other objects may occlude an instance, or None if none may."""
     if not instance.occluded:
         return None
     others = [np.asarray(t.mask) for t in things if t.name != instance.name]

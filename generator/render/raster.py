@@ -1,4 +1,4 @@
-"""A small software renderer: z-buffer, textures, sun with shadows, glass. NumPy only, no OpenGL.
+"""A small NumPy renderer without OpenGL: z-buffer, textures, sun with shadows, and glass.
 
 It draws reference images, previews and contact sheets on any machine that runs Python, with
 identical bytes for identical input, and returns depth and instance ids with the picture.
@@ -63,7 +63,7 @@ def place(
 
 @dataclass(frozen=True, eq=False)
 class _Hits:
-    """Surfaces hit by the samples of a picture; ``pixel`` are the hits' sample indices, ascending.
+    """Surfaces hit by the samples of a picture; ``pixel`` contains the sorted sample indices.
 
     Each hit has an item, a face and barycentric weights. ``depth`` covers all samples and is inf
     where there is no hit.
@@ -77,7 +77,7 @@ class _Hits:
 
 
 def _trace(items: Sequence[Item], camera: Camera, width: int, height: int) -> _Hits:
-    """Return the surface hit by each sample of a ``width`` x ``height`` image."""
+    """Return the surfaces hit by the samples of a ``width`` x ``height`` image."""
     factor = width / camera.width
     blocks, face_item, face_index = [], [], []
     for k, item in enumerate(items):
@@ -137,7 +137,7 @@ def _colors(
 
 
 def _at_once(work: Callable[..., None], pieces: Sequence[tuple[Any, ...]]) -> None:
-    """Process chunks, delimited by their end pixels, in parallel threads.
+    """Call ``work`` on chunks, each of which ends with an array of pixels, in parallel threads.
 
     If there are few pixels, starting a pool would cost more time than it saves.
     """
@@ -236,7 +236,7 @@ def render(
 def _lay(
     color: Float[np.ndarray, "3 p"], samples: Int[np.ndarray, "k"], new: Float[np.ndarray, "3 k"]
 ) -> None:
-    """Write the samples' colours, channel by channel."""
+    """Write the colours ``new`` of ``samples`` into ``color``, channel by channel."""
     for channel, values in zip(color, new, strict=True):
         channel[samples] = values
 

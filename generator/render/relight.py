@@ -1,4 +1,4 @@
-"""Relighting of soft renders with the light of a picture, so that the two can be compared.
+"""Relighting of soft renders with the light of a picture, which makes the two comparable.
 
 A lamp shades a surface according to its orientation; a linear function of the normal approximates
 this well. Its four coefficients and one gain per colour channel are fitted to the picture where the
@@ -24,7 +24,7 @@ _TINY = 1e-6
 def relit(
     images: SoftImages, picture: Float[Tensor, "b 3 h w"], weight: Float[Tensor, "b h w"]
 ) -> Float[Tensor, "b 3 h w"]:
-    """Return the renders' images, over grey and with normals, lit like their pictures.
+    """Return the images of renders (on grey, with normals), relit like their pictures.
 
     ``picture`` has the same grey background. ``weight`` is the weight of each of its pixels in the
     fit: at least 0, and 0 outside the mask. The light is fitted without gradients, so gradients of

@@ -18,7 +18,7 @@ MOST_LAYERS = 40
 def _spans(
     xy: Float[np.ndarray, "m 3 2"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
-    """Return (triangle, row, first column, end column) of the pixels whose centres are inside."""
+    """Return (triangle, row, first column, end column) of spans of pixels with centres inside."""
     low = np.clip(np.ceil(xy[..., 1].min(1) - 0.5), 0, height).astype(np.int64)
     high = np.clip(np.floor(xy[..., 1].max(1) - 0.5) + 1, 0, height).astype(np.int64)
     triangle, row = _expand(low, np.maximum(high - low, 0))
@@ -41,7 +41,7 @@ def _spans(
 def _expand(
     start: Int[np.ndarray, "m"], count: Int[np.ndarray, "m"]
 ) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
-    """Return the range index and value of every integer in the ranges [start, start + count)."""
+    """Return the range index and the value of each integer in the ranges [start, start + count)."""
     owner = np.repeat(np.arange(len(count)), count)
     before = np.cumsum(count) - count
     return owner, np.arange(len(owner)) + (start - before)[owner]
@@ -67,7 +67,7 @@ def rasterise(
 def nearest(
     corners: Float[np.ndarray, "m 3 3"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw"]]:
-    """Return the first and last results of :func:`rasterise`, without the weights.
+    """Return the triangles and third coordinates of :func:`rasterise`, without the weights.
 
     Raises:
         SceneError: The triangles form more than ``MOST_LAYERS`` layers.
@@ -126,7 +126,7 @@ def barycentric(
     pixel: Int[np.ndarray, "k"],
     width: int,
 ) -> Float[np.ndarray, "3 k"]:
-    """Return the barycentric weights, in [0, 1], of pixel centres, each in its triangle."""
+    """Return the barycentric weights, in [0, 1], of pixel centres in the given triangles."""
     x, y = pixel % width + 0.5, pixel // width + 0.5
     e1, e2 = xy[:, 1] - xy[:, 0], xy[:, 2] - xy[:, 0]
     area = (e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0])[triangle]

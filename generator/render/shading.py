@@ -16,7 +16,7 @@ _PIECE = 1 << 20  # number of pairs of corners processed at once
 
 
 def _unit(v: np.ndarray) -> np.ndarray:
-    """Normalise vectors along the last axis, faster than NumPy's own norm for short vectors."""
+    """Normalise vectors along the last axis, faster than NumPy's norm for short vectors."""
     x, y, z = (v[..., k] for k in range(3))
     length = np.sqrt((x * x + y * y) + z * z)
     return v / np.maximum(length, 1e-12)[..., None]
@@ -48,7 +48,7 @@ class Light:
 def corner_normals(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> Float[np.ndarray, "m 3 3"]:
-    """Return a unit normal per face corner, smoothed across edges of less than 40 degrees.
+    """Return a unit normal for each face corner, smoothed across edges of less than 40 degrees.
 
     Vertices that share a position (texture seams) are smoothed together. If far more faces meet at
     the vertices than in any solid, face normals are used throughout.
@@ -91,7 +91,7 @@ def interpolate(
 def sample_texture(
     texture: UInt8[np.ndarray, "th tw 3"], uv: Float[np.ndarray, "p 2"]
 ) -> Float[np.ndarray, "p 3"]:
-    """Sample a texture bilinearly at ``uv`` (v up, clamped to [0, 1]); values are in [0, 1]."""
+    """Sample a texture bilinearly at ``uv`` (v up, clamped to [0, 1]); return values in [0, 1]."""
     height, width = texture.shape[:2]
     x = np.clip(uv[:, 0], 0, 1) * width - 0.5
     y = (1 - np.clip(uv[:, 1], 0, 1)) * height - 0.5
@@ -117,7 +117,7 @@ def shade(
     lit: Float[np.ndarray, "p"],
     light: Light,
 ) -> Float[np.ndarray, "p 3"]:
-    """Return Lambert shading with sky and highlight; ``lit`` is the visible fraction of the sun."""
+    """Return Lambert shading with a sky and a highlight; ``lit`` is the sun's visible fraction."""
     n, view = _unit(normal), _unit(to_camera)
     n[_dot(n, view) < 0] *= -1
     facing = np.clip(n @ light.direction, 0, 1) * lit

@@ -54,7 +54,7 @@ class Shadow:
         self._fill(nearest(corners, _SIZE, _SIZE)[1].reshape(_SIZE, _SIZE))
 
     def _fill(self, depth_map: Float[np.ndarray, "h w"]) -> None:
-        """Store the map with an empty border, and the extremes within reach of each tile."""
+        """Store the map with an empty border, and its extremes within sample reach of each tile."""
         around = -(-(int(np.ceil(self._reach)) + 1) // _TILE)  # reach of a sample, in tiles
         self._border = _TILE * (2 * around + 2)
         padded = np.pad(depth_map, self._border, constant_values=-np.inf)
@@ -65,7 +65,7 @@ class Shadow:
         self._lowest = _extremes(padded, around, np.minimum).ravel()
 
     def _on_map(self, points: Float[np.ndarray, "p 3"]) -> tuple[Float[np.ndarray, "p"], ...]:
-        """Return column and row on the map, in cells, and the distance along the rays, metres."""
+        """Return the column and row on the map in cells, and the depth along the rays in metres."""
         turned = points @ self._axes.T
         x, y = ((turned[:, k] - self._low[k]) * self._scale + _RIM for k in range(2))
         return x, y, turned[:, 2]
@@ -85,7 +85,7 @@ class Shadow:
         return share
 
     def _tile_along(self, x: Float[np.ndarray, "p"]) -> Int[np.ndarray, "p"]:
-        """Return the tile column (or row) of map coordinates; the nearest one if outside."""
+        """Return the tile column (or row) that contains, or is nearest to, map coordinates."""
         cell = np.clip(x + self._border, 0, self._width - 1).astype(np.int64)
         return cell // _TILE
 
@@ -95,7 +95,7 @@ class Shadow:
         y: Float[np.ndarray, "p"],
         closeness: Float[np.ndarray, "p"],
     ) -> Float[np.ndarray, "p"]:
-        """Return the fraction of lit samples around points in map coordinates."""
+        """Return the fraction of samples around each point, in map coordinates, that are lit."""
         total = np.zeros(len(x), np.int32)
         first = self._border * (self._width + 1)
         for dx, dy in _TAPS:
@@ -108,7 +108,7 @@ class Shadow:
 def _extremes(
     values: Float[np.ndarray, "h w"], around: int, extreme: np.ufunc
 ) -> Float[np.ndarray, "th tw"]:
-    """Return the extreme over each tile and the ``around`` tiles on every side of it.
+    """Return the extreme value over each tile and the ``around`` tiles on every side of it.
 
     The map is empty outside ``values``.
     """

@@ -33,7 +33,7 @@ _FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial filter with a sig
 
 @dataclass(frozen=True, eq=False)
 class SampledSurface:
-    """Points sampled on the textured surfaces of ``s`` objects (metres, each object's frame).
+    """Points sampled on the textured surfaces of ``s`` objects, in metres in each object's frame.
 
     ``area`` (m^2) is the area that one point represents. ``covered`` marks points that are just
     below another surface, such as a label, and too close to it for a depth buffer. ``corners`` are
@@ -48,7 +48,7 @@ class SampledSurface:
     corners: Float[Tensor, "s k 3"]
 
     def thin(self, step: int, first: int = 0) -> SampledSurface:
-        """Return every ``step``-th point with a correspondingly larger area, evenly spread."""
+        """Return every ``step``-th point, evenly spread and with a proportionally larger area."""
         count = self.position.shape[1]
         names = ("position", "normal", "color", "covered")
         kept = {name: getattr(self, name)[:, first::step] for name in names}
@@ -73,7 +73,7 @@ def stack(surfaces: Sequence[SampledSurface]) -> SampledSurface:
 
 @dataclass(frozen=True, eq=False)
 class CropFit:
-    """Offset of an object within its crop if the crop is not tight because its mask is inaccurate.
+    """Offset of an object within a crop that is not tight because the mask is inaccurate.
 
     ``shift`` (x right, y down) is a fraction of the crop's side, ``zoom`` the logarithm of a
     factor.
@@ -110,7 +110,7 @@ class SoftImages:
 def _find_covered(
     position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
 ) -> Bool[np.ndarray, "n"]:
-    """Mark points that are at most ``spacing`` below another, parallel surface."""
+    """Mark points that are at most ``spacing`` below another surface that is parallel to theirs."""
     # Each of the two points must lie on the matching side of the other's plane, which distinguishes
     # a cover from neighbours on a concave or convex surface.
     near = KDTree(position).query(position, k=min(12, len(position)))[1]
@@ -188,7 +188,7 @@ def object_to_camera(
 def rotate(
     points: Float[Tensor, "b n 3"], rotation: Float[Tensor, "b 3 3"]
 ) -> Float[Tensor, "b n 3"]:
-    """Rotate points, summing in a fixed order; that of a matrix product depends on memory."""
+    """Rotate points with a fixed order of summation, which a matrix product does not have."""
     x, y, z = points.split(1, 2)
     columns = rotation[:, None].unbind(3)
     return x * columns[0] + y * columns[1] + z * columns[2]
@@ -197,7 +197,7 @@ def rotate(
 def bounds(
     corners: Float[Tensor, "b k 3"], rotation: Float[Tensor, "b 3 3"], center: Float[Tensor, "b 3"]
 ) -> tuple[Float[Tensor, "b 2"], Float[Tensor, "b 2"]]:
-    """Return the minimum and maximum x/z, y/z of objects whose centres are at ``center``."""
+    """Return the minimum and maximum x/z and y/z of objects with centres at ``center``."""
     p = rotate(corners, rotation) + center[:, None]
     xy = p[..., :2] / p[..., 2:]
     return xy.amin(1), xy.amax(1)
@@ -209,7 +209,7 @@ def fit_center(
     middle: Float[Tensor, "b 2"],
     span: Float[Tensor, "b 2"],
 ) -> Float[Tensor, "b 3"]:
-    """Return the centre of each object for which its projection fills a box in the image.
+    """Return the centre at which each object's projection fills a given box in the image.
 
     ``middle`` and ``span`` are the centres and sizes of the boxes in x/z, y/z. The centres match
     exactly; the sizes match in area, since objects keep their proportions. However large the box,
@@ -230,7 +230,7 @@ def fit_center(
 def pixel_scale(
     span: Float[Tensor, "b 2"], resolution: int, keep_aspect: bool
 ) -> Float[Tensor, "b 2"]:
-    """Return the pixels per unit for which ``span`` fits a square crop of side ``resolution``."""
+    """Return the pixels per unit at which ``span`` fits a square crop of side ``resolution``."""
     if keep_aspect:
         span = span.amax(-1, keepdim=True).expand_as(span)
     return resolution * (1 - 2 * MARGIN) / span.clamp_min(1e-9)
@@ -299,7 +299,7 @@ def _visible(
     scale: Float[Tensor, "b 2"],
     resolution: int,
 ) -> Bool[Tensor, "b n"]:
-    """Return which points are not hidden in a coarse depth buffer, widened by one cell."""
+    """Return which points are visible in a coarse depth buffer, dilated by one cell."""
     b = len(depth)
     cells = max(resolution // 2, 1)
     cell = (pixel.detach() * (cells / resolution)).long().clamp(0, cells - 1)
@@ -314,7 +314,7 @@ def _visible(
 def _splat(
     pixel: Float[Tensor, "b n 2"], values: Float[Tensor, "b n c"], resolution: int
 ) -> Float[Tensor, "b c h w"]:
-    """Add every point's values to its four nearest pixels, then filter with a one-pixel sigma."""
+    """Add each point's values to its four nearest pixels, then smooth with a one-pixel sigma."""
     b, _, c = values.shape
     corner = (pixel - 0.5).floor()
     fraction = pixel - 0.5 - corner
@@ -332,7 +332,7 @@ def _splat(
 
 
 def smooth(images: Float[Tensor, "b c h w"]) -> Float[Tensor, "b c h w"]:
-    """Filter images with the splats' own kernel: binomial with a sigma of one pixel."""
+    """Filter images with the kernel of the splats, which is binomial with a one-pixel sigma."""
     c = images.shape[1]
     taps = images.new_tensor(_FILTER)
     rows = functional.pad(images, (2, 2, 2, 2))
@@ -343,7 +343,7 @@ def smooth(images: Float[Tensor, "b c h w"]) -> Float[Tensor, "b c h w"]:
 def sobel(
     images: Float[Tensor, "b h w"],
 ) -> tuple[Float[Tensor, "b hi wi"], Float[Tensor, "b hi wi"]]:
-    """Return an image's Sobel derivatives, horizontal (right) and vertical (down), borderless.
+    """Return the Sobel derivatives of an image, rightward and downward, without its border.
 
     They are computed as differences because single-channel convolutions have a slow backward pass.
     """
@@ -355,7 +355,7 @@ def sobel(
 
 
 def sobel_edges(silhouette: Float[Tensor, "b h w"]) -> Float[Tensor, "b h w"]:
-    """Return the edge map of a soft silhouette: the magnitude of its Sobel gradient, >= 0."""
+    """Return the edge map of a soft silhouette: the nonnegative magnitude of its Sobel gradient."""
     x, y = sobel(functional.pad(silhouette, (1, 1, 1, 1)))
     tiny = 1e-3
     return (x.square() + y.square() + tiny**2).sqrt() - tiny

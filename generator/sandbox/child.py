@@ -1,4 +1,4 @@
-"""The child process of a sandbox: ``python -m generator.sandbox.child``; see ``runner``.
+"""The child process of a sandbox, run as ``python -m generator.sandbox.child``; see ``runner``.
 
 It reads one request from standard input, applies its limits, and writes the packed result to its
 original standard output.
@@ -53,7 +53,7 @@ def _serve() -> None:
 
 
 def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes | memoryview]:
-    """Return the function's result or exception, packed in pieces.
+    """Return the function's result or exception, packed in chunks of bytes.
 
     ``too_large`` is the message for insufficient memory.
     """
@@ -75,7 +75,7 @@ def _answer(function: Any, args: tuple[Any, ...], too_large: str) -> list[bytes 
 
 
 def _lacks_memory(error: BaseException | None) -> bool:
-    """Return whether an error, or one of its causes, is insufficient memory."""
+    """Return whether an error, or one of its causes, is due to insufficient memory."""
     seen: set[int] = set()
     while error is not None and id(error) not in seen:
         seen.add(id(error))
@@ -96,7 +96,7 @@ def _find(name: str) -> Any:
 
 
 def _leave_with(parent: int) -> None:
-    """Let the kernel kill this process when the parent dies (Linux)."""
+    """Let the kernel kill this process when its parent dies, on Linux."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_DIES_WITH_PARENT, int(signal.SIGKILL))
         if os.getppid() != parent:
@@ -111,7 +111,7 @@ def _work_nowhere() -> None:
 
 
 def _limit(cpu_seconds: float, memory: int) -> None:
-    """Apply the limits; smaller inherited limits stay."""
+    """Apply the limits, unless smaller inherited limits are in place."""
     import resource
 
     used = resource.getrusage(resource.RUSAGE_SELF)

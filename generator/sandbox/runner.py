@@ -1,4 +1,4 @@
-"""The parent's side of a sandbox: start a child, enforce its limits, decode its result."""
+"""The parent's side of a sandbox: starts a child, enforces its limits and decodes its result."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _LAST_WORDS = 4096  # bytes of standard error that are kept
 
 @dataclass(frozen=True)
 class SandboxLimits:
-    """Limits of one child process; smaller limits inherited from this process take precedence.
+    """Limits of one child process; smaller limits inherited from the parent take precedence.
 
     Attributes:
         cpu_seconds: CPU time of the call, excluding imports.
@@ -64,7 +64,7 @@ class SandboxLimits:
 
 
 class SandboxError(InputError):
-    """A child process with limits returned no result for its input; ``breach`` is the reason.
+    """Raised if a sandboxed child process returns no result; ``breach`` is the reason.
 
     The message continues a sentence about the input: "takes more than 20 s of CPU time". Callers
     raise their own kind of error from it.
@@ -119,7 +119,7 @@ def call(
 
 
 def is_inside() -> bool:
-    """Return whether this process is the child of a sandbox, based on its main module."""
+    """Return whether this process is a sandbox child, judged by its main module."""
     spec = getattr(sys.modules.get("__main__"), "__spec__", None)
     return spec is not None and spec.name == _CHILD
 
@@ -153,7 +153,7 @@ def _result(raw: bytes | memoryview, returns: Iterable[type], budget: CpuBudget)
 
 @contextlib.contextmanager
 def _child(limits: SandboxLimits) -> Any:
-    """Start a child with this process's module search path; always kill it in the end."""
+    """Run a child process with this process's module search path, and kill it on exit."""
     path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
     alone = dict.fromkeys(_THREADS, str(limits.threads)) if limits.threads else {}
     try:
@@ -201,7 +201,7 @@ def _exchange(
     limits: SandboxLimits,
     cancelled: threading.Event | None,
 ) -> tuple[bytes | memoryview, bytes, Breach | None]:
-    """Send the request; return the result, the end of standard error, and the breach, if any."""
+    """Send the request; return the result, the last part of standard error, and any breach."""
     assert process.stdin and process.stdout and process.stderr
     end = time.monotonic() + _HUNG[0] + _HUNG[1] * limits.cpu_seconds
     left, answer, words = memoryview(request), bytearray(), b""
@@ -237,7 +237,7 @@ def _exchange(
 
 
 def _write(process: subprocess.Popen[bytes], left: memoryview) -> memoryview:
-    """Write as much as the pipe accepts; return the rest, or nothing if the child closed it."""
+    """Write as much as the pipe accepts; return the rest, which is empty if the child closed it."""
     assert process.stdin is not None
     try:
         return left[os.write(process.stdin.fileno(), left[:_CHUNK]) :]
@@ -270,7 +270,7 @@ def _explain(breach: Breach | None, code: int, words: bytes, limits: SandboxLimi
 
 
 def failure_text(words: str, what: str, too_large: str) -> str:
-    """Return the message for a parser that failed with ``words``: ``what`` or ``too_large``.
+    """Return the error message, ``what`` or ``too_large``, for a parser that printed ``words``.
 
     C++ libraries report insufficient memory only in words ("std::bad_alloc"). The words affect only
     this message; the breach stays "parser" or "crash".
@@ -280,7 +280,7 @@ def failure_text(words: str, what: str, too_large: str) -> str:
 
 
 def memory_text(memory: int) -> str:
-    """Return the message that ``memory`` bytes, or a smaller inherited limit, do not suffice."""
+    """Return the message that an input needs more than ``memory`` bytes or an inherited limit."""
     import resource
 
     return _excess(
@@ -298,7 +298,7 @@ def _time_text(seconds: str) -> str:
 
 
 def _excess(limit: str, kind: int, inherited: Callable[[int], str]) -> str:
-    """Return the message that an input exceeds a limit, with the inherited limit, if any."""
+    """Return the message that an input exceeds a limit and, if there is one, an inherited limit."""
     import resource
 
     soft = resource.getrlimit(kind)[0]
@@ -315,7 +315,7 @@ def _name_of(code: int) -> str:
 
 @dataclass
 class CpuBudget:
-    """CPU time in seconds for all calls of one input, such as all files of a folder.
+    """Budget of CPU time in seconds for all calls for one input, such as all files of a folder.
 
     A call that ends at a limit, or in a crash, is charged its whole limit. The budget decides
     whether another call is made, never what a call returns.

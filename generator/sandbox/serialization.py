@@ -37,7 +37,7 @@ def pack(value: object) -> bytes:
 
 
 def packed_parts(value: object) -> list[bytes | memoryview]:
-    """Return a value as pieces of bytes, without copying its arrays.
+    """Return a value as chunks of bytes, without copying its arrays.
 
     Raises:
         TypeError: the value contains an object of an unsupported type.
@@ -53,7 +53,7 @@ def packed_parts(value: object) -> list[bytes | memoryview]:
 
 
 def unpack(raw: bytes | memoryview, find_class: Callable[[str], type]) -> Any:
-    """Return the value in ``raw``; its arrays are read-only views of ``raw``.
+    """Return the value packed in ``raw``; its arrays are read-only views of ``raw``.
 
     ``find_class`` returns the class with a name such as "tabletop_objects.values:Mesh", or raises
     ``ValueError`` if the class is not expected.
@@ -90,7 +90,7 @@ def _parse(text: bytes) -> Any:
 
 
 def class_name(kind: type) -> str:
-    """Return the name of a class in packed values."""
+    """Return the name by which packed values refer to a class."""
     return f"{kind.__module__}:{kind.__qualname__}"
 
 
@@ -153,7 +153,7 @@ class _Unpacker:
         self._copies: dict[int, bytes] = {}
 
     def value(self, tree: Any) -> Any:
-        """Return the value of its JSON representation."""
+        """Return the value represented by a JSON tree."""
         if isinstance(tree, list):
             return [self.value(v) for v in tree]
         if not isinstance(tree, dict):

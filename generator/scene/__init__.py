@@ -1,4 +1,4 @@
-"""The core values of the pipeline: frozen types that lead from a text or an image to a scene.
+"""The core data types of the pipeline, all frozen, from a text or an image to a scene.
 
 Frames and units of the whole project
 -------------------------------------

@@ -1,4 +1,4 @@
-"""Conversion of the paper's JSON (Figs. 12 and 14) to placements in this project's frame and back.
+"""Conversion between the paper's JSON (Figs. 12 and 14) and placements in this project's frame.
 
 The paper uses centimetres and degrees, with +x left and +y toward the viewer; this project uses
 metres and radians, with +x right and +y away. The two frames differ by a half turn about z. A
@@ -21,7 +21,7 @@ _FRAME = np.array([-1.0, -1.0, 1.0]) / 100.0
 def from_paper(
     rotations: Mapping[str, float], alignment: Mapping[str, Any]
 ) -> tuple[tuple[Placement, ...], str | None]:
-    """Convert the paper's DRO (Fig. 12) and TSA (Fig. 14) outputs.
+    """Convert the paper's DRO (Fig. 12) and TSA (Fig. 14) outputs to placements.
 
     Args:
         rotations: yaw in degrees by name, e.g. ``{"toy car_1": 29.72}``.
@@ -72,7 +72,7 @@ def _placement(name: str, entry: Any, yaws: Mapping[str, Any]) -> Placement:
 def to_paper(
     placements: Iterable[Placement], anchor: str | None = None
 ) -> tuple[dict[str, float], dict[str, Any]]:
-    """Convert placements to the paper's two JSON objects; inverse of :func:`from_paper`."""
+    """Convert placements to the paper's two JSON objects; the inverse of :func:`from_paper`."""
     rotations: dict[str, float] = {}
     objects: dict[str, Any] = {}
     for p in placements:

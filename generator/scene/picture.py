@@ -1,4 +1,4 @@
-"""Values that describe pictures: the reference image, detections and camera (Secs. 3.1 and 3.3)."""
+"""Data types for pictures: the reference image, detections and the camera (Secs. 3.1 and 3.3)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MAX_PIXELS = 1e9  # pixels
 
 @dataclass(frozen=True)
 class Intrinsics:
-    """Focal lengths and principal point of a picture's camera, in pixels of that picture.
+    """The focal lengths and principal point of a picture's camera, in pixels of the picture.
 
     The convention is that of OpenCV and ROS: x right, y down, and the *centre* of the top-left
     pixel at (0, 0), so the principal point of a centred camera is
@@ -38,14 +38,14 @@ class Intrinsics:
             object.__setattr__(self, name, float(value))
 
     def scale(self, across: float, down: float) -> Intrinsics:
-        """Return the intrinsics of the picture after it is resized by these factors."""
+        """Return the intrinsics of the picture after it is resized by the given factors."""
         cx, cy = (self.cx + 0.5) * across - 0.5, (self.cy + 0.5) * down - 0.5
         return Intrinsics(self.fx * across, self.fy * down, cx, cy)
 
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """The reference image I_ref (Sec. 3), with its ``prompt`` and ``plan`` if it has any.
+    """The reference image I_ref (Sec. 3), with its ``prompt`` and ``plan`` if available.
 
     For an RGB-D picture, ``depth`` is the distance along the optical axis in metres, 0 where
     unknown, and ``intrinsics`` are the camera's. Either both or neither must be given.
@@ -71,7 +71,7 @@ class Reference:
 
 @dataclass(frozen=True, eq=False)
 class Detection:
-    """One segmented region of an image: label, tight pixel box, mask, and score in [0, 1].
+    """A segmented region of an image: its label, tight pixel box, mask, and score in [0, 1].
 
     ``full`` is the mask of the whole object, including its occluded part, if the segmenter predicts
     it; if it is None, the completion stage estimates it.
@@ -113,7 +113,7 @@ class Instance:
 
 @dataclass(frozen=True)
 class View:
-    """The camera of the reference image (Sec. 3.3), in radians.
+    """The camera of the reference image (Sec. 3.3), with angles in radians.
 
     ``azimuth`` 0 looks along +y (from the front); positive values move the camera towards +x.
     ``elevation`` is measured from the horizon, in (0, pi/2]. ``fov`` is the vertical field of view.
@@ -144,7 +144,7 @@ USUAL_VIEW = View(azimuth=0.0, elevation=np.deg2rad(55.0), fov=np.deg2rad(35.0))
 
 @dataclass(frozen=True, eq=False)
 class TopView:
-    """The table seen from straight above: I_top (Sec. 3.3, TSA).
+    """I_top: the table seen from straight above (Sec. 3.3, TSA).
 
     The view is orthographic: +u is world +x, and +v (down) is world -y. ``table_box`` and ``boxes``
     (by instance name) are pixel boxes in this view. The boxes of the ``repaired`` instances come

@@ -1,4 +1,4 @@
-"""The plan of a scene, as described by a text (Fig. 12)."""
+"""The plan of a scene described by a prompt (Fig. 12)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ OutlineKind = Literal["rectangle", "square", "round", "oval", "triangle", "slatt
 
 @dataclass(frozen=True)
 class Relation:
-    """A planned object's relation: ``kind`` relative to ``target`` (an object name or "table")."""
+    """A planned object's relation: its ``kind`` and its ``target``, an object name or "table"."""
 
     kind: RelationKind
     target: str = TABLE
@@ -35,7 +35,7 @@ class Relation:
 
 @dataclass(frozen=True)
 class PlannedObject:
-    """An object requested by a text.
+    """An object requested by a prompt.
 
     ``name`` is unique ("mug_1"); ``noun`` is the word used; ``category`` is a catalogue key, or
     "generic" when no category fits. ``attributes`` maps "color", "material", "size" ("small",
@@ -64,7 +64,7 @@ class PlannedObject:
 
 @dataclass(frozen=True)
 class PlannedTable:
-    """The table requested by a text. ``size`` is (length x, width y, height z) in metres."""
+    """The table requested by a prompt. ``size`` is (length x, width y, height z) in metres."""
 
     outline: OutlineKind = "rectangle"
     material: str = "oak"
@@ -83,7 +83,7 @@ class PlannedTable:
 
 @dataclass(frozen=True)
 class PlannedGroup:
-    """Objects that a text arranges as a group; stacks are described by "on" relations instead.
+    """Objects that a prompt arranges as a group; stacks are described by "on" relations instead.
 
     Attributes:
         kind: the arrangement; "setting" is a place setting for one person.
@@ -100,7 +100,7 @@ class PlannedGroup:
 
 @dataclass(frozen=True)
 class ScenePlan:
-    """The plan of a scene (Sec. 3, Fig. 8): table, objects and style, without coordinates."""
+    """The plan of a scene (Sec. 3, Fig. 8): its table, objects and style, without coordinates."""
 
     prompt: str
     table: PlannedTable

@@ -20,7 +20,7 @@ _MAX_NAME = 40  # characters
 
 
 def scene_name(prompt: str | None) -> str:
-    """Return a short, file-safe name for a prompt: its first words, at most 40 characters."""
+    """Return a short, file-safe name for a prompt: its first words, up to 40 characters."""
     words = "".join(c if c.isascii() and c.isalnum() else " " for c in (prompt or "picture"))
     name = "-".join(words.lower().split())
     if len(name) > _MAX_NAME:
@@ -30,13 +30,13 @@ def scene_name(prompt: str | None) -> str:
 
 
 def versions(packages: Iterable[str] = _DECISIVE) -> dict[str, str]:
-    """Return package versions, by default those of packages that affect a scene's bytes."""
+    """Return package versions; by default, of all packages that affect a scene's bytes."""
     return {package: _version(package) for package in packages}
 
 
 @lru_cache(maxsize=64)
 def _version(package: str) -> str:
-    """Return the installed version, cached per process because the lookup takes a millisecond."""
+    """Return the installed version; it is cached, since the lookup takes a millisecond."""
     return metadata.version(package)
 
 

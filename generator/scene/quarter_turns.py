@@ -17,7 +17,7 @@ Steps = Sequence[tuple[str, int]]
 
 
 def turn(model: Model, steps: Steps) -> Model:
-    """Return a model turned by multiples of 90 degrees, with its size and orientation updated."""
+    """Return a model rotated by multiples of 90 degrees, with its size and orientation updated."""
     turn = quarter_turn(steps)
     if (turn == np.eye(3, dtype=int)).all():
         return model
@@ -51,7 +51,7 @@ def quarter_turn(steps: Steps) -> Int[np.ndarray, "3 3"]:
 def apply_quarter_turns(
     mesh: Mesh, parts: tuple[ConvexPart, ...], steps: Steps
 ) -> tuple[Mesh, tuple[ConvexPart, ...]]:
-    """Turn a canonical mesh and its convex parts about the fixed axes, exactly.
+    """Rotate a canonical mesh and its convex parts exactly, about the fixed axes.
 
     The unit box is mapped onto itself. Primitives remain primitives; a cylinder's axis turns too.
     """

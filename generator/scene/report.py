@@ -21,7 +21,7 @@ FailureKind = Literal[
 
 @dataclass(frozen=True)
 class Failure:
-    """One reason why a scene failed the gate; ``str`` returns a sentence for people to read.
+    """One reason why a scene failed the gate; ``str`` returns a human-readable sentence.
 
     Code must use these fields and not parse the sentence, since object names are arbitrary.
 
@@ -47,7 +47,7 @@ class Failure:
 
     @property
     def restless(self) -> bool:
-        """Whether an object is not at rest: it moves or turns, or the simulation diverges."""
+        """Whether the failure is that an object moves or turns, or that the simulation diverges."""
         return self.kind in ("moved", "turned", "diverged")
 
     def __str__(self) -> str:
@@ -138,7 +138,7 @@ class Report:
 
     @property
     def failure_text(self) -> str:
-        """The failures as sentences, joined for a message; empty if there are none."""
+        """The failures as joined sentences, or an empty string if there are none."""
         return "; ".join(map(str, self.failures))
 
     def as_json(self) -> dict[str, Any]:

@@ -25,7 +25,7 @@ _MAX_TURN = 1e4  # radians
 
 @dataclass(frozen=True)
 class Rotation:
-    """An estimated yaw r_i (Sec. 3.3, DRO), radians, and how certain it is.
+    """An estimated yaw r_i in radians (Sec. 3.3, DRO), and its certainty.
 
     Attributes:
         yaw, loss: the best estimate; ``candidates`` are the final (yaw, loss) pairs compared.
@@ -63,7 +63,7 @@ class Rotation:
 
 @dataclass(frozen=True)
 class Stacking:
-    """An instance's support (Fig. 25): ``on`` is a name or "table", ``inside`` a container.
+    """An instance's support ``on`` (Fig. 25), a name or "table"; ``inside`` means within it.
 
     An ``order`` of 1 means on the table; a supported object has a higher order than its support.
     """
@@ -75,7 +75,7 @@ class Stacking:
 
 @dataclass(frozen=True, eq=False)
 class Placement:
-    """Pose and scale of one object, (r_i, t_i, s_i) of Sec. 3, in the world frame."""
+    """The pose and scale of one object, (r_i, t_i, s_i) of Sec. 3, in the world frame."""
 
     name: str
     yaw: float
@@ -96,7 +96,7 @@ class Placement:
 
 @dataclass(frozen=True, eq=False)
 class LayoutBox:
-    """Requested position and size of an object, as a box on the tabletop, metres.
+    """Requested position and size of an object in metres, as a box on the tabletop.
 
     ``center`` is relative to the middle of the tabletop, +x right and +y away in the world frame;
     ``size`` is the extent (length, width, height) along the object's own axes, as in ``SizePrior``.
@@ -114,7 +114,7 @@ class LayoutBox:
 
 @dataclass(frozen=True, eq=False)
 class Pose:
-    """A rigid pose in the world frame; ``quaternion`` is a unit quaternion, wxyz."""
+    """A rigid pose in the world frame; ``quaternion`` is a unit quaternion in wxyz order."""
 
     position: Float[np.ndarray, "3"]
     quaternion: Float[np.ndarray, "4"]
@@ -166,7 +166,7 @@ class Object:
 
     @property
     def scale(self) -> Float[np.ndarray, "3"]:
-        """The extent along the object's own axes, metres."""
+        """The extent along the object's own axes, in metres."""
         return self.placement.scale
 
 
@@ -203,7 +203,7 @@ class Table:
 
     @property
     def height(self) -> float:
-        """The height of the top surface above the floor, metres."""
+        """The height of the top surface above the floor, in metres."""
         return float(self.scale[2])
 
 
@@ -231,7 +231,7 @@ class Edit:
 
 @dataclass(frozen=True)
 class Provenance:
-    """A scene's origin, sufficient to reproduce it, without secrets, paths or clock times.
+    """A record that suffices to reproduce a scene, without secrets, paths or clock times.
 
     ``edits`` are the subsequent changes, oldest first.
     """

@@ -14,7 +14,7 @@ from ..errors import InputError
 
 @dataclass(frozen=True, eq=False)
 class Proportions:
-    """Proportions of an object's upright box, estimated from its appearance, with an uncertainty.
+    """Proportions of an object's upright box, estimated from a picture, with their uncertainty.
 
     ``logs`` are the natural logarithms of width over length and of height over length, where length
     is the longer horizontal side; ``spread`` is their expected mean absolute error.
@@ -32,11 +32,11 @@ class Proportions:
 
     @property
     def extent(self) -> Float[np.ndarray, "3"]:
-        """The box (length, width, height) scaled to length 1."""
+        """The box (length, width, height), scaled to a length of 1."""
         return np.array([1.0, *np.exp(self.logs)])
 
     def gap(self, extent: Float[np.ndarray, "3"]) -> float:
-        """Return an extent's mean deviation from these proportions, in expected errors."""
+        """Return the mean deviation of an extent from these proportions, in units of ``spread``."""
         length, width = max(extent[:2]), min(extent[:2])
         off = np.abs(np.log(np.array([width, extent[2]]) / length) - self.logs)
         return float((off / self.spread).mean())
@@ -44,7 +44,7 @@ class Proportions:
 
 @dataclass(frozen=True, eq=False)
 class SizePrior:
-    """A commonsense size (Fig. 22): extent (length, width, height) in metres, and its state.
+    """A commonsense size (Fig. 22): an extent (length, width, height) in metres and a placement.
 
     ``placement`` is for example "lying flat"; ``axes`` names x, y and z, for example "thickness".
     ``outline`` is the outline of a tabletop seen from above, in metres about the middle of its

@@ -12,7 +12,7 @@ _AT_ONCE = 100_000  # number of faces processed at once
 
 
 def weld_index(vertices: Vertices) -> Int[np.ndarray, "n"]:
-    """Return an index that is common to all vertices that share a position."""
+    """Return an index for each vertex, equal for all vertices at the same position."""
     span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
     keys = np.round(vertices / span * 1e5).astype(np.int64)
     x, y, z = (keys - keys.min(0)).T  # each is below 2**17
@@ -20,7 +20,7 @@ def weld_index(vertices: Vertices) -> Int[np.ndarray, "n"]:
 
 
 def scaled_normals(triangles: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "m 3"]:
-    """Return each triangle's normal, with a length of twice the triangle's area."""
+    """Return each triangle's normal, scaled to twice the triangle's area."""
     a, b, c = triangles.transpose(1, 0, 2)
     return np.cross(b - a, c - a)
 
@@ -41,7 +41,7 @@ def areas(vertices: Vertices, faces: Faces) -> Float[np.ndarray, "m"]:
 
 
 def pieces(faces: Faces, count: int) -> Int[np.ndarray, "n"]:
-    """Return, for each of ``count`` vertices, the index of its connected component, from 0."""
+    """Return the zero-based index of the connected component of each of ``count`` vertices."""
     from scipy import sparse
 
     ends = faces[:, [0, 1, 1, 2]].reshape(-1, 2).T.astype(np.int32)

@@ -39,7 +39,7 @@ FOODS: Mapping[str, RGB] = MappingProxyType(
 
 
 def drink_color(look: Look) -> RGB | None:
-    """Return the colour of the drink in a vessel, or None if its state names no drink."""
+    """Return the colour of the drink in a vessel, or None if the state names no drink."""
     state = look.attributes.get("state", "")
     words = state.split()[1:] if state.startswith("with ") else []
     found = next((DRINKS[word] for word in words if word in DRINKS), None)
@@ -69,7 +69,7 @@ WORDS = ("COFFEE", "HELLO", "TEA", "HOME", "MONDAY", "CLUB", "RUN", "LOVE", "#1"
 
 
 def glaze_tile(look: Look, color: RGB, *, words: bool = False) -> Tile:
-    """Return the tile for the outside of crockery: u runs around it (0.5 in front), v upwards.
+    """Return the tile for the outside of crockery; u runs around it (0.5 in front) and v upwards.
 
     The glaze is plain, banded, dipped, speckled, reactive, striped, dotted, checked, leafy or
     floral; with ``words``, it can also have a printed word or badge. If a material is requested,

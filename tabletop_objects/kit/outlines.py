@@ -1,4 +1,4 @@
-"""Flat outlines and curves for extruded and swept solids, in metres, counter-clockwise."""
+"""Flat counter-clockwise outlines and curves in metres, for extruded and swept solids."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from jaxtyping import Float
 
 
 def rectangle(x: float, y: float, radius: float = 0.0, steps: int = 4) -> Float[np.ndarray, "k 2"]:
-    """Return a centred rectangle, counter-clockwise, with corners of the given radius."""
+    """Return a centred counter-clockwise rectangle with corners of the given radius."""
     if radius <= 0:
         return np.array([[-x, -y], [x, -y], [x, y], [-x, y]]) / 2
     radius = min(radius, 0.499 * x, 0.499 * y)
@@ -36,7 +36,7 @@ def rounded_polygon(
 
 
 def ellipse(x: float, y: float, segments: int = 32, start: float = 0.0) -> Float[np.ndarray, "k 2"]:
-    """Return a centred ellipse with *diameters* ``x`` and ``y``, counter-clockwise."""
+    """Return a centred counter-clockwise ellipse with *diameters* ``x`` and ``y``."""
     angles = start + 2 * np.pi * np.arange(segments) / segments
     return np.column_stack([np.cos(angles) * x / 2, np.sin(angles) * y / 2])
 

@@ -25,7 +25,7 @@ def box_part(x: float, y: float, z: float, at: Sequence[float] = (0, 0, 0)) -> C
 def cylinder_part(
     radius: float, length: float, at: Sequence[float] = (0, 0, 0), axis: Literal[0, 1, 2] = 2
 ) -> ConvexPart:
-    """Return a cylinder; ``at`` is the centre of its bottom disc (its lower end along ``axis``)."""
+    """Return a cylinder along ``axis``; ``at`` is the centre of its lower end disc."""
     circle = ellipse(2 * radius, 2 * radius, 16)
     points = np.concatenate([np.column_stack([circle, np.full(16, end)]) for end in (0, length)])
     return ConvexPart(np.roll(points, axis + 1, axis=1) + np.asarray(at, float), "cylinder", axis)
@@ -48,12 +48,12 @@ def whole_hull(points: Any) -> ConvexPart:
 
 
 def hull_of(*solids: Solid) -> ConvexPart:
-    """Return the convex hull of solids; a flat bottom stays flat."""
+    """Return the convex hull of solids, which preserves a flat bottom."""
     return hull_part(np.concatenate([s.vertices for s in solids]))
 
 
 def flat_foot(points: Any, share: float = 0.12) -> ConvexPart:
-    """Return the hull of ``points`` with its lowest fraction ``share`` flattened onto z = 0.
+    """Return the hull of ``points`` with the lowest fraction ``share`` flattened onto z = 0.
 
     An object that is drawn with a flat spot gets a matching flat collision shape and does not
     roll. If its flat spot were larger than the drawn one, a gap would be visible when the object
@@ -76,7 +76,7 @@ def _extremes(points: np.ndarray) -> np.ndarray:
 
 
 def resting_ball(x: float, y: float, z: float, flat: float = 0.45) -> ConvexPart:
-    """Return a faceted ellipsoid with diameters x, y, z that rests on z = 0 on a flat facet.
+    """Return a faceted ellipsoid with diameters x, y and z that stands on a flat facet at z = 0.
 
     ``flat`` is the facet's radius relative to the largest radius. All vertices lie on or inside
     the ellipsoid, except those of the facet, which is lowered to z = 0.

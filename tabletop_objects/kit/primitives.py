@@ -34,7 +34,7 @@ def lay_down(solid: Solid, x: float = 0.0, z: float = 0.0) -> Solid:
 
 
 def lobe(solid: Solid, count: int, depth: float) -> Solid:
-    """Return a solid with ``count`` lobes around z; ``depth`` is the change of its radius."""
+    """Return a solid with ``count`` lobes around z; ``depth`` is the relative change in radius."""
 
     def warp(p: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
         around = np.arctan2(p[:, 1], p[:, 0])
@@ -53,7 +53,7 @@ def blade(path: Any, width: float, *, thick: float = 0.35, sides: int = 6) -> So
 
 
 def packet(outline: np.ndarray, levels: list[tuple[float, float, float]]) -> Solid:
-    """Return a packet: ``outline`` scaled in x and y at each level (z, x factor, y factor)."""
+    """Return a packet: ``outline`` scaled in x and y for each level (z, x factor, y factor)."""
     rings = [lift(outline * [fx, fy], z) for z, fx, fy in levels]
     heights = np.array([z for z, _, _ in levels])
     curve = np.column_stack([[fy * 0.05 for _, _, fy in levels], heights])
@@ -62,7 +62,7 @@ def packet(outline: np.ndarray, levels: list[tuple[float, float, float]]) -> Sol
 
 
 def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
-    """Return a cushion over a grid, bulging by ``lift`` above and below, closed at its rim."""
+    """Return a closed cushion over a grid, which bulges by ``lift`` above and below."""
     n = len(x)
     index = np.arange(n * n).reshape(n, n)
     a, b, c, d = index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]
@@ -78,7 +78,7 @@ def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
 
 
 def spread(points: Float[np.ndarray, "n m 3"], thick: float) -> Solid:
-    """Return a sheet ``thick`` high over a grid of points; its picture is upright seen from above.
+    """Return a sheet ``thick`` high over a grid of points, textured upright as seen from above.
 
     ``points`` form the underside: rows run from front to back, columns from left to right.
     """
@@ -97,12 +97,12 @@ def spread(points: Float[np.ndarray, "n m 3"], thick: float) -> Solid:
 
 
 def ball(x: float, y: float, z: float, at: Point = (0, 0, 0), fine: int = 16) -> Solid:
-    """Return an ellipsoid with diameters x, y, z centred at ``at``."""
+    """Return an ellipsoid with diameters x, y and z, centred at ``at``."""
     return ellipsoid(x, y, z, fine, max(fine // 2, 5)).move(*at)
 
 
 def rod(points: Any, radius: Any, sides: int = 8, steps: int = 4) -> Solid:
-    """Return a round rod along a smooth curve; ``radius`` is one number, or several along it."""
+    """Return a round rod along a smooth curve; ``radius`` is constant, or a sequence along it."""
     path = smooth(points, steps)
     if np.ndim(radius):
         radius = np.interp(
@@ -117,7 +117,7 @@ def straight(a: Point, b: Point, radius: Any, sides: int = 8) -> Solid:
 
 
 def standing_plate(outline: Any, thick: float, y: float = 0.0, bevel: float = 0.0) -> Solid:
-    """Return an outline (x, z; counter-clockwise) as an upright plate that faces the front."""
+    """Return an upright plate of an outline (x, z; counter-clockwise) that faces the front."""
     return facing(prism(outline, -thick / 2, thick / 2, bevel)).move(y=y)
 
 
@@ -147,7 +147,7 @@ def bent_rod(
     sides: int = 14,
     squash: float = 1.0,
 ) -> Solid:
-    """Return a rod along x with rounded ends, bent towards +y; ``taper`` thins its left end.
+    """Return a rod along x with rounded ends, bent towards +y; ``taper`` narrows the left end.
 
     ``blunt`` is 2 for an ellipsoid; larger values give blunter ends.
     """
@@ -167,7 +167,7 @@ def scatter(
     dome: float = 0.0,
     stretch: tuple[float, float, float] = (1.0, 1.0, 1.0),
 ) -> Solid:
-    """Return ``count`` small ellipsoids on a disc at ``height``, heaped up by ``dome``."""
+    """Return ``count`` small ellipsoids on a disc at ``height``, in a heap of height ``dome``."""
     made = []
     for k in range(count):
         away, turn = radius * np.sqrt((k + 0.5) / count), 2.4 * k
@@ -194,7 +194,7 @@ def crockery(r: float, h: float, *, deep: bool = True) -> Solid:
 
 
 def spindle(*profile: tuple[float, float], sides: int = 16, z: float | None = None) -> Solid:
-    """Return a solid of revolution about the x axis from (x, radius) points, left to right."""
+    """Return a solid of revolution about the x axis, from (x, radius) points, left to right."""
     points = [(r, x) for x, r in profile]
     points = [(0.0, points[0][1]), *points, (0.0, points[-1][1])]
     body = lathe(points, sides, v=None).turn(1, np.pi / 2)
@@ -202,13 +202,13 @@ def spindle(*profile: tuple[float, float], sides: int = 16, z: float | None = No
 
 
 def standing(*profile: tuple[float, float], sides: int = 24, at: Point = (0, 0, 0)) -> Solid:
-    """Return a solid of revolution about the z axis from (radius, z) points, bottom to top."""
+    """Return a solid of revolution about the z axis, from (radius, z) points, bottom to top."""
     points = [(0.0, profile[0][1]), *profile, (0.0, profile[-1][1])]
     return lathe(points, sides).move(*at)
 
 
 def lies(solid: Solid, x: float = 0.0, y: float = 0.0, z: float = 0.0) -> Solid:
-    """Return a solid that extends along z, laid down along +x, with its bottom at ``x``."""
+    """Return a solid along z, laid down along +x with its bottom at ``x``."""
     return solid.turn(1, np.pi / 2).move(x, y, z)
 
 
@@ -230,7 +230,7 @@ def disc(
     top: float | None = None,
     sides: int = 24,
 ) -> Solid:
-    """Return an upright cylinder, or a cone with upper radius ``top``; it stands on ``at``."""
+    """Return an upright cylinder, or a cone of upper radius ``top``, with its base at ``at``."""
     bevel = 0.0 if top is not None else min(0.1 * h, 0.1 * r)
     return cylinder(r, h, sides, top=top, bevel=bevel).move(*at)
 
@@ -245,7 +245,7 @@ def drum(
     sides: int = 24,
     bevel: float = 0.0,
 ) -> Solid:
-    """Return a cylinder along ``axis`` from ``at``, or a cone with ``top`` as its end radius."""
+    """Return a cylinder from ``at`` along ``axis``, or a cone with the end radius ``top``."""
     made = cylinder(radius, long, sides, top=top, bevel=bevel)
     if axis == 0:
         made = made.turn(1, np.pi / 2)
@@ -269,7 +269,7 @@ def hull_solid(points: Any) -> Solid:
 
 
 def on_a_face(solid: Solid) -> Solid:
-    """Return a convex solid turned onto its largest face; faces that point down are preferred."""
+    """Return a convex solid resting on its largest face, preferring faces that point down."""
     v, f = solid.vertices, solid.faces
     cross = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
     size = np.linalg.norm(cross, axis=1)

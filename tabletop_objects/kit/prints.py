@@ -30,7 +30,7 @@ def fill(image: Canvas, x: float, y: float, width: float, height: float, color: 
 
 
 def disc(image: Canvas, x: float, y: float, radius: float, color: RGB, inner: float = 0.0) -> None:
-    """Fill a disc, or a ring with inner radius ``inner``, in fractions of the picture's height."""
+    """Fill a disc, or a ring with inner radius ``inner``, in fractions of the image's height."""
     h, w = image.shape[:2]
     rows, columns = np.mgrid[0:h, 0:w] + 0.5
     away = np.hypot(columns - x * w, rows - y * h) / h
@@ -216,7 +216,7 @@ CODE: tuple[RGB, ...] = ((206, 144, 110), (110, 180, 230), (200, 200, 206), (130
 
 
 def desktop(rng: np.random.Generator, width: int = 256, height: int = 160) -> Tile:
-    """Return a computer screen: off, or with windows, code, charts, a table, call or picture."""
+    """Return a computer screen: off, or with windows, code, charts, a table, a call or an image."""
     kind = int(rng.integers(8))
     if kind == 0:
         return _off(width, height)
@@ -303,7 +303,7 @@ def _call(image: Canvas, rng: np.random.Generator) -> None:
 
 
 def apps(rng: np.random.Generator, width: int = 96, height: int = 192) -> Tile:
-    """Return a phone or tablet screen: off, locked, or with icons, a chat, music, map or feed."""
+    """Return a phone or tablet screen: off, locked, or with icons, a chat, player, map or feed."""
     kind = int(rng.integers(7))
     if kind == 0:
         return _off(width, height)
@@ -380,7 +380,7 @@ FRONT = (0.3, 0.7)
 def label(
     rng: np.random.Generator, title: str, color: RGB, ground: RGB, *, width: int = 256
 ) -> Tile:
-    """Return a wrap-round product label: a title in front, small print and a barcode behind."""
+    """Return a wrap-round label with a title in front, and small print and a barcode behind."""
     image = canvas(width, 128, ground)
     kind = int(rng.integers(6))
     front = image[:, int(FRONT[0] * width) : int(FRONT[1] * width)]
@@ -481,7 +481,7 @@ def cover(rng: np.random.Generator, title: str, color: RGB, accent: RGB) -> Tile
 
 
 def pages(rng: np.random.Generator, color: RGB = (240, 234, 218)) -> Tile:
-    """Return the edge of a stack of sheets: fine lines along u."""
+    """Return the edge of a stack of sheets as fine lines along u."""
     shade = np.where(np.arange(32) % 2, -14.0, 4.0) + rng.uniform(-6, 6, 32)
     image = np.array(color) + np.repeat(shade[:, None, None], 32, 1)
     return np.clip(image, 0, 255).astype(np.uint8)
@@ -606,7 +606,7 @@ def wrap(
 
 
 def turned_to(tile: Tile, u: float) -> Tile:
-    """Return a wrap-round print moved so that its front is at ``u`` instead of u = 0.5."""
+    """Return a wrap-round print shifted so that its front is at ``u`` instead of u = 0.5."""
     return np.roll(tile, round((u - 0.5) * tile.shape[1]), axis=1)
 
 

@@ -53,7 +53,7 @@ class Piece:
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """An object as drawn by its category's function, in metres, standing on z = 0.
+    """An object drawn by its category's function, in metres and standing on z = 0.
 
     ``slots`` are the slots of a holder, in metres.
     """
@@ -158,7 +158,7 @@ Pieces = list[tuple[Solid, Tile]]
 def put_down(
     pieces: Pieces, *bodies: Solid, factor: float = 1.0, opacity: float = 1.0, foot: float = 0.0
 ) -> Shape:
-    """Return a shape made of pieces; its parts are the hulls of ``bodies``, by default all pieces.
+    """Return a shape of pieces, with the hulls of ``bodies`` (by default, all pieces) as parts.
 
     Points below z = 0 are flattened onto it, which gives round objects a flat base. ``foot`` is
     the lowest fraction of each part that is also flattened, so that round objects do not roll.
@@ -179,7 +179,7 @@ def _set_down(points: Float[np.ndarray, "n 3"], low: float, share: float) -> np.
 def settle(
     pieces: Pieces, flat: float = 0.06, *, hulls: Sequence[Sequence[int]] | None = None
 ) -> Shape:
-    """Return pieces standing on the table, with the lowest ``flat`` of their height flattened.
+    """Return pieces standing on z = 0, with the lowest fraction ``flat`` of the height flattened.
 
     ``hulls`` lists the pieces in each collision part; by default one part contains all.
     """
@@ -197,7 +197,7 @@ def serve(
     glaze: Tile,
     food: Iterable[tuple[Solid, Tile]],
 ) -> Shape:
-    """Return food on a dish; the dish and the food are one collision part each."""
+    """Return food on a dish, with one collision part for the dish and one for the food."""
     food = list(food)
     return shape([(dish, glaze), *food], [hull_above(dish), hull_above(*(s for s, _ in food))])
 
@@ -284,7 +284,7 @@ def _turn_down(normal: np.ndarray) -> np.ndarray:
 
 
 def _margin(ground: np.ndarray, center: np.ndarray) -> float:
-    """Return how far a point is inside the hull of ``ground`` (n, 2); negative if it is outside."""
+    """Return the distance by which a point is inside the hull of ``ground``, negative outside."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -336,7 +336,7 @@ def in_sizes(spread: float) -> Callable[[ShapeFunction], ShapeFunction]:
 
 
 def vary(sizes: float = 0.15, shades: float = 0.12) -> Callable[[ShapeFunction], ShapeFunction]:
-    """Vary the size and the shade of variants by up to these fractions."""
+    """Vary the size and the shade of variants by up to the given fractions."""
 
     def decorate(draw: ShapeFunction) -> ShapeFunction:
         @wraps(draw)
@@ -368,7 +368,7 @@ def at_rest(draw: ShapeFunction) -> ShapeFunction:
 
 @dataclass(frozen=True, eq=False)
 class Category:
-    """A kind of object: its drawing function and its properties.
+    """A kind of object, with its drawing function and properties.
 
     Attributes:
         key: unique name, which also seeds the variants ("soup_can").
@@ -423,24 +423,24 @@ class Category:
 
     @property
     def sliding_friction(self) -> float:
-        """The sliding friction coefficient, by default the material's."""
+        """The sliding friction coefficient; by default, that of the material."""
         return FRICTION[self.material] if self.friction is None else self.friction
 
     @property
     def growth(self) -> float:
-        """The power of the bounding box's volume to which a variant's mass is proportional."""
+        """The exponent of the bounding box's volume to which a variant's mass is proportional."""
         if self.assembled or self.material == "device":
             return 0.0
         return 2 / 3 if self.hollow else 1.0
 
     @property
     def container(self) -> bool:
-        """Whether objects can be put into it."""
+        """Whether other objects can be put into the object."""
         return "container" in self.roles
 
     @property
     def ball(self) -> bool:
-        """Whether it is round and about as wide as it is high, so that it rolls."""
+        """Whether the object is round and about as wide as it is high, so that it rolls."""
         full = "round" in self.roles and not self.container
         return full and max(self.size) < 1.3 * min(self.size)
 

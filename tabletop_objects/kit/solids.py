@@ -44,7 +44,7 @@ class Solid:
 
     @property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """The lowest and the highest corner of the bounding box."""
+        """The lowest and highest corners of the bounding box."""
         return np.stack([self.vertices.min(0), self.vertices.max(0)])
 
     @property
@@ -89,13 +89,13 @@ class Solid:
 
 
 def signed_volume(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> float:
-    """Return the volume that a closed mesh encloses; positive if its faces point outwards."""
+    """Return the signed volume of a closed mesh, which is positive if its faces point outwards."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
 
 
 def join(solids: Sequence[Solid]) -> Solid:
-    """Return several solids as one; their surfaces stay separate."""
+    """Return several solids as one, with their surfaces kept separate."""
 
     def add(a: Solid, b: Solid) -> Solid:
         return Solid(np.concatenate([a.vertices, b.vertices]), np.concatenate([a.faces, b.faces
@@ -122,7 +122,7 @@ def refine(solid: Solid) -> Solid:
 
 
 def _lanes(points: Float[np.ndarray, "k d"], closed: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Return point indices with sharp corners duplicated, and which adjacent pairs are joined."""
+    """Return point indices with sharp corners repeated, and whether adjacent pairs are joined."""
     ring = np.concatenate([points, points[:1]]) if closed else points
     steps = np.diff(ring, axis=0)
     lengths = np.linalg.norm(steps, axis=1, keepdims=True)
@@ -297,7 +297,7 @@ def open_box(x: float, y: float, z: float, wall: float, bottom: float) -> list[S
 def lathe(
     profile: Any, segments: int = 32, *, v: Sequence[float] | None = None, loop: bool = False
 ) -> Solid:
-    """Return the solid of revolution of ``profile`` (k points of radius, z) about the z axis.
+    """Return the solid of revolution of ``profile``, given as (radius, z) points, about the z axis.
 
     The profile starts and ends on the axis (radius 0), or with ``loop`` is a closed curve away
     from it. It runs counter-clockwise, with the material on its left: from the centre of the bottom
@@ -329,7 +329,7 @@ def cylinder(
 
 
 def ellipsoid(x: float, y: float, z: float, segments: int = 24, rings: int = 14) -> Solid:
-    """Return an ellipsoid with *diameters* x, y, z, centred at the origin."""
+    """Return an ellipsoid with *diameters* x, y and z, centred at the origin."""
     angles = np.linspace(-np.pi / 2, np.pi / 2, rings + 1)
     profile = np.column_stack([np.cos(angles), np.sin(angles)]) / 2
     profile[[0, -1], 0] = 0

@@ -43,7 +43,7 @@ _LIGHT = np.array([-0.45, -0.55, 0.7])
 
 
 def apply_style(made: Shape, style: str) -> Shape:
-    """Return a shape in a style; "" changes nothing.
+    """Return a shape drawn in a style; the style "" changes nothing.
 
     The style is one of ``STYLES``, in upper or lower case, with "_" or "-".
 
@@ -93,7 +93,7 @@ def cartoon(made: Shape) -> Shape:
 
 
 def _refined_within(solid: Solid, edge: float, maximum: int) -> Solid:
-    """Split a solid's triangles until no edge exceeds ``edge``, to at most ``maximum`` faces."""
+    """Split a solid's triangles until no edge exceeds ``edge`` or ``maximum`` faces are reached."""
     for _ in range(3):
         p = solid.vertices[solid.faces]
         longest = np.linalg.norm(p - np.roll(p, 1, 1), axis=-1).max()
@@ -133,7 +133,7 @@ def _round(solid: Solid, radius: float) -> Solid:
 def _fit(
     points: Float[np.ndarray, "k 3"], like: Float[np.ndarray, "n 3"]
 ) -> Float[np.ndarray, "k 3"]:
-    """Scale points to the bounding box of others."""
+    """Scale points to the bounding box of ``like``."""
     low, span = points.min(0), np.ptp(points, axis=0)
     ratio = np.ptp(like, axis=0) / np.where(span > 1e-9, span, 1)
     return like.min(0) + (points - low) * ratio
@@ -153,7 +153,7 @@ def _thicken(solid: Solid, thickness: float) -> Solid:
 
 
 def _press_flat(solid: Solid) -> Solid:
-    """Flatten points below z = 0 onto it."""
+    """Raise the points of a solid below z = 0 to that plane."""
     return solid.bend(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
 
 
@@ -163,7 +163,7 @@ def _grow(
     low: Float[np.ndarray, "3"],
     high: Float[np.ndarray, "3"],
 ) -> ConvexPart:
-    """Return a part enlarged by ``by`` on each side, clipped to a box."""
+    """Return a part enlarged by ``by`` on each side and clipped to a box."""
     first, last = part.bounds
     middle, span = (first + last) / 2, np.maximum(last - first, 1e-6)
     grown = middle + (part.vertices - middle) * (1 + 2 * by / span)
@@ -171,12 +171,12 @@ def _grow(
 
 
 def low_poly(made: Shape) -> Shape:
-    """Return a shape of coarse facets with one flat colour each."""
+    """Return a shape with coarse facets, each in one flat colour."""
     return Shape(tuple(_facet(piece) for piece in made.pieces), made.parts, made.opacity)
 
 
 def _facet(piece: Piece) -> Piece:
-    """Return a decimated piece with one colour per facet; a simple piece keeps its solid."""
+    """Return a decimated piece with one colour per facet; simple pieces keep their solid."""
     solid = piece.solid
     tile = flatten(piece.tile, 3, 1.25, 1.04)
     span = np.sort(np.ptp(solid.vertices, axis=0))
@@ -201,7 +201,7 @@ def _facet(piece: Piece) -> Piece:
 
 
 def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
-    """Return a coarser closed solid in the same box, and for each face the nearest original one."""
+    """Return a coarser closed solid in the same box, and the nearest original face of each face."""
     import fast_simplification
     from scipy.spatial import KDTree
 
@@ -223,7 +223,7 @@ def _decimate(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
 def _away(
     points: Float[np.ndarray, "k 3"], v: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> float:
-    """Return the approximate distance from a surface to the farthest of ``points``."""
+    """Return the approximate distance from a surface to the farthest point of ``points``."""
     from scipy.spatial import KDTree
 
     steps = np.linspace(0, 1, 9)
@@ -275,7 +275,7 @@ _CONTRAST = 0.6
 
 
 def show_color(made: Shape, word: str) -> Shape:
-    """Return a shape that clearly shows a colour; if needed, its largest tile is painted in it.
+    """Return a shape that clearly shows a colour, repainting its largest tile if needed.
 
     The shape is unchanged if ``word`` does not name a colour.
     """
@@ -297,7 +297,7 @@ def show_color(made: Shape, word: str) -> Shape:
 
 
 def _share(tile: Tile, color: RGB) -> float:
-    """Return the fraction of a tile with about the given colour, including its tints and shades."""
+    """Return the fraction of a tile in about the given colour, including its tints and shades."""
     pixels, asked = tile.reshape(-1, 3).astype(float), np.array(color)
     tones, tone = pixels - pixels.mean(1, keepdims=True), asked - asked.mean()
     strength, wanted = np.linalg.norm(tones, axis=1), float(np.linalg.norm(tone))

@@ -1,4 +1,4 @@
-"""Colours, texture tiles, and ``Look``, the seeded choices of one variant.
+"""Colours, texture tiles, and ``Look``, which makes the random choices of one variant.
 
 Tiles are small ``uint8`` RGB images with row 0 at the top (v = 1); their sides are powers of two
 between 8 and 256 pixels. Every function is pure: the same arguments and generator state give the
@@ -45,7 +45,7 @@ COLORS: Mapping[str, RGB] = MappingProxyType({"white": (240, 238, 233), "cream":
 
 
 def rgb(word: str) -> RGB | None:
-    """Return the colour that a word or phrase ("dark blue") names, or None."""
+    """Return the colour named by a word or phrase ("dark blue"), or None if it names none."""
     words = word.lower().replace("-", " ").split()
     named = [COLORS[w] for w in words if w in COLORS]
     if not named:
@@ -110,7 +110,7 @@ def plain(color: RGB) -> Tile:
 
 
 def speckles(rng: np.random.Generator, color: RGB, amount: float = 6.0, side: int = 64) -> Tile:
-    """Return a slightly uneven surface, for plastic, painted metal, ceramic and fruit skin."""
+    """Return a slightly uneven tile for plastic, painted metal, ceramic and fruit skin."""
     shade = noise(rng, side, side, (5, 5), 2) * amount
     return _tile(np.array(color) + shade[..., None])
 
@@ -128,7 +128,7 @@ def spots(
 def wood(
     rng: np.random.Generator, color: RGB, *, grain: float = 1.0, side: int = 128, planks: int = 0
 ) -> Tile:
-    """Return wood with its grain along u, divided into ``planks`` boards."""
+    """Return a tile of wood with its grain along u, divided into ``planks`` boards."""
     rows = np.linspace(0, 1, side)[:, None]
     wave = noise(rng, side, side, (5, 2), 2)
     rings = np.sin(2 * np.pi * (9 * rows + 1.1 * wave + 3 * rng.random()))
@@ -144,7 +144,7 @@ def wood(
 
 
 def marble(rng: np.random.Generator, color: RGB, vein: RGB, side: int = 128) -> Tile:
-    """Return polished stone with thin veins."""
+    """Return a tile of polished stone with thin veins."""
     y, x = np.mgrid[0 : 1 : side * 1j, 0 : 1 : side * 1j]
     angle = rng.uniform(0.4, 1.1)
     warp = noise(rng, side, side, (4, 4), 4)
@@ -155,7 +155,7 @@ def marble(rng: np.random.Generator, color: RGB, vein: RGB, side: int = 128) -> 
 
 
 def brushed_metal(rng: np.random.Generator, color: RGB, side: int = 64) -> Tile:
-    """Return brushed metal with strokes along u and one soft highlight."""
+    """Return a tile of brushed metal with strokes along u and one soft highlight."""
     strokes = noise(rng, side, side, (side // 2, 2), 1) * 9
     glint = 18 * np.cos(np.linspace(-2.5, 2.5, side))[None, :]
     return _tile(np.array(color) + (strokes + glint)[..., None])
@@ -164,7 +164,7 @@ def brushed_metal(rng: np.random.Generator, color: RGB, side: int = 64) -> Tile:
 def fabric(
     rng: np.random.Generator, color: RGB, other: RGB | None = None, threads: int = 32
 ) -> Tile:
-    """Return woven cloth; ``other`` is the second colour of a checked pattern."""
+    """Return a tile of woven cloth; ``other`` is the second colour of a checked pattern."""
     side = 128
     y, x = np.mgrid[0:side, 0:side]
     weave = 9 * np.sin(2 * np.pi * x * threads / side) * np.sin(2 * np.pi * y * threads / side)
@@ -176,7 +176,7 @@ def fabric(
 
 
 def basketwork(rng: np.random.Generator, color: RGB, strands: int = 12) -> Tile:
-    """Return basketwork: flat strands woven over and under each other."""
+    """Return a tile of basketwork, with flat strands woven over and under each other."""
     side = 96
     y, x = np.mgrid[0:side, 0:side] * strands / side
     over = (np.floor(x) + np.floor(y)) % 2 > 0
@@ -198,7 +198,7 @@ def cardboard(rng: np.random.Generator, color: RGB = (188, 148, 100)) -> Tile:
 def stripes(
     colors: Sequence[RGB], counts: int = 1, *, upright: bool = False, side: int = 64
 ) -> Tile:
-    """Return stripes of ``colors``, upwards or from left to right, repeated ``counts`` times."""
+    """Return ``colors`` as stripes, upwards or from left to right, repeated ``counts`` times."""
     index = (np.arange(side) * len(colors) * counts // side) % len(colors)
     line = np.array(colors, float)[index]
     image = np.broadcast_to(line[None] if upright else line[::-1, None], (side, side, 3))
@@ -206,7 +206,7 @@ def stripes(
 
 
 def stack(*bands: tuple[Tile, float], side: int = 128) -> Tile:
-    """Stack tiles from the bottom up, each with its fraction of the height."""
+    """Stack tiles from the bottom up, each at its given fraction of the height."""
     total = sum(share for _, share in bands)
     edges = np.round(np.cumsum([0.0] + [share for _, share in bands]) / total * side).astype(int)
     width = max(tile.shape[1] for tile, _ in bands)
@@ -225,7 +225,7 @@ def fit(tile: Tile, height: int, width: int) -> Tile:
 
 
 def gradient(bottom: RGB, top: RGB, rng: np.random.Generator, amount: float = 5.0) -> Tile:
-    """Blend two colours from the bottom up, a bit unevenly, for ripe fruit, glazes and sunsets."""
+    """Blend two colours unevenly from the bottom up, for ripe fruit, glazes and sunsets."""
     side = 64
     t = np.linspace(1, 0, side)[:, None] + 0.12 * noise(rng, side, side, (4, 4), 2)
     t = np.clip(t, 0, 1)[..., None]
@@ -244,7 +244,7 @@ def grid(line: RGB, ground: RGB, rows: int, columns: int, side: int = 128, width
 
 
 def knitting(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
-    """Return yarn wound in slanted rows."""
+    """Return a tile of yarn wound in slanted rows."""
     side = 128
     y, x = np.mgrid[0:side, 0:side] / side
     phase = 2 * np.pi * (rows * y + 2 * np.sin(2 * np.pi * x) + rng.random())
@@ -252,7 +252,7 @@ def knitting(rng: np.random.Generator, color: RGB, rows: int = 24) -> Tile:
 
 
 def scratches(rng: np.random.Generator, color: RGB, strokes: RGB, count: int = 60) -> Tile:
-    """Return a surface with short slanted strokes, for bread crust, fur, grass and bristles."""
+    """Return a tile with short slanted strokes, for bread crust, fur, grass and bristles."""
     side = 128
     image = np.broadcast_to(np.array(color, float), (side, side, 3)).copy()
     image += noise(rng, side, side, (6, 6), 3)[..., None] * 8
@@ -287,7 +287,7 @@ SIZE_FACTORS: Mapping[str, float] = {"tiny": 0.65, "mini": 0.7, "small": 0.8, "l
 
 
 def size_factor(attributes: Mapping[str, str]) -> float:
-    """Return the scale factor of the attribute "size"; 1 if it has no known size word."""
+    """Return the scale factor of the attribute "size", or 1 if it has no known size word."""
     words = attributes.get("size", "").lower().split()
     return next((SIZE_FACTORS[word] for word in words if word in SIZE_FACTORS), 1.0)
 
@@ -312,7 +312,7 @@ METALS: Mapping[str, RGB] = {"steel": (176, 180, 186), "stainless": (186, 190, 1
 
 @dataclass(frozen=True, eq=False)
 class Look:
-    """The random generator and the requested attributes of one variant.
+    """The random generator and requested attributes from which one variant is drawn.
 
     Draw random numbers first and in a fixed order, so that a seed always gives the same variant.
     """
@@ -384,7 +384,7 @@ def streaks(rng: np.random.Generator, color: RGB, other: RGB, count: int = 18) -
 
 
 def speck(image: Tile, rng: np.random.Generator, color: RGB, count: int, side: int = 3) -> Tile:
-    """Return a tile with ``count`` scattered specks of ``color``: seeds, crumbs or chips."""
+    """Return a tile with ``count`` scattered specks of ``color``, for seeds, crumbs or chips."""
     made = image.copy()
     h, w = made.shape[:2]
     for _ in range(count):

@@ -61,7 +61,7 @@ class Processes:
 
 
 class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
-    """``num_envs`` environments stepped together, a ``gymnasium.vector.VectorEnv``.
+    """A ``gymnasium.vector.VectorEnv`` of ``num_envs`` environments that are stepped together.
 
     Arrays have one row per slot; infos have Gymnasium's vector format. ``reset`` takes one seed
     (slot k gets seed + k) or a list, the options of ``TabletopEnv.reset`` for all slots, and the
@@ -175,7 +175,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         seed: int | Sequence[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Any, dict[str, Any]]:
-        """Reset all slots, or those of the option "reset_mask".
+        """Reset all slots, or those selected by the option "reset_mask".
 
         If one of them fails, none of them has an episode, and ``step`` requires another reset.
 
@@ -274,7 +274,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @property
     def np_random(self) -> Any:
-        """The slots' random generators; copies for slots in processes."""
+        """The slots' random generators, or copies if slots are in processes."""
         return self.get_attr("np_random")
 
     @property
@@ -296,11 +296,11 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @property
     def pids(self) -> tuple[int, ...]:
-        """The ids of the slots' processes, in the order of slots; none for threads."""
+        """The ids of the slots' processes, in the order of slots; empty for threads."""
         return self._runner.pids if isinstance(self._runner, ShardSlots) else ()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state of a copy; its slots have no episodes, as for single environments."""
+        """Return the state for a copy, whose slots have no episode, as for single environments."""
         if self.pids:
             self._check_process()
         state = {k: v for k, v in self.__dict__.items() if k != "_process"}
@@ -313,7 +313,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
     # -------------------------------------------------------------------------------------- parts
 
     def _describe(self, count: int, slot: gym.Env) -> None:
-        """Set spaces and metadata from a slot's environment."""
+        """Set the spaces and the metadata from a slot's environment."""
         assert isinstance(slot.action_space, spaces.Box)
         self.num_envs = count
         self.metadata = {**slot.metadata, "autoreset_mode": self.autoreset_mode}
@@ -325,7 +325,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
 
     @contextmanager
     def _running(self) -> Iterator[SlotRunner]:
-        """Yield the runner of the slots; close the environment if the runner fails meanwhile.
+        """Yield the runner of the slots; if it fails during use, close the environment.
 
         Raises:
             InputError: the vector environment is closed, or belongs to another process.

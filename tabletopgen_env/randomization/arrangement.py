@@ -34,7 +34,7 @@ _DEPTH = 10.0  # depth below the floor of removed objects, metres
 
 
 def bundles(world: World) -> dict[str, str]:
-    """Return for each object the first object of its bundle that stands on the table.
+    """Return, for each object, the first object in its bundle that stands on the table.
 
     The world must be at its start; the contacts there define the bundles.
     """
@@ -61,7 +61,7 @@ def _touching(world: World) -> list[tuple[str, str]]:
 def draw_poses(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, list[float]]:
-    """Draw the move (x, y, metres) and turn (radians) of each bundle of a world at its start."""
+    """Draw a move (x, y; metres) and a turn (radians) for each bundle of a world at its start."""
     most = np.array([settings.move, settings.move, settings.turn])
     drawn = (most * rng.uniform(-1, 1, (len(world.names), 3))).tolist()
     roots = set(bundles(world).values())
@@ -69,7 +69,7 @@ def draw_poses(
 
 
 def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
-    """Rearrange the world's scene; return the names in ``drawn`` that had to stay in place.
+    """Rearrange the world's scene; return the names in ``drawn`` of bundles that stayed in place.
 
     The world must be at its start, and is at its new start afterwards.
     """
@@ -121,7 +121,7 @@ def _find_misplaced(
 
 
 def _over_the_edge(scene: Scene, before: Scene, name: str) -> bool:
-    """Return whether an object projects over the table's edge, and farther than before."""
+    """Return whether an object projects over the table's edge farther than before."""
     outline = scene.table.outline
     now, then = (inside_margin(footprint(s.object(name)), outline).min() for s in (scene, before))
     return bool(now < min(then, 0.0))
@@ -190,7 +190,7 @@ def leaving(
 
 
 def take_away(world: World, names: Collection[str]) -> None:
-    """Move objects below the floor, without contacts, weight or slot."""
+    """Move objects below the floor; remove their contacts, weight and slot."""
     import mujoco
 
     model, data = world.model, world.data

@@ -1,4 +1,4 @@
-"""Masses, friction, servo gains and table height: ``draw_…`` samples, ``apply_…`` writes."""
+"""Masses, friction, servo gains and table height: ``draw_…`` samples and ``apply_…`` sets them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _factors(span: Range, count: int, rng: np.random.Generator) -> Float[np.ndar
 
 
 def draw_mass(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the factor of each object's mass; objects that the hand can carry stay light enough."""
+    """Draw a factor for each object's mass; carriable objects remain light enough to carry."""
     factors = _factors(settings.mass, len(world.names), rng)
     mass = world.model.body_mass[world.bodies]
     factors = np.where(mass <= MAX_MASS, np.minimum(factors, MAX_MASS / mass), factors)
@@ -44,7 +44,7 @@ def apply_mass(world: World, drawn: dict[str, Any]) -> None:
 def draw_friction(
     settings: Randomization, world: World, rng: np.random.Generator
 ) -> dict[str, Any]:
-    """Draw the factors of the friction of each object, of the table and of the fingers."""
+    """Draw factors for the friction of each object, the table and the fingers."""
     table, fingers, *objects = _factors(settings.friction, len(world.names) + 2, rng).tolist()
     objects = dict(zip(world.names, objects, strict=True))
     return {"objects": objects, "table": table, "fingers": fingers}
@@ -60,7 +60,7 @@ def apply_friction(world: World, drawn: dict[str, Any]) -> None:
 
 
 def draw_gains(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the factors of the stiffness and the damping of the arm's servos."""
+    """Draw factors for the stiffness and the damping of the arm's servos."""
     del world
     return {
         "stiffness": _factors(settings.stiffness, 7, rng).tolist(),
@@ -77,13 +77,13 @@ def apply_gains(world: World, drawn: dict[str, Any]) -> None:
 
 
 def draw_table(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the increase of the table's height, metres."""
+    """Draw the increase in the table's height, in metres."""
     del world
     return {"height": settings.table_height * float(rng.uniform(-1, 1))}
 
 
 def apply_table(world: World, drawn: dict[str, Any]) -> None:
-    """Lower the base, its pedestal and the fixed cameras."""
+    """Lower the robot's base, its pedestal and the fixed cameras."""
     model, down = world.model, np.array([0.0, 0.0, -drawn["height"]])
     model.body_pos[model.body(_BASE).id] += down
     for name in (FRONT_CAMERA, TOP_CAMERA):

@@ -1,4 +1,4 @@
-"""Lights, cameras and colours: ``draw_…`` samples, ``apply_…`` writes to the model."""
+"""Lights, cameras and colours: ``draw_…`` samples and ``apply_…`` sets them in the model."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def draw_lights(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the rotation of the suns, and the factors of their colour and the ambient light."""
+    """Draw the suns' rotation, and factors for their colour and for the ambient light."""
     del world
     turn, color, share = rng.uniform(-1, 1, 3), rng.uniform(-1, 1, 3), rng.random()
     low, high = settings.ambient
@@ -57,7 +57,7 @@ def draw_cameras(settings: Randomization, world: World, rng: np.random.Generator
 
 
 def apply_cameras(world: World, drawn: dict[str, Any]) -> None:
-    """Move cameras in the frame of their parent body, and rotate them in their own."""
+    """Move cameras in their parent body's frame, and rotate them in their own frames."""
     for name, change in drawn.items():
         camera = world.model.camera(CAMERAS[name])
         camera.pos[:] += change["move"]
@@ -91,7 +91,7 @@ def draw_colors(settings: Randomization, world: World, rng: np.random.Generator)
 
 
 def apply_colors(world: World, drawn: dict[str, Any]) -> None:
-    """Tint the materials of objects and table."""
+    """Tint the materials of objects and the table."""
     tints = {**drawn["objects"], TABLE: drawn["table"]}
     by_material = {k: tint for name, tint in tints.items() for k in _materials(world, name)}
     for material, tint in by_material.items():

@@ -41,7 +41,7 @@ _MODEL: Mapping[str, tuple[Draw, Apply]] = MappingProxyType(
 
 
 class Randomizer:
-    """Applies a ``Randomization`` or a named preset to the worlds of one environment.
+    """A randomizer of one environment's worlds, given a ``Randomization`` or a preset's name.
 
     Each episode calls ``restart``, ``begin`` for each world that is tried (instead of
     ``World.reset``), and ``finish`` after the task is drawn. A copy starts without worlds.
@@ -125,14 +125,14 @@ class Randomizer:
             self._originals[world].restore(world)
 
     def delay(self, action: Float[np.ndarray, "a"]) -> Float[np.ndarray, "a"] | None:
-        """Return the delayed action for ``action``, or None until the delay has elapsed."""
+        """Store ``action``; return the one that is due, or None until the delay has elapsed."""
         if "delay" not in self._on:
             return action
         self._late.append(action)
         return self._late.popleft() if len(self._late) > self._delay else None
 
     def noise(self) -> Noise | None:
-        """Return the noise of the next reading, or None."""
+        """Return the next reading's noise, or None if it is off."""
         if "noise" not in self._on:
             return None
         draw, settings = self._noise.standard_normal, self.settings
@@ -143,7 +143,7 @@ class Randomizer:
         )
 
     def _pose(self, world: World) -> None:
-        """Displace the world's objects as far as they remain at rest."""
+        """Displace the world's objects where they can remain at rest."""
         world.reset()
         drawn = arrangement.draw_poses(self.settings, world, self._stream("poses"))
         stayed = arrangement.apply_poses(world, drawn)

@@ -132,7 +132,7 @@ class Randomization:
                 )
 
     def _pair(self, name: str, wanted: str) -> tuple[Any, Any]:
-        """Set a setting to a tuple of its two values, and return them."""
+        """Store a setting as a tuple of its two values, and return the tuple."""
         value = getattr(self, name)
         if isinstance(value, str | Mapping) or not hasattr(value, "__len__") or len(value) != 2:
             raise InputError(f"Randomization.{name} must be {wanted}, got {value!r}.")
@@ -178,7 +178,7 @@ large ones."""
 
 
 def resolve(choice: Randomization | str | None) -> Randomization:
-    """Return the settings for a preset's name or a ``Randomization``; None for no randomisation.
+    """Return the settings that a preset's name, a ``Randomization`` or None (off) stands for.
 
     Raises:
         InputError: the preset is unknown, or the value has another type.

@@ -93,21 +93,21 @@ def start_off(
 
 @dataclass(frozen=True, eq=False)
 class _Zone:
-    """An outline to be kept free of all bundles but ``of``; it moves with ``carrier``."""
+    """An outline to be kept free of all bundles except ``of``; it moves with ``carrier``."""
 
     outline: Outline
     of: tuple[str, ...]
     carrier: str | None = None
 
     def carry(self, first: str, centre: Point, move: Float[np.ndarray, "3"]) -> _Zone:
-        """Return the zone after a bundle is moved (x, y) and rotated about its centre."""
+        """Return the zone after a bundle is moved (x, y) and rotated about ``centre``."""
         if first != self.carrier:
             return self
         return replace(self, outline=carry(self.outline, centre, move[None])[0])
 
 
 class _Tabletop:
-    """Bundles to displace, by their first object: their ``order`` and accepted ``moves``."""
+    """Bundles to displace, named by their first object: their ``order`` and accepted ``moves``."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._before = world.scene
@@ -146,14 +146,14 @@ class _Tabletop:
         return on and bool(inside_margin(self._then[first], self._before.table.outline).min() >= 0)
 
     def _room(self, first: str, other: str) -> float:
-        """Return the distance to keep from a bundle, including room for a hand, metres."""
+        """Return the distance in metres to keep from a bundle, including room for a hand."""
         if first not in self._wanted:
             return ROOM
         below = max(self._tops[first], _PALM_Z)
         return PALM_ROOM if self._tops[other] > below else HAND_ROOM
 
     def _on_table(self, first: str, own: Outlines) -> Bool[np.ndarray, "c"]:
-        """Return which outlines keep their distance from the table's edge and the robot's base."""
+        """Return which outlines are far enough from the table's edge and the robot's base."""
         top, base = self._before.table.outline, self._world.base_position[None, :2]
         inner = inside_margin(own.reshape(-1, 2), top).reshape(own.shape[:2]).min(1)
         edge = min(EDGE, float(inside_margin(self._then[first], top).min()))
@@ -177,7 +177,7 @@ class _Tabletop:
     def _clear(
         self, first: str, own: Outlines, centre: Point, tries: Moves
     ) -> Bool[np.ndarray, "c"]:
-        """Return which outlines keep their distance from other bundles and from the zones."""
+        """Return which outlines are far enough from other bundles and from the zones."""
         good = np.ones(len(own), bool)
         for other, outline in self._outlines.items():
             if other != first:
@@ -194,7 +194,7 @@ class _Tabletop:
         return good
 
     def _in_the_way(self, moves: Mapping[str, list[float]]) -> bool:
-        """Return whether a tall object would obstruct the arm's way to an object of the goals."""
+        """Return whether a tall object would obstruct the arm's path to an object of the goals."""
         before, mount = self._before, self._world.mount
         high = before.table.height + TALL
         if all(o.pose.position[2] + np.linalg.norm(o.scale) / 2 < high for o in before.objects):
@@ -207,7 +207,7 @@ class _Tabletop:
 
 
 def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
-    """Return the height of each bundle above the table, by its first object, metres."""
+    """Return the height of each bundle above the table in metres, keyed by its first object."""
     tops: dict[str, float] = {}
     for name, first in root.items():
         half = world.scene.object(name).scale / 2
@@ -231,7 +231,7 @@ def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
 
 
 def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
-    """Return the first two outlines that are closer than ``_TOGETHER``, if any."""
+    """Return the first pair of outlines closer than ``_TOGETHER``, or None."""
     for (one, a), (other, b) in itertools.combinations(outlines.items(), 2):
         if near(a[None], b, _TOGETHER) and apart(a[None], b)[0] < _TOGETHER:
             return one, other
@@ -239,7 +239,7 @@ def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
 
 
 def _zones(world: World, goals: Sequence[Goal], root: Mapping[str, str]) -> list[_Zone]:
-    """Return the zones that goals need free: marked spots, push paths, and start positions."""
+    """Return the zones to keep free for goals: marked spots, push paths and start positions."""
     zones = []
     for goal in goals:
         if goal.spot is None:

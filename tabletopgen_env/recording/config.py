@@ -106,7 +106,7 @@ class RecordConfig:
 
     @property
     def name(self) -> str:
-        """The task's name, without the other parts of an id."""
+        """The name of the task, without the other parts of its id."""
         return self.task.rpartition("/")[2].removesuffix("-v0")
 
     def check(self) -> None:

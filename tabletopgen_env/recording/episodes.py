@@ -36,7 +36,7 @@ Columns = dict[str, Column | dict[str, Column | dict[str, Column]]]
 
 @dataclass(frozen=True, eq=False)
 class RecordedEpisode:
-    """An episode of ``t`` steps, the ``number``-th that was played; see the package docstring."""
+    """The ``number``-th played episode, with ``t`` steps; see the package docstring."""
 
     number: int
     observations: Shaped[np.ndarray, "t1 ..."] | dict[str, Shaped[np.ndarray, "t1 ..."] | list[str]]
@@ -60,7 +60,7 @@ class RecordedEpisode:
 
     @property
     def cameras(self) -> dict[str, dict[str, Float[np.ndarray, "t1 _ _"]]]:
-        """``intrinsics`` and ``extrinsics`` of each camera."""
+        """The ``intrinsics`` and ``extrinsics`` of each camera."""
         return self.infos.get("cameras", {})  # type: ignore[return-value]
 
     @property
@@ -77,7 +77,7 @@ class RecordedEpisode:
         }
 
     def summaries(self) -> dict[str, RowSummary]:
-        """Return summaries of actions, rewards, robot and observations by name.
+        """Return summaries of actions, rewards, proprioception and observations by name.
 
         Colours are in [0, 1], depth is in metres, and labels have no summary.
         """
@@ -136,7 +136,7 @@ def _environment(config: RecordConfig) -> gym.Env[Any, Any]:
 def _chunk(
     config: RecordConfig, make: bytes, first: int, few: int
 ) -> list[RecordedEpisode | SceneError]:
-    """Play a process's share of episodes in the environment that the pickled ``make`` creates."""
+    """Play one process's episodes in the environment that the pickled ``make`` creates."""
     env = call_once(make)
     return [_attempt(config, env, first + k) for k in range(few)]
 

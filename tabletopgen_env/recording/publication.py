@@ -1,4 +1,4 @@
-"""Atomic publication of datasets, which are written to a temporary place and then renamed."""
+"""Atomic publication of datasets, which are written to a temporary path and then renamed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Statistics of rows of numbers per entry: range, mean, deviation and quantiles."""
+"""Statistics per column of numeric rows: range, mean, standard deviation and quantiles."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _MOST_NUMBERS = 1 << 22  # pixels sampled per picture stream and episode
 
 @dataclass(frozen=True, eq=False)
 class RowSummary:
-    """Statistics of ``count`` rows, each an array with an entry for each of the ``d`` columns.
+    """Statistics of ``count`` rows, each an array with one entry for each of ``d`` columns.
 
     ``std`` is the population's standard deviation; ``quantiles`` are in the order of ``QUANTILES``.
     """
@@ -43,7 +43,7 @@ class RowSummary:
 
     @classmethod
     def of_figures(cls, figures: Mapping[str, Any]) -> RowSummary:
-        """Return the summary with given ``figures``.
+        """Return the summary with the given ``figures``.
 
         Raises:
             KeyError, TypeError, ValueError: the figures are invalid.
@@ -79,14 +79,14 @@ def summarize_colors(pictures: UInt8[np.ndarray, "t h w c"]) -> RowSummary:
 
 
 def summarize_depth(pictures: Float[np.ndarray, "t h w"]) -> RowSummary:
-    """Summarise depth pictures as one channel, metres; large streams are subsampled."""
+    """Summarise depth pictures as one channel in metres; large streams are subsampled."""
     numbers = pictures.reshape(-1, 1)
     few = summarize(numbers[:: -(-len(numbers) // _MOST_NUMBERS)])
     return RowSummary(few.minimum, few.maximum, few.mean, few.std, few.quantiles, len(pictures))
 
 
 def merge(summaries: Sequence[RowSummary]) -> RowSummary:
-    """Merge summaries; quantiles are the means of the parts' quantiles, weighted by rows.
+    """Merge summaries; each quantile is the mean of the parts' quantiles, weighted by rows.
 
     Range, mean and deviation are exact. Exact quantiles cannot be computed from quantiles; LeRobot
     uses the mean as well when it merges episodes.

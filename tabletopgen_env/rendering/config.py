@@ -121,7 +121,7 @@ class ObservationConfig:
         self._check_marks()
 
     def _check_marks(self) -> None:
-        """Validate instruction, mark and calibration; resolve None."""
+        """Validate the instruction, mark and calibration; resolve None."""
         if self.instruction is None:
             default: InstructionKind = "text" if self.mode == "pixels+proprio" else "none"
             object.__setattr__(self, "instruction", default)
@@ -159,7 +159,7 @@ class ObservationConfig:
 
     @cached_property
     def sizes(self) -> dict[CameraName, tuple[int, int]]:
-        """Height and width of each camera's pictures, in pixels."""
+        """The height and width of each camera's pictures, in pixels."""
         return _read_cameras(self.cameras, self.image_size)[1]
 
     def key(self, camera: CameraName, kind: Kind) -> str:
@@ -193,7 +193,7 @@ class RenderConfig:
 
     @property
     def shape(self) -> tuple[int, int]:
-        """Height and width in pixels."""
+        """The height and width in pixels."""
         assert isinstance(self.size, tuple)
         return self.size
 
@@ -215,7 +215,7 @@ def _picture_size(name: str, size: int | tuple[int, int], maximum: int) -> tuple
 
 
 def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
-    """Return ``wanted`` as a tuple of known names without repetition."""
+    """Return ``wanted`` as a tuple of distinct known names."""
     several = isinstance(wanted, Iterable) and not isinstance(wanted, str)
     names: tuple[Any, ...] = tuple(wanted) if several else (wanted,)
     for name in names:
@@ -231,7 +231,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
 def _read_cameras(
     wanted: Any, size: Any
 ) -> tuple[tuple[CameraName, ...], dict[CameraName, tuple[int, int]]]:
-    """Return the selected cameras, and the size of each one's pictures, in pixels."""
+    """Return the selected cameras, and the size of each camera's pictures in pixels."""
     preset = PRESETS.get(wanted) if isinstance(wanted, str) else None
     names: Any = _some("camera", wanted if preset is None else tuple(preset), _CAMERAS)
     if isinstance(size, Mapping):

@@ -1,4 +1,4 @@
-"""Pictures of a world, through OpenGL if available, otherwise in software.
+"""Pictures of a world, rendered with OpenGL if available, and otherwise in software.
 
 MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. Without any of them,
 ``renderer="auto"`` uses this project's software renderer (slower and plainer, with the same
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class _GlUse:
-    """Use of GL by this process."""
+    """The use of GL by this process."""
 
     # GL bindings initialise themselves on first use; allow one thread at a time.
     lock: threading.Lock = field(default_factory=threading.Lock)
@@ -92,7 +92,7 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
 
 
 class GlDrawer(Drawer):
-    """Renders with MuJoCo's OpenGL renderer: keeps one GL context and the meshes of a few worlds.
+    """MuJoCo's OpenGL renderer, with one GL context and the meshes of a few worlds.
 
     A copy in a forked process neither draws nor frees resources.
     """
@@ -171,7 +171,7 @@ class GlDrawer(Drawer):
         return context, scene, mujoco.MjrRect(0, 0, self._size[1], self._size[0])
 
     def _hold(self, world: World) -> tuple[mujoco.MjrContext, mujoco.MjvScene]:
-        """Return the context and scene of ``world``, created on first use."""
+        """Return the context and scene of ``world``, creating them on first use."""
         import mujoco
 
         if id(world) not in self._held:
@@ -196,7 +196,7 @@ class GlDrawer(Drawer):
 
 @contextmanager
 def _ids_for_colors(scene: mujoco.MjvScene) -> Iterator[None]:
-    """Draw geoms flat, in colours that encode their number in the scene."""
+    """Draw geoms unshaded, in colours that encode their numbers in the scene."""
     import mujoco
 
     rnd = mujoco.mjtRndFlag
@@ -209,7 +209,7 @@ def _ids_for_colors(scene: mujoco.MjvScene) -> Iterator[None]:
 
 
 def _metres(model: mujoco.MjModel, buffer: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "h w"]:
-    """Return a depth buffer in metres, inf for the background."""
+    """Return a depth buffer in metres, with inf for the background."""
     extent, planes = model.stat.extent, model.vis.map
     near, far = planes.znear * extent, planes.zfar * extent
     z = buffer.astype(np.float64)
@@ -218,7 +218,7 @@ def _metres(model: mujoco.MjModel, buffer: Float[np.ndarray, "h w"]) -> Float[np
 
 
 def _geoms(scene: mujoco.MjvScene, picture: UInt8[np.ndarray, "h w 3"]) -> Int[np.ndarray, "h w"]:
-    """Return the geom encoded in each pixel's colour, -1 for the background."""
+    """Return the geom encoded in each pixel's colour, or -1 for the background."""
     import mujoco
 
     geom = np.full(scene.ngeom + 1, -1, np.int32)
@@ -251,7 +251,7 @@ def _gl_context(width: int, height: int) -> Any:
 
 
 def _gl_modules() -> tuple[str, ...]:
-    """Return the modules to try for a ``GLContext``, best first."""
+    """Return the modules to try for a ``GLContext``, the best one first."""
     if os.environ.get("MUJOCO_GL") or has_display():
         return ("mujoco.gl_context",)
     return ("mujoco.egl", "mujoco.osmesa")

@@ -18,12 +18,12 @@ Kind = Literal["rgb", "depth", "segmentation"]
 
 
 class Drawer(Protocol):
-    """A rendering backend: draws worlds at a fixed picture size."""
+    """A rendering backend that draws worlds at a fixed picture size."""
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
     ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
-        """Return the requested pictures, drawn together, in the formats of ``rgb`` and ``depth``.
+        """Return the requested pictures, rendered together in the formats of ``rgb`` and ``depth``.
 
         "segmentation" holds the geom id of each pixel, -1 for the background.
         """

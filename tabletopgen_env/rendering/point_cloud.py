@@ -48,7 +48,7 @@ def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:
 def point_cloud(
     config: ObservationConfig, world: World, drawers: DrawerOf, order: Sequence[str]
 ) -> dict[str, Shaped[np.ndarray, "n *_c"]]:
-    """Return the cloud from the cameras of ``config``; arguments as for ``views.pictures``."""
+    """Return the cloud seen by the cameras of ``config``; arguments as in ``views.pictures``."""
     labels, points, ids = geom_labels(world, order), [], []
     low, high = np.array(WORKSPACE)
     low[2] = max(low[2], world.scene.table.height + ABOVE - world.base_position[2])
@@ -63,7 +63,7 @@ def point_cloud(
 
 
 def unproject(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "hw 3"]:
-    """Return the world points of a camera's pixels, row by row; NaN for the background."""
+    """Return the world points of a camera's pixels, row by row, with NaN for the background."""
     rows, columns = np.indices(depth.shape) + 0.5
     across = (columns - camera.center[0]) / camera.focal
     down = (rows - camera.center[1]) / camera.focal

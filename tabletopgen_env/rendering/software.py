@@ -1,4 +1,4 @@
-"""Rendering without OpenGL: draws the model's visible geoms as triangles in software."""
+"""Rendering without OpenGL: the model's visible geoms are drawn as triangles in software."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 @dataclass(frozen=True, eq=False)
 class VisibleGeom:
-    """A visible geom: triangle mesh in its own frame, uv, and a texture to multiply by ``tint``."""
+    """A visible geom: a triangle mesh in its own frame, uv, and a texture tinted by ``tint``."""
 
     geom: int
     vertices: Float[np.ndarray, "n 3"]
@@ -46,7 +46,7 @@ class VisibleGeom:
 
 
 class SoftwareDrawer(Drawer):
-    """Draws with ``generator.render.raster``, without any graphics library."""
+    """A renderer based on ``generator.render.raster``, without any graphics library."""
 
     def __init__(self, height: int, width: int, profile: Profile) -> None:
         self._size, self._full = (height, width), profile == "full"
@@ -55,7 +55,7 @@ class SoftwareDrawer(Drawer):
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
     ) -> dict[Kind, Shaped[np.ndarray, "h w *_c"]]:
-        """Return the requested pictures, drawn together."""
+        """Return the requested pictures, rendered together."""
         from generator.render.raster import render
 
         if world not in self._shapes:
@@ -92,7 +92,7 @@ def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
 
 
 def _light(model: mujoco.MjModel) -> Light:
-    """Return the first sun, and the sum of ambient light and headlight as light from the sky."""
+    """Return the first sun, with ambient light and headlight combined as light from the sky."""
     from generator.render.shading import Light
 
     head, sun = model.vis.headlight, model.light_diffuse[0]
@@ -122,7 +122,7 @@ def _item(world: World, shape: VisibleGeom) -> Item | None:
 
 
 def visible_shapes(model: mujoco.MjModel) -> list[VisibleGeom]:
-    """Return every geom of the visible groups as triangles, except the floor."""
+    """Return every geom of the visible groups, except the floor, as triangles."""
     shapes = []
     for k in range(model.ngeom):
         if model.geom_group[k] < _VISIBLE_GROUPS and (mesh := _triangles(model, k)):
@@ -132,7 +132,7 @@ def visible_shapes(model: mujoco.MjModel) -> list[VisibleGeom]:
 
 
 def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-    """Return vertices (n, 3), faces (m, 3) and uv (n, 2) of geom ``k`` in its own frame."""
+    """Return the vertices (n, 3), faces (m, 3) and uv (n, 2) of geom ``k`` in its local frame."""
     import mujoco
 
     kind, size = mujoco.mjtGeom(model.geom_type[k]), model.geom_size[k]
@@ -193,7 +193,7 @@ def _mesh(model: mujoco.MjModel, mesh: int) -> tuple[np.ndarray, np.ndarray, np.
 
 
 def _color(model: mujoco.MjModel, k: int) -> Float[np.ndarray, "4"]:
-    """Return the rgba of geom ``k``, from its material if it has one."""
+    """Return the RGBA colour of geom ``k``, from its material if it has one."""
     material = model.geom_matid[k]
     return model.mat_rgba[material] if material >= 0 else model.geom_rgba[k]
 

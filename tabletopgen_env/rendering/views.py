@@ -138,7 +138,7 @@ def pictures(
 
 
 def _tint(picture: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]) -> np.ndarray:
-    """Return a picture with a region tinted, and its edge in the full colour."""
+    """Return a picture with a region tinted, and the region's edge in the full colour."""
     inside = mask.copy()
     inside[:-1] &= mask[1:]
     inside[1:] &= mask[:-1]

@@ -34,14 +34,14 @@ class Chain:
         self.turns = data.xmat[1:].reshape(7, 3, 3)
 
     def move(self, joints: Float[np.ndarray, "7"]) -> None:
-        """Update ``tool``, ``hand`` (its rotation), ``links`` and ``turns`` for ``joints``."""
+        """Update ``tool``, ``hand`` (a rotation), ``links`` and ``turns`` for ``joints``."""
         import mujoco
 
         self._data.qpos[:] = joints
         mujoco.mj_kinematics(self._model, self._data)
 
     def jacobian(self) -> Float[np.ndarray, "6 7"]:
-        """Return the geometric Jacobian of the tool centre point: linear, then angular rows."""
+        """Return the geometric Jacobian of the tool centre point, with the linear rows first."""
         import mujoco
 
         full = self._jacobian

@@ -40,12 +40,12 @@ class Joint:
 
     @property
     def place(self) -> tuple[float, float, float]:
-        """Position of the link's frame in its parent's, metres."""
+        """The position (m) of the link's frame in its parent frame."""
         return self.a, float(-self.d * np.sin(self.alpha)), float(self.d * np.cos(self.alpha))
 
     @property
     def turn(self) -> tuple[float, float, float, float]:
-        """The wxyz quaternion of the link's frame in its parent's at q = 0."""
+        """The wxyz quaternion of the link's frame in its parent frame at q = 0."""
         return float(np.cos(self.alpha / 2)), float(np.sin(self.alpha / 2)), 0.0, 0.0
 
 
@@ -117,7 +117,7 @@ INERTIALS: dict[str, Inertial] = {
 
 @dataclass(frozen=True)
 class Capsule:
-    """A collision capsule: two end points and a radius, metres, in its body's frame."""
+    """A collision capsule: two end points and a radius in its body's frame, in metres."""
 
     start: tuple[float, float, float]
     end: tuple[float, float, float]

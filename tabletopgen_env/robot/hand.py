@@ -27,7 +27,7 @@ GRIPPER = "actuator8"
 
 
 def hand_spec() -> mujoco.MjSpec:
-    """Return the hand without an arm, fixed to the world: flange at the origin, z outwards."""
+    """Return the hand alone, fixed to the world with the flange at the origin and z outwards."""
     import mujoco
 
     spec = mujoco.MjSpec()
@@ -50,7 +50,7 @@ def add_colors(spec: mujoco.MjSpec) -> None:
 
 
 def add_hand(spec: mujoco.MjSpec, hand: mujoco.MjsBody) -> None:
-    """Add shape, fingers, tool centre point and wrist camera to the hand's body."""
+    """Add the shape, fingers, tool centre point and wrist camera to the hand's body."""
     import mujoco
 
     dress(spec, hand)
@@ -103,7 +103,7 @@ def _add_pad(finger: mujoco.MjsBody) -> None:
 
 
 def dress(spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
-    """Add inertia, capsules and shells to ``body``."""
+    """Add the inertia, capsules and shells to ``body``."""
     import mujoco
 
     inertial = franka.INERTIALS[body.name]

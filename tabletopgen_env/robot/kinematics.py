@@ -68,7 +68,7 @@ def link_frames(joints: Float[np.ndarray, "7"]) -> Float[np.ndarray, "7 4 4"]:
 def forward(
     joints: Float[np.ndarray, "7"],
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
-    """Return position (m) and rotation of the tool centre point in the base frame."""
+    """Return the position (m) and rotation of the tool centre point in the base frame."""
     chain = chain_at(joints)
     return chain.tool.copy(), chain.hand.copy()
 
@@ -150,7 +150,7 @@ def _turn_back(
     rest: Float[np.ndarray, "7"],
     damping: float,
 ) -> Float[np.ndarray, "7"]:
-    """Return joints within their range, in place of ``new``, some of which are out of range."""
+    """Return joints within their ranges, to replace ``new``, which violates some of the ranges."""
     # Joints out of their range, such as a straight elbow, return by at most one step.
     lowest = np.minimum(LOWEST, joints + MAX_STEP)
     highest = np.maximum(HIGHEST, joints - MAX_STEP)
@@ -209,7 +209,7 @@ def is_beyond_reach(position: Float[np.ndarray, "3"]) -> bool:
 
 
 def _wrist_distance(elbow: float) -> float:
-    """Return the distance of the wrist from the shoulder at an elbow angle (rad), metres."""
+    """Return the distance in metres from shoulder to wrist at an elbow angle in radians."""
     upper, lower = franka.JOINTS[2:5:2]
     c, s = math.cos(elbow), math.sin(elbow)
     bent = franka.JOINTS[3].a

@@ -42,7 +42,7 @@ def menagerie() -> mujoco.MjSpec:
 
 
 def _folder() -> Path:
-    """Return the folder of Menagerie's ``panda.xml`` (BackendError: it is not installed)."""
+    """Return the folder of Menagerie's ``panda.xml``, or raise BackendError if there is none."""
     places = []
     if root := os.environ.get("MENAGERIE_ROOT"):
         places.append(Path(root) / _FOLDER)
@@ -62,7 +62,7 @@ def _folder() -> Path:
 
 
 def _cache() -> Path:
-    """The model folder of the mujoco-menagerie package on this platform."""
+    """Return the model folder of the mujoco-menagerie package on this platform."""
     if folder := os.environ.get("MENAGERIE_CACHE_DIR"):
         return Path(folder)
     if sys.platform == "win32":

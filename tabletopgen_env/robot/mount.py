@@ -114,7 +114,7 @@ def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
 def clear_of_tall(
     scene: Scene, mount: Mount, name: str, points: Float[np.ndarray, "n 2"]
 ) -> Bool[np.ndarray, "n"]:
-    """Return which points (x, y, world) have no tall object but ``name`` between them and the base.
+    """Return which points have no tall object except ``name`` between them and the base.
 
     Tall objects and obstruction are defined as in ``obstacle``.
     """
@@ -194,7 +194,7 @@ def _rising(scene: Scene, boxes: Sequence[_Box]) -> list[_Box]:
 def _obstacle(
     mount: Mount, point: Float[np.ndarray, "d"], but: str, rising: Sequence[_Box]
 ) -> str | None:
-    """Return which of the tall boxes, except ``but``, is between the base and a point, or None."""
+    """Return the tall object, other than ``but``, between the base and a point, or None."""
     start = mount.position[:2]
     way = point[:2] - start
     for other in rising:
@@ -212,7 +212,7 @@ def _obstacle(
 def _score(
     mount: Mount, spots: Float[np.ndarray, "n 3"], boxes: Sequence[_Box], rising: Sequence[_Box]
 ) -> float:
-    """Score a mount by the objects and table area reached, clearance, and the viewer's side."""
+    """Score a mount by the reached objects and table area, the clearance and the viewer's side."""
     covered = float(mount.reaches(spots).mean())
     reached = crowded = 0.0
     if boxes:
@@ -229,7 +229,7 @@ def _score(
 
 
 def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:
-    """Return a grid of points on the table top, 6 cm apart."""
+    """Return a grid of points on the tabletop, 6 cm apart."""
     outline = np.asarray(scene.table.outline, float)
     low, high = outline.min(0), outline.max(0)
     axes = [np.arange(low[k] + 0.03, high[k], 0.06) for k in (0, 1)]

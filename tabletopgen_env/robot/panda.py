@@ -99,7 +99,7 @@ def _primitive() -> mujoco.MjSpec:
 def _add_link(
     spec: mujoco.MjSpec, parent: mujoco.MjsBody, number: int, joint: franka.Joint
 ) -> mujoco.MjsBody:
-    """Add link ``number`` with its joint at its modified-DH frame."""
+    """Add link ``number`` and its joint at the modified-DH frame."""
     body = parent.add_body(
         name=f"link{number}",
         pos=joint.place,
@@ -140,7 +140,7 @@ def _add_actuators(spec: mujoco.MjSpec) -> None:
 
 
 def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
-    """Exclude collisions of bodies within three joints; the fingers have joint limits."""
+    """Exclude collisions between bodies up to three joints apart; the fingers have joint limits."""
     chain = [*_LINKS, HAND]
     pairs = [(a, b) for i, a in enumerate(chain) for b in chain[i + 1 : i + 4]]
     pairs += [(link, finger) for link in chain[-4:] for finger in FINGERS]

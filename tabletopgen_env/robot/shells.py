@@ -30,7 +30,7 @@ COLORS: dict[str, tuple[float, float, float, float]] = {
 
 @dataclass(frozen=True, eq=False)
 class RobotShell:
-    """A coloured closed mesh, read-only. ``color`` is a key of ``COLORS``."""
+    """A coloured, closed, read-only mesh. ``color`` is a key of ``COLORS``."""
 
     color: str
     vertices: Float[np.ndarray, "n 3"]
@@ -42,7 +42,7 @@ class RobotShell:
 
 
 def _rings(rings: Float[np.ndarray, "k s 3"], color: str) -> RobotShell:
-    """Connect successive rings of points to a closed mesh, with a fan at each end."""
+    """Connect successive rings of points into a closed mesh, with a fan at each end."""
     k, s = rings.shape[:2]
     a = np.arange(s)
     b = (a + 1) % s
@@ -93,7 +93,7 @@ def _circles(
     radius: Float[np.ndarray, "k"],
     sides: int,
 ) -> Float[np.ndarray, "k s 3"]:
-    """Return circles about ``centers``, their first axis transported without twist."""
+    """Return circles about ``centers``, with their first axis transported without twist."""
     start = np.eye(3)[np.argmin(np.abs(tangents[0]))]
     angle = np.linspace(0, 2 * np.pi, sides, endpoint=False)
     rings = []
@@ -114,7 +114,7 @@ def slab(
     power: float = 4.0,
     sides: int = 12,
 ) -> RobotShell:
-    """Return a softened box: superelliptic outline, bevelled by ``round_off`` metres at both ends.
+    """Return a box with a superelliptic outline and both ends bevelled by ``round_off`` metres.
 
     ``half`` are half extents; ``taper`` scales the outline at the bottom and at the top.
     """
@@ -227,14 +227,14 @@ def _finger() -> tuple[RobotShell, ...]:
 def join(
     shells: Sequence[RobotShell],
 ) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
-    """Return vertices and faces of several shells as one mesh."""
+    """Return the vertices and faces of several shells as one mesh."""
     first = np.cumsum([0, *(len(shell.vertices) for shell in shells[:-1])])
     faces = [shell.faces + at for shell, at in zip(shells, first, strict=True)]
     return np.concatenate([shell.vertices for shell in shells]), np.concatenate(faces)
 
 
 def arm_points() -> Float[np.ndarray, "n 3"]:
-    """Return points on the links at home and the tool centre point, in the base frame.
+    """Return the tool centre point and points on the links at home, in the base frame.
 
     A camera that shows all of them shows the whole robot.
     """

@@ -23,7 +23,7 @@ _NEW = 4.0  # weight of a scene not drawn before
 
 @dataclass(eq=False)
 class CurriculumScenes:
-    """Draws scenes from another source, by their difficulty and the results of earlier episodes.
+    """Scenes from another source, drawn by difficulty and by the results of earlier episodes.
 
     It holds the ``size`` most recent scenes. Each draw adds one more scene of the source, then
     chooses among the held ones: first a bin of difficulty by ``sampler``, then a scene in it.
@@ -98,7 +98,7 @@ class CurriculumScenes:
         close(self._source)
 
     def _meet(self, drawn: SceneRef) -> None:
-        """Hold a scene, without duplicates; drop deleted scenes and the oldest beyond ``size``."""
+        """Store a scene once; drop deleted scenes and the oldest ones beyond ``size``."""
         others = [ref for ref in self._held if ref.key != drawn.key and is_there(ref)]
         [met] = [ref for ref in self._held if ref.key == drawn.key] or [self._rate(drawn)]
         self._held = [*others, met][-self.size :]
@@ -115,7 +115,7 @@ class CurriculumScenes:
 
 @dataclass(eq=False)
 class _Made:
-    """Generates a scene once and keeps it."""
+    """A scene that is generated only once."""
 
     make: Callable[[], Scene]
     scene: Scene | None = None

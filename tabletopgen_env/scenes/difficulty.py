@@ -118,7 +118,7 @@ def _below(scene: Scene, thing: Object) -> list[str]:
 
 
 def _tightness(scene: Scene, target: Object) -> float:
-    """Return the clearance term of one object, from the outlines of all others but its carriers."""
+    """Return the clearance term of one object, ignoring the objects that carry it."""
     import shapely
 
     carrying = {target.name, *_below(scene, target)}
@@ -154,7 +154,7 @@ def _distances(scene: Scene, things: Sequence[Object]) -> Float[np.ndarray, "k"]
 
 
 def _misfit(obj: Object) -> float | None:
-    """Return the size term of an object, in [0, 1]; None if it cannot be grasped."""
+    """Return the size term of an object, in [0, 1], or None if it cannot be grasped."""
     if why_not_graspable(obj, None) is not None:
         walled = obj.model.container and why_not_graspable(obj, opening(obj)) is None
         return RIM if walled else None

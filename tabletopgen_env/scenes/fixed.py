@@ -18,12 +18,12 @@ from .splits import SplitRule, admits, kinds, kinds_of
 
 @dataclass(frozen=True)
 class Bundle:
-    """Loads the bundle at a path, which may have been deleted in the meantime."""
+    """A loader of the bundle at a path, which may have been deleted in the meantime."""
 
     path: Path
 
     def __call__(self) -> Scene:
-        """Read the whole scene, with every file checked.
+        """Read the whole scene, and check every file.
 
         Raises:
             BundleError: the bundle is missing or damaged.
@@ -39,7 +39,7 @@ class Bundle:
         return load_digest(self.path)
 
     def kinds(self) -> frozenset[str]:
-        """The categories of its objects."""
+        """The categories of the objects."""
         return kinds_of(load_kinds(self.path))
 
 
@@ -50,7 +50,7 @@ def bundle_ref(path: Path) -> SceneRef:
 
 
 def folder(ref: SceneRef) -> Path | None:
-    """Return the folder of a scene's bundle; None for other scenes."""
+    """Return the folder of a scene's bundle, or None for other scenes."""
     return ref.load.path if isinstance(ref.load, Bundle) else None
 
 
@@ -61,7 +61,7 @@ def is_there(ref: SceneRef) -> bool:
 
 @dataclass(eq=False)
 class FixedScenes:
-    """Draws uniformly from fixed scenes.
+    """A uniform sampler of fixed scenes.
 
     A bundle that is deleted while the environment runs is skipped, with one warning, as long as
     other scenes remain; if it reappears, it is drawn again. A damaged bundle raises an error.

@@ -20,7 +20,7 @@ DRAWS = 1000
 
 @dataclass(frozen=True)
 class FreshScenes:
-    """Generates a new table for every draw, from a random prompt and seed or from a drawn plan.
+    """A source that generates a table per draw, from a random prompt and seed or a drawn plan.
 
     Attributes:
         prompts: a prompt, a list of prompts, or a distribution of tables.

@@ -54,7 +54,7 @@ def fixed_scenes(scenes: FixedChoice) -> FixedScenes:
 
 
 def on_demand(scenes: object) -> bool:
-    """Return whether ``scenes`` is generated on demand: a form of ``FRESH`` or ``REFRESHING``.
+    """Return whether ``scenes`` is a form of ``FRESH`` or ``REFRESHING``, generated on demand.
 
     A curriculum of such scenes counts as well; so does ``CURRICULUM`` alone.
     """
@@ -64,7 +64,7 @@ def on_demand(scenes: object) -> bool:
 
 
 def graded_of(scenes: str) -> str | None:
-    """Return the scenes that a form of ``CURRICULUM`` refers to; None for other forms.
+    """Return the scenes that a form of ``CURRICULUM`` refers to, or None for other forms.
 
     Raises:
         InputError: nothing follows the colon, or another curriculum follows it.

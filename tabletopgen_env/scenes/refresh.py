@@ -26,7 +26,7 @@ PER_MINUTE = 6.0
 
 @dataclass(eq=False)
 class RefreshingScenes:
-    """Draws uniformly from a pool that background processes keep renewing.
+    """A source that draws uniformly from a pool renewed by background processes.
 
     A new scene replaces the oldest one. With ``per_minute`` a draw never waits for a new scene: it
     adds completed scenes, orders those that are due, and draws from the pool, so the scenes that a
@@ -115,7 +115,7 @@ class RefreshingScenes:
 
     @property
     def refs(self) -> tuple[SceneRef, ...]:
-        """The scenes in the pool, oldest first; none before the first draw."""
+        """The scenes in the pool, oldest first; empty before the first draw."""
         return tuple(self._pool.refs) if self._pool else ()
 
     @property

@@ -21,7 +21,7 @@ EDGES = (0.0, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 1.0)
 
 @dataclass(eq=False)
 class DifficultySampler:
-    """Draws bins of difficulty by their learning potential, from running success rates.
+    """A sampler of difficulty bins by learning potential, based on running success rates.
 
     The rate of a bin is p = (s + 1) / (n + 2) for s successes in n episodes. Older episodes count
     less: half after ``halflife`` further episodes of the same bin. The potential is p (1 - p),
@@ -59,7 +59,7 @@ class DifficultySampler:
 
     @property
     def rates(self) -> Float[np.ndarray, "b"]:
-        """The success rate of each bin; 1/2 for bins without episodes."""
+        """The success rate of each bin, or 1/2 for bins without episodes."""
         return (self.counts[:, 1] + 1) / (self.counts[:, 0] + 2)
 
     def bins(self, difficulties: ArrayLike) -> Int[np.ndarray, "*n"]:
@@ -68,7 +68,7 @@ class DifficultySampler:
         return np.asarray(found)
 
     def probabilities(self, amounts: Real[np.ndarray, "b"] | None = None) -> Float[np.ndarray, "b"]:
-        """Return the probability of each bin, given its number of items (None: equal numbers)."""
+        """Return the probability of each bin, given the number of items in each (None: equal)."""
         held = np.ones(len(self.counts)) if amounts is None else np.asarray(amounts, float)
         potential = held * self.rates * (1 - self.rates)
         return self.explore * held / held.sum() + (1 - self.explore) * potential / potential.sum()

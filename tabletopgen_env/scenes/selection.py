@@ -65,7 +65,7 @@ def split(
     needs: Needs = (),
     start: SceneChoice = STARTER,
 ) -> SceneSource:
-    """Return a source of only the training scenes, or only the held-out ones.
+    """Return a source of either the training scenes or the held-out scenes.
 
     Whether a scene is held out depends only on the scene, so the two sides are disjoint in all
     processes and lists. See ``splits``.

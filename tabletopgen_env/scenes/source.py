@@ -48,7 +48,7 @@ class HeldRef(SceneRef):
 
 
 class Remembered(Generic[T]):
-    """A cache of facts about scenes, for some ten thousand of them; copies start empty.
+    """A cache of facts about some ten thousand scenes; copies are empty at first.
 
     Facts about a scene in memory live as long as the scene, since its key can be reused afterwards.
     """
@@ -128,7 +128,7 @@ class SharedScenes:
             close(self._source)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state of a copy, without the lock."""
+        """Return the state to be pickled, without the lock."""
         return {"_source": self._source}
 
     def __setstate__(self, state: dict[str, Any]) -> None:

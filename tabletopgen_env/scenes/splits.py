@@ -41,7 +41,7 @@ DRAWS = 200
 
 @dataclass(frozen=True)
 class SplitRule:
-    """One side of a split: the training scenes or the held-out scenes.
+    """One subset of a split: the training scenes or the held-out scenes.
 
     Attributes:
         side: "train" or "held_out".
@@ -76,7 +76,7 @@ class SplitRule:
         object.__setattr__(self, "categories", tuple(sorted({_key(c) for c in self.categories})))
 
     def admits(self, identity: Callable[[], str], kinds: Callable[[], frozenset[str]]) -> bool:
-        """Return whether a scene is on this side; only the relevant argument is evaluated.
+        """Return whether a scene is in this subset; only the relevant argument is evaluated.
 
         Args:
             identity: returns the identity of the scene, the same in every process.
@@ -113,22 +113,22 @@ class Described(Protocol):
         ...
 
     def kinds(self) -> frozenset[str]:
-        """Return the categories of its objects; see ``kinds_of``."""
+        """Return the categories of the objects; see ``kinds_of``."""
         ...
 
 
 def admits(rule: SplitRule, ref: SceneRef) -> bool:
-    """Return whether a scene is on the side of a rule, loading it only if necessary."""
+    """Return whether a rule admits a scene, loading the scene only if necessary."""
     return rule.admits(lambda: digest_of(ref), lambda: kinds(ref))
 
 
 def digest_of(ref: SceneRef) -> str:
-    """Return the digest of a scene, loading it only if necessary."""
+    """Return the digest of a scene, loading the scene only if necessary."""
     return ref.load.digest() if isinstance(ref.load, Described) else digest(ref.load())
 
 
 def kinds(ref: SceneRef) -> frozenset[str]:
-    """Return the categories of a scene's objects, loading it only if necessary."""
+    """Return the categories of a scene's objects, loading the scene only if necessary."""
     return ref.load.kinds() if isinstance(ref.load, Described) else scene_kinds(ref.load())
 
 
@@ -138,7 +138,7 @@ def scene_kinds(scene: Scene) -> frozenset[str]:
 
 
 def kinds_of(objects: Iterable[tuple[str, str]]) -> frozenset[str]:
-    """Return the categories of objects given as pairs (category, label): both, written as keys."""
+    """Return the categories and labels, written as keys, of objects given as pairs of both."""
     words = {_key(word) for pair in objects for word in pair}
     return frozenset(words - {"generic"})
 
@@ -169,7 +169,7 @@ class AdmittedScenes:
     _known: Remembered[bool] = field(default_factory=Remembered, init=False, repr=False)
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw until a scene is on the side of the rule.
+        """Draw scenes until the rule admits one.
 
         Raises:
             SceneError: none of ``DRAWS`` drawn scenes is.

@@ -35,14 +35,14 @@ Reasons = dict[str, str | None]
 
 
 def liftable(world: World) -> Reasons:
-    """Return why each object cannot be picked up, None if it can; grasps are not planned."""
+    """Return why each object cannot be picked up, or None if it can; grasps are not planned."""
     return {
         o.name: world.ungraspable[o.name] or blocking_reason(world, o) for o in world.scene.objects
     }
 
 
 def blocking_reason(world: World, obj: Object) -> str | None:
-    """Return why the hand cannot access an object, or move it alone; None if it can."""
+    """Return why the hand cannot access an object or move it alone, or None if it can."""
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
     if (between := obstacle(world.scene, world.mount, obj.name)) is not None:
@@ -62,7 +62,7 @@ def draw_episode(
     lacks: str,
     held: bool = True,
 ) -> Episode:
-    """Return the episode that ``make`` gives for the target, or for a drawn one.
+    """Return the episode that ``make`` creates for the given target, or for a drawn one.
 
     Args:
         world: the world, at its start.
@@ -94,7 +94,7 @@ def draw_episode(
 
 
 def check_known(world: World, name: str, what: str) -> str:
-    """Return ``name`` if the scene has an object of this name.
+    """Return ``name`` if the scene has an object with this name.
 
     Raises:
         InputError: the object does not exist.
@@ -121,7 +121,7 @@ def rest_height(world: World, name: str) -> float:
 def spot_of(
     world: World, obj: Object, goal: Choice, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"] | None:
-    """Return the spot on the table that ``goal`` gives, or a random free one, world frame.
+    """Return the table spot in ``goal``, or a random free spot, in the world frame.
 
     At a random spot the arm can place the object with its planned grasp.
     """
@@ -175,7 +175,7 @@ def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
 
 
 def containers(world: World, obj: Object) -> Iterator[Object]:
-    """Yield the containers for an object: those that stand free, upright and in reach."""
+    """Yield the containers for an object that stand free, upright and in reach."""
     outline = world.footprints[obj.name]  # for any yaw of the hand
     across = float(np.linalg.norm(outline[:, None] - outline[None], axis=-1).max())
     for other in world.scene.objects:
@@ -213,7 +213,7 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
 
 
 def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
-    """Return the object that a goal option names, None without the option.
+    """Return the object that a goal option names, or None without the option.
 
     ``use`` completes the error for unknown objects ("to put things on"), ``wanted`` the one for
     other values ("Stack must be an object's name").
@@ -227,7 +227,7 @@ def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | Non
 
 
 def target_of(goal: Choice) -> str | None:
-    """Return the object that a goal option names, None for a spot, a point or no option."""
+    """Return the object that a goal option names, or None for a spot, a point or no option."""
     return goal if isinstance(goal, str) and goal != SPOT else None
 
 

@@ -72,7 +72,7 @@ class Push(Task):
 
 
 def slidable(world: World) -> Reasons:
-    """Return why each object cannot be pushed, None if it can."""
+    """Return why each object cannot be pushed, or None if it can."""
     return {o.name: _fixed_reason(world, o) for o in world.scene.objects}
 
 
@@ -106,7 +106,7 @@ def tips(obj: Object) -> bool:
 
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
-    """Draw the end of a push, with a path free of objects and room for the hand at its start."""
+    """Draw the end of a push whose path is free of objects, with room for the hand at its start."""
     begin, table = obj.pose.position[:2], world.scene.table
     outline, others = world.footprints[obj.name], beside(world, obj.name)
     radius = float(np.linalg.norm(outline - begin, axis=1).max())

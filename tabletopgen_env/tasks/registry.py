@@ -22,7 +22,7 @@ TASKS: Mapping[str, type[Task]] = MappingProxyType({task.__name__: task for task
 
 
 def task_named(name: str, preset: str | None = None) -> Task:
-    """Return the task of a name; ``preset`` is for the task "Sequence".
+    """Return the task with the given name; ``preset`` is for the task "Sequence".
 
     Raises:
         InputError: the task or preset is unknown, or the task has no presets.

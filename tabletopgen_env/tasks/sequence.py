@@ -63,7 +63,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Preset:
-    """A sentence, its steps, its bundles (a glob), and the needs of generated tables."""
+    """A sentence, its steps, its bundles (a glob) and the requirements on generated tables."""
 
     instruction: str
     scenes: str
@@ -212,7 +212,7 @@ def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
 ) -> Goal | None:
-    """Return a goal for ``obj`` clear of ``busy`` objects and spots of ``before``, or None."""
+    """Return a goal for ``obj`` away from ``busy`` objects and the spots of ``before``, or None."""
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
     ways: list[Goal] = []

@@ -69,7 +69,7 @@ class Swap(Task):
 
 
 def _fits(world: World, obj: Object, place: Object) -> bool:
-    """Return whether ``obj`` has room at the position of ``place`` once that is removed."""
+    """Return whether ``obj`` fits at the position of ``place`` once ``place`` is removed."""
     outline = world.footprints[obj.name] - obj.pose.position[:2]
     radius = float(np.linalg.norm(outline, axis=1).max())
     center = place.pose.position[:2]

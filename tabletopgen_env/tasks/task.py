@@ -133,12 +133,12 @@ class Task(ABC):
         """
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
-        """Return the instruction of ``goals``, with unambiguous names of the present objects."""
+        """Return the instruction for ``goals``, with unambiguous names of the present objects."""
         return ", then ".join(goal.words(world) for goal in goals)
 
     @property
     def listed_as(self) -> TaskName | None:
-        """The name of the task in certificates; None for custom tasks."""
+        """The name of the task in certificates, or None for custom tasks."""
         kind = type(self)
         own = kind.__module__.startswith(f"{__package__}.")
         return TaskName(kind.__name__) if own else None
@@ -146,7 +146,7 @@ class Task(ABC):
     # -------------------------------------------------------------------------------- goal vectors
 
     def desired_goal(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
-        """Return the desired goal vector, ``float32``, 8 entries for each of ``most`` goals."""
+        """Return the desired goal vector (``float32``; 8 entries for each of ``most`` goals)."""
         entries: list[float] = []
         for goal in episode.goals:
             region = goal.region(world)
@@ -158,7 +158,7 @@ class Task(ABC):
     def achieved_goal(
         self, world: World, episode: Episode, desired: Float[np.ndarray, "g"]
     ) -> Float[np.ndarray, "g"]:
-        """Return the achieved goal vector in the same form."""
+        """Return the achieved goal vector; see ``desired_goal``."""
         entries: list[float] = []
         wanted = desired.tolist()
         for k, goal in enumerate(episode.goals):
@@ -183,7 +183,7 @@ class Task(ABC):
     # -------------------------------------------------------------------------------------- reward
 
     def goal_terms(self, gaps: list[Gap]) -> dict[str, float]:
-        """Return the terms that the goal vectors determine: place, met, success."""
+        """Return the terms that the goal vectors determine: place, met and success."""
         count = len(gaps)
         place = [1 / (1 + math.sqrt(g.across * g.across + g.up * g.up) / PLACE_SCALE) for g in gaps]
         for first, second in self.aside.items():
@@ -193,7 +193,7 @@ class Task(ABC):
         return {"place": sum(place) / count, "met": met / count, "success": float(met == count)}
 
     def terms(self, world: World, episode: Episode, gaps: list[Gap]) -> dict[str, float]:
-        """Return every reward term by name, each in [0, 1]."""
+        """Return all reward terms by name, each in [0, 1]."""
         shared = self.goal_terms(gaps)
         if shared["success"]:
             return dict.fromkeys((*_HAND, *shared), 1.0)
@@ -203,7 +203,7 @@ class Task(ABC):
         return {name: (met + value) / count for name, value in hand.items()} | shared
 
     def _hand(self, world: World, goal: Goal, start: float, gap: Gap) -> dict[str, float]:
-        """Return reach, grasp and lift of an active goal with its target's ``start`` height."""
+        """Return reach, grasp and lift of an active goal, given its target's ``start`` height."""
         if goal.target is None or (goal.released and gap.across <= 0 and gap.up <= 0):
             return dict.fromkeys(_HAND, 1.0)
         at = world.state.positions[world.index(goal.target)]
@@ -222,7 +222,7 @@ def first_open(gaps: list[Gap]) -> int:
 
 
 def center(world: World, goal: Goal) -> Float[np.ndarray, "3"]:
-    """Return the centre of a goal's target: an object or the tool centre point."""
+    """Return the point of a goal's target: an object's centre or the tool centre point."""
     if goal.target is None:
         return world.state.tool.copy()
     return world.position(goal.target)

@@ -69,7 +69,7 @@ class Tidy(Task):
 
 
 def _together(world: World, container: Object, things: list[Object]) -> list[Object]:
-    """Return which objects fit into a container together, the nearest to it first."""
+    """Return which objects fit into a container together, starting with the nearest."""
     hollow = world.openings[container.name]
     assert hollow is not None
     room = FULL * np.pi * float(hollow.semi.prod())
@@ -93,5 +93,5 @@ def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
 
 
 def _area(world: World, obj: Object) -> float:
-    """Return the footprint area of an object, square metres."""
+    """Return the footprint area of an object in square metres."""
     return float(ConvexHull(world.footprints[obj.name]).volume)  # area of a polygon

@@ -76,7 +76,7 @@ class HumanInput:
 
 @dataclass(frozen=True, eq=False)
 class Command:
-    """The command for an input: an "ee_delta" action, whether it moves anything, and events."""
+    """The command for an input: an "ee_delta" action, whether it causes motion, and events."""
 
     action: Float[np.ndarray, "5"]
     acts: bool
@@ -84,7 +84,7 @@ class Command:
 
 
 class Operator:
-    """Converts successive inputs to commands; tracks the gripper command.
+    """A converter of successive inputs to commands, which tracks the gripper command.
 
     Args:
         view: the camera on display.
@@ -119,7 +119,7 @@ class Operator:
 
 
 def _motion(given: HumanInput) -> Float[np.ndarray, "4"]:
-    """Return right, away, up and turn, each in [-1, 1]."""
+    """Return the entries right, away, up and turn in [-1, 1]."""
     found = np.zeros(4)
     for key in given.keys & _KEYS.keys():
         entry, sign = _KEYS[key]

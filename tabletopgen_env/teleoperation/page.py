@@ -1,4 +1,4 @@
-"""Local web page for teleoperation: sends pictures, receives keys and sticks.
+"""A local web page for teleoperation: it shows pictures and reads keys and sticks.
 
 The server listens only on the loopback interface. A client needs the token in the page's address,
 and its Origin header must be the page itself, so that no other site in the same browser can drive
@@ -42,7 +42,7 @@ _MAX_HELD, _MAX_BUTTONS = 16, 32
 
 
 class TeleopPage:
-    """Serves the page and holds its latest input. Close it after use.
+    """A server of the page, which holds the latest input. Close it after use.
 
     Args:
         port: port of the server; 0 for any free port.
@@ -83,7 +83,7 @@ class TeleopPage:
         return f"http://{HOST}:{self.port}/?token={self._token}"
 
     def read(self) -> HumanInput | None:
-        """Return the input held now or since the last call; None while no page is open."""
+        """Return the inputs active now or since the last call, or None while no page is open."""
         with self._lock:
             given, keys, buttons = self._given, self._keys, self._buttons
             self._keys, self._buttons = frozenset[str](), frozenset[int]()
@@ -144,7 +144,7 @@ class TeleopPage:
         return answer
 
     def _listen(self, connection: ServerConnection) -> None:
-        """Read the input of a page until it leaves or another one connects."""
+        """Read the input of a page until it disconnects or another page connects."""
         with self._lock:
             before, self._driver, self._given = self._driver, connection, HumanInput()
         if before is not None:

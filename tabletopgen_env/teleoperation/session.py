@@ -58,7 +58,7 @@ class TeleopEpisode:
 
 
 class TeleopSession:
-    """Plays "ee_delta" episodes from an operator's input.
+    """A player of "ee_delta" episodes from an operator's input.
 
     The policy, if any, acts until the person moves the arm or the gripper; then the person acts
     until the event "policy".
@@ -109,7 +109,7 @@ class TeleopSession:
         self._operator.restart()
 
     def advance(self, given: HumanInput) -> TeleopEpisode | Literal["dropped"] | None:
-        """Advance by a step; return the episode when the person keeps it, or "dropped".
+        """Advance by a step; return a kept episode, "dropped" for a dropped one, or else None.
 
         A finished episode waits for either event. An episode without steps cannot be kept.
         """

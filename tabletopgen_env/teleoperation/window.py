@@ -53,7 +53,7 @@ class TeleopWindow:
         self._size = height, width
 
     def read(self) -> HumanInput | None:
-        """Return the current input; None once the window is closed."""
+        """Return the current input, or None once the window is closed."""
         glfw, window = self._glfw, self._window
         glfw.poll_events()
         if glfw.window_should_close(window):

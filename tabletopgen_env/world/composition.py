@@ -106,7 +106,7 @@ def marker_kind(shape: MarkerShape) -> mujoco.mjtGeom:
 
 
 def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
-    """Return the camera across the table from the robot, which shows the top and the arm at home.
+    """Return the camera opposite the robot, which shows the tabletop and the arm at home.
 
     Both are entirely visible in pictures at least as wide as high.
     """
@@ -114,12 +114,12 @@ def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
 
 
 def side_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
-    """Return the camera on the robot's left, with the same content as ``front_camera``."""
+    """Return the camera on the robot's left, with the same framing as ``front_camera``."""
     return _framing(scene, mount, np.pi, width, height)
 
 
 def _framing(scene: Scene, mount: Mount, around: float, width: int, height: int) -> Camera:
-    """Return a camera that frames table and arm; ``around`` is its bearing in the base frame."""
+    """Return a camera that frames the table and arm from bearing ``around`` in the base frame."""
     turn = rotation_z(mount.yaw)
     outline = np.asarray(scene.table.outline, float)
     top = np.column_stack([outline, np.full(len(outline), scene.table.height)])

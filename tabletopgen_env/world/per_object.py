@@ -18,6 +18,6 @@ class PerObject(dict[str, T]):
         self._scene, self._find = scene, find
 
     def __missing__(self, name: str) -> T:
-        """Compute a missing value; concurrent threads compute the same one."""
+        """Compute a missing value; concurrent threads compute equal values."""
         found = self[name] = self._find(self._scene.object(name))
         return found

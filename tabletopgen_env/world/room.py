@@ -73,7 +73,7 @@ def furnish(spec: mujoco.MjSpec, scene: Scene, mount: Mount, front: Camera) -> N
 def exposure(
     suns: Float[np.ndarray, "n 3"], ambient: Float[np.ndarray, "3"], head: Float[np.ndarray, "3"]
 ) -> float:
-    """Return the factor, at most 1, that prevents overexposure of white in these lights."""
+    """Return the factor, at most 1, that prevents overexposure of white under these lights."""
     brightest = float((suns.sum(0) + ambient + head).max())
     return min(1.0, BRIGHTEST / max(brightest, 1e-9))
 

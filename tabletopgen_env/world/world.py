@@ -1,4 +1,4 @@
-"""A robot at a table, compiled: ids by name, the start state, and queries of the physics.
+"""A compiled model of a robot at a table: ids by name, the start state and physics queries.
 
 ``World`` puts a robot beside a scene with ``MjSpec.attach`` (prefix "panda/"), compiles it and
 keeps model and data.
@@ -219,7 +219,7 @@ class World:
         position: Float[np.ndarray, "3"],
         quaternion: Float[np.ndarray, "4"] | None = None,
     ) -> None:
-        """Place an object at rest at a world position (and wxyz orientation; None keeps it)."""
+        """Place an object at rest at a world position and wxyz orientation (None keeps it)."""
         k = self.index(name)
         address = self._object_qpos[k]
         self.data.qpos[address[:3]] = position
@@ -239,7 +239,7 @@ class World:
 
     @cached_property
     def half_top(self) -> Float[np.ndarray, "2"]:
-        """Half the extents of the table top's outline, the larger one first, metres."""
+        """Half the extents of the tabletop's outline in metres, the larger one first."""
         half = np.ptp(self.scene.table.outline, axis=0) / 2
         return np.array([half.max(), half.min()])
 
@@ -250,7 +250,7 @@ class World:
 
     @cached_property
     def ungraspable(self) -> Mapping[str, str | None]:
-        """The reason why each resting object cannot be grasped, None if it can."""
+        """The reason why each resting object cannot be grasped, or None if it can."""
         return {
             o.name: why_not_liftable(o)
             or why_not_graspable(o, self.openings[o.name] if is_too_wide(o) else None)
@@ -271,7 +271,7 @@ class World:
 
     @property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "_k 2"]]:
-        """The convex outline of each resting object seen from above, world frame."""
+        """The convex outline of each resting object seen from above, in the world frame."""
         if "footprints" not in self._known:
             self._known["footprints"] = {o.name: footprint(o) for o in self.scene.objects}
         return self._known["footprints"]
@@ -294,7 +294,7 @@ class World:
         return self.state.positions[self.index(name)].copy()
 
     def rotation(self, name: str) -> Float[np.ndarray, "3 3"]:
-        """Return an object's rotation, body to world."""
+        """Return an object's body-to-world rotation."""
         return self.state.rotations[self.index(name)].copy()
 
     def velocity(self, name: str) -> Float[np.ndarray, "6"]:
@@ -308,14 +308,14 @@ class World:
         return float(self.state.positions[k, 2] + (self._points[k] @ up).min())
 
     def off_table(self) -> tuple[str, ...]:
-        """Return the objects that fell off the table: those with the centre below its top."""
+        """Return the objects that fell off the table: those whose centre is below its top."""
         low = self.state.positions[:, 2] < self.scene.table.height
         if not np.count_nonzero(low):
             return ()
         return tuple(self.names[k] for k in np.flatnonzero(low))
 
     def touches(self, name: str) -> tuple[bool, bool, bool]:
-        """Return whether left finger, right finger, and any part of the robot touch the object.
+        """Return whether the left finger, right finger and any robot part touch an object.
 
         The result is cached until the next call that moves something. No moving part touches a
         sleeping object, because the arm never sleeps and wakes every object that it touches; only
@@ -390,7 +390,7 @@ def _count(steps: int) -> Float[np.ndarray, "steps 1"]:
 
 
 def gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
-    """Return a label for each body: 0 other, 1 robot, 2 left finger, 3 right finger."""
+    """Return each body's label: 1 for the robot, 2 and 3 for its left and right fingers, else 0."""
     sides = np.zeros(model.nbody, int)
     for k in range(model.nbody):
         name = model.body(k).name

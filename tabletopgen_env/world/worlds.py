@@ -20,7 +20,7 @@ KEPT = 16
 
 
 class WorldCache:
-    """Keeps the ``size`` most recently used worlds by scene key, so that a reset only writes state.
+    """A cache of the ``size`` last used worlds by scene key, so that a reset only writes state.
 
     New worlds, with ``robot`` at the table, are copied from ``masters``; if that is None, each is
     compiled.
@@ -44,7 +44,7 @@ class WorldCache:
         return world
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state of a copy: an empty cache."""
+        """Return the state to be pickled: an empty cache."""
         return {**self.__dict__, "_worlds": OrderedDict()}
 
 
@@ -61,7 +61,7 @@ class _Master:
 
 
 class Masters:
-    """Keeps the ``size`` most recently used scenes, compiled once with ``robot``, to be copied.
+    """The ``size`` most recently used scenes, compiled once with ``robot``, to be copied.
 
     The methods are thread-safe. Each copy has its own model, since environments write to it.
     """
@@ -85,7 +85,7 @@ class Masters:
             return master.world.twin()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state of a copy: an empty cache without lock."""
+        """Return the state to be pickled: an empty cache without a lock."""
         return {"_robot": self._robot, "_size": self._size}
 
     def __setstate__(self, state: dict[str, Any]) -> None:

@@ -1,4 +1,4 @@
-"""What a page contains for each scene; the fields are also options of the ``page`` command."""
+"""The content of a page for each scene; the fields are also options of the ``page`` command."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ PageFormat = Literal["glb", "mjcf", "sdf", "urdf", "usd", "usdz"]
 
 @dataclass(frozen=True)
 class FolderOptions:
-    """What a page contains for each scene.
+    """The content of a page for each scene.
 
     Attributes:
         formats: Exports to download in addition to the bundle; usd and usdz need the extra "usd".

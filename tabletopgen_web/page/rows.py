@@ -23,7 +23,7 @@ _WORD = re.compile(r"[a-z]+")
 
 @dataclass(frozen=True)
 class ThingRow:
-    """One object: its size along its own axes (metres), its mass (kg), and its support."""
+    """The size along local axes (metres), the mass (kg) and the support of one object."""
 
     name: str
     label: str
@@ -35,7 +35,7 @@ class ThingRow:
 
 @dataclass(frozen=True)
 class TableRow:
-    """The table: its name, and its extents along x, y and z (metres)."""
+    """The name of the table, and its extents along x, y and z (metres)."""
 
     label: str
     size: tuple[float, ...]
@@ -176,7 +176,7 @@ def _thing(entry: Mapping[str, Any], model: Mapping[str, Any]) -> ThingRow:
 
 
 def theme_of(words: str) -> str:
-    """Return the kind of table that a prompt names, "" if it names none."""
+    """Return the kind of table that a prompt names, or "" if it names none."""
     from generator.language.semantics.tone import find_theme
 
     return find_theme(_WORD.findall(words.lower())) or ""

@@ -1,4 +1,4 @@
-"""One scene's folder in a page: the bundle's data, the robot's model, episodes, downloads.
+"""A scene's folder in a page: the bundle's data, the robot's model, episodes and downloads.
 
 ``view.json`` lists the files (``SceneFiles`` in ``web/src/data.ts``). The studio serves such
 folders, too.
@@ -99,7 +99,7 @@ def scene_folder(
 
 
 def _is_data(name: str) -> bool:
-    """Return whether a bundle's file is served: not scripts or web pages, which it may also list.
+    """Return whether a bundle's file is served, which excludes scripts and web pages.
 
     The archive of the bundle contains all files.
     """
@@ -190,7 +190,7 @@ def _picture(held: Mapping[str, bytes]) -> dict[str, Any] | None:
 
 
 def _thumbnail(held: Mapping[str, bytes], files: dict[str, bytes]) -> str | None:
-    """Add a small picture of the simulated scene; return its path, or None without one."""
+    """Add a small picture of the simulated scene; return its path, or None if there is none."""
     from PIL import Image
 
     from generator.bundle.contents import decode_png

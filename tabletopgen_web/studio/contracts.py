@@ -117,7 +117,7 @@ class StudioScene(SceneRow):
 
 @dataclass(frozen=True)
 class EditRow:
-    """A step of a scene's history: the resulting scene, and the request.
+    """A step of a scene's history: the request and the resulting scene.
 
     ``kind`` is "made" for the original scene, else the kind of the edit; ``exists`` is whether its
     bundle exists.
@@ -142,7 +142,7 @@ class PictureRow:
 
 @dataclass(frozen=True)
 class ExplainedRow:
-    """The interpretation of a phrase in a text."""
+    """The interpretation of a phrase in a prompt."""
 
     role: str
     phrase: str
@@ -151,7 +151,7 @@ class ExplainedRow:
 
 @dataclass(frozen=True)
 class Explanation:
-    """The interpretation of a text: a summary of table and objects, and each phrase."""
+    """The interpretation of a prompt: a summary of the table and objects, and each phrase."""
 
     summary: str
     rows: tuple[ExplainedRow, ...]

@@ -66,12 +66,12 @@ class StudioFolder:
 
     @property
     def figures(self) -> Path:
-        """Path of the pictures of stages, a folder per job."""
+        """Path of the stages' pictures, with a folder per job."""
         return self.root / "figures"
 
     @property
     def files(self) -> Path:
-        """Path of the other files of jobs, a folder per job."""
+        """Path of the jobs' other files, with a folder per job."""
         return self.root / "files"
 
     @property
@@ -81,7 +81,7 @@ class StudioFolder:
 
     @property
     def answers(self) -> Path:
-        """Path of the answers of studies, a folder per study."""
+        """Path of the answers to studies, with a folder per study."""
         return self.root / "answers"
 
     def make(self) -> None:
@@ -103,7 +103,7 @@ class StudioFolder:
 
     @contextlib.contextmanager
     def locking(self) -> Iterator[None]:
-        """Create the folder and hold its lock in the context.
+        """Create the folder, and hold its lock within the context.
 
         Raises:
             StorageError: another studio uses the folder, or it is not writable.

@@ -14,7 +14,7 @@ from generator.errors import (
 
 
 class RefusedError(InputError):
-    """A refused request: ``status`` is the HTTP status, the message one sentence."""
+    """A refused request: ``status`` is the HTTP status, and the message is one sentence."""
 
     def __init__(self, status: int, message: str) -> None:
         super().__init__(message)

@@ -1,4 +1,4 @@
-"""Job requests: JSON objects with known fields, read into values."""
+"""Job requests: JSON objects with known fields, parsed into dataclasses."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _EDITS = {
 
 @dataclass(frozen=True)
 class Paid:
-    """Backends of a job, and its cost limit (None: no limit)."""
+    """The backends of a job, and its cost limit (None for no limit)."""
 
     mix: Mix
     budget: float | None = None
@@ -52,7 +52,7 @@ class Paid:
 
 @dataclass(frozen=True)
 class GenerateSpec:
-    """A scene from a text or an uploaded picture, by the full method."""
+    """A scene from a prompt or an uploaded picture, by the full method."""
 
     text: str | None
     picture: str | None
@@ -63,7 +63,7 @@ class GenerateSpec:
 
 @dataclass(frozen=True)
 class ComposeSpec:
-    """A scene from a text, composed directly of catalogue objects."""
+    """A scene composed of catalogue objects directly from a prompt."""
 
     text: str
     seed: int

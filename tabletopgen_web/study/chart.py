@@ -1,4 +1,4 @@
-"""Chart of a study: mean ratings per criterion, and shares of the forced choice."""
+"""Chart of a study: mean ratings per criterion, and proportions of the forced choice."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ class FoundResult:
 
 @dataclass(frozen=True, eq=False)
 class RatedScene:
-    """An input picture (JPEG; ``digest`` of its pixels) and each method's pictures (JPEG)."""
+    """An input picture with the ``digest`` of its pixels, and each method's pictures (all JPEG)."""
 
     name: str
     digest: str
@@ -106,7 +106,7 @@ def _rename(inputs: Sequence[_Input]) -> list[_Input]:
 
 
 def _find(folder: Path, ignored: list[str]) -> list[FoundResult]:
-    """Return the results in a folder, or at a bundle; other entries go to ``ignored``."""
+    """Return the results in a folder or of a bundle; add other entries to ``ignored``."""
     if (folder / "scene.json").is_file():
         return [_read_bundle(folder)]
     results = []
@@ -128,7 +128,7 @@ def _find(folder: Path, ignored: list[str]) -> list[FoundResult]:
 
 
 def _entries(folder: Path) -> list[Path]:
-    """Return the entries of a folder by name, without hidden ones."""
+    """Return the visible entries of a folder, sorted by name."""
     try:
         found = sorted(p for p in folder.iterdir() if not p.name.startswith("."))
     except OSError as error:
@@ -147,7 +147,7 @@ def _read_bundle(path: Path) -> FoundResult:
 
 
 def _reference(path: Path) -> UInt8[np.ndarray, "h w 3"] | None:
-    """Return a bundle's input picture; None if it has none."""
+    """Return a bundle's input picture, or None if it has none."""
     from generator.bundle import load_pictures
 
     raw = load_pictures(path).get("reference")

@@ -86,7 +86,7 @@ class StudyOptions:
 
 @dataclass(frozen=True)
 class Drawing:
-    """Display of results; ``side`` bounds the longer side of a picture, pixels.
+    """Display of results; ``side`` bounds the longer side of a picture, in pixels.
 
     Attributes:
         above: Also show each result from above; plain pictures need SCENE.above.png.

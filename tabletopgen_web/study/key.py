@@ -33,7 +33,7 @@ class KeyScene:
 
 @dataclass(frozen=True)
 class StudyKey:
-    """The private key of a study; ``scenes`` are by code."""
+    """The private key of a study; ``scenes`` are keyed by code."""
 
     study: str
     title: str

@@ -124,7 +124,7 @@ def _result_code(seed: int, scene: RatedScene, method: str) -> str:
 
 
 def _scene_facts(code: str, scene: RatedScene, columns: Sequence[str], seed: int) -> dict[str, Any]:
-    """Return the page's data of a scene."""
+    """Return a scene's data for the page."""
     return {
         "id": code,
         "input": _data_url(scene.picture),

@@ -1,4 +1,4 @@
-"""Pictures of a study: read within limits, written as JPEG without metadata."""
+"""Pictures of a study, read within limits and written as JPEG without metadata."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _QUALITY = 90
 
 
 def read_picture(path: Path) -> UInt8[np.ndarray, "h w 3"]:
-    """Read a picture file, with a reference image's limits and format: upright, sRGB on white.
+    """Read a picture file with the limits and format of reference images: upright, sRGB on white.
 
     Raises:
         InputError: the file is not a picture, or exceeds a limit; the message names the file.

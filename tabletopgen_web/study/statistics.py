@@ -27,7 +27,7 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True)
 class CountedMean:
-    """A mean and its 95 % interval, None for fewer than two raters."""
+    """A mean and its 95 % interval, or None for fewer than two raters."""
 
     mean: float
     interval: Interval | None
@@ -84,7 +84,7 @@ class Exclusions:
 
 @dataclass(frozen=True)
 class StudyReport:
-    """The figures of a study; ``raters`` is how many of the ``read`` raters are counted."""
+    """The figures of a study, in which ``raters`` of the ``read`` raters are counted."""
 
     study: str
     title: str

@@ -267,7 +267,7 @@ def pseudonormals(
 def solid_angles(
     points: Float[np.ndarray, "p 3"], corners: Float[np.ndarray, "m 3 3"]
 ) -> Float[np.ndarray, "p"]:
-    """Return the winding number of the triangles about each point: 1 inside a closed surface."""
+    """Return the triangles' winding number about each point, which is 1 inside a closed surface."""
     a, b, c = (corners[None, :, k] - points[:, None] for k in range(3))
     la, lb, lc = (np.linalg.norm(side, axis=2) for side in (a, b, c))
     volume = _dot(a, np.cross(b, c))

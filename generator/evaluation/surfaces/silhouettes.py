@@ -1,4 +1,4 @@
-"""Yaw and size errors that a picture reveals: another value would fit the mask better.
+"""Yaw and size errors, found by testing which other values fit an object's mask better.
 
 Each object is drawn alone from the picture's camera, as it stands and with other yaws or scales.
 Pixels of other objects in the picture are ignored, so that occluded parts have no effect. Each
@@ -32,7 +32,7 @@ _SAME = 20.0  # degrees; yaws this close to a symmetry are not distinguished
 
 @dataclass(frozen=True)
 class SilhouetteFit:
-    """The fit of an object's silhouette to its mask: as it stands, best turned and best scaled.
+    """The fit of an object's silhouette to its mask: unchanged, with the best yaw and best scale.
 
     ``turn`` (radians, counter-clockwise) and ``factor`` are the best of the tested values.
     """
@@ -85,7 +85,7 @@ def _fit(
 def _silhouette(
     thing: Object, camera: Camera, turn: float = 0.0, factor: float = 1.0
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of an object drawn alone, turned or scaled about the centre of its foot."""
+    """Return the pixels of an object rendered alone, rotated or scaled about its bottom centre."""
     points = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(thing.pose.quaternion).T
     foot = np.array([0.0, 0.0, points[:, 2].min()])
     points = factor * (points - foot) @ rotation_z(turn).T + foot + thing.pose.position
@@ -100,7 +100,7 @@ def _silhouette(
 def _overlap(
     shape: Bool[np.ndarray, "h w"], mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
 ) -> float:
-    """Return the silhouette's IoU with the mask, unshifted or centred on it, the better of both."""
+    """Return the higher IoU of the silhouette with the mask: unshifted or centred on the mask."""
     if not shape.any():
         return 0.0
     shown = shape & free if (shape & free).any() else shape

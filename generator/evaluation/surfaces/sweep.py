@@ -1,4 +1,4 @@
-"""The camera sweep (supplement, Sec. 8.1): a scene in 160 views, and the best match for a picture.
+"""The camera sweep (supplement, Sec. 8.1): 160 views of a scene, and the best match for a picture.
 
 For other methods' scenes the picture's camera is unknown. Every scene is therefore rendered from
 the front, at elevations from straight above down to table height and at distances from near to far.
@@ -62,7 +62,7 @@ class SweepConfig:
 
 @dataclass(frozen=True)
 class Station:
-    """The camera's position for one view: degrees, and multiples of the scene's radius."""
+    """The camera's position for one view: the elevation in degrees, the distance in scene radii."""
 
     elevation: float
     distance: float

@@ -24,7 +24,7 @@ _POINTS, _ASKED, _AROUND = 10_000, 2_000, 8
 
 @dataclass(frozen=True, eq=False)
 class Cloud:
-    """Evenly spread points of a visible, textured surface, in metres from the centroid's vertical.
+    """Evenly spread points of a visible textured surface, in metres from its central vertical axis.
 
     ``color`` is in [0, 1] and smoothed over neighbours; ``spacing`` is the distance between points.
     """
@@ -82,7 +82,7 @@ def find_changes(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray
 
 
 def misfit(points: Cloud, angle: float) -> float:
-    """Return the fraction of the surface that looks different if turned by ``angle`` radians."""
+    """Return the fraction of the surface that looks different if rotated by ``angle`` radians."""
     every = max(1, len(points.position) // _ASKED)
     return float(find_changes(points, angle, every).mean())
 
@@ -104,7 +104,7 @@ def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> f
 
 
 def yaw_error(found: float, true: float, order: float) -> float:
-    """Return the difference between two yaws (radians), modulo a symmetry's ``order``, in degrees.
+    """Return the difference in degrees between two yaws in radians, given the symmetry ``order``.
 
     The result is in [0, 180 / order], or 0 if the order is infinite.
     """

@@ -1,4 +1,4 @@
-"""Load this scene into PyBullet: objects free at their poses, table and floor fixed.
+"""Load this scene into PyBullet, with free objects at their poses and a fixed table and floor.
 
 python load_pybullet.py prints how far each object moves in two seconds, in millimetres;
 python load_pybullet.py --gui shows the scene.

@@ -1,4 +1,4 @@
-"""Objects that "with", "holding" or "of" attaches to another object."""
+"""Objects attached to another object by "with", "holding" or "of"."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ class CarryReader(MemberReader, ABC):
 
 
 def _vessel(owner: Target, noun: Noun | None) -> Noun | None:
-    """Return an owner's noun phrase, or its last one if a verb introduces the contents."""
+    """Return an owner's noun phrase, or one made from the owner if a verb precedes the contents."""
     if noun is not None or not isinstance(owner, list):
         return noun
     return Noun("thing", (owner[0].noun,), (0, 0), owner[0].noun, owner[0].category)
@@ -197,7 +197,7 @@ def _is_side(post: Post) -> bool:
 
 
 def _times(noun: Noun, owners: int) -> Noun:
-    """Return a noun phrase for each of several owners, as in "three bowls of two apples"."""
+    """Return a noun phrase with its count multiplied by ``owners``: "three bowls of two apples"."""
     if noun.definite or noun.kind != "thing":
         return noun
     if noun.count is not None or not (noun.plural or noun.amount):

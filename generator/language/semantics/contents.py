@@ -1,4 +1,4 @@
-"""Interpretation of "of", as in a bowl of apples, a glass of orange juice, a photo of a vase."""
+"""Interpretation of "of", as in a bowl of apples, a glass of orange juice, or a photo of a vase."""
 
 from __future__ import annotations
 

@@ -115,7 +115,7 @@ class Interpreter(SeatReader):
         return context.earlier if self._alone else None
 
     def _spoken_of(self, clause: Clause) -> list[Group] | None:
-        """Return the groups that "it" or "they" as a subject refers to; None for other subjects."""
+        """Return the groups to which a subject "it" or "they" refers, or None for others."""
         subject = clause.subjects[0] if len(clause.subjects) == 1 else None
         if subject is None or subject.kind != "pronoun" or subject.post:
             return None
@@ -270,7 +270,7 @@ class Interpreter(SeatReader):
                 draft.lengths = post.lengths or draft.lengths
 
     def _resolve(self, place: Location, subject: Group) -> Target | None:
-        """Resolve the target of a place by interpreting its noun phrase; None if it is unknown."""
+        """Resolve a place's target by interpreting its noun phrase; return None if unknown."""
         context = self._context
         if isinstance(place.target, Zone):
             if place.table is not None and place.table.kind == "table":
@@ -312,7 +312,7 @@ class Interpreter(SeatReader):
         return target
 
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Name the object at which a group is said not to be, since it exists nevertheless."""
+        """Add the object at which a group is said not to be, since it exists nevertheless."""
         context = self._context
         outer, context.subject = context.subject, group
         self._noun(noun, None)

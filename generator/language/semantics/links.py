@@ -1,4 +1,4 @@
-"""Relations between groups of drafts: one to each, stacks, or on both sides."""
+"""Relations between groups of drafts: one to each target, as stacks, or on both sides."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def _pile(targets: Sequence[Draft | str]) -> bool:
 
 
 def link(kind: str, group: Group, targets: Sequence[Draft | str], warnings: list[str]) -> None:
-    """Relate the drafts of ``group`` to ``targets``: one to each, or all to the first.
+    """Relate the drafts of ``group`` to ``targets``: one draft to each target, or all to the first.
 
     Raises:
         InputError: A draft is related to itself.

@@ -34,7 +34,7 @@ class ListInterpreter(CarryReader, ABC):
                 self._attach(place, targets, group)
 
     def _list(self, nouns: Sequence[Noun], owner: Target | None) -> list[Target]:
-        """Interpret a list; modifiers that only its last item has may apply to the others too."""
+        """Interpret a list; modifiers of the last item may apply to all the other items too."""
         found: list[Target] = []
         context = self._context
         parallel, context.parallel = context.parallel, None
@@ -58,7 +58,7 @@ class ListInterpreter(CarryReader, ABC):
         return found
 
     def _arrange_all(self, nouns: Sequence[Noun], found: Sequence[Target]) -> None:
-        """Arrange all of "an apple, a pear and a peach in a row", not only the last."""
+        """Arrange all items of "an apple, a pear and a peach in a row", not only the last one."""
         posts = [post for post in nouns[-1].post if isinstance(post, Arranged)] if nouns else []
         groups = [group for group in found if isinstance(group, list)]
         if not posts or len(groups) < 2:

@@ -1,4 +1,4 @@
-"""References to members of the last group: "the red one", "the other two", "another"."""
+"""References to members of the last group, such as "the red one", "the other two" and "another"."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _MAX_MEMBERS = 20  # maximum size to which a count of its members enlarges a gro
 
 
 class Skip(Enum):
-    """The answer of a rule that does not apply, so that the next rule is tried."""
+    """The result of a rule that does not apply, so that the next rule is tried."""
 
     SKIP = auto()
 
@@ -73,7 +73,7 @@ class MemberReader(ThingReader, ABC):
         return group
 
     def _groups(self) -> list[Group]:
-        """Return the mentioned groups that have several drafts, the most recent last."""
+        """Return the mentioned groups that have several drafts, with the most recent one last."""
         return [group for group in self._context.mentioned if len(group) > 1]
 
     def _half_or_rest(self, noun: Noun) -> Members:
@@ -196,7 +196,7 @@ class MemberReader(ThingReader, ABC):
         return self._refer(noun, chosen) if chosen else None
 
     def _like_of(self, noun: Noun) -> Draft | None:
-        """Return the object, the last one so placed, that "another in front of the box" repeats."""
+        """Return the last object so placed, which "another in front of the box" repeats."""
         kinds = {post.kind for post in noun.post if isinstance(post, Location)}
         placed = (
             d for d in reversed(self.reading.objects) if kinds & {kind for kind, _ in d.relations}

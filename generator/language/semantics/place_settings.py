@@ -1,4 +1,4 @@
-"""Tables that the text sets: a setting for each person, and shared objects in the middle."""
+"""Tables that the text describes as set: place settings, and shared objects in the middle."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class SeatReader(ListInterpreter, ABC):
         return True
 
     def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
-        """Lay what ``read`` returns for each person; "left" is relative to the first object."""
+        """Lay the objects from ``read`` for each person; "left" is relative to the first object."""
         for seat in range(people):
             start = len(self.reading.objects)
             context, self._context = self._context, Context()

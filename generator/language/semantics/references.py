@@ -92,7 +92,7 @@ def _overlaps(one: Group, other: Sequence[Draft]) -> bool:
 
 
 def same(draft: Draft, noun: Noun) -> bool:
-    """Return whether a noun phrase may mean this object: same kind, compatible attributes."""
+    """Return whether a noun phrase may mean this object, given its kind and attributes."""
     alike = draft.category == noun.category and (noun.category or draft.noun == noun.head)
     return bool(alike) and _agrees(draft, noun)
 
@@ -106,7 +106,7 @@ def _agrees(draft: Draft, noun: Noun) -> bool:
 
 
 def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft] = ()) -> Group:
-    """Return the existing objects that "the red mug" means; empty if the object is new.
+    """Return the existing objects that "the red mug" means, or none if the object is new.
 
     Objects of ``subject`` are avoided: with two mugs, "a mug on the mug" refers to the other one.
     """
@@ -138,13 +138,13 @@ def find_referred(noun: Noun, objects: Sequence[Draft], subject: Sequence[Draft]
 
 
 def pick(group: Sequence[Draft], ordinal: int) -> Group:
-    """Return the first, second, ... or last (-1) member of a group; empty if it is too small."""
+    """Return the first, second, ... or last (-1) member, or none if the group is too small."""
     at = ordinal - 1 if ordinal > 0 else ordinal
     return [group[at]] if -len(group) <= at < len(group) else []
 
 
 def _last_arranged(objects: Sequence[Draft]) -> Group:
-    """Return the last group of one kind with several members, but only the lowest of a stack."""
+    """Return the last group of one kind with several members; of a stack, only its lowest one."""
     for draft in reversed(objects):
         alike = [d for d in objects if d.noun == draft.noun and d.category == draft.category]
         stacked = [d for d in alike if d.stacked_under is not None]
@@ -184,7 +184,7 @@ def size_rank(draft: Draft) -> float:
 
 
 def put_in_order(group: Group, order: str | None) -> Group:
-    """Return objects ordered by "size", "size down" or "color", or unchanged if it is None.
+    """Return objects ordered by "size", "size down" or "color", or unchanged if ``order`` is None.
 
     "ranks down" orders them by the sizes stated in the text, if any, largest first.
 

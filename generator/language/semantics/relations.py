@@ -285,7 +285,7 @@ class Relater(ABC):
 
     @abstractmethod
     def _name_denied(self, noun: Noun, group: Group) -> None:
-        """Name the object at which a group is said not to be, since it exists nevertheless."""
+        """Add the object at which a group is said not to be, since it exists nevertheless."""
 
 
 def _bottom(draft: Draft) -> Draft:

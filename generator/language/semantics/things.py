@@ -89,7 +89,7 @@ class CountReader(Relater, ABC):
         return half
 
     def _rest(self) -> Group:
-        """Return the members of the last group that are not mentioned yet, if others have been."""
+        """Return the members of the last group that are not yet mentioned, if others have been."""
         mentioned = self._context.mentioned
         alone = [group[0] for group in mentioned if len(group) == 1]
         several = [group for group in mentioned if len(group) > 1]

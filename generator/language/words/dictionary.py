@@ -73,7 +73,7 @@ def _substitutes() -> frozenset[str]:
 
 
 def is_substituted(noun: str, category: str) -> bool:
-    """Return whether a noun is shown as a category that really is a different object."""
+    """Return whether a noun is represented by a category that is really a different object."""
     if noun.replace(" ", "") == category.replace("_", ""):
         return False  # a chessboard
     whole, words = tuple(noun.split()), tuple(noun.split(" of ")[0].split())
@@ -92,7 +92,7 @@ def is_english(word: str) -> bool:
 
 
 def classify(words: tuple[str, ...]) -> tuple[str | None, str]:
-    """Return the catalogue's category for a noun phrase, or None and the phrase's family.
+    """Return the category of a noun phrase and "", or None and the phrase's family.
 
     The longest suffix that the catalogue or the dictionary knows is used; the catalogue takes
     precedence.

@@ -76,7 +76,7 @@ def _is_known(text: str, known: Collection[str]) -> bool:
 
 
 def _best(word: str, words: Sequence[Word], strange: Sequence[str]) -> str | None:
-    """Return the correction of an unknown word: two words run together, or the nearest word."""
+    """Return the correction of an unknown word: two separate words, or the nearest word."""
     if split := _split(word):
         return split
     themes = {
@@ -130,7 +130,7 @@ def _nearest(word: str, words: Sequence[Word], limit: int, themes: set[str]) -> 
 
 
 def _sound_alike(a: str, b: str) -> bool:
-    """Return whether words with different initial letters may sound alike: "kutlery"."""
+    """Return whether words with different initial letters may sound alike, as in "kutlery"."""
     return a == b or any({a, b} <= set(group) for group in ("ckqs", "sz", "fpv", "gj", "iey", "uw"))
 
 

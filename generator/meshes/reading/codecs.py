@@ -1,4 +1,4 @@
-"""GLB containers; compressed or quantised meshes are rewritten as plain glTF 2.0.
+"""Reading and writing of GLB containers; compressed or quantised meshes become plain glTF 2.0.
 
 Draco (``KHR_draco_mesh_compression``) is decoded by DracoPy, meshopt (``EXT_meshopt_compression``)
 by meshoptimizer. Quantised attributes (``KHR_mesh_quantization``) become floats, and their texture
@@ -35,7 +35,7 @@ _SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
 
 
 def plain_glb(raw: bytes, what: str) -> bytes:
-    """Return a GLB file without the extensions decoded here; return other files unchanged.
+    """Return a GLB file without the extensions that this module decodes; return others unchanged.
 
     The positions, texture coordinates and colours of the meshes' triangles are kept.
 
@@ -233,7 +233,7 @@ def _transform_of(header: Header, primitive: Header) -> Header | None:
 
 
 def _transform(material: Header) -> Header | None:
-    """Return the texture transform of a material's base colour; rotations are not supported."""
+    """Return the texture transform of a material's base colour, or None if absent or rotated."""
     color = base_color(material).get("baseColorTexture", {})
     transform = color.get("extensions", {}).get(_TRANSFORM)
     return None if transform is None or transform.get("rotation") else transform

@@ -1,4 +1,4 @@
-"""The files to which an OBJ file refers, materials and their pictures, from its own folder."""
+"""The materials and pictures to which an OBJ file refers, read from the file's own folder."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _MOST_LIBRARIES = 10
 def companions(
     raw: bytes, what: str, folder: Path | None, max_bytes: int = MOST_BYTES
 ) -> Mapping[str, bytes]:
-    """Return an OBJ's material libraries and their pictures, by the names that it uses.
+    """Return an OBJ's material libraries and their pictures, keyed by the names in the file.
 
     ``folder`` is the folder of the OBJ; if it is None, the OBJ must not refer to files. A file with
     several names ("a.png", "./a.png") is read once; ``max_bytes`` limits all files together.
@@ -45,7 +45,7 @@ def companions(
 
 
 def total_bytes(beside: Mapping[str, bytes]) -> int:
-    """Return the total bytes of an OBJ's files, counting a file that has several names once."""
+    """Return the total size in bytes of an OBJ's files, counting a file with several names once."""
     return sum({id(content): len(content) for content in beside.values()}.values())
 
 
@@ -59,7 +59,7 @@ def _names(pattern: re.Pattern[bytes], raw: bytes, what: str, maximum: int) -> I
 
 @dataclass
 class _Beside:
-    """Reads files from the folder of an OBJ file, each once; at most ``left`` bytes in total."""
+    """Reads files from an OBJ file's folder, each once and at most ``left`` bytes in total."""
 
     what: str
     folder: Path | None

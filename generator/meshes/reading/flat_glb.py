@@ -26,7 +26,7 @@ _NOTHING = {"componentType": 5121, "count": 0, "type": "SCALAR"}
 
 
 class Crooked(ValueError):
-    """The node tree of a GLB is invalid; the message says why."""
+    """The node tree of a GLB is invalid; the message explains why."""
 
 
 def flatten(raw: bytes, header: Header) -> bytes:
@@ -131,7 +131,7 @@ def _topmost(nodes: Sequence[Header]) -> Sequence[int]:
 
 
 def base_color(material: Header) -> Header:
-    """Return a material's base colour: its factor and its texture, if it has them."""
+    """Return a material's base colour: its factor and its texture, where present."""
     plain = material.get("pbrMetallicRoughness", {})
     found = {key: plain[key] for key in ("baseColorFactor", "baseColorTexture") if key in plain}
     gloss = material.get("extensions", {}).get(_GLOSS, {})
@@ -140,7 +140,7 @@ def base_color(material: Header) -> Header:
 
 
 def picture_of(header: Header, material: Header) -> int | None:
-    """Return the image index of the texture of a material's base colour, or None."""
+    """Return the image index of a material's base colour texture, or None if it has none."""
     base = base_color(material)
     if "baseColorTexture" not in base:
         return None
@@ -150,7 +150,7 @@ def picture_of(header: Header, material: Header) -> int | None:
 
 
 def local_matrix(node: Header) -> Float[np.ndarray, "4 4"]:
-    """Return a node's transform in its parent: a matrix, or translation, rotation and scale."""
+    """Return the matrix of a node's transform in its parent, given as a matrix or in components."""
     matrix = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4).T
     if not {"translation", "rotation", "scale"} & node.keys():
         return matrix
@@ -178,7 +178,7 @@ def _plain_mesh(header: Header, mesh: Header) -> dict[str, Any]:
 
 
 def _columns(header: Header, meshes: Sequence[Header]) -> dict[str, Any]:
-    """Return accessors, views, buffers, textures and images, with the unused ones emptied."""
+    """Return accessors, buffer views, buffers, textures and images, with unused ones emptied."""
     primitives = [primitive for mesh in meshes for primitive in mesh["primitives"]]
     used = {index for primitive in primitives for index in primitive["attributes"].values()}
     used |= {primitive["indices"] for primitive in primitives if "indices" in primitive}

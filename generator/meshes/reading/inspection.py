@@ -70,7 +70,7 @@ def inspect_glb(
 
 
 def open_glb(raw: bytes, what: str, most_faces: int = bounds.MOST_FACES) -> tuple[bytes, Header]:
-    """Return a GLB file without compression, and its header; see ``plain_glb``, ``inspect_glb``.
+    """Return a GLB file without compression, and its header; see ``plain_glb`` and ``inspect_glb``.
 
     Raises:
         BackendError: the file cannot be read.
@@ -124,7 +124,7 @@ def check_lines(text: bytes, what: str) -> None:
 def check_pictures(
     pictures: Iterable[bytes], maximum: int = bounds.MOST_TEXELS_TOGETHER
 ) -> str | None:
-    """Return why pictures cannot be used, or None; only their headers are read.
+    """Return the reason why pictures cannot be used, or None; only their headers are read.
 
     ``maximum`` limits the total number of pixels; identical pictures count once.
     """
@@ -224,7 +224,7 @@ def _faces(header: Header, maximum: int) -> str | None:
 
 
 def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
-    """Return the numbers of triangles, vertices and pieces of a mesh."""
+    """Return the numbers of triangles, vertices and primitives of a mesh."""
     faces = vertices = 0
     for primitive in mesh["primitives"]:
         place = primitive["attributes"].get("POSITION")

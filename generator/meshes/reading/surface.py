@@ -1,4 +1,4 @@
-"""A foreign mesh as read: its pieces in one frame, each face with its own colours."""
+"""A foreign mesh as read from a file: its parts in one frame, and each face with its colours."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class ColoredSurface:
         )  # fmt: skip
 
     def flip(self, which: Bool[np.ndarray, "m"]) -> ColoredSurface:
-        """Return the surface with the selected faces turned over."""
+        """Return the surface with the selected faces flipped."""
         faces = np.where(which[:, None], self.faces[:, ::-1], self.faces)
         return replace(self, faces=faces)
 
@@ -240,7 +240,7 @@ def _dissolve(material: Any) -> float:
 
 
 def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
-    """Return colours as bytes, converted from bytes, 16-bit numbers or fractions of one."""
+    """Return colours as bytes, converted from bytes, 16-bit integers or fractions in [0, 1]."""
     if values.dtype == np.uint8:
         return values
     if values.dtype == np.uint16:

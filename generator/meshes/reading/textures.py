@@ -35,7 +35,7 @@ class Pictures:
     """
 
     def __init__(self, what: str, maximum: int = MOST_TEXELS_TOGETHER) -> None:
-        """Start empty; ``what`` names the mesh in messages, ``maximum`` limits stored texels."""
+        """Start empty; ``what`` names the mesh in messages; ``maximum`` limits stored texels."""
         self.kept: list[Texels] = []
         self._what = what
         self._room = maximum
@@ -82,12 +82,12 @@ class Pictures:
 
 
 def to_srgb(light: np.ndarray) -> np.ndarray:
-    """Convert linear light, 0 to 1, to sRGB."""
+    """Convert linear light in [0, 1] to sRGB."""
     return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
 
 
 def light(shown: np.ndarray) -> np.ndarray:
-    """Convert sRGB colours, 0 to 1, to linear light."""
+    """Convert sRGB colours in [0, 1] to linear light."""
     return np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
 
 

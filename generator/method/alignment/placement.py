@@ -239,7 +239,7 @@ def _limit(
     limit: float,
     warnings: list[str],
 ) -> Float[np.ndarray, "3"]:
-    """Return the extent scaled so that its two longest sides are within ``limit`` of the usual."""
+    """Return the extent with the two longest sides within a factor ``limit`` of the usual ones."""
     factor = float(np.sqrt(np.prod(np.sort(extent)[1:]) / np.prod(np.sort(usual)[1:])))
     allowed = float(np.clip(factor, 1 / limit, limit))
     if not np.isclose(allowed, factor):
@@ -250,7 +250,7 @@ def _limit(
 
 
 def _centers(top: TopView, alpha: float) -> dict[str, Float[np.ndarray, "2"]]:
-    """Return the centres of the boxes relative to the table's centre, metres, in world x and y."""
+    """Return the boxes' centres relative to the table's centre, in metres along world x and y."""
     middle = np.asarray(top.table_box).reshape(2, 2).mean(0)
     return {
         name: (np.asarray(box).reshape(2, 2).mean(0) - middle) * alpha * [1, -1]
@@ -267,7 +267,7 @@ def place_objects(
     models: Mapping[str, Model],
     stacking: Mapping[str, Stacking],
 ) -> tuple[Placement, ...]:
-    """Place each object at its centre and lower it onto its support, supports first."""
+    """Place each object, supports first, at its centre and lower it onto its support."""
     found: dict[str, Placement] = {}
     for name in sorted(names, key=lambda n: stacking[n].order if n in stacking else 2):
         rank = stacking.get(name, Stacking(2))

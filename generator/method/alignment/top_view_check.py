@@ -123,7 +123,7 @@ def _center(box: Box, on: Box) -> Box:
 
 
 def _put(tries: Sequence[Box | None], below: Box | None) -> Box:
-    """Return the first box that lies over its support, or else the first box, centred on it."""
+    """Return the first box over its support, or else the first box, centred on that support."""
     known = [b for b in tries if b is not None]
     if below is None:
         return known[0]
@@ -201,7 +201,7 @@ def _likely(
 
 
 def _fit(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
-    """Return the scale and shift that best map the centres; None if the scale is not positive."""
+    """Return the scale and shift that best map the centres, or None for a nonpositive scale."""
     a, b = (np.array([_middle(box) for box in boxes]) for boxes in (here, there))
     x, y = a - a.mean(0), b - b.mean(0)
     spread = float((x * x).sum())

@@ -174,7 +174,7 @@ def _size_factors(
     seed: int,
     alike: tuple[float, float],
 ) -> dict[str, float | str]:
-    """Return each reconstructed object's scale factor, or why the plan's model replaces it.
+    """Return each reconstructed object's scale factor, or the reason for using the plan's model.
 
     A size that the text states ("small") must be matched exactly; a usual size need only match some
     variant of the object's kind approximately. The plan's models replace objects that must fit each
@@ -222,7 +222,7 @@ def _list_laid_alike(plan: ScenePlan) -> list[list[str]]:
 def compare_sizes(
     found: Float[np.ndarray, "3"], planned: Float[np.ndarray, "3"], tolerance: float
 ) -> float | None:
-    """Return the factor that scales an object to a planned size; None if the shapes differ.
+    """Return the factor that scales an object to a planned size, or None if the shapes differ.
 
     Extents are (length, width, height) in metres; the order of the horizontal sides is ignored. A
     factor of 1 means that no side differs by more than ``tolerance``.
@@ -276,7 +276,7 @@ shapes agree, and a yaw of only the plan's shape."""
 
 @dataclass(frozen=True, eq=False)
 class FoundYaws:
-    """Yaws of objects in the drawing, radians.
+    """Yaws of objects in the drawing, in radians.
 
     Attributes:
         yaws: yaws of the reconstructed shapes, by name.

@@ -27,7 +27,7 @@ def match_planned(
     placed: Mapping[str, Placement],
     models: Mapping[str, Model],
 ) -> dict[str, str]:
-    """Return which instance shows each planned object, as a map from planned to instance names.
+    """Return the instance of each planned object, as a map from planned to instance names.
 
     ``models`` maps planned names to the plan's models. An instance with the planned word is
     preferred to one of the same category, which is preferred to one with the same last word
@@ -72,7 +72,7 @@ def _tone(crop: UInt8[np.ndarray, "h w 4"]) -> Float[np.ndarray, "3"]:
 def _swap_alike(
     plan: ScenePlan, pairs: dict[str, str], placed: Mapping[str, Placement]
 ) -> dict[str, str]:
-    """Return the pairs, swapping identical objects if more of the relations to sides then hold."""
+    """Return the pairs, with identical objects swapped if this satisfies more side relations."""
     alike: dict[str, list[str]] = {}
     for planned in plan.objects:
         if planned.name in pairs:

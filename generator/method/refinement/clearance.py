@@ -45,7 +45,7 @@ class Crowd:
     def cost(
         self, place: Float[Tensor, "n 2"], yaw: Float[Tensor, "n"], grow: Float[Tensor, "n"]
     ) -> Tensor:
-        """Return how far objects overlap or extend off the table, metres.
+        """Return how far, in metres, objects overlap or extend off the table.
 
         An initial overlap has a lower weight unless it grows, and its cost saturates with depth.
         There are two reasons: outlines are larger than objects, and if an object was assumed to
@@ -78,7 +78,7 @@ def placed_outlines(
 
 
 def gaps(a: Float[Tensor, "m k 2"], b: Float[Tensor, "m k 2"]) -> Float[Tensor, "m"]:
-    """Return the gaps between convex outlines along the best edge of either one, metres.
+    """Return the gaps, in metres, between convex outlines along the best edge of either one.
 
     A negative value is the minimum displacement that separates the two. If two edges separate them
     equally well, one of the edges gets the whole gradient; otherwise coincident outlines would not
@@ -137,7 +137,7 @@ def make_crowd(
 
 
 def _shared_heights(a: Placement, b: Placement) -> tuple[float, float]:
-    """Return the lowest and the highest height that both objects share, metres."""
+    """Return the lowest and the highest height, in metres, that both objects share."""
     low, high = ([p.translation[2] + s * p.scale[2] / 2 for p in (a, b)] for s in (-1, 1))
     return max(low), min(high)
 
@@ -158,7 +158,7 @@ def _footprint(
 
 
 def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline; for points on a line it is a thin box."""
+    """Return the points' convex outline, or a thin box if they are collinear."""
     try:
         return convex_outline(points)
     except InputError:
@@ -167,7 +167,7 @@ def _outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
-    """Return the outline with ``_CORNERS`` corners; drop minor ones or repeat the last."""
+    """Return the outline with ``_CORNERS`` corners: drop minor ones or repeat the last one."""
     while len(outline) > _CORNERS:
         before, after = outline - np.roll(outline, 1, 0), np.roll(outline, -1, 0) - outline
         lost = np.abs(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0])
@@ -176,7 +176,7 @@ def _simplify(outline: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
 
 
 def _tabletop(model: Model | None, scale: Float[np.ndarray, "3"]) -> Float[np.ndarray, "k 2"]:
-    """Return the tabletop's outline about its centre, metres, or its box if it has no model."""
+    """Return the tabletop's outline about its centre in metres, or its box if there is no model."""
     half = np.asarray(scale)[:2] / 2
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * half
     if model is not None:

@@ -57,7 +57,7 @@ def misfits(
 def descend(
     problem: Problem, camera: Float[Tensor, "3"], config: RefinementConfig
 ) -> Float[np.ndarray, "n 4"]:
-    """Return each object's rotation, displacement and growth at the best step, starting from none.
+    """Return each object's rotation, displacement and growth at the best step; all start at zero.
 
     ``camera`` is the camera's initial position, which is optimised too.
     """

@@ -1,4 +1,4 @@
-"""The refinement as a stage, and its measure, the misfit of outlines."""
+"""The refinement stage and its measure, the misfit of outlines."""
 
 from __future__ import annotations
 

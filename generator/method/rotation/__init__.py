@@ -1,4 +1,4 @@
-"""Differentiable Rotation Optimizer (DRO, Sec. 3.3): each object's yaw r_i, Eqs. 1 to 4.
+"""Differentiable Rotation Optimizer (DRO, Sec. 3.3), which finds each yaw r_i by Eqs. 1 to 4.
 
 The object is rendered at every candidate yaw with a soft rasteriser, cropped tightly and compared
 with the tight crop of the completed instance. After a coarse search over the full circle, Adam

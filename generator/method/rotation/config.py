@@ -1,4 +1,4 @@
-"""Settings of the rotation optimiser: fast defaults, and those of the paper."""
+"""Settings of the rotation optimiser: the fast defaults and the settings of the paper."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ class RotationConfig:
 
     @classmethod
     def quick(cls) -> RotationConfig:
-        """Return settings with fewer candidates and no high-resolution comparison of similar ones.
+        """Return settings with fewer candidates, which are not compared at high resolution.
 
         If front and back hardly differ, they are confused more often; rotational symmetry is not
         detected.
@@ -156,7 +156,7 @@ class RotationConfig:
 
     @classmethod
     def paper(cls) -> RotationConfig:
-        """Return the settings of Secs. 4.1 and 6.1, which take minutes per object on a CPU."""
+        """Return the paper's settings (Secs. 4.1, 6.1), which take minutes per object on a CPU."""
         return cls(
             separation=0.0,
             coarse_resolution=256,

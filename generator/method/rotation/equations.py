@@ -1,4 +1,4 @@
-"""Eqs. 1 to 4: the agreement between a rendered yaw and the picture.
+"""Eqs. 1 to 4: the loss between an object rendered at some yaw and the picture.
 
 ``weight`` is the weight of each pixel; a weight of 1 everywhere gives the paper's equations.
 """
@@ -25,7 +25,7 @@ def silhouette_loss(
     mask: Float[Tensor, "*b h w"],
     weight: Float[Tensor, "*b h w"] | float = 1.0,
 ) -> Float[Tensor, "b"]:
-    """Return Eq. 2: one minus the soft intersection over union of silhouette and mask."""
+    """Return Eq. 2: one minus the soft intersection over union of the silhouette and the mask."""
     from ...render.soft import soft_iou
 
     return 1 - soft_iou(soft, mask, weight)
@@ -36,7 +36,7 @@ def edge_loss(
     distance: Float[Tensor, "*b h w"],
     weight: Float[Tensor, "*b h w"] | float = 1.0,
 ) -> Float[Tensor, "b"]:
-    """Return Eq. 3: mean distance D_S to the mask's contour, weighted by each candidate's edges."""
+    """Return Eq. 3: the edge-weighted mean of D_S, the distance to the mask's contour."""
     counted = weight * edges
     return (counted * distance).sum((-2, -1)) / (counted.sum((-2, -1)) + _EPSILON)
 
@@ -46,7 +46,7 @@ def appearance_loss(
     target: tuple[Float[Tensor, "*_t _c _h _w"], ...],
     weight: tuple[Float[Tensor, "*_t _h _w"], ...] | None = None,
 ) -> Float[Tensor, "b"]:
-    """Return Eq. 4: squared distance between features Phi, averaged over positions and maps.
+    """Return Eq. 4: the squared distance between features Phi, averaged over positions and maps.
 
     The paper prints a sum; the average makes lambda_a independent of the resolution. ``weight`` has
     one map for each feature map.
@@ -68,7 +68,7 @@ def rotation_loss(
 
 
 def contour_distance(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "h w"]:
-    """Return D_S of Eq. 3: each pixel's distance to the nearest Canny edge of ``mask``, in pixels.
+    """Return D_S of Eq. 3: each pixel's distance in pixels to the nearest Canny edge of ``mask``.
 
     SciPy's distance transform is used because OpenCV's exact one is not reproducible bit for bit.
     """

@@ -1,4 +1,4 @@
-"""Estimates of how the instances of a picture are rotated."""
+"""Estimation of the rotation of each instance in a picture."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def estimate_rotations(
     config: RotationConfig | None = None,
     seed: int = 0,
 ) -> dict[str, Rotation]:
-    """Estimate r_i of every instance except the table, whose yaw is 0 by definition of the view.
+    """Estimate the yaw r_i of every instance except the table, whose yaw is 0 by definition.
 
     A model's own orientation, if it has one, decides between yaws that the picture cannot
     distinguish (``prior``). On CUDA all instances form one batch; on a CPU each is searched in its
@@ -76,7 +76,7 @@ def estimate_rotation(
     config: RotationConfig,
     seed: int = 0,
 ) -> Rotation:
-    """Estimate r_i of one instance that has a model; see ``estimate_rotations``.
+    """Estimate the yaw r_i of one instance that has a model; see ``estimate_rotations``.
 
     Raises:
         InputError: there is no such instance, or it has no visible pixels.
@@ -103,7 +103,7 @@ def optimise_rotation(
     seed: int = 0,
     hidden: Bool[np.ndarray, "h w"] | None = None,
 ) -> Rotation:
-    """Estimate one object's yaw: a coarse search, then gradient descent on the best candidates.
+    """Estimate one object's yaw by a coarse search and gradient descent from the best candidates.
 
     Returns the best yaw in [-pi, pi) with its loss, and all refined (yaw, loss) pairs, best first.
     ``model.size`` gives the proportions; ``model.orientation``, if set, is an additional start, and

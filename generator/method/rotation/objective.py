@@ -1,4 +1,4 @@
-"""Targets of the comparison, and L_rot (Eq. 1) for all objects of a scene at once."""
+"""Target images of the comparison, and the loss L_rot (Eq. 1) of all objects at once."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _TOUCH = 0.08  # minimum fraction of a side that is occluded
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """Targets for the renders of ``s`` objects, in crops of one resolution.
+    """Target images for the renders of ``s`` objects, as crops of one resolution.
 
     ``image`` is the crop over grey and ``mask`` is S, both smoothed like the renders; ``distance``
     is D_S divided by ``edge_unit``; ``features`` are Phi(I_instance); ``weight`` is the weight of
@@ -54,7 +54,7 @@ class Target:
 
 @dataclass(frozen=True, eq=False)
 class Candidates:
-    """Poses to compare: object index, yaw and tilt (radians), and position in the crop for each."""
+    """Poses to compare, each with an object index, yaw and tilt in radians, and a crop position."""
 
     owner: Int[Tensor, "b"]
     yaw: Float[Tensor, "b"]
@@ -64,7 +64,7 @@ class Candidates:
 
 @dataclass(frozen=True, eq=False)
 class Objective:
-    """L_rot (Eq. 1) for ``s`` objects, each seen at its own position in the image.
+    """The loss L_rot (Eq. 1) of ``s`` objects, each seen at its own position in the image.
 
     ``middle`` and ``span`` are the centres and sizes of the objects' boxes in the camera's x/z,
     y/z. ``loose`` marks objects whose outline was completed by a guess; they may be shifted and
@@ -88,7 +88,7 @@ class Objective:
         return self.compare(self.render(poses), self.target, poses.owner)
 
     def place(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
-        """Return rotations from object to camera axes, and positions of the centres, metres."""
+        """Return the rotations from object to camera axes, and the centres in metres."""
         from ...render import soft
 
         owner = poses.owner
@@ -110,7 +110,7 @@ class Objective:
     def compare(
         self, images: SoftImages, target: Target, owner: Int[Tensor, "b"]
     ) -> Float[Tensor, "b"]:
-        """Return Eq. 1 of renders, each compared with row ``owner`` of the target."""
+        """Return the loss of Eq. 1 for each render, compared with row ``owner`` of the target."""
         from ...render import soft
         from ...render.relight import relit
 
@@ -131,7 +131,7 @@ class Objective:
 
 @dataclass(frozen=True, eq=False)
 class Levels:
-    """The same objects at increasing resolution; ``close`` computes the highest on first use."""
+    """Objectives of the same objects at three resolutions; ``close`` is computed on first use."""
 
     coarse: Objective
     fine: Objective
@@ -182,7 +182,7 @@ def make_target(
 def cut_sides(
     hidden: Bool[np.ndarray, "r r"], box: Float[np.ndarray, "4"]
 ) -> Bool[np.ndarray, "4"]:
-    """Return the occluded sides (left, top, right, bottom) of the tight crop of ``box``."""
+    """Return which sides (left, top, right, bottom) of the tight crop of ``box`` are occluded."""
     from ...render.crop import MARGIN
 
     side = len(hidden)
@@ -209,7 +209,7 @@ def make_objectives(
     seed: int = 0,
     hidden: list[Bool[np.ndarray, "h w"] | None] | None = None,
 ) -> Levels:
-    """Prepare Eq. 1 for the objects of one image, at the resolutions in the settings.
+    """Prepare the objectives (Eq. 1) of one image's objects at the configured resolutions.
 
     ``image_size`` is (width, height) of the reference image; ``hidden`` is as in ``make_target``.
 
@@ -276,7 +276,7 @@ _MOST = 0.3  # limit of the change of size, and of position as a fraction of the
 
 
 def reaching_past(objective: Objective, poses: Candidates, side: int) -> CropFit:
-    """Return the fit of candidates that match their boxes at all sides except one.
+    """Return the crop fit of candidates that match their boxes on all sides except ``side``.
 
     The two sides adjacent to it determine the size; the opposite side determines the position. A
     candidate that would end inside its box, or extend far beyond it, is fitted tightly instead.

@@ -1,4 +1,4 @@
-"""The orientation from which a modeler saw its model (``Model.orientation``), used as a hint.
+"""A modeler's estimate of its model's orientation (``Model.orientation``), used as a hint.
 
 The yaw that it implies is an additional start of the search, and decides between candidates whose
 losses hardly differ. It never overrides a candidate whose loss is clearly lowest.
@@ -24,7 +24,7 @@ SHARE = 0.05
 
 
 def prior_yaw(model: Model) -> float | None:
-    """Return the yaw (radians, [-pi, pi)) nearest to a model's orientation.
+    """Return the yaw, in [-pi, pi) radians, that is nearest to a model's orientation.
 
     Returns None if the model has no orientation, or leans from the vertical by more than
     ``UPRIGHT``.
@@ -36,12 +36,12 @@ def prior_yaw(model: Model) -> float | None:
 
 
 def agrees(yaw: float, prior: float | None) -> bool:
-    """Return whether a yaw is within ``NEAR`` of the prior."""
+    """Return whether a yaw differs from the prior by at most ``NEAR``."""
     return prior is not None and abs(wrap(yaw - prior)) <= NEAR
 
 
 def prefer(found: list[RotationCandidate], prior: float | None) -> list[RotationCandidate]:
-    """Return the candidates, best first, but with the one that the prior supports in front.
+    """Return the candidates, with one that agrees with the prior moved to the front if possible.
 
     If the best candidate does not agree with the prior, the supported one is the best that does. It
     is moved to the front only if the losses of the two cannot be distinguished.
@@ -57,7 +57,7 @@ def prefer(found: list[RotationCandidate], prior: float | None) -> list[Rotation
 
 
 def same_side(found: RotationCandidate, order: int, prior: float | None) -> RotationCandidate:
-    """Return a candidate rotated by the multiple of 2 pi / ``order`` that agrees with the prior.
+    """Return a candidate, rotated by a multiple of 2 pi / ``order`` to agree with the prior.
 
     The object looks the same after that rotation. If there is no such multiple, the candidate is
     unchanged.

@@ -12,7 +12,7 @@ Place = tuple[float, float, float]
 
 
 class RotationCandidate(NamedTuple):
-    """A candidate's yaw (radians), loss, tilt (radians) and position in its crop."""
+    """A candidate with its yaw and tilt (radians), loss, and position in its crop."""
 
     yaw: float
     loss: float = float("inf")

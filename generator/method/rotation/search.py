@@ -1,4 +1,4 @@
-"""A coarse search over the full circle, then gradient descent on the best candidates.
+"""Coarse search over the full circle, followed by gradient descent from the best candidates.
 
 Each level compares fewer candidates at a higher resolution; for most objects the result is clear
 before the last level.
@@ -83,7 +83,7 @@ def _answer(
     candidates: list[RotationCandidate],
     prior: float | None,
 ) -> RotationAnswer:
-    """Return an object's result; if another side fits about as well, check for symmetry."""
+    """Return an object's result; check for symmetry if a distinct yaw has a similar loss."""
     # The coarse search is needed too, since all finalists may be symmetric to each other.
     config, sure, order = levels.coarse.config, margin(looks), 1
     least = min(looks[0], key=lambda f: f.loss).yaw
@@ -99,7 +99,7 @@ def _answer(
 def _starts(
     levels: Levels, priors: Sequence[float | None]
 ) -> tuple[Rows, list[bool], list[RotationCandidate | None], Rows]:
-    """Search all yaws; return (best candidates, crowded, candidate if round, all) per object."""
+    """Search all yaws; return starts, crowded flags, round candidates and all losses per object."""
     config = levels.coarse.config
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
     losses, places = coarse_search(levels.coarse, yaws)
@@ -133,7 +133,7 @@ def _starts(
 def _with_start(
     objective: Objective, number: int, found: list[RotationCandidate], yaw: float
 ) -> list[RotationCandidate]:
-    """Return the starts, best first, adding one at ``yaw`` (radians) unless one is near it."""
+    """Return ``found``, sorted by loss, adding a start at ``yaw`` (radians) unless one is near."""
     if any(abs(wrap(f.yaw - yaw)) < objective.config.separation / 3 for f in found):
         return found
     nearest = min(found, key=lambda f: abs(wrap(f.yaw - yaw)))
@@ -145,7 +145,7 @@ def _with_start(
 def coarse_search(
     objective: Objective, yaws: Float[np.ndarray, "n"]
 ) -> tuple[Float[np.ndarray, "s n"], list[list[Place]]]:
-    """Return each object's lowest loss at each yaw (radians), and its position in the crop.
+    """Return the lowest loss of each object at each yaw (radians), and its crop position.
 
     An object that may be occluded is also drawn so that it extends beyond its box, at one side at a
     time.
@@ -168,7 +168,7 @@ def coarse_search(
 
 
 def coarse_losses(objective: Objective, yaws: Float[np.ndarray, "n"]) -> Float[np.ndarray, "s n"]:
-    """Return Eq. 1 for each object at each yaw (radians), without gradients."""
+    """Return the loss of Eq. 1 for each object at each yaw (radians), without gradients."""
     import torch
 
     count = len(objective)
@@ -190,7 +190,7 @@ def losses_at(
     yaws: Float[np.ndarray, "n"],
     places: Sequence[Sequence[float]],
 ) -> Float[np.ndarray, "n"]:
-    """Return Eq. 1 for one object at yaws (radians) and positions in its crop; no gradients."""
+    """Return an object's losses at yaws (radians) and crop positions, without gradients."""
     import torch
 
     from ...render.soft import CropFit
@@ -209,7 +209,7 @@ def losses_at(
 def select(
     yaws: Float[np.ndarray, "n"], losses: Float[np.ndarray, "n"], config: RotationConfig
 ) -> list[int]:
-    """Return the yaws with the lowest loss: at most ``candidates``, spaced by ``separation``."""
+    """Return the indices of up to ``candidates`` yaws of least loss, ``separation`` apart."""
     chosen: list[int] = []
     for k in np.argsort(losses, kind="stable"):
         if all(abs(wrap(yaws[k] - yaws[n])) >= config.separation - 1e-6 for n in chosen):
@@ -220,7 +220,7 @@ def select(
 
 
 def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
-    """Descend with Adam from each start; return the best point of each path, best first.
+    """Run Adam from each start, and return the best point of each path, sorted by loss.
 
     ``starts`` has a list for each object. The whole batch stops once no path improves.
     """
@@ -284,7 +284,7 @@ def _rivals(
     config: RotationConfig,
     prior: float | None,
 ) -> list[RotationCandidate]:
-    """Return the best distinct candidates, and one that agrees with the prior if it is close."""
+    """Return the best distinct candidates, one of which agrees with the prior if possible."""
     kept: list[RotationCandidate] = []
     for candidate in sorted(found, key=lambda f: f.loss):
         near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)

@@ -1,4 +1,4 @@
-"""Rotational symmetry of objects, determined from their own renders, not from the picture."""
+"""Rotational symmetry of objects, determined from their renders rather than from the picture."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _TURNS = 24  # number of yaws that are compared with the first
 def looks_round(
     close: Callable[[], Objective], suspects: Bool[np.ndarray, "s"], flat: float
 ) -> Bool[np.ndarray, "s"]:
-    """Return which suspects are rotationally symmetric, that is, hardly changed by rotation.
+    """Return which of the ``suspects`` hardly change in appearance when they are rotated.
 
     ``close`` is a function that makes the objective which renders them; it is called only if there
     are suspects.
@@ -42,7 +42,7 @@ def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> i
 
 
 def turning_changes(objective: Objective, number: int) -> float:
-    """Return how much rotating an object changes its render (Eq. 1), beyond sampling noise."""
+    """Return the largest change (Eq. 1) of an object's render by rotation, less sampling noise."""
     yaws = np.arange(_TURNS) * (2 * np.pi / _TURNS)
     return float(_changes(objective, number, yaws).max())
 
@@ -50,7 +50,7 @@ def turning_changes(objective: Objective, number: int) -> float:
 def _changes(
     objective: Objective, number: int, yaws: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return how much each render differs from the one at the first yaw, beyond sampling noise."""
+    """Return how much each render differs from that at the first yaw, less sampling noise."""
     import torch
 
     # Half of the points render the first yaw; the other half render all yaws. The loss between the

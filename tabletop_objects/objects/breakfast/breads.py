@@ -17,7 +17,7 @@ DARK: RGB = (150, 94, 46)
 
 
 def crust(look: Look, dark: RGB = DARK, amount: float = 0.7) -> surfaces.Tile:
-    """Return a baked crust, or a crust in the requested colour."""
+    """Return a tile of crust in the requested colour, or else in a baked shade."""
     return skin(look, tint_color(look.color("amber", "copper", "tan"), 0.95), dark, amount)
 
 

@@ -159,7 +159,7 @@ def bacon(look: Look) -> Shape:
           aliases=("sunny side up egg", "egg sunny side up"), themes=("breakfast",),
           roles=("edible", "flat", "round"), colors=("yellow",), state="lying flat")  # fmt: skip
 def fried_egg(look: Look) -> Shape:
-    """A fried egg lying flat, yolk up."""
+    """A fried egg lying flat with its yolk up."""
     r = look.between(0.045, 0.055)
     ring = ellipse(2, 2, 36)
     turn = np.arctan2(ring[:, 1], ring[:, 0])

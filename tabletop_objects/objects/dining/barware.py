@@ -79,7 +79,7 @@ def ice_bucket(look: Look) -> Shape:
 
 
 def metal(look: Look) -> surfaces.Tile:
-    """Return metal in the requested colour, or else in silver, gold, copper or black."""
+    """Return a metal tile in the requested colour, or else in silver, gold, copper or black."""
     return look.surface(look.color("silver", "silver", "gold", "copper", "black"), "metal")
 
 
@@ -380,7 +380,7 @@ def optic_measure(look: Look) -> Shape:
           aliases=("keg tap handle", "beer tap handle", "beer tap", "beer pump handle",
           "pump clip"), themes=("dining",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def tap_handle(look: Look) -> Shape:
-    """A beer tap handle on a foot: a tall painted paddle with a badge."""
+    """A beer tap handle on a base: a tall painted paddle with a badge."""
     k, color = (look.between(0.9, 1.08), look.color("wooden", "red", "green", "navy", "black",
                                                     "gold"))  # fmt: skip
     foot = lathe([(0, 0), (0.032, 0), (0.032, 0.01), (0.012, 0.016), (0.01, 0.04), (0.014, 0.046),

@@ -196,7 +196,7 @@ def sauce_bottle(look: Look) -> Shape:
 
 
 def _in(look: Look, color: str) -> Look:
-    """Return a look that requests ``color``, unless it already requests another."""
+    """Return ``look`` with a request for ``color``, unless a colour is already requested."""
     return Look(look.rng, {"color": color, **look.attributes})
 
 

@@ -255,7 +255,7 @@ def _mirror(half: list[tuple[float, float]]) -> np.ndarray:
 
 
 def _metal(look: Look) -> Tile:
-    """Return a slightly scratched tile of bright, brushed, golden, coppery or black metal."""
+    """Return a bright, brushed, golden, coppery or black metal tile, sometimes scratched."""
     color = look.color(*["silver"] * 5, "gray", "gray", "gold", "black", "copper", spread=6)
     tile = look.surface(color, "metal")
     if look.material:

@@ -19,7 +19,7 @@ Pieces = list[tuple[Solid, surfaces.Tile]]
 def _stem_profile(
     side: list[tuple[float, float]], foot: float, wet: tuple[RGB, float], clear: surfaces.Tile
 ) -> tuple[Pieces, list[ConvexPart]]:
-    """Return a stemmed glass whose cup has the profile ``side`` and is filled to a given level."""
+    """Return a stemmed glass whose cup has the profile ``side``, filled as given by ``wet``."""
     (low, cup), (rim, h) = side[0], side[-1]
     outer = np.array(side)
     inner = np.column_stack([np.maximum(outer[:, 0] - 0.0022, 0.001), outer[:, 1] + 0.003])[::-1]
@@ -264,7 +264,7 @@ def glass(look: Look) -> Shape:
           aliases=("goblet", "wineglass"), themes=("dining",), roles=("round", "tall"),
           colors=("clear",), common=True)  # fmt: skip
 def wine_glass(look: Look) -> Shape:
-    """A stemmed wine glass: tulip, balloon, flute or coupe, sometimes with wine."""
+    """A stemmed wine glass (a tulip, balloon, flute or coupe), sometimes with wine."""
     r, h, wall = look.between(0.034, 0.044), look.between(0.175, 0.22), 0.0022
     kind = look.pick(["tulip", "tulip", "balloon", "flute", "cone"])
     r = {"flute": 0.84 * r, "balloon": 1.05 * r}.get(kind, r)

@@ -88,7 +88,7 @@ def power_supply(look: Look) -> Shape:
           aliases=("surveillance camera", "cctv camera", "ip camera", "cctv", "baby camera"),
           themes=("electronics",), colors=("white",))  # fmt: skip
 def security_camera(look: Look) -> Shape:
-    """A bullet-shaped security camera on a foot, with a dark glass front."""
+    """A bullet-shaped security camera on a base, with a dark glass front."""
     k = look.between(0.9, 1.1)
     color = look.color("white", "white", "black", "gray")
     tile = look.surface(color, "plastic")

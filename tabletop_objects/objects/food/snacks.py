@@ -37,7 +37,7 @@ def temaki(look: Look) -> Shape:
 def bun(
     d: tuple[float, float], tall: float, palette: tuple[str, ...], kind: str
 ) -> Callable[[Look], Shape]:
-    """Return the shape function of a small round snack: mochi, dorayaki or scotch egg."""
+    """Return the shape function of a small round snack: a mochi, a dorayaki or a scotch egg."""
 
     def make(look: Look) -> Shape:
         size, color = look.between(*d), look.color(*palette)
@@ -264,12 +264,12 @@ def elote(look: Look) -> Shape:
 
 
 def crust(look: Look, color: RGB) -> surfaces.Tile:
-    """Return baked dough that is darker at the bottom."""
+    """Return a tile of baked dough that is darker at the bottom."""
     return surfaces.gradient(tint_color(color, 0.8), tint_color(color, 1.2), look.rng, 14)
 
 
 def toasted_slice(look: Look, color: RGB) -> surfaces.Tile:
-    """Return pale dough with brown spots."""
+    """Return a tile of pale dough with brown spots."""
     return surfaces.spots(look.rng, tint_color(color, 1.35), tint_color(color, 0.7), 0.12)
 
 

@@ -19,7 +19,7 @@ COLORS = ("red", "blue", "green", "purple", "black", "teal", "orange", "white", 
 
 
 def _signs(*triples: tuple[float, float, float]) -> Float[np.ndarray, "n 3"]:
-    """Return all sign changes and cyclic permutations of the triples."""
+    """Return all sign changes and cyclic permutations of the given triples."""
     made = {tuple(np.round(np.roll(np.array(t) * [i, j, k], n), 9))
             for t in triples for i in (-1, 1) for j in (-1, 1) for k in (-1,
                 1) for n in range(3)}  # fmt: skip

@@ -33,7 +33,7 @@ from .grills import _panel, griddle, turn_knob
           assembled=True, aliases=("egg timer", "cooking timer"), themes=("kitchen",),
           colors=("red", "white"))  # fmt: skip
 def kitchen_timer(look: Look) -> Shape:
-    """A kitchen timer: a round dial on a foot, or an egg or a tomato that twists."""
+    """A kitchen timer: a round dial on a stand, or an egg or a tomato that twists."""
     d = look.between(0.06, 0.072)
     color = look.color("red", "white", "yellow", "sky", "orange", "mint", "black", "silver")
     skin = look.surface(color, "plastic")
@@ -595,7 +595,7 @@ def metal(look: Look, color: RGB = STEEL) -> surfaces.Tile:
           aliases=("meat grinder", "meat mincer", "hand mincer", "sausage maker"),
           themes=("kitchen",), roles=("tall",), colors=("silver",))  # fmt: skip
 def mincer(look: Look) -> Shape:
-    """A hand mincer: a funnel on a barrel, a plate with holes, a crank and a foot."""
+    """A hand mincer: a funnel on a barrel, a plate with holes, a crank and a base."""
     k, color = look.between(0.88, 1.06), look.color("silver", "silver", "red", "white", "cream")
     foot = block(0.11, 0.09, 0.014, 0.02, 0.003)
     neck = lathe([(0, 0), (0.03, 0), (0.018, 0.04), (0.022, 0.1), (0, 0.1)], 18).move(z=0.01)

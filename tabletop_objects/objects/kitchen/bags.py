@@ -112,7 +112,7 @@ INKS = ("red", "blue", "green", "navy", "orange", "teal", "brown", "crimson")
 
 
 def _fronts(look: Look, x: float, y: float, ground: RGB, front: surfaces.Tile) -> surfaces.Tile:
-    """Return a print around a packet of depth y and width x, with two fronts and small print.
+    """Return a print for a packet of width x and depth y, with two fronts and small print.
 
     u = 0 is at the left front corner, where a ``packet`` with a ``rectangle`` as outline starts.
     """

@@ -127,7 +127,7 @@ Make = Callable[[Look], Shape]
 
 def tin(words: tuple[str, ...], palette: tuple[str, ...], form: tuple[float, float], lid: str
         ) -> Make:  # fmt: skip
-    """Return a labelled tin; ``form`` is its radius and height, ``lid`` is "push" or "ring"."""
+    """Return a labelled tin; ``form`` is (radius, height), and ``lid`` is "push" or "ring"."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)

@@ -54,7 +54,7 @@ def pizza_cutter(look: Look) -> Shape:
           aliases=("mandolin slicer", "vegetable slicer", "mandoline slicer"), themes=("kitchen",),
           roles=("big",), colors=("white", "black"))  # fmt: skip
 def mandoline(look: Look) -> Shape:
-    """A mandoline slicer: a sloping board with a slanted blade, on a foot."""
+    """A mandoline slicer: a sloping board with a slanted blade, on a stand."""
     x, y = look.between(0.28, 0.34), look.between(0.1, 0.12)
     color = look.color("white", "black", "red", "green", "sage", "silver")
     skin = look.surface(color, "plastic")

@@ -21,7 +21,7 @@ def cheese_wheel(profile: list[tuple[float, float]], segments: int) -> Solid:
 
 
 def wedge(flesh: tuple[str, ...], rind: RGB, veins: RGB | None):
-    """Return a wedge cut from a round cheese, with a rind and with veins or holes."""
+    """Return the shape function of a wedge of cheese with a rind and with veins or holes."""
 
     def make(look: Look) -> Shape:
         r, h = look.between(0.1, 0.12), look.between(0.042, 0.055)

@@ -93,7 +93,7 @@ def banana(look: Look) -> Shape:
 
 
 def _slice(body: Solid, ring: int) -> np.ndarray:
-    """Return the points of cross-section ``ring`` (0 to 12) of a banana, selected by angle."""
+    """Return the vertices near cross-section ``ring`` (0 to 12) of a banana, selected by angle."""
     p = body.vertices
     center = p[:, :2].mean(0) + np.array([0, 0.1])
     away = np.arctan2(*(p[:, :2] - center).T[::-1])
@@ -102,7 +102,7 @@ def _slice(body: Solid, ring: int) -> np.ndarray:
 
 
 def _diamonds(look: Look, color: RGB) -> Tile:
-    """Return a pineapple's skin: slanted rows of eyes with dark seams."""
+    """Return a texture of pineapple skin: slanted rows of spots between dark seams."""
     y, x = np.mgrid[0:128, 0:128] / 128
     a, b = (8 * x + 7 * y) % 1 - 0.5, (8 * x - 7 * y) % 1 - 0.5
     eye = np.exp(-(a**2 + b**2) / 0.012)
@@ -164,7 +164,7 @@ def grapes(look: Look) -> Shape:
 
 
 def _crease(solid: Solid, deep: float) -> Solid:
-    """Return a round fruit with one furrow from stalk to tip, facing the viewer."""
+    """Return the round fruit ``solid`` with a furrow from stalk to tip that faces the viewer."""
 
     def furrow(p: np.ndarray) -> np.ndarray:
         turn = np.arctan2(p[:, 1], p[:, 0]) + np.pi / 2 + 0.35
@@ -352,7 +352,7 @@ def _wedge(
 
 
 def _crescent(r: float, half: float) -> Solid:
-    """Return the peel of a segment."""
+    """Return the peel of a fruit segment."""
     rings = []
     for a in np.linspace(-1.5, 1.5, 13):
         rim = [(r * k * np.cos(a) * np.cos(b), r * k * np.cos(a) * np.sin(b))
@@ -397,7 +397,7 @@ BROWN: RGB = (112, 84, 54)
 
 @dataclass(frozen=True)
 class Globe:
-    """A round fruit with a width in the range ``d`` (metres) and the relative height ``tall``.
+    """A round fruit; ``d`` is its range of widths in metres, and ``tall`` its relative height.
 
     ``skin`` names its surface, ``bumps`` is its number of warts, spikes or hairs, and ``top`` names
     what is on its top. ``pear`` narrows it towards the top; ``lying`` lays it on its side.
@@ -415,13 +415,13 @@ class Globe:
 
 
 def _ways(count: int, low: float = -0.72, high: float = 0.97) -> Float[np.ndarray, "n 2"]:
-    """Return polar and azimuth angles of ``count`` points spread evenly over a sphere."""
+    """Return the polar and azimuth angles of ``count`` points spread evenly over a sphere."""
     rise = np.linspace(high, low, count)
     return np.column_stack([np.arccos(rise), 2.4 * np.arange(count)])
 
 
 def _over(kind: Globe, r: float, one: Callable[[], Solid], sink: float) -> Solid:
-    """Return copies of ``one`` (standing on z = 0), spread over the skin and slightly sunk in."""
+    """Spread copies of ``one()``, which stands on z = 0, over a fruit's skin, sunk by ``sink``."""
     made = []
     for polar, around in _ways(kind.bumps):
         solid = one().move(z=-sink).turn(1, polar).turn(2, around)

@@ -111,7 +111,7 @@ def chimney_starter(look: Look) -> Shape:
 
 def cube(form: tuple[float, float, float], palette: tuple[str, ...], spot: float, deep: float,
          soft: float = 0.0015) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return a small block with a spotted surface: bread, wax, coal or a firelighter."""
+    """Return the shape function of a small, spotted block: bread, wax, coal or a firelighter."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.12)

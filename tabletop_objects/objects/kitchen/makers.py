@@ -216,7 +216,7 @@ def yoghurt_maker(look: Look) -> Shape:
           aliases=("popcorn machine", "popcorn popper"), themes=("kitchen",), roles=("big",),
           colors=("red",))  # fmt: skip
 def popcorn_maker(look: Look) -> Shape:
-    """The cabinet of a popcorn cart: windows that show popcorn, and a striped, peaked roof."""
+    """The cabinet of a popcorn cart, with popcorn behind windows and a striped, peaked roof."""
     k, color = look.between(0.85, 1.05), look.color("red", "red", "crimson", "navy", "yellow")
     x, y, h = 0.2 * k, 0.17 * k, 0.22 * k
     base = block(x, y, 0.05 * k, 0.008, 0.002)

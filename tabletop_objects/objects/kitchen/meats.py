@@ -48,7 +48,7 @@ def burger_patty(look: Look) -> Shape:
           themes=("kitchen", "dining"), roles=("edible", "big"), colors=("brown",),
           state="lying flat")  # fmt: skip
 def roast_beef(look: Look) -> Shape:
-    """A roast joint tied with string, pink inside, with one slice cut off."""
+    """A roast joint, pink inside and tied with string, with one slice cut off."""
     long, r = look.between(0.15, 0.19), look.between(0.045, 0.055)
     body = bent_rod(long, r, blunt=8, squash=0.85)
     loops = [torus(1.0 * r, 0.0014, 26, 6).turn(1, np.pi / 2).scale(1, 1, 0.86).move(x=u * long)

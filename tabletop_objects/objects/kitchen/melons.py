@@ -18,7 +18,7 @@ from .fruit import _wedge
           aliases=("slice of watermelon", "melon slice"), themes=("kitchen", "food"),
           roles=("flat", "edible"), colors=("red",), state="lying flat", common=True)  # fmt: skip
 def watermelon_slice(look: Look) -> Shape:
-    """A slice of watermelon lying flat: flesh with seeds and a pale and green rind."""
+    """A slice of watermelon lying flat: flesh with seeds, and a rind with a pale inner layer."""
     r, thick = look.between(0.085, 0.12), look.between(0.018, 0.03)
     half = look.pick([np.pi / 2, np.pi / 2, 0.62, 0.75])
     color = look.color("red", "coral", "red", "crimson", "amber")
@@ -45,7 +45,7 @@ def watermelon_slice(look: Look) -> Shape:
           "cut watermelon"), themes=("kitchen", "food"), roles=("edible", "round", "big"),
           colors=("green",))  # fmt: skip
 def watermelon_half(look: Look) -> Shape:
-    """Half a watermelon with its red cut face and seeds up."""
+    """Half a watermelon with its red, seeded cut face up."""
     r, h = look.between(0.09, 0.11), look.between(0.085, 0.1)
     color = look.color("green", "green", "olive")
     a = np.linspace(0.25, np.pi / 2, 8)

@@ -18,7 +18,7 @@ from ...kit.surfaces import Look, streaks, tint_color
 
 def seed(palette: tuple[str, ...], form: tuple[float, float, float], striped: bool
          ) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return one flat, pointed seed, plain or striped."""
+    """Return the shape function of one flat, pointed seed, plain or striped."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.15)
@@ -69,7 +69,7 @@ def pecan(look: Look) -> Shape:
 
 @dataclass(frozen=True)
 class Heap:
-    """A heap: ``r`` is its range of radii and ``grain`` the size of a grain, in metres.
+    """A heap; ``r`` is its range of radii and ``grain`` the size of a grain, both in metres.
 
     ``form`` names the shape of a grain: "ball", "chip", "cube", "strand", "ring", or "powder" for
     no visible grains.
@@ -135,7 +135,7 @@ def heap(kind: Heap) -> Callable[[Look], Shape]:
           aliases=("walnut half", "walnut shell", "peach pit"), themes=("kitchen", "food"),
           roles=("edible",), colors=("tan",))  # fmt: skip
 def walnut(look: Look) -> Shape:
-    """A walnut in its wrinkled shell, with its seam upright."""
+    """A walnut in its wrinkled shell, with an upright seam."""
     d = look.between(0.034, 0.04)
     color = look.color("tan", "wooden", "beige")
     phase = look.rng.uniform(0, 6, 2)

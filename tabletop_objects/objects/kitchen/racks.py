@@ -26,7 +26,7 @@ from ...values import ConvexPart, Extent, Holder, Slot, read_room
           aliases=("cone stand", "ice cream cone stand", "ice cream cone holder", "cone rack"),
           themes=("kitchen",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def cone_holder(look: Look) -> Shape:
-    """A stand with round holes and two ice cream cones in it."""
+    """A stand with three round holes, two of which hold ice cream cones."""
     k = look.between(0.94, 1.06)
     color = look.color("wooden", "clear", "white", "silver")
     top = block(0.19, 0.07, 0.008, 0.01, 0.001).move(z=0.11)
@@ -214,18 +214,18 @@ def read_request(look: Look, places: int, room: Extent) -> tuple[int, Extent]:
 
 
 def centres(count: int, pitch: float) -> list[float]:
-    """Return positions in a row centred at 0."""
+    """Return ``count`` evenly spaced positions centred at 0."""
     return [(k - (count - 1) / 2) * pitch for k in range(count)]
 
 
 def choose_slots(centres: list[float], count: int, z: float) -> list[Slot]:
-    """Return ``count`` slots spread evenly over the row."""
+    """Return ``count`` slots spread evenly over the positions ``centres``."""
     which = np.linspace(0, len(centres) - 1, count).round().astype(int)
     return [Slot(np.array([centres[k], 0.0, z])) for k in which]
 
 
 def _boards(boards: list[_Placed]) -> tuple[list[Solid], list[ConvexPart]]:
-    """Return boxes as solids and as collision parts."""
+    """Return the solids and the collision parts of ``boards``."""
     solids = [box(x, y, z).move(*at) for x, y, z, *at in boards]
     return solids, [box_part(x, y, z, at) for x, y, z, *at in boards]
 

@@ -34,7 +34,7 @@ def crab_claw(look: Look) -> Shape:
           aliases=("tail of a lobster",), themes=("kitchen", "dining"), roles=("edible",),
           colors=("red",), state="lying flat")  # fmt: skip
 def lobster_tail(look: Look) -> Shape:
-    """A lobster tail with red rings, a fan and white meat at the front."""
+    """A lobster tail with red rings, a tail fan and white meat at the front."""
     k = look.between(0.9, 1.1)
     color = look.color("red", "coral", "crimson")
     rings = [ellipsoid(0.032, 0.056 - 0.004 * n, 0.04 - 0.003 * n, 14, 8).move(-0.05 + 0.02 * n, 0,

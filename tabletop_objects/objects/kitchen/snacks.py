@@ -24,7 +24,7 @@ def rough_ball(
     spot: float,
     glossy: RGB | None = None,
 ) -> Callable[[Look], Shape]:
-    """Return a smooth or knobbly ball of dough, meat or batter."""
+    """Return the shape function of a smooth or knobbly ball of dough, meat or batter."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.12)

@@ -158,7 +158,7 @@ def six_pack_ring(look: Look) -> Shape:
 @category("fish_bone", size=(0.195, 0.0567, 0.00641), mass=0.01, material="food",
           themes=("kitchen",), roles=("flat",), colors=("ivory",))  # fmt: skip
 def fish_bone(look: Look) -> Shape:
-    """Fish bones lying flat: head, spine, ribs and tail."""
+    """Fish bones lying flat: a head, a spine, ribs and a tail."""
     color = look.color("ivory", "cream", "white", "gray")
     k = look.between(0.8, 1.15)
     spine = straight((-0.075, 0, 0.003), (0.06, 0, 0.003), [0.0016, 0.0026], 8)

@@ -315,12 +315,12 @@ SPATULA_GRIPS = ("black", "red", "teal", "wooden", "white", "navy", "sage", "sil
 
 
 def bright_steel(look: Look) -> surfaces.Tile:
-    """Return a tile of bright brushed steel."""
+    """Return a texture of bright brushed steel."""
     return surfaces.brushed_metal(look.rng, (192, 195, 200))
 
 
 def grip_bar(start: float, stop: float, wide: float, z: float) -> Solid:
-    """Return a rounded handle along x from ``start`` to ``stop`` with its middle at ``z``."""
+    """Return a rounded handle along x from ``start`` to ``stop``, centred at height ``z``."""
     t = np.linspace(0, 1, 7)
     x = start + (stop - start) * t
     scale = wide * (0.72 + 0.28 * np.sin(np.pi * (0.15 + 0.85 * t)))
@@ -340,7 +340,7 @@ def _slices(solid: Solid, edges: list[float]) -> list[ConvexPart]:
           "wooden spatula", "slotted turner"), themes=("kitchen",), roles=("flat",),
           colors=("black", "red"), state="lying flat")  # fmt: skip
 def spatula(look: Look) -> Shape:
-    """A spatula lying flat: a slotted steel turner, a silicone scraper or a wooden one."""
+    """A spatula lying flat: a slotted steel turner, a silicone scraper or a wooden spatula."""
     kind = look.pick(["turner", "turner", "scraper", "wooden"])
     color = look.color(*SPATULA_GRIPS)
     long = look.between(0.28, 0.33)
@@ -462,7 +462,7 @@ def with_handle(
 
 
 def steel(look: Look) -> surfaces.Tile:
-    """Return a tile of brushed steel."""
+    """Return a texture of brushed steel."""
     return surfaces.brushed_metal(look.rng, APPLE_CORER_STEEL)
 
 

@@ -48,7 +48,7 @@ def root(look: Look, length: float, radii: list[float]) -> Solid:
 
 
 def halves(body: Solid, pieces: int) -> list[ConvexPart]:
-    """Return hulls of equally long pieces of a lying body, each extended down to the table."""
+    """Return hulls of equally long sections of a body along x, each with a flat base on z = 0."""
     p = body.vertices
     cuts = np.linspace(p[:, 0].min(), p[:, 0].max(), pieces + 1)
     width = (cuts[1] - cuts[0]) * 0.55
@@ -278,7 +278,7 @@ OKRA_GREEN: RGB = (92, 140, 62)
 
 @dataclass(frozen=True)
 class Pod:
-    """A long fruit, vegetable or pod: ``long`` is its range of lengths, in metres.
+    """A long fruit, vegetable or pod; ``long`` is its range of lengths in metres.
 
     ``r`` gives its radii from left to right and ``bend`` how far it curves, both relative to its
     length; ``skin`` names its surface and ``end`` the shape of its right end.

@@ -139,7 +139,7 @@ def circuit_board(look: Look) -> Shape:
           "logic analyser", "logic analyzer"), themes=("lab", "workbench"), roles=("big", "screen"),
           colors=("gray", "white"))  # fmt: skip
 def oscilloscope(look: Look) -> Shape:
-    """A bench oscilloscope with a screen that shows traces, knobs, sockets and a handle on top."""
+    """A bench oscilloscope with traces on its screen, knobs, sockets and a handle on top."""
     x, y, h = look.between(0.28, 0.34), look.between(0.12, 0.15), look.between(0.14, 0.165)
     color = look.color("gray", "white", "beige", "charcoal", "navy", "silver")
     shell = surfaces.speckles(look.rng, color, 3, 32)
@@ -187,7 +187,7 @@ STEEL: RGB = (186, 189, 194)
           aliases=("gas burner", "lab burner", "bunsen"), themes=("lab",), roles=("tall",),
           colors=("charcoal",))  # fmt: skip
 def bunsen_burner(look: Look) -> Shape:
-    """A Bunsen burner with a foot, a barrel with an air ring and a gas inlet, sometimes alight."""
+    """A Bunsen burner, sometimes lit, with a base, a gas inlet and a barrel with an air ring."""
     k = look.between(0.9, 1.08)
     color = look.color("charcoal", "green", "black", "blue", "gray")
     foot = lathe(np.array([(0, 0), (0.04, 0), (0.041, 0.004), (0.036, 0.012), (0.014, 0.022),
@@ -320,7 +320,7 @@ GLASS: RGB = (206, 222, 226)
 @category("microscope", size=(0.13, 0.18, 0.33), mass=2.4, material="device", themes=("lab",),
           roles=("tall", "big"), colors=("white", "gray"), common=True)  # fmt: skip
 def microscope(look: Look) -> Shape:
-    """A microscope with a foot, a stage, a curved arm and an eyepiece that faces the viewer."""
+    """A microscope with a base, a stage, a curved arm and an eyepiece that faces the viewer."""
     body = look.color("white", "gray", "navy", "cream", "black", "teal", "red")
     tall, pair = look.between(0.9, 1.12), look.pick([0.0, 0.0, 0.017])
     shell, dark = surfaces.speckles(look.rng, body, 4), surfaces.plain((44, 46, 50))
@@ -392,7 +392,7 @@ def butterfly_net(look: Look) -> Pieces:
 
 
 def display(text: str) -> prints.Canvas:
-    """Return a dark screen with one reading."""
+    """Return an image of a dark screen that shows ``text``."""
     screen = prints.canvas(64, 28, (20, 40, 70))
     prints.write(screen, text, 0.5, 0.5, 0.55, (140, 230, 250), True)
     return screen

@@ -55,7 +55,7 @@ GLASS: RGB = (206, 222, 226)
 
 
 def marks(ground: RGB, count: int = 10) -> surfaces.Tile:
-    """Return a glass tile with a scale on its front."""
+    """Return a texture of glass with a scale at the front."""
     image = prints.canvas(96, 128, ground)
     for n in range(count):
         prints.fill(image, 0.44, 0.12 + 0.76 * n / count, 0.12 if n % 2 else 0.07, 0.012,
@@ -117,7 +117,7 @@ def tube_stand(look: Look) -> Shape:
           "rain gauge tube", "tornado tube"), themes=("lab",), roles=("round", "tall"),
           colors=("clear",))  # fmt: skip
 def graduated_cylinder(look: Look) -> Shape:
-    """A graduated cylinder: a tall, open tube with a scale on a broad foot."""
+    """A graduated cylinder: a tall, open tube with a scale on a broad base."""
     k = look.between(0.85, 1.1)
     color = look.color("clear", "clear", "blue", "amber")
     side = [(0.03 * k, 0.0), (0.03 * k, 0.006), (0.0145 * k, 0.012), (0.0145 * k, 0.17 * k),
@@ -292,7 +292,7 @@ def _glass(color: RGB) -> surfaces.Tile:
 
 
 def _graduation(ground: RGB, ink: RGB = (70, 90, 100)) -> surfaces.Tile:
-    """Return a glass tile with a measuring scale on its front."""
+    """Return a texture of glass with a measuring scale at the front."""
     image = prints.canvas(128, 128, ground)
     for k in range(9):
         prints.fill(image, 0.46, 0.2 + 0.075 * k, 0.09 if k % 2 else 0.05, 0.014, ink)
@@ -564,13 +564,13 @@ def cover_slip(look: Look) -> Pieces:
 @at_rest
 @from_pieces(foot=0.3)
 def pipette_tip(look: Look) -> Pieces:
-    """A pipette tip lying flat: a collar on the left that tapers to a point on the right."""
+    """A pipette tip lying flat, which tapers from a collar on the left to a point on the right."""
     return [(spindle((-0.025, 0.0034), (-0.018, 0.0034), (-0.012, 0.0029), (0.025, 0.0005),
                      z=0.0034), plastic(look, "yellow", "sky", "clear", "white"))]  # fmt: skip
 
 
 def _vial(cap: str) -> Drawing:
-    """A small tube lying flat: conical with a snap lid, or straight with a screw cap."""
+    """Return the drawing function of a small tube with a snap lid or a screw cap, lying flat."""
 
     def draw(look: Look) -> Pieces:
         color = look.color("clear", "sky", "pink", "mint", "amber")
@@ -592,7 +592,7 @@ def _vial(cap: str) -> Drawing:
 
 
 def _wells(rows: int, columns: int) -> Drawing:
-    """A plate with small wells, some with coloured liquid."""
+    """Return the drawing function of a plate with small wells, some with coloured liquid."""
 
     def draw(look: Look) -> Pieces:
         shell = plastic(look, "clear", "white", "black")

@@ -62,7 +62,7 @@ def sharps_container(look: Look) -> Pieces:
 
 
 def _cassette(kind: str) -> Drawing:
-    """A test strip or cassette with a window and lines."""
+    """Return the drawing function of a test strip or cassette with a window and lines."""
 
     def draw(look: Look) -> Pieces:
         lines = look.pick([1, 2])
@@ -327,7 +327,7 @@ def ear_plug(look: Look) -> Pieces:
 
 
 def _pack(text: tuple[str, ...], size: tuple[float, float, float], *colors: str) -> Drawing:
-    """A soft, flat packet with a word on it."""
+    """Return the drawing function of a soft, flat packet with a word on it."""
 
     def draw(look: Look) -> Pieces:
         x, y, h = size
@@ -387,7 +387,7 @@ def toe_separator(look: Look) -> Pieces:
           colors=("sky",))  # fmt: skip
 @from_pieces()
 def pill_cutter(look: Look) -> Pieces:
-    """A pill cutter: a small box with a tablet, a pale wedge and a blade below its raised lid."""
+    """A pill cutter: a box with a tablet and a pale wedge, and a blade under its raised lid."""
     tile = plastic(look, "sky", "clear", "pink", "green", "white")
     low, high = (at_block(0.075, 0.045, 0.016, 0.01),
                  at_block(0.075, 0.045, 0.01, 0.01).turn(0, 0.6).move(0, 0.008, 0.03))  # fmt: skip

@@ -48,7 +48,7 @@ BLACK = surfaces.plain((34, 34, 37))
           themes=("lab",), colors=("pink",))  # fmt: skip
 @from_pieces(bodies=5)
 def brain_model(look: Look) -> Pieces:
-    """A brain model: two folded halves, a striped cerebellum and a stem on a round black foot."""
+    """A brain model: two folded halves, a striped cerebellum and a stem on a round black base."""
     color = look.color("pink", "beige", "coral")
     pieces: Pieces = []
 
@@ -75,7 +75,7 @@ def brain_model(look: Look) -> Pieces:
 @vary()
 @from_pieces(bodies=2)
 def eye_model(look: Look) -> Pieces:
-    """A white eyeball on a black foot: a coloured iris, a pupil, red veins and a nerve behind."""
+    """A white eyeball on a black base, with an iris, a pupil, red veins and a nerve at the back."""
     iris = look.color("blue", "green", "brown", "gray")
     foot = standing((0.04, 0), (0.038, 0.008), (0.008, 0.016), (0.008, 0.04))
     globe = ball(0.1, 0.1, 0.1, (0, 0, 0.088), 30)

@@ -15,7 +15,7 @@ WHITE = surfaces.plain((244, 243, 240))
 
 
 def _tooth(gold: bool, long: float) -> Drawing:
-    """A molar with cusps on its crown and two roots, standing on its roots or lying flat."""
+    """Return the drawing function of a molar with cusps on its crown, standing on its roots."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*(("gold",) if gold else ("white", "ivory", "cream")))
@@ -35,7 +35,7 @@ def _tooth(gold: bool, long: float) -> Drawing:
 
 
 def _denture(full: bool) -> Drawing:
-    """A dental plate, or a pair of jaws on a hinge."""
+    """Return the drawing function of a dental plate, or of a pair of jaws on a hinge."""
 
     def draw(look: Look) -> Pieces:
         pieces: Pieces = []
@@ -60,7 +60,7 @@ def _denture(full: bool) -> Drawing:
 
 def _retainer(wire: bool) -> Drawing:
     def draw(look: Look) -> Pieces:
-        """A mouth guard in the shape of a horseshoe tray, or a dental plate with a wire."""
+        """A horseshoe-shaped mouth guard, or a dental plate with a wire."""
         a = np.linspace(0.1, np.pi - 0.1, 26)
         color = look.color("sky", "pink", "clear", "purple", "green")
         if not wire:

@@ -443,7 +443,7 @@ def toy_bat(look: Look) -> Shape:
           "raven figure", "plastic raven", "fake crow", "blackbird", "raven ornament"),
           themes=("living",), colors=("black",))  # fmt: skip
 def raven(look: Look) -> Shape:
-    """A black raven, standing."""
+    """A standing black raven."""
     thing = bird(Look(look.rng, {"color": "black", **look.attributes})).scale(1.5)
     dark = [replace(p, tile=(p.tile * 0.22 + 14).astype(np.uint8)) for p in thing.pieces[1:6]]
     return replace(thing, pieces=(thing.pieces[0], *dark, thing.pieces[6]))

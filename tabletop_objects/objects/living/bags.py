@@ -211,7 +211,7 @@ TONES = ("brown", "black", "red", "tan", "navy", "teal", "pink", "mustard", "gra
 def _body(
     x: float, y: float, h: float, levels: list[tuple[float, float, float]], corner: float
 ) -> Solid:
-    """Return a bag's body from (x factor, y factor, relative z) levels, from the bottom up."""
+    """Return a bag's body; ``levels`` are (x factor, y factor, relative z) from the bottom up."""
     outline = rectangle(1, 1, corner, 5)
     return loft(np.stack([np.column_stack([outline * [x * a, y * b], np.full(len(outline), h * z)])
                           for a, b, z in levels]), outline)  # fmt: skip

@@ -55,7 +55,7 @@ def tea_light(look: Look) -> Shape:
           "candle in a candlestick", "rushlight"), themes=("living", "dining"), roles=("tall",),
           colors=("white", "red"))  # fmt: skip
 def taper_candle(look: Look) -> Shape:
-    """A slim taper candle in a small foot."""
+    """A slim taper candle in a small holder."""
     h, r = look.between(0.17, 0.24), look.between(0.009, 0.011)
     color = look.color(*WAXES)
     foot = lathe([(0, 0), (0.034, 0), (0.036, 0.005), (0.018, 0.012), (0.014, 0.03), (0, 0.03)], 24)

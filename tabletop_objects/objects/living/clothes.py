@@ -73,7 +73,7 @@ CLOTH = ("navy", "red", "gray", "teal", "black", "pink", "sky", "green", "white"
 
 
 def cloth(look: Look, color: RGB) -> Tile:
-    """Return plain, striped or checked cloth."""
+    """Return a texture of plain, striped or checked cloth."""
     kind = look.pick([0, 0, 1, 2])
     if kind == 1:
         return surfaces.stripes([color, color, tint_color(color, 1.5)], 7, upright=look.chance(0.5))
@@ -279,7 +279,7 @@ def braces(look: Look) -> Shape:
 
 
 def hand_shape(look: Look, colors: tuple[str, ...], cuff: float, *, knit: bool) -> Shape:
-    """A glove lying flat with its fingers on the left; mittens have one wide finger."""
+    """Return a glove with a cuff, lying flat with its fingers on the left."""
     color = look.color(*colors)
     skin = surfaces.knitting(look.rng, color, 26) if knit else surfaces.speckles(look.rng, color, 7)
     k = look.between(0.9, 1.12)

@@ -103,7 +103,7 @@ GAY: tuple[RGB, ...] = ((226, 52, 60), (250, 200, 50), (60, 160, 84), (50, 120, 
 
 
 def _winding(long: float, wide: float, turns: float, count: int) -> np.ndarray:
-    """Return a path that winds over the table in loops."""
+    """Return a winding path over the table along x."""
     t = np.linspace(0, 1, count)
     return np.column_stack([long * (t - 0.5), wide * np.sin(2 * np.pi * turns * t), 0 * t])
 
@@ -144,7 +144,7 @@ def _flag(look: Look, tone: RGB, letter: str) -> surfaces.Tile:
 
 
 def bunting(word: str, cut: bool) -> Callable[[Look], Shape]:
-    """Return a string of flags lying in an arc: triangles, or letters on squares."""
+    """Return the shape function of a string of flags in an arc: triangles or lettered squares."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.08)
@@ -184,7 +184,7 @@ def bunting(word: str, cut: bool) -> Callable[[Look], Shape]:
           state="lying flat")  # fmt: skip
 @at_rest
 def streamer(look: Look) -> Shape:
-    """A paper streamer whose coil has sprung open in curls."""
+    """A paper streamer that has sprung open into curls."""
     k = look.between(0.9, 1.1)
     color = look.color("pink", "yellow", "sky", "red", "lime", "purple", "orange")
     t = np.linspace(0, 1, 110)
@@ -462,7 +462,7 @@ def _table_flag_flag() -> Drawing:
           colors=("brown",))  # fmt: skip
 @from_pieces(foot=0.1)
 def pirate_flag(look: Look) -> Pieces:
-    """A pirate flag lying flat: a white skull and crossbones on black, its pole on the left."""
+    """A pirate flag lying flat with its pole on the left: a white skull and crossbones on black."""
     image = prints.canvas(96, 64, (26, 26, 28))
     prints.disc(image, 0.5, 0.4, 0.2, (244, 242, 236))
     prints.fill(image, 0.43, 0.5, 0.14, 0.16, (244, 242, 236))
@@ -480,7 +480,7 @@ GOLD = (222, 180, 80)
 
 
 def star_outline(r: float, inner: float = 0.42, points: int = 5) -> np.ndarray:
-    """Return the outline of a star (counter-clockwise) with one point up."""
+    """Return the counter-clockwise outline of a star with one point up."""
     a = np.pi / 2 + np.pi * np.arange(2 * points) / points
     away = np.where(np.arange(2 * points) % 2 == 0, r, inner * r)
     return np.column_stack([away * np.cos(a), away * np.sin(a)])
@@ -989,7 +989,7 @@ def jack_o_lantern(look: Look) -> Shape:
     r = 0.53 * d
 
     def carve(points: list[tuple[float, float]]) -> Solid:
-        """Return a dark patch on the front (x, z relative to the width)."""
+        """Return a dark patch on a pumpkin's front; (x, z) ``points`` are relative to its width."""
         plate = refine(refine(standing_plate(np.array(points) * d, 0.1 * d)))
 
         def wrap(p: np.ndarray) -> np.ndarray:

@@ -15,7 +15,7 @@ HIDE = surfaces.plain((232, 216, 184))
 
 
 def _shell(profile: list[tuple[float, float]], *palette: str) -> Drawing:
-    """A drum standing upright, with a turned body, a skin, hoops and ropes."""
+    """Return the drawing function of an upright drum with a body, a skin, hoops and ropes."""
 
     def draw(look: Look) -> Pieces:
         tile = wood(look, *palette)

@@ -290,7 +290,7 @@ def megaphone(look: Look) -> Shape:
 
 
 def switch(dimmer: bool) -> Callable[[Look], Shape]:
-    """Return a wall switch lying face up: a square plate with a rocker or a round knob."""
+    """Return the shape function of a square wall switch lying face up, with a rocker or a knob."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
@@ -451,7 +451,7 @@ def mp3_player(look: Look) -> Pieces:
           "socket adapter", "smart plug", "timer switch", "travel adaptor", "plug adaptor",
           "gender changer"), themes=("living", "office"), colors=("white", "black"))  # fmt: skip
 def travel_adapter(look: Look) -> Shape:
-    """A travel adapter lying on its back: a cube with sockets, and pins on its side."""
+    """A travel adapter lying on its back: a cube with sockets, and with pins on its side."""
     color = look.color("white", "black", "gray", "red", "teal")
     k = look.between(0.9, 1.12)
     body = block(0.052, 0.048, 0.05, 0.008, 0.003)

@@ -54,7 +54,7 @@ SKIN: RGB = (232, 192, 158)
 
 
 def person(x: float, y: float, h: float, z: float = 0.0) -> tuple[Solid, Solid]:
-    """Return the robe and head of a small wooden figure."""
+    """Return the robe and the head of a small wooden figure."""
     robe = lathe(
         [(0, 0), (0.26 * h, 0), (0.22 * h, 0.3 * h), (0.13 * h, 0.7 * h), (0, 0.74 * h)], 16
     )
@@ -143,7 +143,7 @@ def cake_topper(look: Look) -> Shape:
 
 
 def _cast(look: Look, *palette: str) -> surfaces.Tile:
-    """Return the material of a cast figure: bronze, gold, stone or jade."""
+    """Return the texture of a cast figure, such as bronze, gold, stone or jade."""
     color = look.color(*palette)
     return look.surface(color, look.pick(["metal", "stoneware"]))
 
@@ -157,7 +157,7 @@ def _head(z: float, r: float) -> list[Solid]:
 
 
 def _face(z: float, y: float, r: float) -> list[Solid]:
-    """Return closed eyes, a nose and a mouth."""
+    """Return closed eyes and a mouth."""
     eyes = [ball(0.42 * r, 0.12 * r, 0.1 * r, (s * 0.38 * r, y + 0.06 * r, z + 0.08 * r), 8)
             for s in (-1, 1)]  # fmt: skip
     return [*eyes, ball(0.5 * r, 0.12 * r, 0.1 * r, (0, y + 0.06 * r, z - 0.5 * r), 8)]
@@ -203,7 +203,7 @@ def buddha_head(look: Look) -> Pieces:
 
 
 def _robed_figure(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> Drawing:
-    """A robed figure standing with folded hands and a veil over its head."""
+    """Return the drawing function of a robed, veiled figure standing with folded hands."""
 
     def draw(look: Look) -> Pieces:
         gown, cover = plastic(look, *robe), dye(look, *veil)
@@ -229,7 +229,7 @@ def _robed_figure(robe: tuple[str, ...], veil: tuple[str, ...], halo: bool) -> D
 
 
 def _deity(many: bool, elephant: bool) -> Drawing:
-    """A seated Hindu deity with four arms, a tall crown, and the head of a human or an elephant."""
+    """Return the drawing function of a seated deity with a crown and a human or elephant head."""
 
     def draw(look: Look) -> Pieces:
         tile = _cast(look, "gold", "bronze", "copper", "blue" if not elephant else "gold")
@@ -343,7 +343,7 @@ GOLD = (222, 180, 80)
 
 
 def _trunk(color: RGB, look: Look) -> tuple[Solid, Pieces]:
-    """Return a figure's round coat, alone for its hull, and with its trim, belt and buckle."""
+    """Return a figure's round coat as a solid, and as pieces with its trim, belt and buckle."""
     coat = lathe([(0, 0), (0.036, 0), (0.04, 0.014), (0.03, 0.056), (0.018, 0.078), (0, 0.082)], 22)
     trim = torus(0.037, 0.0055, 24, 8).move(z=0.0075)
     belt = torus(0.0372, 0.0045, 24, 6).scale(1, 1, 1.2).move(z=0.03)
@@ -508,7 +508,7 @@ Named = list[tuple[Solid, str]]
 
 
 def _ball(x: float, y: float, z: float, at: tuple[float, float, float]) -> Solid:
-    """Return an ellipsoid with diameters x, y, z centred at ``at``."""
+    """Return an ellipsoid with the diameters ``x``, ``y`` and ``z``, centred at ``at``."""
     return ellipsoid(x, y, z, 16, 10).move(*at)
 
 
@@ -704,7 +704,7 @@ def matryoshka(look: Look) -> Shape:
 
 
 def _paint(look: Look, color: RGB, scarf: RGB) -> Tile:
-    """Return a doll's paint; u runs around with the face in the middle, v from foot to crown."""
+    """Return a doll's texture; u runs around it (face in the middle), and v from base to crown."""
     image = prints.canvas(256, 192, color)
     apron, petal = (look.own_color("cream", "white", "mustard", "sky"),
                     look.own_color("red", "pink", "blue"))  # fmt: skip

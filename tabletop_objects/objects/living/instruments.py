@@ -75,7 +75,7 @@ STRING = (206, 208, 212)
 
 
 def _waist_outline(half: list[tuple[float, float]], k: float) -> np.ndarray:
-    """Return a closed outline along x; ``half`` lists (x, half width) points of one side."""
+    """Return a closed outline along x; ``half`` lists the points (x, half width) of one side."""
     curve = smooth(half, 4)
     lower = curve * [1, -1]
     upper = curve[::-1]
@@ -83,7 +83,7 @@ def _waist_outline(half: list[tuple[float, float]], k: float) -> np.ndarray:
 
 
 def _slabs(outline: np.ndarray, low: float, high: float, cuts: list[float]) -> list[ConvexPart]:
-    """Return convex parts of a plate with the given outline, cut at the x values ``cuts``."""
+    """Cut a plate with the given outline at the x values ``cuts`` and return its convex parts."""
     found = []
     for a, b in itertools.pairwise(cuts):
         inside = outline[(outline[:, 0] >= a - 1e-9) & (outline[:, 0] <= b + 1e-9)]
@@ -93,7 +93,7 @@ def _slabs(outline: np.ndarray, low: float, high: float, cuts: list[float]) -> l
 
 
 def _wood_face(look: Look, color: RGB) -> surfaces.Tile:
-    """Return varnished wood that is darker towards its edge."""
+    """Return a texture of varnished wood that is darker towards its edges."""
     image = surfaces.fit(surfaces.wood(look.rng, color), 128, 128).astype(float)
     v, u = np.mgrid[0:128, 0:128] / 63.5 - 1
     shade = 1 - 0.35 * np.clip(np.abs(v) ** 3 + np.abs(u) ** 6, 0, 1)
@@ -212,7 +212,7 @@ def cowbell(look: Look) -> Pieces:
           state="lying")  # fmt: skip
 @from_pieces(foot=0.04, bodies=2)
 def castanets(look: Look) -> Pieces:
-    """Two slightly open wooden shells on top of each other, with a red cord."""
+    """Two slightly open wooden shells, one on top of the other, with a red cord."""
     tile = wood(look, "black", "brown", "maroon", "wooden")
     shells = [ball(0.062, 0.07, 0.026, (0, 0, 0.01), 20),
               ball(0.062, 0.07, 0.02, (0, 0, 0), 20).turn(0, 0.22).move(z=0.028)]  # fmt: skip
@@ -263,7 +263,7 @@ def kalimba(look: Look) -> Pieces:
 
 
 def _bellows(sides: int | None, wide: float) -> Drawing:
-    """Folded bellows between two ends with buttons, standing on their side."""
+    """Return the drawing function of bellows on their side, between two ends with buttons."""
 
     def draw(look: Look) -> Pieces:
         shell = plastic(look, "red", "black", "maroon", "navy", "white")
@@ -415,7 +415,7 @@ CREAM = surfaces.plain((236, 226, 200))
 
 @dataclass(frozen=True)
 class Lute:
-    """The proportions of a plucked string instrument, in metres.
+    """The dimensions of a plucked string instrument, in metres.
 
     Attributes:
         body: points (x, half width) of the body's outline from the tail to the neck.

@@ -109,7 +109,7 @@ def lampshade(look: Look) -> Shape:
           aliases=("kerosene lamp", "paraffin lamp", "antique oil lamp", "hurricane oil lamp"),
           themes=("living",), roles=("tall",), colors=("brass",))  # fmt: skip
 def oil_lamp(look: Look) -> Shape:
-    """A burning oil lamp: a bulbous fount on a foot, a burner with a key and a glass chimney."""
+    """A burning oil lamp: a bulbous fount on a base, a burner with a key and a glass chimney."""
     k = look.between(0.92, 1.08)
     color = look.color("brass", "green", "blue", "red", "clear", "copper")
     fount = lathe(np.maximum(smooth([(0, 0), (0.05, 0), (0.048, 0.01), (0.024, 0.03), (0.022, 0.05),
@@ -165,7 +165,7 @@ def lamp_base(look: Look) -> Shape:
           aliases=("spot light", "stage light", "floodlight", "work light"), themes=("living",),
           colors=("black",))  # fmt: skip
 def spotlight(look: Look) -> Shape:
-    """A small spotlight: a tilted round can in a yoke on a foot."""
+    """A small spotlight: a tilted round can in a yoke on a base."""
     k = look.between(0.92, 1.08)
     color = look.color("black", "black", "white", "silver")
     foot = cylinder(0.05, 0.01, 30, bevel=0.002)

@@ -44,7 +44,7 @@ def holly(look: Look) -> Shape:
 
 
 def tint(tile: surfaces.Tile) -> surfaces.Tile:
-    """Return a darker tile."""
+    """Return a darker copy of ``tile``."""
     return (tile * 0.72).astype(np.uint8)
 
 
@@ -213,7 +213,7 @@ def pine_cone(look: Look) -> Shape:
           "green leaf"), themes=("living",), colors=("orange", "red"),
           state="lying flat")  # fmt: skip
 def leaf(look: Look) -> Shape:
-    """A slightly curled fallen leaf: oval, maple or oak."""
+    """A slightly curled, fallen oval, maple or oak leaf."""
     color = look.color("orange", "red", "yellow", "green", "brown", "amber")
     kind = look.pick(["oval", "maple", "oak"])
     half = {

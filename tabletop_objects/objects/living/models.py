@@ -249,7 +249,7 @@ def model_tank(look: Look) -> Pieces:
 
 
 def _stone(look: Look, *colors: str) -> Tile:
-    """Return plain or veined stone in the requested colour, or in one of ``colors``."""
+    """Return a texture of stone in the requested colour, or else in one of ``colors``."""
     color = look.color(*colors)
     if look.material:
         return look.surface(color, "stone")

@@ -131,7 +131,7 @@ def _wander(look: Look, across: bool, rough: float = 0.16) -> list[tuple[float, 
 
 
 def _city(image: Canvas, look: Look, land: RGB) -> None:
-    """Return a city map with blocks and streets, a river and parks."""
+    """Draw a city map with blocks and streets, a river and parks."""
     angle = look.between(-0.5, 0.5)
     c, s = np.cos(angle), np.sin(angle)
     for _ in range(4):
@@ -151,7 +151,7 @@ def _city(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _relief(image: Canvas, look: Look, land: RGB) -> None:
-    """Return a relief map: hills with contour lines, lakes and a trail."""
+    """Draw a relief map with hills, contour lines, lakes and a trail."""
     height = surfaces.noise(look.rng, TALL, WIDE, (3, 4), 3)
     green = np.array(look.pick([(150, 186, 120), (190, 200, 140), (214, 178, 126)]), float)
     mix = np.clip(0.5 + height, 0, 1)[..., None]
@@ -163,7 +163,7 @@ def _relief(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _roads(image: Canvas, look: Look, land: RGB) -> None:
-    """Return a road map of a country between seas, with forests, towns and three kinds of roads."""
+    """Draw a road map of a country between seas, with forests, towns and three kinds of roads."""
     ground = surfaces.noise(look.rng, TALL, WIDE, (3, 4), 4)
     image[ground > 0.3] = (182, 210, 150)
     sea = ground < -0.28
@@ -179,7 +179,7 @@ def _roads(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _world(image: Canvas, look: Look, land: RGB) -> None:
-    """Return a world map: continents in many colours on a sea with meridians."""
+    """Draw a world map with continents in many colours on a sea with meridians."""
     sea = look.pick([(120, 176, 214), (176, 208, 226), (40, 84, 130)])
     image[:] = np.array(sea, np.uint8)
     ground = surfaces.noise(look.rng, TALL, WIDE, (3, 5), 4)
@@ -195,7 +195,7 @@ def _world(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _old(image: Canvas, look: Look, land: RGB) -> None:
-    """Return an old parchment chart: an island, a dashed course to a cross and a compass."""
+    """Draw an old parchment chart with an island, a dashed course to a cross and a compass."""
     stain = surfaces.noise(look.rng, TALL, WIDE, (4, 5), 4)[..., None]
     parchment = np.array(look.pick([(222, 192, 140), (206, 170, 116), (232, 210, 164)]), float)
     image[:] = np.clip(parchment + 22 * stain, 0, 255)
@@ -220,7 +220,7 @@ def _old(image: Canvas, look: Look, land: RGB) -> None:
 
 
 def _lines(image: Canvas, look: Look, land: RGB) -> None:
-    """Return the map of an underground network with lines and stations."""
+    """Draw the map of an underground network with lines and stations."""
     image[:] = np.array(tint_color(land, 1.5), np.uint8)
     prints.stroke(image, _wander(look, True), 0.05, (180, 212, 236))
     inks = ((206, 44, 50), (40, 98, 180), (50, 150, 80), (240, 180, 40), (130, 70, 150))
@@ -311,7 +311,7 @@ def folded_map(look: Look) -> Shape:
 
 
 def _sheet(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> Solid:
-    """Return a sheet 0.2 mm thick with the given corners; a-b is the lower edge of its picture."""
+    """Return a 0.2 mm thick sheet with the given corners; a-b is the lower edge of its picture."""
     low = np.stack([a, b, c, d])
     faces = [(4, 5, 6), (4, 6, 7), (0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5),
              (2, 3, 7), (2, 7, 6), (3, 0, 4), (3, 4, 7)]  # fmt: skip

@@ -83,7 +83,7 @@ def _stem(top: Point, base: float, start: float) -> Solid:
 def _foliage(
     look: Look, kind: PlantForm, base: float, r: float
 ) -> tuple[list[Solid], list[Solid], list[Point]]:
-    """Return leaves, stems and the positions where flowers can grow."""
+    """Return the leaves and stems of a plant, and the positions where flowers can grow."""
     leaves: list[Solid] = []
     stems: list[Solid] = []
     tips: list[Point] = []

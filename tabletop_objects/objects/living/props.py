@@ -154,7 +154,7 @@ def clapperboard(look: Look) -> Shape:
           "skull decoration", "halloween skull", "decorative skull", "plastic skull",
           "skull model"), themes=("living",), colors=("ivory",))  # fmt: skip
 def skull(look: Look) -> Shape:
-    """A skull with dark eye sockets and teeth, facing the front."""
+    """A skull with dark eye sockets and teeth, facing the viewer."""
     color = look.color("ivory", "white", "cream", "black", "silver", "gold")
     bone = surfaces.speckles(look.rng, color, 8)
     hollow = surfaces.plain((28, 24, 24) if sum(color) > 250 else (190, 40, 40))
@@ -525,7 +525,7 @@ def ghost(look: Look) -> Shape:
           aliases=("mummy figure", "mummy figurine", "toy mummy", "zombie figure", "zombie",
           "zombies"), themes=("living",), colors=("cream",))  # fmt: skip
 def mummy(look: Look) -> Shape:
-    """A mummy wrapped in bandages, standing, with visible eyes."""
+    """A standing mummy wrapped in bandages, with visible eyes."""
     k = look.between(0.85, 1.15)
     color = look.color("cream", "ivory", "beige", "tan")
     body = lathe(np.maximum(smooth([(0, 0), (0.02, 0), (0.02, 0.01), (0.026, 0.045), (0.03, 0.075),

@@ -41,7 +41,7 @@ from .leaves import bundle
 
 
 def _cross(figure: bool, stepped: bool) -> Drawing:
-    """A cross standing on a base, with or without a figure."""
+    """Return the drawing function of a cross on a base, with or without a figure."""
 
     def draw(look: Look) -> Pieces:
         tile = look.surface(look.color("brown", "gold", "wooden", "silver"), look.pick(
@@ -68,7 +68,7 @@ def _cross(figure: bool, stepped: bool) -> Drawing:
 
 
 def _beads(cross: bool) -> Drawing:
-    """A loop of beads with a cross or a tassel, lying flat."""
+    """Return the drawing function of a loop of beads with a cross or a tassel, lying flat."""
 
     def draw(look: Look) -> Pieces:
         bead = look.surface(
@@ -97,7 +97,7 @@ def _beads(cross: bool) -> Drawing:
 
 def _cup(lid: bool) -> Callable[[Look], Shape]:
     def make(look: Look) -> Shape:
-        """A metal chalice: a cup on a knobbed stem and, if ``lid``, a cover with a cross."""
+        """A metal chalice: a cup on a knobbed stem; with ``lid``, a cover with a cross."""
         k = look.between(0.9, 1.1)
         tile = metal(look, "gold", "gold", "silver")
         stem = lathe([(0, 0), (0.045, 0), (0.046, 0.006), (0.03, 0.014), (0.009, 0.03),
@@ -166,7 +166,7 @@ def monstrance(look: Look) -> Pieces:
           "orthodox icon"), themes=("living",), colors=("gold",))  # fmt: skip
 @from_pieces()
 def icon(look: Look) -> Pieces:
-    """An upright icon leaning on a foot, painted with a haloed saint on gold."""
+    """An upright icon leaning on a support, painted with a haloed saint on gold."""
     image = prints.canvas(96, 128, (206, 168, 88))
     robe = look.color("crimson", "navy", "green", "maroon")
     prints.polygon(image, [(0.12, 1), (0.2, 0.62), (0.5, 0.5), (0.8, 0.62), (0.88, 1)], robe)
@@ -189,7 +189,7 @@ def icon(look: Look) -> Pieces:
 
 
 def _horn(curve: float, r: float, palette: tuple[str, ...]) -> Drawing:
-    """A curved horn lying flat, wider towards its mouth."""
+    """Return the drawing function of a curved horn lying flat, wider towards its mouth."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*palette)
@@ -350,7 +350,7 @@ def _crescent(image: prints.Canvas) -> None:
 
 
 def tome(mark: object, *colors: str) -> Drawing:
-    """A thick bound book with a golden symbol on its cover, lying flat."""
+    """Return the drawing function of a thick book with a golden symbol on its cover, lying flat."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*colors)
@@ -447,7 +447,7 @@ def yad(look: Look) -> Pieces:
           aliases=("phylactery",), themes=("living",), colors=("black",))  # fmt: skip
 @from_pieces()
 def tefillin(look: Look) -> Pieces:
-    """A tefillin: a black leather cube on a base with its strap coiled beside it."""
+    """A phylactery: a black leather cube on a base, with its strap coiled beside it."""
     black = surfaces.speckles(look.rng, look.color("black", "charcoal"), 6)
     base, top = at_box(0.045, 0.06, 0.008), at_box(0.032, 0.032, 0.03, (0, 0.006, 0.008))
     path = [(0.02, -0.02, 0.004), (0.05, -0.035, 0.004), (0.07, 0, 0.004), (0.05, 0.03, 0.004),
@@ -517,7 +517,7 @@ FLAME = surfaces.gradient((250, 160, 40), (255, 236, 140), np.random.default_rng
 
 
 def branch(look: Look, arms: int, candles: bool) -> Shape:
-    """A stand with ``arms`` candle holders in one plane, the middle one on the stem."""
+    """Return a stand with ``arms`` candle holders in one plane, the middle one on its stem."""
     color = look.color("gold", "silver", "black", "brass", "bronze")
     metal = look.surface(color, "metal")
     half, top = (arms - 1) // 2, 0.13

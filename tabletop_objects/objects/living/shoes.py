@@ -180,7 +180,7 @@ def _sole(grow: float = 1.0) -> np.ndarray:
 
 
 def _upper(levels: list[tuple[float, float, float, float]]) -> Solid:
-    """Return a body over the sole from levels (x scale, y scale, x shift, z), bottom to top."""
+    """Return a shoe's upper from its levels (x scale, y scale, x shift, z), from bottom to top."""
     base = _sole()
     return loft(np.stack([np.column_stack([base * [a, b] + [x, 0], np.full(len(base), z)])
                           for a, b, x, z in levels]), base)  # fmt: skip
@@ -191,7 +191,7 @@ def _upper(levels: list[tuple[float, float, float, float]]) -> Solid:
           "cowboy boot", "work boot", "wellie", "welly", "gumboot"), themes=("living",),
           colors=("brown", "black"))  # fmt: skip
 def boot(look: Look) -> Shape:
-    """A laced ankle boot with a heel, its toe on the left."""
+    """A laced, heeled ankle boot with its toe on the left."""
     color = look.color("brown", "black", "tan", "red", "olive", "navy", "yellow")
     k = look.between(0.75, 0.9)
     hide = leather(look.rng, color)

@@ -19,7 +19,7 @@ BLACK = surfaces.plain((34, 34, 37))
 
 
 def _sign(texts: tuple[str, ...], palette: tuple[str, ...], kind: str) -> Drawing:
-    """A sign with a word: wooden on a foot, tin and lying flat, a letter board, or illuminated."""
+    """Return the drawing function of a wooden, tin or illuminated sign, or of a letter board."""
 
     def draw(look: Look) -> Pieces:
         text = look.pick(texts)

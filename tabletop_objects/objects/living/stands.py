@@ -37,7 +37,7 @@ def small_shelf(look: Look) -> Shape:
           aliases=("sphere stand", "crystal ball stand"), themes=("living",),
           roles=("support", "round"), colors=("wooden", "black"))  # fmt: skip
 def ball_stand(look: Look) -> Shape:
-    """A turned foot with a shallow cup for a ball or an egg."""
+    """A turned base with a shallow cup for a ball or an egg."""
     r = look.between(0.02, 0.026)
     side = [(1.3 * r, 0.0), (1.25 * r, 0.006), (0.75 * r, 0.012), (1.1 * r, 0.03)]
     body, parts = open_vessel(side, 0.004, 0.012, 24)
@@ -65,7 +65,7 @@ def cradle_stand(look: Look) -> Shape:
           "statue base", "museum plinth"), themes=("living",), roles=("support", "big"),
           colors=("white", "gray"))  # fmt: skip
 def plinth(look: Look) -> Shape:
-    """A low square plinth with a foot, a shaft and a top plate."""
+    """A low square plinth with a base, a shaft and a top plate."""
     s, h = look.between(0.1, 0.14), look.between(0.045, 0.075)
     parts = [at_box(s, s, 0.2 * h), at_box(0.86 * s, 0.86 * s, 0.66 * h, (0, 0, 0.17 * h)),
              at_box(s, s, 0.2 * h, (0, 0, 0.8 * h))]  # fmt: skip

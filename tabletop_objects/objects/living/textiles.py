@@ -16,7 +16,7 @@ TONES = ("red", "teal", "navy", "mustard", "sage", "pink", "gray", "cream", "whi
 
 
 def _cloth(look: Look, color: RGB) -> Tile:
-    """Return plain, checked, striped or printed woven cloth."""
+    """Return a texture of plain, checked, striped or printed woven cloth."""
     other = look.own_color("white", "cream", "navy", "red", "mustard", "teal")
     kind = int(look.rng.integers(4))
     if kind == 0:
@@ -79,7 +79,7 @@ def pillow_(look: Look) -> Shape:
 
 
 def flat(x: float, y: float, thick: float, tile: Tile, fringe: float, color: RGB) -> Shape:
-    """Return a flat cloth, with threads hanging from its short ends if ``fringe`` is positive."""
+    """Return a flat cloth, with fringes of length ``fringe`` at its short ends."""
     sheet = block(x, y, thick, 0.004)
     pieces: Pieces = [(sheet, tile)]
     if fringe:

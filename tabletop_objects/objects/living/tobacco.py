@@ -14,7 +14,7 @@ from ...kit.surfaces import Look, plain, tint_color
 
 
 def _thirds(count: int) -> list[tuple[int, int]]:
-    """Split ``count`` points along a hose into four equal runs; return their index ranges."""
+    """Return the index ranges of four equal runs of ``count`` points along a hose."""
     step = count // 4
     return [(n * step, (n + 1) * step if n < 3 else count) for n in range(4)]
 
@@ -68,7 +68,7 @@ def cigar_cutter(look: Look) -> Shape:
           aliases=("pack of cigarettes", "packet of cigarettes", "cigarette pack", "cigarette box",
           "box of cigarettes", "cigarettes"), themes=("living",), colors=("red",))  # fmt: skip
 def cigarette_packet(look: Look) -> Shape:
-    """A packet of cigarettes with a flip top, closed, or open with visible filters."""
+    """A flip-top packet of cigarettes, closed or open with visible filters."""
     color = look.color("red", "blue", "gold", "green", "white", "navy")
     x, y, h = 0.055, look.between(0.021, 0.024), look.between(0.084, 0.09)
     image = prints.canvas(96, 150, (248, 246, 242) if sum(color) < 600 else (40, 60, 120))

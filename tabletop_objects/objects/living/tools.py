@@ -96,7 +96,7 @@ STEEL = (150, 154, 160)
 
 
 def _hand_tool(look: Look, kind: str) -> Shape:
-    """A garden hand fork or rake lying flat with its tines on the left."""
+    """Return a garden hand fork or rake lying flat with its tines on the left."""
     color = look.color("green", "wooden", "red", "orange", "teal", "brown", "black")
     handle = look.surface(color, look.pick(["wood", "plastic"]) if color[0] > 150 else "plastic")
     steel = surfaces.brushed_metal(look.rng, STEEL)

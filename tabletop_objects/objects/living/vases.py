@@ -38,7 +38,7 @@ def urn(look: Look) -> Pieces:
           aliases=("greek amphora", "roman amphora", "clay amphora", "kylix", "greek urn"),
           themes=("living",), roles=("tall",), colors=("terracotta",))  # fmt: skip
 def amphora(look: Look) -> Shape:
-    """An amphora on a small foot, with two handles and a painted band."""
+    """An amphora on a small base, with two handles and a painted band."""
     color = look.color("terracotta", "tan", "brown", "cream")
     k = look.between(0.85, 1.1)
     side = [(0.032, 0), (0.026, 0.01), (0.03, 0.03), (0.062, 0.09), (0.068, 0.125), (0.052, 0.165),
@@ -100,7 +100,7 @@ def vase(look: Look) -> Shape:
 
 
 def _flowers(look: Look, mouth: float, h: float) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return stems with blossoms and leaves that emerge from a mouth at height ``h``."""
+    """Return stems with blossoms that emerge from a vase's mouth at height ``h``."""
     green = surfaces.plain((74, 122, 62))
     petal = surfaces.speckles(
         look.rng, look.own_color("red", "pink", "yellow", "violet", "white"), 8

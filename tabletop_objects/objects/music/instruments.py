@@ -71,7 +71,7 @@ def _pipe(
     keys: bool,
     bore: float,
 ) -> Callable[[Look], Shape]:
-    """A wind instrument lying along x: a turned pipe with holes or silver keys on top."""
+    """Return the shape function of a wind instrument along x, with holes or silver keys on top."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
@@ -247,7 +247,7 @@ BRIGHT = ("red", "blue", "yellow", "green", "orange", "purple", "teal", "pink")
 
 
 def _drum(r0: float, h0: float, jingles: bool) -> Callable[[Look], Shape]:
-    """A drum standing with its skin up, or a tambourine with jingles in its hoop."""
+    """Return the shape function of a drum with its skin up, or of a tambourine with jingles."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.9, 1.1)
@@ -410,7 +410,7 @@ def cymbal(look: Look) -> Shape:
 
 
 def _keys(octaves: int, panel: bool) -> Callable[[Look], Shape]:
-    """A keyboard with black and white keys, optionally with a panel of buttons behind them."""
+    """Return the shape function of a piano keyboard, optionally with buttons behind it."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)

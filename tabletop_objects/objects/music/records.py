@@ -20,7 +20,7 @@ def _disc(
     radius: float, hole: float, thick: float, draw: Callable[[Look, RGB], surfaces.Tile],
     palette: tuple[str, ...],
 ) -> Callable[[Look], Shape]:  # fmt: skip
-    """A disc with a hole and a print, lying flat."""
+    """Return the shape function of a flat disc with a hole and a print."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.99, 1.01)
@@ -39,7 +39,7 @@ def _disc(
 
 
 def grooves(look: Look, color: RGB) -> surfaces.Tile:
-    """Return the top of a record: grooves, a highlight and a label."""
+    """Return the texture of a record: grooves, a highlight and a label."""
     y, x = np.mgrid[0:192, 0:192] / 95.5 - 1
     away = np.hypot(x, y)
     shine = 26 * np.maximum(np.cos(2 * (np.arctan2(y, x) - 0.7)), 0) ** 6
@@ -93,7 +93,7 @@ def cassette(look: Look) -> Shape:
 
 
 def _sleeve(x: float, y: float, h: float, spine: bool) -> Callable[[Look], Shape]:
-    """A thin case or sleeve with a printed front, lying flat."""
+    """Return the shape function of a thin case or sleeve with a printed front, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.98, 1.02)

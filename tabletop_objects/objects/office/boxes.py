@@ -155,7 +155,7 @@ WOODS = ("wooden", "brown", "tan", "white", "black", "maroon", "teal")
 def _drawer(
     look: Look, wide: float, tall: float, at: tuple[float, float, float], knob: str
 ) -> tuple[Solid, Solid]:
-    """Return a drawer's front and its handle; ``at`` is the middle of its lower edge."""
+    """Return a drawer's front and handle; ``at`` is the middle of the front's lower edge."""
     front = box(wide, 0.012, tall).move(*at)
     x, y, z = at
     if knob == "bar":

@@ -109,7 +109,7 @@ LAPTOP_DARK = (40, 41, 45)
 def key_caps(
     rows: Sequence[Sequence[float]], x: float, y: float, rise: float, gap: float = 0.0022
 ) -> Solid:
-    """Return a block of tapered key caps, x by y, on z = 0, that together show one texture."""
+    """Return tapered key caps that cover ``x`` by ``y`` metres on z = 0 and share one texture."""
     caps, deep = [], y / len(rows)
     for j, row in enumerate(rows):
         edges = x * np.cumsum([0.0, *row]) / sum(row) - x / 2
@@ -180,7 +180,7 @@ def laptop(look: Look) -> Shape:
 
 
 def _lid_print(look: Look, color: RGB) -> surfaces.Tile:
-    """Return the outside of a lid: brushed, with a logo, a strip or stickers."""
+    """Return a brushed texture for a laptop's lid, with a logo, a strip or stickers."""
     image = prints.canvas(192, 128, color)
     image[:] = surfaces.fit(surfaces.brushed_metal(look.rng, color), 128, 192)
     shade = tint_color(color, 1.6 if sum(color) < 500 else 0.6)
@@ -329,7 +329,7 @@ def computer_mouse(look: Look) -> Shape:
 
 
 def _slab(look: Look, x: float, y: float, h: float, rim: float, screen: surfaces.Tile) -> Shape:
-    """A thin slab with a screen, lying face up or face down, sometimes in a coloured cover."""
+    """Return a thin slab with a screen, face up or face down, sometimes in a coloured cover."""
     color = look.color(
         *("black", "silver", "white", "navy", "gold", "mint", "red", "pink", "lavender", "teal")
     )

@@ -123,7 +123,7 @@ def handle_part(radius: float, low: float, high: float, reach: float, thick: flo
 
 
 def drink(look: Look, radius: float, height: float) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return the surface of a drink, or nothing; cups are usually empty by default."""
+    """Return the surface of a drink, or an empty list; most cups are empty by default."""
     full, color = look.chance(0.3), look.pick(DRINKS)
     said = contents(look, radius, height)
     if said is not None:
@@ -139,7 +139,7 @@ def drink(look: Look, radius: float, height: float) -> list[tuple[Solid, surface
           roles=("container", "round"), colors=("white", "red", "blue", "teal", "black"),
           common=True)  # fmt: skip
 def mug(look: Look) -> Shape:
-    """A straight, flaring, bulbous or enamel mug with a handle; a ball can fall into it."""
+    """A straight, flaring, bulbous or enamel mug with a handle, hollow enough to hold a ball."""
     r, h, wall = look.between(0.037, 0.044), look.between(0.082, 0.108), 0.0045
     kind = look.pick(["straight", "straight", "flared", "belly", "enamel", "round"])
     color = look.color(

@@ -70,7 +70,7 @@ def power_bank(look: Look) -> Shape:
           themes=("office", "living"), roles=("tall", "big"), colors=("white", "black"),
           common=True)  # fmt: skip
 def desk_fan(look: Look) -> Shape:
-    """A small desk fan with a wire cage, blades and a foot."""
+    """A small desk fan with a wire cage, blades and a base."""
     r = look.between(0.075, 0.105)
     color = look.color("white", "black", "teal", "pink", "sky", "silver")
     mid, deep = 1.55 * r, 0.42 * r
@@ -227,7 +227,7 @@ def _mesh_speaker(look: Look, color: RGB, x: float, y: float, z: float) -> Shape
 
 
 def _mark(color: RGB, y: float, z: float, shown: bool) -> list[tuple[Solid, surfaces.Tile]]:
-    """Return a logo on the front, or nothing."""
+    """Return a logo on the front if ``shown``, or an empty list."""
     mark = box(0.012, 0.0008, 0.005).move(y=-y / 2, z=0.74 * z)
     return [(mark, surfaces.plain(tint_color(color, 0.5)))] if shown else []
 
@@ -632,7 +632,7 @@ def alarm_clock(look: Look) -> Shape:
           themes=("office", "living", "craft"), roles=("tall", "big"),
           colors=("black", "white", "brass"), common=True)  # fmt: skip
 def desk_lamp(look: Look) -> Shape:
-    """A desk lamp: a jointed arm with a tilted shade or a light bar, or a shade on a foot."""
+    """A desk lamp: a jointed arm with a tilted shade or a light bar, or a shade on a base."""
     color = look.color(*("black", "black", "white", "teal", "red", "brass", "mustard", "silver",
                          "sage", "navy"), *("pink", "copper"))  # fmt: skip
     if look.chance(0.6):
@@ -681,7 +681,7 @@ def _arm_lamp(look: Look, color: RGB) -> Shape:
 
 
 def _shade_lamp(look: Look, color: RGB) -> Shape:
-    """Return a table lamp with a plain, banded or pleated fabric shade on a turned foot."""
+    """Return a table lamp with a plain, banded or pleated fabric shade on a turned base."""
     feet = [
         [(0.06, 0), (0.06, 0.01), (0.018, 0.03), (0.03, 0.08), (0.012, 0.15), (0.008, 0.22)],
         [(0.05, 0), (0.062, 0.04), (0.055, 0.09), (0.02, 0.13), (0.012, 0.16), (0.008, 0.22)],

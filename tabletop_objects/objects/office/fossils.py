@@ -20,7 +20,7 @@ def _skin(look: Look, *palette: str) -> surfaces.Tile:
 
 
 def _coil(scale: float) -> Solid:
-    """A ribbed spiral shell, lying flat."""
+    """Return a ribbed spiral shell, lying flat."""
     t = np.linspace(0, 1, 130)
     a = 2 * np.pi * 2.9 * t
     r = 0.006 * np.exp(1.95 * t)

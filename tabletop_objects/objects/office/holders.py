@@ -71,7 +71,7 @@ DARK: RGB = (32, 32, 35)
           "headphones holder", "headset holder"), themes=("office",), roles=("tall",),
           colors=("black", "wooden"))  # fmt: skip
 def headphone_stand(look: Look) -> Shape:
-    """A headphone stand with a foot, a post and a curved saddle on top."""
+    """A headphone stand with a base, a post and a curved saddle on top."""
     k = look.between(0.88, 1.04)
     color = look.color("black", "wooden", "silver", "white", "charcoal", "wooden")
     tile = look.surface(color, look.pick(["wood", "metal", "plastic"]))
@@ -222,7 +222,7 @@ CLEAR: RGB = (214, 226, 230)
 
 def _acrylic(page: Callable[[Look, RGB, int, int], surfaces.Tile], form: tuple[float, float],
              pocket: bool) -> Callable[[Look], Shape]:  # fmt: skip
-    """Return a leaning clear holder with a page in it; a deep ``pocket`` holds leaflets."""
+    """Return the shape function of a clear, leaning page holder; with ``pocket``, for leaflets."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)
@@ -434,7 +434,7 @@ def pencil_holder(look: Look) -> Shape:
 def _leaning(
     way: np.ndarray, low: float, reach: float, rim: float, top: float, start: float = 0.006
 ) -> Solid:
-    """Return a rod (or, from ``start`` on, its tip) leaning outwards against a rim."""
+    """Return a rod that leans outwards against a rim, or its tip if ``start`` is over 1 cm."""
     hexagon = np.array([[np.cos(a), np.sin(a)] for a in np.pi / 3 * np.arange(6)])
     tip = start > 0.01
     rings = []

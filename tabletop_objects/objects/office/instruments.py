@@ -29,7 +29,7 @@ from ...kit.surfaces import Look, tint_color
           colors=("black",))  # fmt: skip
 @from_pieces()
 def weather_vane(look: Look) -> Pieces:
-    """A weather vane on a foot: a cockerel and an arrow above compass letters."""
+    """A weather vane on a base: a cockerel and an arrow above compass letters."""
     tile = metal(look, "black", "copper", "charcoal", "bronze")
     foot, post = (standing((0.05, 0), (0.048, 0.008), (0.012, 0.016)),
                   straight((0, 0, 0.01), (0, 0, 0.2), 0.004, 10))  # fmt: skip
@@ -66,7 +66,7 @@ def weather_vane(look: Look) -> Pieces:
           colors=("bronze",))  # fmt: skip
 @from_pieces(bodies=2)
 def sundial(look: Look) -> Pieces:
-    """A sundial on a turned foot: a round dial with hour lines, numbers and a triangular fin."""
+    """A sundial on a turned base: a round dial with hour lines, numbers and a triangular fin."""
     color = look.color("bronze", "gray", "brass", "beige", "copper")
     image = prints.canvas(128, 128, color)
     dark = tint_color(color, 0.45)
@@ -136,7 +136,7 @@ BRASS = ("brass", "gold", "bronze")
 
 
 def _dial(look: Look, title: str, hands: int = 1) -> surfaces.Tile:
-    """Return the face of a meter: marks, a word and a hand."""
+    """Return the face of a meter with marks, a title and needles."""
     image = prints.canvas(96, 96, (246, 242, 228))
     for k in range(25):
         a = np.pi * 1.25 - k * np.pi * 1.5 / 24
@@ -153,7 +153,7 @@ def _dial(look: Look, title: str, hands: int = 1) -> surfaces.Tile:
 
 
 def _meter(title: str) -> Drawing:
-    """A round meter in a brass ring, standing on a wooden foot."""
+    """Return the drawing function of a round meter in a brass ring on a wooden base."""
 
     def draw(look: Look) -> Pieces:
         tile, case = metal(look, *BRASS), wood(look, "brown", "wooden", "maroon")
@@ -196,7 +196,7 @@ def sextant(look: Look) -> Pieces:
           roles=("tall",), colors=("black",))  # fmt: skip
 @from_pieces()
 def anemometer(look: Look) -> Pieces:
-    """An anemometer: three cups on a rotor above a post with a foot."""
+    """An anemometer: three cups on a rotor above a post with a base."""
     foot, post = disc(0.05, 0.014), standing((0.008, 0.014), (0.007, 0.17), sides=12)
     arms, bowls = [], []
     for a in np.arange(3) * 2.0944 + 0.4:
@@ -274,7 +274,7 @@ def van_de_graaff_generator(look: Look) -> Pieces:
 @vary(0.08)
 @from_pieces()
 def radiometer(look: Look) -> Pieces:
-    """A light mill: a glass bulb, modelled as a wire cage, on a foot, with four vanes inside."""
+    """A light mill: a glass bulb, modelled as a wire cage, on a base, with four vanes inside."""
     foot = standing((0.035, 0), (0.034, 0.006), (0.012, 0.014), (0.01, 0.035), (0.016, 0.045))
     glass = surfaces.plain((206, 224, 232))
     hoops = [torus(0.04, 0.0012, 32, 5).turn(0, np.pi / 2).turn(2, a).move(z=0.085)

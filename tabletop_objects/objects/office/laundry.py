@@ -32,7 +32,7 @@ def laundry_pod(look: Look) -> Pieces:
 
 
 def _ironing(wide: float, long: float) -> Drawing:
-    """A low ironing board: a padded, pointed top on folding legs."""
+    """Return the drawing function of a low ironing board: a padded, pointed top on folding legs."""
 
     def draw(look: Look) -> Pieces:
         t = np.linspace(0, np.pi, 16)
@@ -78,7 +78,7 @@ def washboard(look: Look) -> Pieces:
           themes=("office",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=2)
 def washing_line_reel(look: Look) -> Pieces:
-    """An upright round reel on a foot, with its line and an end ring pulled out to the right."""
+    """An upright round reel on a base, with its line and an end ring pulled out to the right."""
     tile = plastic(look, "white", "gray", "green", "blue")
     body = disc(0.07, 0.05).turn(0, np.pi / 2).move(0, 0.025, 0.07)
     base = at_block(0.07, 0.06, 0.012, 0.006)

@@ -69,7 +69,7 @@ def coin_sorter(look: Look) -> Pieces:
           colors=("red",))  # fmt: skip
 @vary()
 def ticket_dispenser(look: Look) -> Shape:
-    """A rounded dispenser on a foot with a numbered queue ticket hanging out."""
+    """A rounded dispenser on a base with a numbered queue ticket hanging out."""
     k = look.between(0.94, 1.06)
     color = look.color("red", "red", "blue", "green")
     foot = block(0.12, 0.09, 0.012, 0.015, 0.002)

@@ -17,7 +17,7 @@ Skin = Callable[[Look, RGB], surfaces.Tile]
 
 
 def lump(look: Look, x: float, y: float, z: float, corners: int) -> Solid:
-    """A broken stone resting on one of its flat faces; fewer ``corners`` make it sharper."""
+    """Return a broken stone resting on a flat face; fewer ``corners`` make it sharper."""
     n = np.arange(corners) + 0.5
     up = 1 - 2 * n / corners
     around = np.pi * (1 + 5**0.5) * n
@@ -53,7 +53,7 @@ def _metallic(look: Look, color: RGB) -> surfaces.Tile:
 
 def _rough(colors: tuple[str, ...], skin: Skin, size: tuple[float, float, float], corners: int
            ) -> Drawing:  # fmt: skip
-    """A rough stone of one kind."""
+    """Return the drawing function of a rough stone of one kind."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*colors)
@@ -63,7 +63,7 @@ def _rough(colors: tuple[str, ...], skin: Skin, size: tuple[float, float, float]
 
 
 def _cubes(palette: tuple[str, ...]) -> Drawing:
-    """Intergrown cubic crystals."""
+    """Return the drawing function of intergrown cubic crystals."""
 
     def draw(look: Look) -> Pieces:
         tile = shine(look, *palette)

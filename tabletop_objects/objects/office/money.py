@@ -16,7 +16,7 @@ from .papers import GRAY, INK, paper
 
 
 def _face(look: Look, color: RGB) -> surfaces.Tile:
-    """Return the face of a coin: a rim and a head or a number."""
+    """Return the face of a coin with a rim and with a head or a number."""
     image = prints.canvas(96, 96, color)
     dark, pale = tint_color(color, 0.62), tint_color(color, 1.3)
     prints.disc(image, 0.5, 0.5, 0.46, pale, 0.43)
@@ -250,7 +250,7 @@ def _cheque(look: Look, image: prints.Canvas, accent: RGB) -> None:
 
 
 def _booklet(title: tuple[str, ...], *colors: str) -> Drawing:
-    """A small booklet of slips between covers."""
+    """Return the drawing function of a small booklet of slips between covers."""
 
     def draw(look: Look) -> Pieces:
         color = look.color(*colors)

@@ -60,7 +60,7 @@ def picture_frame(look: Look) -> Shape:
           aliases=("world globe", "desk globe"), themes=("office", "living"), roles=("tall",),
           colors=("blue",), common=True)  # fmt: skip
 def globe(look: Look) -> Shape:
-    """A terrestrial globe with a tilted axis, on a foot."""
+    """A terrestrial globe with a tilted axis, on a base."""
     r = look.between(0.065, 0.08)
     sea: RGB = look.color("blue", "sky", "teal", "tan", "charcoal", "cream", "navy")
     land = surfaces.noise(look.rng, 96, 192, (4, 7), 3)
@@ -122,7 +122,7 @@ def hourglass(look: Look) -> Shape:
           aliases=("prize cup", "cup trophy", "award", "trophy cup"), themes=("office", "living"),
           roles=("tall",), colors=("gold", "silver"), common=True)  # fmt: skip
 def trophy(look: Look) -> Shape:
-    """A trophy cup with two handles on a plinth with a plate."""
+    """A trophy cup with two handles, on a plinth with a nameplate."""
     r, h = look.between(0.045, 0.06), look.between(0.2, 0.27)
     metal = surfaces.brushed_metal(look.rng, look.color("gold", "gold", "silver", "bronze"))
     base = look.between(0.24, 0.32) * h

@@ -256,7 +256,7 @@ Print = Callable[[Look, prints.Canvas, RGB], None]
 def paper(
     x: float, y: float, mark: Print, *grounds: str, sheets: int = 1, accents: tuple[str, ...] = ()
 ) -> Drawing:
-    """A sheet of ``x`` by ``y`` metres printed by ``mark``, on top of others lying askew if any."""
+    """Return the drawing function of a stack of sheets; ``mark`` prints the top one."""
 
     def draw(look: Look) -> Pieces:
         ground = look.color(*grounds)
@@ -547,7 +547,7 @@ def letter(look: Look) -> Shape:
           aliases=("price label", "price card", "price sign", "sale tag"), themes=("office",),
           roles=("flat",), colors=("white", "yellow"))  # fmt: skip
 def price_tag(look: Look) -> Shape:
-    """A price tag lying flat, with a hole and a string, or a price tag on a small stand."""
+    """A price tag, lying flat with a hole and a string, or on a small stand."""
     color = look.color("white", "yellow", "tan", "red", "orange", "lime", "sky")
     price = f"{int(look.rng.integers(1, 99))}.{look.pick(['99', '50', '00', '95'])}"
     ink = readable_on(color)

@@ -70,7 +70,7 @@ def granola_bar(look: Look) -> Shape:
           "cup noodle", "noodle cup", "pot noodle", "instant noodles cup"), themes=("office",),
           roles=("round",), colors=("red",))  # fmt: skip
 def instant_noodles(look: Look) -> Shape:
-    """A cup of instant noodles with its lid half peeled off, or closed."""
+    """A cup of instant noodles with its lid closed or half peeled off."""
     r, h = look.between(0.046, 0.054), look.between(0.1, 0.115)
     color = look.color("red", "orange", "green", "yellow", "purple")
     image = prints.label(look.rng, look.pick(["NOODLES", "RAMEN", "CUP"]), color, (248, 246, 240))

@@ -735,7 +735,7 @@ def pen(look: Look) -> Shape:
           "lead refill tube"), themes=("office", "craft"), roles=("flat",),
           colors=("yellow", "red"), state="lying flat", common=True)  # fmt: skip
 def pencil(look: Look) -> Shape:
-    """A six-sided pencil lying on a facet: lead, wood, paint, a ferrule and an eraser."""
+    """A painted, six-sided wooden pencil lying on a facet, with a lead, a ferrule and an eraser."""
     r, length = 0.0039, look.between(0.16, 0.185)
     color = look.color(
         *("yellow", "yellow", "red", "blue", "green", "black", "orange", "wooden", "pink", "white")

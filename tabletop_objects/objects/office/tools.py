@@ -118,7 +118,7 @@ def gavel(look: Look) -> Shape:
           "swimming goggles", "face shield"), themes=("office", "living", "coffee"),
           colors=("black", "brown"), state="lying open", common=True)  # fmt: skip
 def eyeglasses(look: Look) -> Shape:
-    """Spectacles lying with their arms folded out at the back and lenses towards the viewer."""
+    """Spectacles with their arms folded out at the back and the lenses towards the viewer."""
     color = look.color("black", "black", "brown", "red", "gold", "navy", "silver", "teal", "pink")
     wire = look.chance(0.3)
     skin = surfaces.speckles(look.rng, color, 3, 16)

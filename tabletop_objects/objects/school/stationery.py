@@ -129,7 +129,7 @@ def abacus(look: Look) -> Shape:
 
 
 def thick_book(titles: tuple[str, ...], size: tuple[float, float, float]) -> Callable[..., Shape]:
-    """A thick hardcover book with a title across its cover, lying flat."""
+    """Return the shape function of a thick hardcover book with a title on its cover, lying flat."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.94, 1.06)

@@ -275,7 +275,7 @@ def foam_finger(look: Look) -> Shape:
 
 
 def _boot(h: float) -> Solid:
-    """Return a boot's upper seen from the side, with its toe towards +x, standing on z = 0."""
+    """Return a boot's upper, extruded from a side view, with its toe towards +x, on z = 0."""
     rim = [(-0.055, 0), (0.085, 0), (0.1, 0.012), (0.095, 0.032), (0.045, 0.052), (0.018, 0.075),
            (0.01, h), (-0.052, h), (-0.058, 0.06)]  # fmt: skip
     return side_view(rim, 0.062)
@@ -402,7 +402,7 @@ def yoga_block(look: Look) -> Shape:
 
 
 def _bat(profile: list[tuple[float, float]], grip: float) -> Callable[[Look], Shape]:
-    """A round bat with a wrapped grip, lying along x."""
+    """Return the shape function of a round bat with a wrapped grip, lying along x."""
 
     def make(look: Look) -> Shape:
         k = look.between(0.92, 1.06)

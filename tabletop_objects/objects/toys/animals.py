@@ -54,7 +54,7 @@ DARK = (44, 38, 36)
 
 
 def _legs(reach: float, at: tuple[float, ...], z: float, thick: float = 0.0011) -> list[Solid]:
-    """Return pairs of bent legs at the given positions along x."""
+    """Return pairs of bent legs at the positions ``at`` along x."""
     made = []
     for n, x in enumerate(at):
         lean = (0.35, 0.0, -0.35)[n % 3] * reach
@@ -351,7 +351,7 @@ _RAINBOW = ((236, 96, 130), (250, 196, 90), (110, 190, 150), (120, 150, 220), (1
 
 
 def _coat(look: Look, beast: Beast, color: tuple[float, float, float]) -> Tile:
-    """Return the animal's skin."""
+    """Return the texture of the animal's coat."""
     dark = tint_color(color, 0.45)
     if beast.skin == "bands":
         return surfaces.stripes([color, color, (40, 38, 40)], 7, side=96)
@@ -367,7 +367,7 @@ def _coat(look: Look, beast: Beast, color: tuple[float, float, float]) -> Tile:
 
 
 def beast_shape(key: str) -> Callable[[Look], Shape]:
-    """Return the shape function of an animal."""
+    """Return the shape function of the animal ``key``."""
 
     def make(look: Look) -> Shape:
         return _beast(look, BEASTS[key])
@@ -421,7 +421,7 @@ def _beast(look: Look, b: Beast) -> Shape:
 def _extras(
     look: Look, b: Beast, at: tuple[float, float, float], feet: list[tuple[float, float]]
 ) -> list[tuple[Solid, Tile]]:
-    """Return manes, horns, trunks and similar parts."""
+    """Return an animal's additional parts, such as manes, horns and trunks."""
     hx, hz, mid = at
     dark, pale = surfaces.plain((44, 38, 36)), surfaces.plain((242, 234, 214))
     made: list[tuple[Solid, Tile]] = []

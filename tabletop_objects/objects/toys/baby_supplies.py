@@ -122,7 +122,7 @@ def diaper(look: Look) -> Shape:
           "baby bootee", "bootee", "booties"), themes=("toys",),
           colors=("pink", "sky"))  # fmt: skip
 def baby_shoes(look: Look) -> Shape:
-    """A pair of knitted baby shoes with bows and their toes in front."""
+    """A pair of knitted baby shoes with bows, facing the viewer."""
     color = look.color(*SOFT, "white")
     knit = surfaces.knitting(look.rng, color, 16)
     bow = surfaces.plain(look.own_color("white", "red", "navy", "gold"))

@@ -283,7 +283,7 @@ def puppet(look: Look) -> Shape:
 
 
 def _figure(big: float) -> dict[str, list[Solid]]:
-    """Return a figure standing upright with legs, a trunk, arms and a head of width ``big``."""
+    """Return the parts of a standing figure by name; ``big`` is the width of its head."""
     legs = [drum(0.0125, 0.036, (s * 0.0145, 0, 0.006), top=0.014) for s in (-1, 1)]
     feet = [ball(0.026, 0.038, 0.02, (s * 0.0145, -0.005, 0.008), 12) for s in (-1, 1)]
     trunk = [block(0.054, 0.036, 0.045, 0.014, 0.006).move(z=0.036)]

@@ -143,7 +143,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         seed: int | list[int | None] | None = None,
         options: dict[str, Any] | None = None,
     ) -> tuple[Any, dict[str, Any]]:
-        """Start an episode in every world, or in the worlds of the option "reset_mask".
+        """Start an episode in every world, or in those selected by the option "reset_mask".
 
         Args:
             seed: seed of the following draws, one for all worlds.
@@ -179,7 +179,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
     def step(
         self, actions: Float[Tensor, "n a"] | np.ndarray
     ) -> tuple[Any, Float[Tensor, "n"], Bool[Tensor, "n"], Bool[Tensor, "n"], dict[str, Any]]:
-        """Step every world for 50 ms, or the period set by ``control_hz``.
+        """Advance every world by 50 ms, or by the period set by ``control_hz``.
 
         A world that fails gets the minimum reward, and its ``final_obs`` is its previous
         observation.
@@ -280,7 +280,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self.idle = deck.idle
 
     def _begin(self, mask: Bool[Tensor, "n"], rows: Int[Tensor, "n"] | None = None) -> None:
-        """Start episodes in some worlds: drawn ones, or ``rows`` of ``episodes``.
+        """Start episodes in some worlds: randomly drawn ones, or ``rows`` of ``episodes``.
 
         Both arguments are on the host, to avoid device synchronisation.
         """
@@ -304,7 +304,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
         self._commands = restart(before, joints, mask.to(self.device))
 
     def _look(self) -> tuple[Readings, Agreement]:
-        """Return the readings and goals' agreement; reorder slots where the active goal changed."""
+        """Return the readings and the goals' agreement; reorder slots if an active goal changed."""
         goals, state = self._goals, self.world.state
         touched = take_rows(state.touches, goals.target)
         seen = Readings(
@@ -361,7 +361,7 @@ class TabletopBatchEnv(VectorEnv[Any, Any, Any]):
 
 
 def _choose(mask: Bool[Tensor, "n"], one: Any, other: Any) -> Any:
-    """Return observations with the rows of ``one`` where ``mask`` is true, else of ``other``."""
+    """Return observations: rows of ``one`` where ``mask`` is true, and of ``other`` elsewhere."""
     if isinstance(other, dict):
         return {name: _choose(mask, one[name], part) for name, part in other.items()}
     return torch.where(mask.view(-1, *[1] * (other.dim() - 1)), one, other)

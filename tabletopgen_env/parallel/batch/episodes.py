@@ -1,4 +1,4 @@
-"""Episodes drawn in advance, as initial states of a batch's worlds.
+"""Episodes drawn in advance, used as initial states of a batch's worlds.
 
 They are drawn by ``TabletopEnv``, so targets, goals, certificates and initial states equal those of
 the single environment.
@@ -49,7 +49,7 @@ class DrawnEpisode:
 
 
 class EpisodeDraw:
-    """Draws episodes of scenes and stores them by the scenes' indices.
+    """Episodes drawn for scenes, stored by the scenes' indices.
 
     Args:
         env: environment whose task, settings and certificates are used.
@@ -83,7 +83,7 @@ class EpisodeDraw:
             yield self._env.world
 
     def explain(self, error: InputError) -> InputError:
-        """Add the reason why scenes have no valid task to a bank's error."""
+        """Extend a bank's error by the reason why some scenes have no valid task."""
         if not self.left_out:
             return error
         first = self.left_out[0]
@@ -125,7 +125,7 @@ class EpisodeDraw:
 
 @dataclass(frozen=True, eq=False)
 class EpisodeTable:
-    """Episodes of a bank's scenes on a device, one row each (e); float32.
+    """Episodes of a bank's scenes on a device, one row (e) each, in float32.
 
     Attributes:
         scene: index of the scene in the bank.

@@ -1,4 +1,4 @@
-"""Limits on the contacts of a batch's worlds, and the memory that these take."""
+"""Limits on the contacts in a batch's worlds, and the memory that the worlds need."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class BatchLimits:
         return cls() if bank.slots <= 6 else cls(contacts=256, depths=64, rows=1100)
 
     def pools(self, worlds: int) -> tuple[int, int]:
-        """Return the number of contacts and depths shared by all worlds.
+        """Return the numbers of contacts and depth searches that all worlds share.
 
         The pools include spare entries, so that one diverging world does not exhaust them.
         """
@@ -70,7 +70,7 @@ class BatchLimits:
 
 
 def bytes_per_world(bank: SceneBank, limits: BatchLimits) -> int:
-    """Estimate the memory of each world of a batch, bytes.
+    """Estimate the memory of each world of a batch in bytes.
 
     It includes the state, the batched part of the model, and the working memory of a step.
     """
@@ -97,7 +97,7 @@ def check_memory(bank: SceneBank, limits: BatchLimits, worlds: int, device: torc
 
 
 def _state_bytes(model: mujoco.MjModel, limits: BatchLimits) -> int:
-    """Return the growth of MuJoCo Warp's data per world, bytes."""
+    """Return the growth of MuJoCo Warp's data per world, in bytes."""
     engine = Engine.load()
     with engine.warp.ScopedDevice("cpu"):
         one, two = (
@@ -124,7 +124,7 @@ def _array_bytes(engine: Engine, values: Any) -> int:
 
 
 def _depth_bytes(bank: SceneBank) -> int:
-    """Return the working memory of one depth search: a polytope and two clipped faces.
+    """Return the bytes that one depth search needs for a polytope and two clipped faces.
 
     The sizes are those of the arrays that ``mujoco_warp._src.collision_convex`` allocates.
     """

@@ -1,4 +1,4 @@
-"""MuJoCo Warp's model and data for many worlds, and the three programs that run on them."""
+"""MuJoCo Warp's model and data for many worlds, and the three compiled graphs that use them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Simulator:
-    """Steps many worlds at once.
+    """A simulator of many worlds.
 
     Each program (a simulation step, a reset, the kinematics) is recorded once as a graph. Launching
     the graph costs next to nothing, while a step of MuJoCo Warp itself takes some hundred kernel
@@ -53,7 +53,7 @@ class Simulator:
         self.exchange(model)
 
     def exchange(self, model: mujoco.MjModel) -> None:
-        """Replace the model with one of equal shape, without recompilation; then set all fields."""
+        """Load a model of equal shape without recompilation; all fields must then be set."""
         warp, physics = self._engine.warp, self._engine.physics
         # A field can mark a mesh as absent only if it has entries for more than one world.
         sizes = dict.fromkeys(MODEL_FIELDS, max(2, self._worlds))
@@ -98,14 +98,14 @@ class Simulator:
         self._launch(self._kinematics)
 
     def _record(self, work: Callable[[], Any]) -> Any:
-        """Run a function once, which compiles its kernels, and record it."""
+        """Run a function once to compile its kernels, then record it as a graph."""
         work()
         with self._engine.warp.ScopedCapture(device=self._device) as capture:
             work()
         return capture.graph
 
     def _launch(self, graph: Any) -> None:
-        """Launch a graph, in order with torch's queued work."""
+        """Launch a graph after the work already queued by torch."""
         warp = self._engine.warp
         stream = None if self._device.is_cpu else warp.stream_from_torch(self._torch_device)
         warp.capture_launch(graph, stream=stream)

@@ -26,7 +26,7 @@ FACTS = ("filled", "half_extent", "table", "yaw")
 
 @dataclass(frozen=True, eq=False)
 class BatchState:
-    """The current state of the worlds, in the base frame; metres, radians, seconds, float32.
+    """The current state of the worlds in the base frame (metres, radians, seconds; float32).
 
     The first axis is the world (w); s is the slot. All but the last group are views of the
     simulator's arrays: a step changes them, and writing ``qpos``, ``qvel`` or ``marker`` changes

@@ -18,7 +18,7 @@ _A, _D, _ALPHA = (
 
 @dataclass(frozen=True, eq=False)
 class Arms:
-    """The tools of n arms in the base frame: point (m), rotation and geometric Jacobian."""
+    """Tool points (m), rotations and geometric Jacobians of n arms in the base frame."""
 
     tool: Float[Array, "n 3"]
     hand: Float[Array, "n 3 3"]
@@ -26,7 +26,7 @@ class Arms:
 
 
 def arms_at(joints: Float[Array, "n 7"]) -> Arms:
-    """Compute the forward kinematics of joints (rad), with the chain of ``robot.chain``."""
+    """Compute the forward kinematics of joints in radians, with the chain of ``robot.chain``."""
     xp = namespace(joints)
     cosines, sines = xp.cos(joints), xp.sin(joints)
     x, y, z = (like(column, joints)[None] for column in np.eye(3))
@@ -53,7 +53,7 @@ def arms_at(joints: Float[Array, "n 7"]) -> Arms:
 
 
 def rotation_vectors(rotations: Float[Array, "n 3 3"]) -> Float[Array, "n 3"]:
-    """Return rotation vectors, axis times angle (rad, in [0, pi)); less accurate near pi."""
+    """Return rotation vectors (axis times angle in [0, pi) rad), less accurate near pi."""
     xp = namespace(rotations)
     skew = xp.stack(
         [rotations[:, 2, 1] - rotations[:, 1, 2], rotations[:, 0, 2] - rotations[:, 2, 0],
@@ -67,7 +67,7 @@ def rotation_vectors(rotations: Float[Array, "n 3 3"]) -> Float[Array, "n 3"]:
 
 
 def rotations_of(vectors: Float[Array, "n 3"]) -> Float[Array, "n 3 3"]:
-    """Return the rotation matrices of rotation vectors, rad (Rodrigues' formula)."""
+    """Return the rotation matrices of rotation vectors in radians (Rodrigues' formula)."""
     xp = namespace(vectors)
     angle = xp.sqrt(squares(vectors))[:, None, None]
     x, y, z = (vectors[:, k] for k in range(3))
@@ -87,7 +87,7 @@ def ik_steps(
     rotation: Float[Array, "n 3 3"],
     pull: float,
 ) -> Float[Array, "n 7"]:
-    """Take one damped-least-squares step each towards tool poses, as in ``kinematics.ik_step``."""
+    """Take one damped-least-squares step per arm towards a tool pose, as ``kinematics.ik_step``."""
     xp = namespace(joints)
     arms = arms_at(joints)
     turn = rotation_vectors(rotation @ xp.matrix_transpose(arms.hand))

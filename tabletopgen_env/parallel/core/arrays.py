@@ -1,4 +1,4 @@
-"""Helpers for NumPy and torch arrays: namespaces, and functions the array API standard lacks."""
+"""Helpers for NumPy and torch arrays: namespaces, and functions absent from the array API."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def wrap(angles: Array) -> Array:
 
 
 def yaw_of(rotations: Array) -> Array:
-    """Return the bearings about +z of the rotations' x axes, radians in [-pi, pi]."""
+    """Return the yaw angles of the rotations' x axes about +z, in radians in [-pi, pi]."""
     return namespace(rotations).atan2(rotations[..., 1, 0], rotations[..., 0, 0])
 
 

@@ -47,7 +47,7 @@ class Commands:
 
 @dataclass(frozen=True, eq=False)
 class RobotPose:
-    """The poses of n robots: joints (rad), tool centre point (m) and rotation of the hand."""
+    """The poses of n robots: joints (rad), tool centre point (m) and the hand's rotation."""
 
     joints: Float[Array, "n 7"]
     tool: Float[Array, "n 3"]
@@ -94,7 +94,7 @@ def advance(
 
 
 def _move(servos: Servos, before: Commands, pose: RobotPose, action: Array) -> Commands:
-    """Move the commanded points by the x, y, z entries of actions."""
+    """Move the commanded points by the x, y and z entries of actions."""
     xp = namespace(action)
     leash = EE_LEASH * servos.slack
     ahead = before.point + EE_STEP * servos.share * action - pose.tool
@@ -104,7 +104,7 @@ def _move(servos: Servos, before: Commands, pose: RobotPose, action: Array) -> C
 
 
 def _follow(servos: Servos, commands: Commands, rotation: Array) -> Commands:
-    """Solve for joints that follow the commanded points and ``rotation``."""
+    """Solve for the joints that follow the commanded points and ``rotation``."""
     xp = namespace(rotation)
     before, joints = commands.joints, commands.joints
     pull = PULL * min(1.0, servos.share)

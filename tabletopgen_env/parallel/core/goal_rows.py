@@ -44,7 +44,7 @@ more.
 
 @dataclass(frozen=True, eq=False)
 class GoalRows:
-    """The goals of n episodes, g each; unused goals are padding.
+    """The goals of n episodes, g per episode; unused goals are padding.
 
     Attributes:
         kind: index in ``KINDS``.
@@ -142,7 +142,7 @@ def _outer_points(world: World, name: str) -> Float[np.ndarray, "p 3"]:
 
 
 def regions(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n g 3"], Float[Array, "n g"]]:
-    """Return the current centres of the regions, and their yaw as in goal vectors."""
+    """Return the current centres of the regions, and their yaws, defined as in goal vectors."""
     xp = namespace(rows.center)
     turned = take_rows(seen.rotations, rows.reference)
     center = take_rows(seen.positions, rows.reference) + apply(turned, rows.center)
@@ -154,7 +154,7 @@ def regions(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n g 3"], Floa
 
 
 def targets(rows: GoalRows, seen: Readings) -> Float[Array, "n g 3"]:
-    """Return the positions of the goals' targets: an object's centre or the tool centre point."""
+    """Return the positions of the goals' targets: object centres or tool centre points."""
     xp = namespace(rows.center)
     there = take_rows(seen.positions, rows.target)
     return xp.where((rows.target >= 0)[..., None], there, seen.tool[:, None])
@@ -183,7 +183,7 @@ def are_settled(rows: GoalRows, seen: Readings) -> Bool[Array, "n g"]:
 
 
 def goal_vectors(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n v"], Float[Array, "n v"]]:
-    """Return achieved and desired goal vectors, ``float32``, with the entries of ``tasks.task``."""
+    """Return the achieved and the desired goal vectors as ``float32``; see ``tasks.task``."""
     xp = namespace(rows.center)
     center, yaw = regions(rows, seen)
     shared = [rows.semi[..., :2], yaw[..., None], rows.semi[..., 2:]]
@@ -198,5 +198,5 @@ def goal_vectors(rows: GoalRows, seen: Readings) -> tuple[Float[Array, "n v"], F
 
 
 def _upright(rotations: Array, up: Array) -> Array:
-    """Return whether ``up``, in bodies' frames, points up."""
+    """Return whether ``up``, given in body frames, points upwards."""
     return namespace(up).sum(rotations[..., 2, :] * up, axis=-1) >= UPRIGHT

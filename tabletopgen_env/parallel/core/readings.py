@@ -14,7 +14,7 @@ from .arrays import Array
 
 
 class WorldRows:
-    """Copies the states of n worlds into rows, and transforms all of them to their base frames.
+    """The states of n worlds, copied into rows and transformed to the worlds' base frames.
 
     Args:
         worlds: number of rows.
@@ -70,7 +70,7 @@ class WorldRows:
 
 @dataclass(frozen=True, eq=False)
 class Readings:
-    """The robot and the objects of n worlds, each in its own base frame (see ``world``).
+    """The robots and objects of n worlds, in the base frame of each world (see ``world``).
 
     Rows without an object may hold arbitrary finite values.
 

@@ -18,7 +18,7 @@ _HAND = ("reach", "grasp", "lift")
 def terms(
     rows: GoalRows, seen: Readings, found: Agreement, aside: Mapping[int, int]
 ) -> dict[str, Float[Array, "n"]]:
-    """Return every reward term by name, each in [0, 1].
+    """Return all reward terms by name, each in [0, 1].
 
     ``found`` is the agreement of the goal vectors; ``aside`` is as in ``tasks.task.Task``.
     """
@@ -33,7 +33,7 @@ def terms(
 
 
 def _hand(rows: GoalRows, seen: Readings, found: Agreement) -> dict[str, Float[Array, "n"]]:
-    """Return reach, grasp and lift of the active goals."""
+    """Return the reach, grasp and lift terms of active goals."""
     xp = namespace(found.across)
     active = found.active[:, None]
 

@@ -1,4 +1,4 @@
-"""Goal vectors of n worlds: agreement of achieved and desired ones, and the resulting terms.
+"""Goal vectors of n worlds: agreement between achieved and desired ones, and reward terms.
 
 The formulas are those of ``tasks.task`` for one world; see its table for the entries and the terms.
 """
@@ -18,7 +18,7 @@ _LEAST = 1e-6  # metres; minimum semi-axis, for padding
 
 @dataclass(frozen=True, eq=False)
 class Agreement:
-    """Agreement of achieved and desired goal vectors, for each goal.
+    """Agreement between achieved and desired goal vectors, for each goal.
 
     across, up: horizontal and vertical distance of each target from its region, metres; met:
     whether each goal is met (padding counts as met); used: which goals are not padding.
@@ -58,7 +58,7 @@ def agreement(
 
 
 def goal_terms(found: Agreement, aside: Mapping[int, int]) -> dict[str, Float[Array, "n"]]:
-    """Return the terms that depend on the goal vectors only: place, met, success."""
+    """Return the terms that depend only on the goal vectors: place, met and success."""
     xp = namespace(found.across)
     kind = found.across.dtype
     used, met = xp.astype(found.used, kind), xp.astype(found.met, kind)

@@ -1,4 +1,4 @@
-"""Actions, observations and flags of slots, one row each, in arrays that processes can share."""
+"""Actions, observations and flags in arrays that processes can share, with a row per slot."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class SlotArrays:
 
 
 def lay_out(take: Take, count: int, observation: spaces.Space, action: spaces.Box) -> SlotArrays:
-    """Allocate the arrays of ``count`` slots with these spaces.
+    """Allocate the arrays of ``count`` slots with the given spaces.
 
     Raises:
         TypeError: an observation is neither a ``Box`` nor a ``Text``, nor a ``Dict`` of them.

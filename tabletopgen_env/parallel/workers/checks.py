@@ -51,7 +51,7 @@ def read_mode(mode: str | AutoresetMode) -> AutoresetMode:
 
 
 def read_seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int | None]:
-    """Return the seeds of all slots; for a single seed, the following slots get consecutive ones.
+    """Return the seed of each slot; a single seed is incremented by one from slot to slot.
 
     Raises:
         InputError: a seed is invalid, or their number differs from the number of slots.

@@ -28,7 +28,7 @@ Leaf = tuple[tuple[str, ...], type | None]
 
 @dataclass(frozen=True, eq=False)
 class InfoChange:
-    """The changes to a slot's info other than its numbers: all its leaves and other values."""
+    """The changes to a slot's info except its numbers: all of its leaves and its other values."""
 
     slot: int
     leaves: tuple[Leaf, ...]
@@ -46,7 +46,7 @@ def merge(count: int, infos: Iterable[tuple[int, dict[str, Any]]]) -> dict[str, 
 
 
 class InfoWriter:
-    """Writes infos to columns of ``numbers``; ``first`` is the slot of the first column."""
+    """A writer of infos to columns of ``numbers``; ``first`` is the slot of the first column."""
 
     def __init__(self, numbers: Float[np.ndarray, "m n"], first: int) -> None:
         self._numbers = numbers
@@ -68,7 +68,7 @@ class InfoWriter:
 
 
 class InfoReader:
-    """Reads the infos that writers have written and sent."""
+    """A reader of the infos that writers have written and sent."""
 
     def __init__(self, numbers: Float[np.ndarray, "m n"]) -> None:
         self._numbers = numbers
@@ -76,7 +76,7 @@ class InfoReader:
         self._form: dict[str, Any] | None = None
 
     def take(self, changes: Iterable[InfoChange]) -> None:
-        """Apply changes."""
+        """Apply the changes."""
         for change in changes:
             self._known[change.slot] = change
             self._form = None
@@ -107,7 +107,7 @@ class InfoReader:
         return info
 
     def _form_of(self, infos: dict[str, Any]) -> dict[str, Any]:
-        """Return the structure of infos: each array of numbers is replaced by its row and type."""
+        """Return the structure of infos, with each array of numbers replaced by row and type."""
         change = self._known[0]
         assert change is not None
         numbers = [(path, kind) for path, kind in change.leaves if kind is not None]
@@ -159,7 +159,7 @@ def _equal(a: Any, b: Any) -> bool:
 
 
 def _fill(form: dict[str, Any], numbers: Float[np.ndarray, "m n"]) -> dict[str, Any]:
-    """Return the infos with the given structure as new arrays filled with the current numbers."""
+    """Return infos of the given structure, with new arrays filled with the current numbers."""
     filled: dict[str, Any] = {}
     for key, part in form.items():
         if isinstance(part, dict):

@@ -93,7 +93,7 @@ class JointSlots(SlotSet):
         return info
 
     def _reserve(self, objects: int) -> None:
-        """Reserve rows for worlds with this number of objects."""
+        """Reserve rows for worlds with up to ``objects`` objects."""
         self._gathered = WorldRows(len(self.envs), objects, self._task.most)
         self._half: Float[np.ndarray, "n k 3"] = np.zeros((len(self.envs), objects, 3))
         for k, env in enumerate(self._inner):
@@ -103,7 +103,7 @@ class JointSlots(SlotSet):
         self._seen = self._gathered.read()
 
     def _take_order(self, k: int) -> None:
-        """Store the order of the slot's objects for its active goal."""
+        """Store the object order, half extents and active goal of a slot."""
         env = self._inner[k]
         order = [env.world.index(name) for name in env.order]
         self._order[k], self._order[k, : len(order)] = -1, order
@@ -173,7 +173,7 @@ class JointSlots(SlotSet):
                 "desired_goal": desired[k]}  # fmt: skip
 
     def _read(self, slots: Slots) -> Readings:
-        """Return the readings, refreshed for some slots."""
+        """Refresh the readings of some slots; return them all."""
         for k in slots:
             env = self._inner[k]
             self._gathered.copy(int(k), env.world, env.episode.goals)

@@ -13,7 +13,7 @@ from generator.errors import InputError, TabletopError
 
 
 def pack(things: Any, what: str) -> bytes:
-    """Pickle values for another process, including functions and classes of a script.
+    """Pickle values for another process, including functions and classes defined in scripts.
 
     Raises:
         InputError: the values cannot be sent; ``what`` begins the message, as in "The scenes and

@@ -48,7 +48,7 @@ class Wish:
 
 
 def is_lent(source: object) -> bool:
-    """Return whether a source must stay in one process: its draws depend on more than ``rng``."""
+    """Return whether a source must stay in one process, as draws depend on more than ``rng``."""
     return isinstance(source, SceneSource) and type(source) not in (FixedScenes, FreshScenes)
 
 
@@ -149,7 +149,7 @@ class LentScenes:
 
 @dataclass(frozen=True, eq=False)
 class _Sent:
-    """Returns the scene that was sent with the reference."""
+    """A loader that returns the scene sent with the reference."""
 
     scene: Scene
 

@@ -52,7 +52,7 @@ class ShardEnvs:
 
 @dataclass(frozen=True)
 class ShardPlace:
-    """Position of a shard among the others, and its open files.
+    """The position of a shard among all shards, and its open files.
 
     Attributes:
         number: index of the shard.
@@ -72,7 +72,7 @@ class ShardPlace:
 
 @dataclass(frozen=True)
 class ShardAnswer:
-    """The answer to a request: changes to infos, and a value or the first slot's error."""
+    """The answer to a request: changes to infos, and a value or the first failed slot's error."""
 
     changes: tuple[InfoChange, ...] = ()
     value: Any = None
@@ -152,7 +152,7 @@ class _Shard:
         return [attempt(work, k, self._first) for k in slots]
 
     def _tell(self, slots: Iterable[int], infos: Iterable[Any]) -> ShardAnswer:
-        """Write infos and return their changes with the first error."""
+        """Write infos; return their changes and the first error."""
         infos = list(infos)
         pairs = [(k, i) for k, i in zip(slots, infos, strict=True) if isinstance(i, dict)]
         changes = [change for k, i in pairs if (change := self._infos.write(k, i)) is not None]

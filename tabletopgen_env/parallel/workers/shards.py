@@ -83,7 +83,7 @@ def split_slots(
 
 
 class ShardSlots:
-    """Slots in processes; a copy has its own processes with copies of the environments.
+    """Slots in several processes; a copy has separate processes with copied environments.
 
     Raises:
         WorkerDied: a process could not be started.
@@ -171,7 +171,7 @@ class ShardSlots:
         return block.take((NUMBERS, count), float)
 
     def _begin(self) -> tuple[int, ...]:
-        """Wait until every shard has its environments; return the ids of their processes."""
+        """Wait until every shard has its environments; return the ids of the processes."""
         self._owing = set(range(len(self._channels)))
         try:
             answers = self._finish()
@@ -188,7 +188,7 @@ class ShardSlots:
     # ----------------------------------------------------------------------------------- talking
 
     def _share(self, told: Mapping[int, Any]) -> dict[int, dict[int, Any]]:
-        """Split values per slot by shard, with slots counted from the shard's first."""
+        """Split slot values by shard, numbering slots from the first slot of each shard."""
         shares: dict[int, dict[int, Any]] = {}
         for k in sorted(told):
             shard = int(np.searchsorted(self._firsts, k, "right")) - 1
@@ -196,7 +196,7 @@ class ShardSlots:
         return shares
 
     def _request(self, requests: Mapping[int, bytes]) -> dict[int, ShardAnswer]:
-        """Send requests to shards; return their answers, or raise the first slot's error."""
+        """Send requests to shards; return the answers, or raise the first failed slot's error."""
         if self._owing:  # an earlier call was interrupted
             self._gather()
         for shard, request in requests.items():
@@ -206,7 +206,7 @@ class ShardSlots:
         return self._finish()
 
     def _finish(self) -> dict[int, ShardAnswer]:
-        """Return the pending answers of all shards, or raise the first slot's error."""
+        """Return the pending answers of all shards, or raise the first failed slot's error."""
         answers = self._gather()
         for shard in sorted(answers):
             if (error := answers[shard].error) is not None:
@@ -214,7 +214,7 @@ class ShardSlots:
         return answers
 
     def _gather(self) -> dict[int, ShardAnswer]:
-        """Return the pending answers of all shards, serving their scene requests meanwhile."""
+        """Return the pending answers of all shards; meanwhile, serve their scene requests."""
         answers: dict[int, ShardAnswer] = {}
         while self._owing:
             for key, _ in self._selector.select():
@@ -236,7 +236,7 @@ class ShardSlots:
 
     @contextlib.contextmanager
     def _talking(self, shard: int) -> Iterator[None]:
-        """Close all shards if a message is not fully exchanged."""
+        """Close all shards if the exchange of a message is interrupted."""
         try:
             yield
         except (EOFError, OSError):

@@ -1,4 +1,4 @@
-"""The environments of some slots, stepped one by one into their rows of the arrays."""
+"""The environments of some slots, stepped one by one, with results in rows of arrays."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class SlotSet:
         self._rows = rows
 
     def step_all(self, first: int) -> list[Any]:
-        """Step or reset every slot; return infos or errors. ``first`` is the number of slot 0."""
+        """Step or reset every slot; return infos or errors. Slots are numbered from ``first``."""
         return [attempt(self.step, k, first) for k in range(len(self.envs))]
 
     def step(self, k: int) -> dict[str, Any]:
@@ -99,7 +99,7 @@ class SlotSet:
 
 
 def attempt(work: Callable[[int], Any], k: int, first: int = 0) -> Any:
-    """Return the result of ``work`` for slot ``k``, or its error with a note on the slot."""
+    """Return the result of ``work`` for slot ``k``, or its error with a note naming the slot."""
     try:
         return work(k)
     except Exception as error:
@@ -107,6 +107,6 @@ def attempt(work: Callable[[int], Any], k: int, first: int = 0) -> Any:
 
 
 def name_slot(error: Exception, k: int) -> Exception:
-    """Add a note with the slot to an error."""
+    """Add a note that names the slot to an error."""
     error.add_note(f"(in slot {k} of the vector environment)")
     return error

@@ -31,7 +31,7 @@ _PACKAGES: Mapping[Format, tuple[str, ...]] = MappingProxyType(
 
 
 class Writer(Protocol):
-    """Writes episodes; the dataset is complete after ``finish``.
+    """A writer of episodes; the dataset is complete after ``finish``.
 
     Attributes:
         kept: Number of written episodes.
@@ -46,7 +46,7 @@ class Writer(Protocol):
         ...
 
     def finish(self) -> None:
-        """Write the entries of the dataset itself, after the last episode."""
+        """Write the entries about the whole dataset, after the last episode."""
         ...
 
     def close(self) -> None:
@@ -61,7 +61,7 @@ def writer(
     env: gym.Env[Any, Any],
     lerobot: LeRobotConfig,
 ) -> Writer:
-    """Return a format's writer for the dataset at ``place``, in a folder of its own."""
+    """Return the writer of a format for the dataset at ``place``, in a separate folder."""
     if format == "minari":
         from .minari_writer import MinariWriter
 

@@ -17,7 +17,7 @@ _OF_EXPERT = ("episodes", "noise", "keep_failures")  # settings ignored by other
 
 
 def describe_dataset(config: RecordConfig, env: gym.Env[Any, Any]) -> dict[str, Any]:
-    """Return environment, player, settings, control rate and versions as JSON values.
+    """Return the environment, player, settings, control rate and versions as JSON values.
 
     Only the settings that had an effect are included; settings in ``env`` override those in
     ``config``.

@@ -22,7 +22,7 @@ _PICTURE_BYTES = 1024  # rows of at least this size form their own compressed ch
 
 
 class Hdf5Writer:
-    """Writes one new HDF5 file; see the package docstring."""
+    """A writer of one new HDF5 file; see the package docstring."""
 
     resumed_at = 0
 

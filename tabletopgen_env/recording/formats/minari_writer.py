@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class MinariWriter:
-    """Writes a new Minari dataset in a folder named after its id."""
+    """A writer of a new Minari dataset, in a folder named after its id."""
 
     resumed_at = 0
 
@@ -52,7 +52,7 @@ class MinariWriter:
         self._dataset.storage.update_metadata({"tabletopgen": about})
 
     def close(self) -> None:
-        """Do nothing: every episode is complete when it is added."""
+        """Do nothing, since every episode is complete when it is added."""
 
     def _begin(self, first: Any) -> MinariDataset:
         """Create the dataset with the first episode."""
@@ -77,7 +77,7 @@ class MinariWriter:
 
 @contextmanager
 def _minari_root(folder: Path) -> Iterator[None]:
-    """Make Minari create datasets in a folder, through the environment variable that it reads."""
+    """Make Minari create datasets in a folder, by setting an environment variable."""
     before = os.environ.get("MINARI_DATASETS_PATH")
     os.environ["MINARI_DATASETS_PATH"] = str(folder)
     try:

@@ -17,7 +17,7 @@ from .about import describe_dataset
 
 
 class NpzWriter:
-    """Writes a new folder of NumPy files; see the package docstring."""
+    """A writer of a new folder of NumPy files; see the package docstring."""
 
     resumed_at = 0
 
@@ -47,7 +47,7 @@ class NpzWriter:
         (self._place / "dataset.json").write_text(text + "\n", encoding="utf-8")
 
     def close(self) -> None:
-        """Do nothing: no file stays open."""
+        """Do nothing, since no file stays open."""
 
 
 def _flat(arrays: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Any]]:

@@ -25,7 +25,7 @@ _VALID_EVERY = 10  # every tenth demonstration is for validation
 
 
 class RobomimicWriter:
-    """Writes one new HDF5 file; see the package docstring."""
+    """A writer of one new HDF5 file; see the package docstring."""
 
     resumed_at = 0
 
@@ -81,7 +81,7 @@ class RobomimicWriter:
 
 
 def _observations(episode: RecordedEpisode) -> dict[str, np.ndarray]:
-    """Return robomimic's observations, one row more than there are steps."""
+    """Return the observations for robomimic, with one row more than the steps."""
     found = {"proprio": episode.proprio}
     if episode.state is not None:
         found["state"] = episode.state

@@ -33,7 +33,7 @@ _EPISODES_A_GROUP = 64  # episodes per row group
 
 @dataclass(frozen=True)
 class Limits:
-    """Maximum size of files and folders.
+    """Maximum sizes of files and folders.
 
     Attributes:
         data_mb: size of a table, in units of 2^20 bytes.
@@ -54,7 +54,7 @@ class _Rollover:
         self._number, self._size = 0, 0
 
     def place(self, size: int) -> tuple[int, int]:
-        """Return chunk and file for ``size`` more bytes."""
+        """Return the chunk and file for ``size`` more bytes."""
         if self._size and self._size + size > self._most:
             self._number += 1
             self._size = 0
@@ -63,7 +63,7 @@ class _Rollover:
 
 
 class _Tables:
-    """Writes tables with the same columns to files, each table as a row group."""
+    """A writer of tables with equal columns to files, with each table as a row group."""
 
     def __init__(self, root: Path, pattern: str) -> None:
         self._root, self._pattern = root, pattern

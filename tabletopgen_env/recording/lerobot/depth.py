@@ -41,6 +41,6 @@ def quantize(depth: Float32[np.ndarray, "*t h w"]) -> UInt16[np.ndarray, "*t h w
 
 
 def restore(numbers: UInt16[np.ndarray, "*t h w"]) -> Float32[np.ndarray, "*t h w"]:
-    """Return the depth in metres of 12-bit numbers."""
+    """Convert 12-bit numbers back to depth in metres."""
     share = numbers.astype(np.float32) / _LARGEST
     return np.exp(share * np.float32(_RANGE) + np.float32(_LOW)) - np.float32(DEPTH_SHIFT)

@@ -131,7 +131,7 @@ def is_depth(rows: Shaped[np.ndarray, "t h w *c"]) -> bool:
 
 
 def codec_of(rows: Shaped[np.ndarray, "t h w *c"], config: LeRobotConfig) -> Codec | None:
-    """Return the codec of a camera's video; None if its pictures are stored in the tables."""
+    """Return the codec of a camera's video, or None if its pictures are stored in the tables."""
     # labels: always lossless
     if config.video == "none" or (rows.dtype == np.uint8 and rows.ndim == 3):
         return None

@@ -81,7 +81,7 @@ class SegmentStore:
         return Path(tempfile.mkdtemp(prefix="new-", dir=self._folder))
 
     def publish(self, segment: Segment, index: int) -> None:
-        """Publish the segment whose files are in a folder from ``begin`` as segment ``index``."""
+        """Publish a segment, with its files in a folder from ``begin``, as segment ``index``."""
         about = {
             "number": segment.number,
             "length": segment.length,

@@ -74,7 +74,7 @@ def encode_picture(picture: Shaped[np.ndarray, "h w *c"]) -> bytes:
 
 
 def write_tasks(tasks: Sequence[str], path: Path) -> None:
-    """Write the table of tasks; in pandas it is indexed by the tasks' texts.
+    """Write the table of tasks, which pandas indexes by the task descriptions.
 
     Raises:
         OSError: the file cannot be written.

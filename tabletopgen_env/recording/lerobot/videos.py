@@ -28,7 +28,7 @@ _NONE: Mapping[str, str] = MappingProxyType({})
 
 @dataclass(frozen=True)
 class Codec:
-    """Settings of an encoder, deterministic on any number of cores.
+    """Settings of an encoder that is deterministic for any number of cores.
 
     Attributes:
         name: name of the format, as reported by decoders.
@@ -131,7 +131,7 @@ def encode(
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Make the AV1 encoder print only errors, through the environment variable that it reads."""
+    """Make the AV1 encoder print only errors, by setting an environment variable."""
     before = os.environ.get("SVT_LOG")
     os.environ["SVT_LOG"] = before or "1"
     try:
@@ -149,7 +149,7 @@ def _schedule() -> Any:
 
 
 def _keep_schedule(schedule: Any) -> None:
-    """Restore this thread's scheduling: the AV1 encoder makes it real-time if it is allowed to."""
+    """Restore this thread's scheduling, which the AV1 encoder makes real-time where permitted."""
     if schedule is not None and schedule != _schedule():
         os.sched_setscheduler(0, *schedule)
 
@@ -162,7 +162,7 @@ def _frame(picture: np.ndarray, codec: Codec) -> av.VideoFrame:
 
 
 def _mux(file: Any, packets: Sequence[Any], fps: int) -> None:
-    """Write packets, each with a duration of one frame, including the last one of a file."""
+    """Write packets with a duration of one frame each, including the last one of a file."""
     for packet in packets:
         packet.duration = round(1 / (fps * packet.time_base))
         file.mux(packet)

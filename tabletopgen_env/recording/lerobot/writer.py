@@ -37,7 +37,7 @@ _MOST_BYTES = 1 << 20  # maximum size of the features' file, bytes
 
 
 class LeRobotWriter:
-    """Writes a new folder; completed episodes are stored beside it, for resuming.
+    """A writer of a new folder; completed episodes are stored beside it, for resuming.
 
     Raises:
         InputError: pictures have an odd size, which videos do not support.
@@ -111,7 +111,7 @@ class LeRobotWriter:
         (self._place / "meta" / "tabletopgen.json").write_text(text, encoding="utf-8")
 
     def close(self) -> None:
-        """Do nothing: every episode is complete when it is added."""
+        """Do nothing, since every episode is complete when it is added."""
 
     def _count(self, segment: Segment) -> None:
         self._tasks.setdefault(segment.task, len(self._tasks))

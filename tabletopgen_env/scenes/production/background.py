@@ -46,7 +46,7 @@ class FailedScene:
 
 
 class Background:
-    """Generates scenes in up to ``count`` processes at a time, in a temporary folder.
+    """A generator of scenes in up to ``count`` processes at a time, in a temporary folder.
 
     ``rest`` is the pause in seconds after a failure, doubled for each consecutive failure; scenes
     that take longer than ``timeout`` seconds are cancelled.

@@ -33,14 +33,14 @@ class RenewalPace:
     every_resets: int | None
 
     def due(self, draws: int, seconds: float) -> float:
-        """Return the renewals due at draw ``draws`` (from 0), ``seconds`` after the last one."""
+        """Return the renewals due at draw ``draws`` (from 0), ``seconds`` after the last draw."""
         if self.every_resets is not None:
             return float(draws > 0 and draws % self.every_resets == 0)
         return seconds * (self.per_minute or 0.0) / 60
 
 
 class ScenePool:
-    """At most ``size`` scenes, oldest first, renewed from ``fresh`` with ``seed`` at a ``pace``.
+    """At most ``size`` scenes, the oldest first, renewed from ``fresh`` with ``seed`` at ``pace``.
 
     The first scenes are ``initial``, or generated immediately; ``workers`` processes generate the
     others, or this process does if it is 0.
@@ -97,7 +97,7 @@ class ScenePool:
     # ---------------------------------------------------------------------------------- renewing
 
     def _keep_step(self, background: Background, due: bool) -> None:
-        """Add the scene that is due, in the order in which scenes were ordered; keep workers busy.
+        """Add the next due scene in the order of requests, and keep the workers busy.
 
         The sequence of scenes is thus independent of the speed of the processes; a draw waits for a
         scene that is due but not complete.
@@ -113,7 +113,7 @@ class ScenePool:
         background.hand_out()
 
     def _order(self, background: Background) -> None:
-        """Order missing or due scenes, at most as many as the pool holds."""
+        """Request missing or due scenes, but at most as many as the pool holds."""
         missing = self._size - len(self.refs) - background.open
         count = missing if missing > 0 else min(int(self._owed), self._size - background.open)
         self._owed = max(self._owed - count, 0.0)
@@ -174,7 +174,7 @@ class ScenePool:
         return SceneRef(recipe.key, lambda: scene)
 
     def _next(self) -> np.random.Generator:
-        """Return the generator of the next scene."""
+        """Return the random generator of the next scene."""
         self._made += 1
         return np.random.default_rng([self._seed, 0, self._made])
 

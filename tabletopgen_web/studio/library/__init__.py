@@ -1,1 +1,1 @@
-"""The studio's data other than jobs: scenes, uploaded pictures, answers of studies."""
+"""The studio's data other than jobs: scenes, uploaded pictures, and answers to studies."""

@@ -23,7 +23,7 @@ _MAX_SHARED, _MAX_SHARED_BYTES = 8, 64 * 2**20  # answers per rater; bytes per s
 
 @dataclass(frozen=True)
 class AnswerBook:
-    """The answers below a folder: ``<study>/<rater>.json``, each a list of objects."""
+    """The answers below a folder: ``<study>/<rater>.json``, each with a list of objects."""
 
     folder: Path
 

@@ -31,7 +31,7 @@ _MAKER = "made-by"  # the file that records which version prepared the scenes
 
 
 class SceneLibrary:
-    """Finds scenes by id, and changes those of the workspace; thread-safe."""
+    """Thread-safe access to scenes by id, and changes to those of the workspace."""
 
     def __init__(self, folder: StudioFolder) -> None:
         self._folder = folder
@@ -50,7 +50,7 @@ class SceneLibrary:
         return found
 
     def list_rows(self) -> list[StudioScene]:
-        """Return a row for every scene: those of the workspace first, the newest at the top."""
+        """Return a row for every scene, beginning with the newest ones of the workspace."""
         stored = _stored_names()
         rows = [(path, replace(self._read_row(path, place), saved=path.name in stored))
                 for path, place in self._places().values()]  # fmt: skip
@@ -59,7 +59,7 @@ class SceneLibrary:
         return [row for _, row in rows]
 
     def row(self, scene: str) -> StudioScene:
-        """Return a scene's row (RefusedError: the scene does not exist)."""
+        """Return a scene's row; raise RefusedError if the scene does not exist."""
         return replace(self._read_row(*self.find(scene)), saved=scene in _stored_names())
 
     def read_thumbnail(self, scene: str) -> bytes:
@@ -122,7 +122,7 @@ class SceneLibrary:
         remove_tree(self._folder.views, scene)
 
     def history(self, scene: str) -> tuple[list[EditRow], list[str]]:
-        """Return the steps that led to a scene, including it, and the scenes edited from it.
+        """Return the steps up to and including a scene, and the scenes edited from it.
 
         The scenes edited from it are sorted: the workspace's first, from new to old.
 
@@ -160,7 +160,7 @@ class SceneLibrary:
     # ------------------------------------------------------------------------------------ helpers
 
     def _places(self) -> dict[str, tuple[Path, ScenePlace]]:
-        """Return all bundles by id, those of the workspace first."""
+        """Return all bundles by id, with those of the workspace first."""
         found: dict[str, tuple[Path, ScenePlace]] = {}
         own = assets_cache.user_root().resolve()
         for path in assets_cache.entries():

@@ -14,7 +14,7 @@ from .database import open_database, storing
 
 
 class JobHistory:
-    """Reads jobs and their events.
+    """A reader of jobs and their events.
 
     Raises:
         StorageError: the database cannot be used.
@@ -29,7 +29,7 @@ class JobHistory:
         self._database.close()
 
     def get(self, job: str) -> JobRow:
-        """Return a job with its log (RefusedError: the job does not exist)."""
+        """Return a job with its log; raise RefusedError if the job does not exist."""
         rows = self._select("SELECT * FROM jobs WHERE id = ?", job)
         if not rows:
             raise RefusedError(404, f"There is no job {job[:80]!r}.")
@@ -53,7 +53,7 @@ class JobHistory:
 
     @property
     def last_event(self) -> int:
-        """The number of the newest event so far; 0 before the first."""
+        """The number of the newest event so far, or 0 before the first event."""
         rows = self._select("SELECT seq FROM sqlite_sequence WHERE name = 'events'")
         return rows[0][0] if rows else 0
 

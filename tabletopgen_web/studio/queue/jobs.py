@@ -43,7 +43,7 @@ _RESUMABLE = ("failed", "cancelled", "interrupted")
 
 
 class JobStore(JobHistory):
-    """The queue and the event history; for use by one thread.
+    """The queue and the event history, for use by a single thread.
 
     Errors of the disk raise a StorageError.
 
@@ -83,7 +83,7 @@ class JobStore(JobHistory):
         return self.get(job)
 
     def take(self) -> JobRow | None:
-        """Start the job that has waited longest; None if none waits."""
+        """Start and return the longest-waiting job; return None if none waits."""
         self._keep_reserve()
         if not (rows := self._select(
             "SELECT id FROM jobs WHERE state = 'queued' ORDER BY queued, number LIMIT 1"

@@ -1,4 +1,4 @@
-"""Runs queued jobs in parallel and records their results."""
+"""Parallel execution of queued jobs, and recording of results."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _MAX_ERROR = 2000  # maximum length of a message, characters
 
 
 class Runner:
-    """Runs the jobs of a store in processes, ``workers`` at a time."""
+    """A runner of a store's jobs in processes, ``workers`` at a time."""
 
     def __init__(self, store: JobStore, order: Order, workers: int) -> None:
         self._store, self._order, self._workers = store, order, workers
@@ -110,7 +110,7 @@ class Runner:
             self._finish(job.id, "failed", latest.get("error") or ending.describe(), result)
 
     def _hear(self, job: str, message: Mapping[str, Any], latest: dict[str, Any]) -> None:
-        """Record a message of the process; ``latest`` keeps the last one."""
+        """Record a message from the process; ``latest`` keeps the last one."""
         kind = message.get("type")
         if kind == "stage":
             stage = StageRow(message["name"], message["number"], message["total"])

@@ -24,7 +24,7 @@ SLOW = 10.0
 
 
 async def listen(request: Request) -> Response:
-    """Stream the events after ``since``, or after the client's last event, then new ones."""
+    """Stream the events after ``since``, or after the client's last event, and then new ones."""
     services = services_of(request)
     if services.listeners.locked():
         raise RefusedError(503, "Too many pages are connected to this studio. Close some of them.")
@@ -38,7 +38,7 @@ async def listen(request: Request) -> Response:
 
 
 class EventStream(Response):
-    """Sends events until the client disconnects or reads too slowly."""
+    """A stream of events until the client disconnects or reads too slowly."""
 
     def __init__(self, services: StudioServices, since: int) -> None:
         super().__init__(media_type="text/event-stream; charset=utf-8")

@@ -1,4 +1,4 @@
-"""Properties of the studio, interpretation of a text, and cost of a job."""
+"""Properties of the studio, interpretation of a prompt, and cost of a job."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ async def get_state(request: Request) -> Response:
 
 
 async def explain_text(request: Request) -> Response:
-    """Return the interpretation of a text, phrase by phrase."""
+    """Return the interpretation of a prompt, phrase by phrase."""
     fields = Fields(await read_json(request), "The body")
     text, seed = fields.text("text", MOST_TEXT, multiline=True), fields.seed()
     fields.end()
@@ -35,7 +35,7 @@ async def explain_text(request: Request) -> Response:
 
 
 async def estimate_job(request: Request) -> Response:
-    """Return the first requests that a job would send to servers, and their cost; send none."""
+    """Return a job's first requests to servers, without sending them, and their cost."""
     services, asked = services_of(request), await read_json(request)
     spec = await asyncio.to_thread(read_spec, asked)
     await asyncio.to_thread(services.check_begins, spec)

@@ -49,7 +49,7 @@ async def resume_job(request: Request) -> Response:
 
 
 async def delete_job(request: Request) -> Response:
-    """Remove a finished job, its events, figures and files; its scene stays."""
+    """Remove a finished job with its events, figures and files; its scene is kept."""
     services, job = services_of(request), request.path_params["job"]
     services.store.delete(job)
     for folder in (services.folder.figures, services.folder.files):

@@ -1,4 +1,4 @@
-"""Pages of studies, and answers."""
+"""Study pages, and raters' answers."""
 
 from __future__ import annotations
 

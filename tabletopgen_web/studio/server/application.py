@@ -46,7 +46,7 @@ def make_application(
     changes: Changes | None = None,
     studies: Mapping[str, StudyPage] | None = None,
 ) -> ASGIApp:
-    """Return the studio's application. The caller holds the lock of its folder.
+    """Return the studio's application. The caller must hold the lock of the folder.
 
     Args:
         folder: the data folder.

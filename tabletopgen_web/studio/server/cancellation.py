@@ -59,7 +59,7 @@ async def _disconnect(request: Request) -> None:
 
 
 class EndingRequests:
-    """Wraps the application; requests that outlast the studio get an error response."""
+    """A wrapper of the application; requests that outlast the studio get an error response."""
 
     def __init__(self, app: ASGIApp, changes: Changes) -> None:
         self._app, self._changes = app, changes

@@ -98,7 +98,7 @@ class Access:
         return f"study-{study}-{self.port}"
 
     def study_asked(self, scope: Scope) -> str | None:
-        """Return the study of a rater's request; None if raters may not make this request."""
+        """Return the study of a rater's request, or None if raters may not make this request."""
         begin, end = ("/study/", "") if scope["method"] in _SAFE else ("/api/studies/", "/answers")
         study = scope["path"].removeprefix(begin).removesuffix(end)
         if scope["method"] not in (*_SAFE, "POST") or scope["path"] != f"{begin}{study}{end}":
@@ -130,7 +130,7 @@ class Access:
 
 
 class StudioGuard:
-    """Wraps the application; see the module docstring."""
+    """A wrapper of the application; see the module docstring."""
 
     def __init__(self, app: ASGIApp, access: Access) -> None:
         self._app, self._access = app, access

@@ -46,7 +46,7 @@ def bind(host: str, port: int) -> Iterator[socket.socket]:
 
 
 class HastyProtocol(H11Protocol):
-    """Closes connections that send no complete head in time, since their number is limited."""
+    """A protocol that closes connections without a timely head, since their number is limited."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:
         """Start waiting for a request."""
@@ -78,7 +78,7 @@ class HastyProtocol(H11Protocol):
 
 
 class _Server(uvicorn.Server):
-    """Tells the application at once that the process ends, before all responses are sent."""
+    """A server that informs the application of its end at once, before all responses are sent."""
 
     def __init__(self, config: uvicorn.Config, stop: Callable[[], None]) -> None:
         super().__init__(config)

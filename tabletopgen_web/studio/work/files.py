@@ -23,7 +23,7 @@ def record(spec: EpisodeSpec, order: JobOrder, telling: Telling) -> dict[str, An
 
 
 def export_scene(spec: ExportSpec, order: JobOrder, telling: Telling) -> dict[str, Any]:
-    """Run a job of the kind "export"; it gives a file, or a zip archive of a folder."""
+    """Run a job of the kind "export"; the result is a file, or a zip archive of a folder."""
     from generator.bundle import load
     from generator.exports import export
 

@@ -57,21 +57,21 @@ class JobOrder:
 
     @property
     def start(self) -> Path:
-        """The input scene of the job (InputError: it has none)."""
+        """The input scene of the job; raises InputError if it has none."""
         if self.bundle is None:
             raise InputError("The job names no scene.")
         return self.bundle
 
 
 class Telling:
-    """Sends lines of JSON to the server: stages, figures, and a result or an error."""
+    """A sender of JSON lines to the server: stages, figures, and a result or an error."""
 
     def __init__(self, file: BinaryIO, figures: Path) -> None:
         self._file, self._figures = file, figures
         self._lock = threading.Lock()
 
     def say(self, **message: Any) -> None:
-        """Send one message; if the server has gone, this process ends."""
+        """Send one message; end this process if the server has gone."""
         try:
             with self._lock:
                 self._file.write(json.dumps(message).encode() + b"\n")
@@ -84,7 +84,7 @@ class Telling:
         self.say(type="stage", name=name, number=number, total=total)
 
     def show(self, stage: str, pictures: Mapping[str, np.ndarray | bytes]) -> None:
-        """Write pictures of a stage atomically, by stem, and report each.
+        """Write a stage's pictures atomically, named by stem, and report each one.
 
         Raises:
             StorageError: the folder is not writable.

@@ -1,4 +1,4 @@
-"""What a noun phrase says that an object contains, carries or lacks, and what it is for."""
+"""Modifiers that state what an object contains, carries or lacks, and what it is for."""
 
 from __future__ import annotations
 
@@ -180,7 +180,7 @@ class HoldingReader(BracketReader):
         return end
 
     def _aspect(self, owner: Noun | None, out: list[Post]) -> bool:
-        """Parse "in different colours", "of various sizes", "in red"."""
+        """Parse "in different colours", "of various sizes" and "in red"."""
         if self._text() not in ("in", "of"):
             return False
         noun, end = read_noun(self.tokens, self.i + 1)
@@ -213,6 +213,6 @@ class HoldingReader(BracketReader):
 
 
 def _is_apart(item: Noun) -> bool:
-    """Return whether an item after a vessel's contents is separate: "and a glass full of ice"."""
+    """Return whether an item after contents is separate, as in "and a glass full of ice"."""
     holds = any(isinstance(post, Carry) and post.how == "hold" for post in item.post)
     return item.joint != "and" or item.count == 1 or holds

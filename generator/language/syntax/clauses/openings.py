@@ -103,7 +103,7 @@ class OpeningReader(ListReader):
         return self._text(1) != "of" and end > self.i
 
     def _everyone(self) -> int:
-        """Parse "everyone gets", "each guest has", "for each person", "at every place"."""
+        """Parse "everyone gets", "each guest has", "for each person" and "at every place"."""
         k = int(self._text() in ("for", "at", "in"))
         if self._text(k) in ("everyone", "everybody"):
             k += 1
@@ -168,7 +168,7 @@ class OpeningReader(ListReader):
         return not counted and self._tag() in (*ENDS, "colon", "dash", "comma", "")
 
     def _is_left_out(self) -> bool:
-        """Parse "should be left out", "stays in the attic", "are not wanted"."""
+        """Parse "should be left out", "stays in the attic" and "are not wanted"."""
         k = 2 if self._text() in ("has", "have") and self._text(1) == "to" else 0
         while (self._text(k), self._text(k + 1)) not in fw.LEFT_OUT and (
             self._text(k) in fw.BE or self._text(k) in ("that", "usually", "not", "always")
@@ -191,7 +191,7 @@ class OpeningReader(ListReader):
         return False
 
     def _is_predicate(self, subjects: list[Noun]) -> bool:
-        """Return whether the next verb only says where its subject is: "sleeps", "comes"."""
+        """Return whether the next verb only locates its subject, like "sleeps" or "comes"."""
         if not subjects or self._tag() != "word" or self._text() in fw.BE:
             return False
         if self._text().endswith("s") and self._text(1) in ("it", "them"):
@@ -250,7 +250,7 @@ class OpeningReader(ListReader):
 
 
 def describe_each(said: Sequence[Mapping[str, str]]) -> tuple[Mapping[str, str], ...]:
-    """Return "red and blue" as one attribute per object, but "red and shiny" as shared ones."""
+    """Return "red and blue" as one attribute per object, but "red and shiny" as shared by all."""
     if len(said) > 1 and all(words and words.keys() == said[0].keys() for words in said):
         return tuple(said)
     merged: dict[str, str] = {}

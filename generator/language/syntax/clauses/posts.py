@@ -108,7 +108,7 @@ class PostReader(HoldingReader):
         return bool(carries) and closed and self._starts_noun(1, determined=True)
 
     def _places_on(self, ahead: int) -> bool:
-        """Return whether contents come next, or a place that extends to the closing dash."""
+        """Return whether contents, or a place that extends to the closing dash, come next."""
         if self._tag(ahead) == "carry" and self._value_at(ahead) == "hold":
             return True
         before = self.i
@@ -272,7 +272,7 @@ class PostReader(HoldingReader):
         return placed and verbal and is_verb(word) and not self._starts_category()
 
     def _goes_on(self) -> bool:
-        """Return whether more about the same object follows a comma or "and"."""
+        """Return whether another modifier of the same object follows a comma or "and"."""
         if self._tag(1) in ("each", "arranged", "order", "posture", "relative", "no"):
             return True
         if self._text(1) in fw.SUPERLATIVES and read_zone(self.tokens, self.i + 2) is not None:

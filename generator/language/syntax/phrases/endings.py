@@ -93,7 +93,7 @@ def ends_here(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
 
 
 def _is_said_of_stuff(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Return whether a participle follows a noun of material: "a cloth folded in the corner"."""
+    """Return whether a participle follows a material noun, as in "a cloth folded in the corner"."""
     if not tokens[i].text.endswith(("ed", "en")) or not is_stuff(run.words):
         return False
     after = [token for token in tokens[i + 1 : i + 3] if token.text not in COLORS]
@@ -101,7 +101,7 @@ def _is_said_of_stuff(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool
 
 
 def is_stuff(words: Sequence[str]) -> bool:
-    """Return whether the words end with a material that is also an object: a "glass", a "cloth"."""
+    """Return whether the words end with a material that is also an object, such as "glass"."""
     return bool(words) and words[-1] in MATERIALS and bool(lexicon.category_of((words[-1],)))
 
 
@@ -114,7 +114,7 @@ def _is_around(tokens: Sequence[Token], i: int, nouns: Sequence[str]) -> bool:
 
 
 def _is_place(tokens: Sequence[Token], i: int, run: PhraseStart) -> bool:
-    """Return whether "front left" or a final "centre" says where the preceding noun is."""
+    """Return whether "front left" or a final "centre" gives the place of the preceding noun."""
     opens = tokens[i].text in fw.SIDES or tokens[i].text in ("dead", "smack", "bang")
     if not opens or not _is_known(run.words):
         return False

@@ -130,7 +130,7 @@ def _cut_portion(run: PhraseStart) -> bool:
 def _head(
     words: tuple[str, ...], name: tuple[str, ...], *, definite: bool = False
 ) -> tuple[NounKind, tuple[str, ...], str | None, str]:
-    """Return the kind of noun, its head (the longest known suffix), its category and family."""
+    """Return the kind of noun, its head (the longest known suffix), its category and its family."""
     if name:
         if lexicon.collective_of(name):
             return "collective", name, None, ""
@@ -169,7 +169,7 @@ def _head(
 
 
 def _compound(modifiers: Sequence[str]) -> tuple[str, ...]:
-    """Return the nouns before a head, such as "bleach cleanser" of a bleach cleanser bottle."""
+    """Return the nouns before a head, such as "bleach cleanser" in "bleach cleanser bottle"."""
     start = len(modifiers)
     while start and not is_describing(word := modifiers[start - 1]):
         if word in fw.SIDES or word in fw.SUPERLATIVES or word in fw.ORDINALS or word in STOPS:

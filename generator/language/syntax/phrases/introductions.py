@@ -160,7 +160,7 @@ def may_continue(tokens: Sequence[Token], i: int) -> bool:
 
 
 def _number(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
-    """Parse "three", "half a dozen of", "2 x", "2 by 3"; return the number of tokens."""
+    """Parse "three", "half a dozen of", "2 x" and "2 by 3"; return the number of tokens."""
     value = _value(tokens[i])
     if (
         tokens[i].text == "another"
@@ -199,7 +199,7 @@ def _value(token: Token) -> float | None:
 
 
 def _is_figure(token: Token) -> bool:
-    """Return whether a number is in digits or is a word like "seven", not one like "dozen"."""
+    """Return whether a number is in digits or a word like "seven", but not one like "dozen"."""
     return token.tag == "number" or token.text in SPELT
 
 
@@ -267,13 +267,13 @@ def _group(tokens: Sequence[Token], i: int, run: PhraseStart) -> int:
 
 
 def is_describing(word: str) -> bool:
-    """Return whether a word only describes, as a colour, a material, a size or a state."""
+    """Return whether a word only describes a colour, a material, a size or a state."""
     listed = any(word in words for words in (COLORS, SHADES, MATERIALS, SIZES, STATES, MORE))
     return listed or is_adjective(word) or (word.endswith("ly") and len(word) > 4)
 
 
 def multiply(numbers: Sequence[float]) -> float | None:
-    """Return the value of "twenty five", "two hundred", "three pairs"."""
+    """Return the value of "twenty five", "two hundred" and "three pairs"."""
     total: float | None = None
     for value in numbers:
         if total is None:

@@ -1,4 +1,4 @@
-"""Noun phrases: numbers, describing words and, last, the noun."""
+"""Noun phrases: numbers, describing words and finally the noun."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .tree import Noun
 
 
 def read_noun(tokens: Sequence[Token], start: int) -> tuple[Noun | None, int]:
-    """Return the noun phrase that starts at a token, and its end; None if there is none."""
+    """Return the noun phrase that starts at a token, and its end, or None if there is none."""
     if (some := _share(tokens, start)) is not None:
         return some
     run = PhraseStart(first=start)

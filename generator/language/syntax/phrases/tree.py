@@ -1,4 +1,4 @@
-"""The parse tree of a text: noun phrases, their modifiers and clauses; traversal of phrases."""
+"""The parse tree of a text (noun phrases, their modifiers and clauses), and its traversal."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class Location:
 
 @dataclass(frozen=True)
 class Carry:
-    """Objects that "with", "holding" or "of" attaches to another object (a bowl of apples).
+    """Objects attached to another object by "with", "holding" or "of" (a bowl of apples).
 
     ``back`` is "on" or "in" if the list ends with "on it" or "in it" ("with an apple and a pear on
     it").
@@ -238,7 +238,7 @@ def find_spans(noun: Noun) -> list[Span]:
 
 
 def find_things(sentences: Sequence[Sentence]) -> list[Span]:
-    """Return the spans of object names: of a lab coat, for example, but not of a lab."""
+    """Return the spans of object names, such as "lab coat" but not "lab"."""
     return [noun.span for noun in _nouns(sentences) if noun.kind == "thing"]
 
 

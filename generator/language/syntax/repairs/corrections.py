@@ -88,7 +88,7 @@ def correct_course(tokens: Sequence[Token]) -> list[Token]:
 
 
 def _marker(tokens: Sequence[Token], i: int) -> tuple[int, int] | None:
-    """Return where a correction, with its pauses, begins, and where the corrected words begin."""
+    """Return where a correction (with its pauses) begins, and where the corrected words begin."""
     if i == 0 or tokens[i - 1].tag not in _PAUSES:
         return None
     words = _words(tokens, i)
@@ -181,7 +181,7 @@ def _replace(tokens: list[Token], start: int, right: int) -> list[Token] | None:
 def _swap(
     before: list[Token], span: tuple[int, int], new: list[Token], rest: list[Token]
 ) -> list[Token] | None:
-    """Replace the earlier mention of an unwanted object by another; None if there is none."""
+    """Replace the earlier mention of an unwanted object; return None if there is no mention."""
     unwanted, _ = read_noun(before, span[0])
     named = [p for p in _nouns(before[: span[0] - 1]) if unwanted and p[2].head == unwanted.head]
     if not named:
@@ -194,7 +194,7 @@ def _swap(
 
 
 def _drop_pause(tokens: list[Token], *, first: bool = False) -> list[Token]:
-    """Remove the dash or bracket that closes an aside; ``first`` checks only the first token."""
+    """Remove the dash or bracket that closes an aside; if ``first``, check only the first token."""
     for k, token in enumerate(tokens):
         if token.tag in ENDS or (first and k):
             break

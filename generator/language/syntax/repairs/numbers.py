@@ -1,4 +1,4 @@
-"""Numbers in a text that its interpretation does not use: masses, percentages, powers, ...
+"""Numbers in a text that its interpretation does not use, such as masses and percentages.
 
 Every number in digits, with its sign, exponent and unit, is compared with the interpretation:
 counts, numbers of people, and lengths. Numbers of parts ("a pot with 2 handles") have no effect,
@@ -37,7 +37,7 @@ _NO_QUANTITY = ("title", "abstract")
 
 @dataclass(frozen=True)
 class NumberUse:
-    """How the numbers in a text are used, each in order of appearance.
+    """The unused numbers and the ranges in a text, in order of appearance.
 
     Attributes:
         unused: numbers that the interpretation does not use.
@@ -176,7 +176,7 @@ def _is_length(number: WrittenNumber, lengths: Sequence[float]) -> bool:
 
 
 def _alike(variants: Sequence[Mapping[str, str]]) -> set[float]:
-    """Return how many of several objects share a description: "2 blue, 3 white"."""
+    """Return the numbers of objects that share a description, as in "2 blue, 3 white"."""
     return set(map(float, Counter(tuple(sorted(each.items())) for each in variants).values()))
 
 

@@ -93,7 +93,7 @@ def drop_talk(tokens: Sequence[Token]) -> tuple[list[Token], list[str]]:
 
 
 def _contrast(tokens: Sequence[Token], i: int) -> Token | None:
-    """Return the word that holds in "not black but white", or None for other phrases."""
+    """Return the affirmed word in "not black but white", or None for other phrases."""
     if tokens[i].tag != "no" or i + 3 >= len(tokens) or tokens[i + 2].text != "but":
         return None
     told = all(is_describing(tokens[k].text) for k in (i + 1, i + 3))

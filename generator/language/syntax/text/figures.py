@@ -70,7 +70,7 @@ _FULL = re.compile(r"(?i) (?:full|filled|empty)\b(?! (?:of|with)\b)")
 
 
 def written_numbers(text: str) -> Iterator[WrittenNumber]:
-    """Yield the numbers in a text: digits, ranges in words, and masses and the like in words."""
+    """Yield the numbers in a text: digits, and ranges, masses and similar quantities in words."""
     place = 0
     while found := ANY.search(text, place):
         kind = next((k for k in SPECIAL if found[k] is not None), None)
@@ -114,14 +114,14 @@ def _blank(found: re.Match[str], role: Role) -> WrittenNumber:
 
 
 def _ordinal(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Parse "2nd", which the grammar knows as "second"; it does not know "7th"."""
+    """Parse "2nd", which the grammar handles as "second", unlike "7th"."""
     if 1 <= int(found.group()[:-2][:9]) <= max(fw.ORDINALS.values()):
         return WrittenNumber(found.group(), *found.span(), role="name")
     return _blank(found, "aside")
 
 
 def _label(text: str, found: re.Match[str]) -> WrittenNumber:
-    """Parse "Windows 11", of which the name remains, without its number."""
+    """Parse "Windows 11", keeping the name without its number."""
     said = found.group()
     name = said.rstrip("0123456789 -–")
     return WrittenNumber(said, *found.span(), role="name", read=name.ljust(len(said)))

@@ -131,7 +131,7 @@ def ends_name(text: str, found: re.Match[str]) -> int | None:
 
 
 def is_name(text: str, found: re.Match[str]) -> bool:
-    """Return whether digits are not a quantity but an age, a year, a list number or in a name."""
+    """Return whether digits are an age, a year, a list number or part of a name, not a quantity."""
     before, after = text[: found.start("digits")], text[found.end() :]
     if (found["unit"] or "").strip(' "') or found["power"]:
         return False
@@ -146,7 +146,7 @@ def is_name(text: str, found: re.Match[str]) -> bool:
 
 
 def noun_before(before: str) -> bool:
-    """Return whether a noun immediately precedes, so that a list continues."""
+    """Return whether ``before`` ends with a noun, so that a list continues."""
     last = re.search(r"([a-z]+)\s*$", before, re.IGNORECASE)
     return last is not None and last[1].lower() not in _SMALL
 

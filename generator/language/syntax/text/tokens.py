@@ -32,7 +32,7 @@ class Token:
 
     @property
     def span(self) -> tuple[int, int]:
-        """Where it starts and ends in the text."""
+        """The start and the end of the token in the text."""
         return self.words[0].start, self.words[-1].end
 
 
@@ -103,7 +103,7 @@ def tokens_of(words: Sequence[Word], is_noun: Any) -> list[Token]:
 
 
 def _name_length(words: Sequence[Word], i: int, is_noun: Any) -> int:
-    """Return how many words from ``i`` on name one object and include a function word."""
+    """Return how many words from ``i`` onwards form an object's name with a function word."""
     for length in range(min(_LONGEST, len(words) - i), 1, -1):
         run = words[i : i + length]
         if all(w.kind == "word" for w in run) and is_noun(tuple(w.text for w in run)):
@@ -137,7 +137,7 @@ def list_skipped(tokens: Sequence[Token]) -> list[str]:
 
 @cache
 def small_words() -> frozenset[str]:
-    """Return all words that the grammar knows."""
+    """Return all words used by the grammar."""
     sets = (fw.NUMBERS, fw.AMOUNTS, fw.DEFINITE, fw.INDEFINITE, fw.PRONOUNS, fw.BE, fw.PARTICIPLES,
             fw.STARTERS, fw.FILLERS, fw.RELATIVE, fw.PEOPLE_WORDS, fw.MEASURES, fw.SIDES,
             fw.ZONE_NOUNS, fw.GROUPS, fw.ORDINALS)  # fmt: skip

@@ -13,7 +13,7 @@ LEFT, RIGHT = 2, 3
 
 
 class TouchReader:
-    """Determines from the contacts which objects the robot touches.
+    """A detector of the objects that the robot touches, based on the contacts.
 
     Args:
         union: the model whose geoms are in contact.
@@ -30,7 +30,7 @@ class TouchReader:
     def read(
         self, geoms: Int[Tensor, "c 2"], worlds: Int[Tensor, "c"], count: Int[Tensor, "1"]
     ) -> Bool[Tensor, "w s 3"]:
-        """Return whether the left finger, right finger or any robot part touches each object.
+        """Return which objects the left finger, right finger and any robot part touch.
 
         ``geoms`` and ``worlds`` describe the contacts, of which the first ``count`` are valid.
         """

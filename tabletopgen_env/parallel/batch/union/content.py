@@ -62,7 +62,7 @@ class BodyGeoms:
 
 @dataclass(frozen=True, eq=False)
 class ObjectContent:
-    """An object: its geoms, its inertia by ``BODY_FIELDS``, and its initial pose.
+    """The geoms, the inertia (by ``BODY_FIELDS``) and the initial pose of an object.
 
     ``pose`` holds position and quaternion in the base frame, ``half_extent`` the half extents of
     its box (metres), ``dof_invweight0`` MuJoCo's inverse weights of its six degrees of freedom.
@@ -78,7 +78,7 @@ class ObjectContent:
 
 @dataclass(frozen=True, eq=False)
 class SceneContent:
-    """A scene: its objects, its fixed geoms and its table.
+    """The objects, the fixed geoms and the table of a scene.
 
     ``fixed`` lists the geoms of the table and the pedestal, with positions ``fixed_pos`` and
     rotations ``fixed_mat``. ``table`` is the height of the top above the base and the half extents
@@ -102,7 +102,7 @@ class SceneContent:
 
     @classmethod
     def of(cls, world: World, looks: bool = False) -> SceneContent:
-        """Read a world without changing it; the scene's poses are the initial ones."""
+        """Read a world without changing it; the initial poses are those of the scene."""
         import mujoco
 
         model, scene = world.model, world.scene
@@ -127,7 +127,7 @@ class SceneContent:
 
 
 def robot_numbers(model: mujoco.MjModel) -> Float[np.ndarray, "_r"]:
-    """Return the numbers that determine the motion of a model's robot, to compare two robots."""
+    """Return the numbers that determine how a model's robot moves, for comparing robots."""
     bodies = np.flatnonzero(gripper_sides(model))
     geoms = np.isin(model.geom_bodyid, bodies) & (model.geom_contype > 0)
     numbers = [getattr(model, field)[bodies] for field in ("body_mass", "body_inertia")]
@@ -137,7 +137,7 @@ def robot_numbers(model: mujoco.MjModel) -> Float[np.ndarray, "_r"]:
 
 
 def _object(world: World, row: int) -> ObjectContent:
-    """Read the object in a world's row."""
+    """Read the object in a row of a world."""
     model, body = world.model, int(world.bodies[row])
     thing, dof = world.scene.objects[row], model.body_dofadr[body]
     quaternion = turned_quaternion(thing.pose.quaternion, -world.mount.yaw)

@@ -35,7 +35,7 @@ class DrawnPose:
     rotation: Float[np.ndarray, "3 3"]
 
     def of(self, other: DrawnPose) -> DrawnPose:
-        """Transform a position and rotation from this frame to its parent."""
+        """Transform a pose from this frame to its parent frame."""
         at = self.position + self.rotation @ other.position
         return DrawnPose(at, self.rotation @ other.rotation)
 
@@ -93,7 +93,7 @@ class SceneLook:
 
     @classmethod
     def of(cls, world: World) -> SceneLook:
-        """Read a world without changing it; the scene's poses are the initial ones."""
+        """Read a world without changing it; the initial poses are those of the scene."""
         import mujoco
 
         model = world.model
@@ -159,7 +159,7 @@ def _parts(model: mujoco.MjModel, body: int) -> list[DrawnPart]:
 
 
 def local_pose(position: np.ndarray, quaternion: np.ndarray) -> DrawnPose:
-    """Return the pose from a position in metres and a unit wxyz quaternion."""
+    """Return the pose given by a position in metres and a unit wxyz quaternion."""
     import mujoco
 
     rotation = np.zeros(9)

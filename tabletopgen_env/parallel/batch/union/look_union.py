@@ -30,7 +30,7 @@ _AWAY = np.array([0.0, 0.0, -1000.0])  # metres: position of absent geoms
 
 @dataclass(frozen=True, eq=False)
 class LookRows:
-    """Fields of geoms (g) and cameras (c) that vary between scenes (n), relative to their bodies.
+    """Fields of geoms (g) and cameras (c) that vary between scenes (n), in their bodies' frames.
 
     ``data`` and ``material`` are indices of meshes and materials, -1 for none.
     """
@@ -86,7 +86,7 @@ class LookUnion:
         self.rows = LookRows(*(np.stack(parts) for parts in zip(*made, strict=True)))
 
     def _row(self, look: SceneLook, slots: Sequence[int]) -> tuple[np.ndarray, ...]:
-        """Return a scene's fields of ``LookRows``."""
+        """Return the fields of ``LookRows`` for a scene."""
         model = self.model
         count = model.ngeom
         pos, mat = np.tile(_AWAY, (count, 1)), np.tile(np.eye(3), (count, 1, 1))
@@ -122,7 +122,7 @@ def _all_parts(look: SceneLook) -> tuple[DrawnPart, ...]:
 
 
 def _spec(look: SceneLook, skins: dict[str, Skin], slots: int) -> mujoco.MjSpec:
-    """Build the specification; all geoms are in the world body, in ``LookUnion.bodies`` order."""
+    """Build the specification with all geoms in the world body, ordered as ``LookUnion.bodies``."""
     import mujoco
 
     spec, kinds = mujoco.MjSpec(), mujoco.mjtGeom
@@ -191,7 +191,7 @@ def _paint(material: mujoco.MjsMaterial, texture: str) -> None:
 
 
 def _shell() -> mujoco.mjtMeshInertia:
-    """Set the mesh inertia to that of a shell, which is also valid for open surfaces."""
+    """Return the inertia type of a shell, which is also valid for open surfaces."""
     import mujoco
 
     return mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL

@@ -1,4 +1,4 @@
-"""The number of bodies and geoms of a union model, and the assignment of objects to slots."""
+"""The numbers of bodies and geoms in a union model, and the assignment of objects to slots."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Room = Mapping[GeomKind, int]
 
 @dataclass(frozen=True)
 class UnionShape:
-    """Numbers of geoms of each slot (a free body for one object) and of the static body, ``fixed``.
+    """Geom counts of each slot (a free body for one object) and of the static body ``fixed``.
 
     Models of equal shape use the same compiled kernels.
     """
@@ -46,7 +46,7 @@ class UnionShape:
         return cls(tuple(map(_freeze, slots)), _freeze(fixed))
 
     def assign(self, content: SceneContent) -> tuple[int, ...] | None:
-        """Return the slot of each object of a scene; None if the scene does not fit."""
+        """Return the slot of each object of a scene, or None if the scene does not fit."""
         if len(content.objects) > len(self.slots) or _lack(content.fixed.need, self.fixed):
             return None
         slots = _cheapest(content, self.slots)
@@ -68,12 +68,12 @@ def _geom_count(content: SceneContent) -> int:
 
 
 def _lack(need: Counter[GeomKind], room: Room) -> int:
-    """Return the number of geoms that a body lacks."""
+    """Return how many required geoms a body lacks."""
     return sum(max(0, count - room.get(kind, 0)) for kind, count in need.items())
 
 
 def _cheapest(content: SceneContent, slots: Sequence[Room]) -> tuple[int, ...]:
-    """Assign objects to distinct slots so that the fewest geoms are lacking."""
+    """Assign objects to distinct slots so that as few geoms as possible are lacking."""
     from scipy.optimize import linear_sum_assignment
 
     lack = [[_lack(thing.geoms.need, room) for room in slots] for thing in content.objects]

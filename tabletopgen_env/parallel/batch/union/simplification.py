@@ -23,7 +23,7 @@ MOST_PARTS = 12
 
 
 def cap_world(world: World, most: int, robot: Panda) -> World:
-    """Return a world whose objects have at most ``most`` convex parts, with the same mount.
+    """Return a world with the same mount whose objects have at most ``most`` convex parts.
 
     If an object has more, parts are merged, and the scene passes the gate and is compiled again.
 
@@ -62,13 +62,13 @@ def cap_parts(scene: Scene, most: int) -> Scene:
 
 @dataclass(frozen=True, eq=False)
 class _Piece:
-    """A part, and its volume in cubic metres."""
+    """A part with its volume in cubic metres."""
 
     part: ConvexPart
     volume: float
 
     def near(self, other: _Piece) -> bool:
-        """Return whether the boxes of two parts are within ``_GAP`` of each other."""
+        """Return whether the bounding boxes of two parts are within ``_GAP`` of each other."""
         (low, high), (lowest, highest) = self.part.bounds, other.part.bounds
         return bool((low <= highest + _GAP).all() and (lowest <= high + _GAP).all())
 

@@ -70,7 +70,7 @@ class Addresses:
 
     @classmethod
     def of(cls, model: mujoco.MjModel, slots: Sequence[int]) -> Addresses:
-        """Return the addresses in a model; ``slots`` are the names of its bodies for objects."""
+        """Return the addresses in a model; ``slots`` are the ids of its bodies for objects."""
         arm = [model.joint(PREFIX + name) for name in ARM_JOINTS]
         fingers = [model.joint(PREFIX + name) for name in FINGER_JOINTS]
         joints = model.body_jntadr[slots]
@@ -93,7 +93,7 @@ def slot_name(slot: int) -> str:
 def union_spec(
     shape: UnionShape, hulls: Mapping[str, Float[np.ndarray, "_v 3"]], robot: Panda
 ) -> mujoco.MjSpec:
-    """Build the specification of a model with room for ``shape``, in the base frame.
+    """Build the specification of a model of the given ``shape``, in the base frame.
 
     It simulates as ``World`` does, but without sleeping, and has no visual-only geoms.
     """
@@ -126,7 +126,7 @@ def union_spec(
 
 
 def places(model: mujoco.MjModel, body: int, room: Room) -> dict[GeomKind, list[int]]:
-    """Return the kind of each geom of a body of ``union_spec``."""
+    """Return the kind of each geom in a body of ``union_spec``."""
     first, found = int(model.body_geomadr[body]), {}
     for kind, count in room.items():
         found[kind] = list(range(first, first + count))
@@ -147,7 +147,7 @@ def _undress(arm: mujoco.MjSpec) -> mujoco.MjSpec:
 
 
 def _add_room(body: mujoco.MjsBody, room: Room) -> None:
-    """Add the geoms, in the order of ``places``."""
+    """Add the geoms in the order of ``places``."""
     import mujoco
 
     for (kind, condim), count in room.items():
