@@ -1,4 +1,4 @@
-"""Value types for meshes, convex parts, physics and sizes; metres, kilograms, radians, z up.
+"""Value types for meshes, convex parts, physics and sizes, in SI units with the z axis up.
 
 *Canonical frame* of a model: its mesh fills the unit box ``[-0.5, 0.5]^3``; ``Model.size`` is its
 extent in metres. *Texture coordinates* have u to the right and v upwards, so row 0 of a texture is
@@ -41,7 +41,7 @@ def frozen_array(
     *,
     maximum: float | None = None,
 ) -> np.ndarray:
-    """Return a read-only copy of ``value`` with ``dtype``, checked for shape and finiteness.
+    """Return a read-only copy of ``value`` as ``dtype``, after checking shape and finiteness.
 
     A read-only array of this type that is not a view is returned as it is. ``None`` in
     ``shape`` accepts any length along that axis; ``maximum`` bounds the absolute values.
@@ -89,7 +89,7 @@ PartKind = Literal["hull", "box", "cylinder", "ellipsoid"]
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """A textured triangle mesh. ``uv`` is per vertex (vertices are duplicated along seams).
+    """A textured triangle mesh with ``uv`` per vertex; vertices are duplicated along seams.
 
     Faces are counter-clockwise seen from outside. ``opacity`` below 1 renders it as glass.
     """
@@ -114,7 +114,7 @@ class Mesh:
 
     @cached_property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """The lowest and the highest corner of the bounding box."""
+        """The minimum and maximum corners of the bounding box."""
         return np.stack([self.vertices.min(0), self.vertices.max(0)]).astype(np.float64)
 
     @property
@@ -131,7 +131,7 @@ class Mesh:
 
 @dataclass(frozen=True, eq=False)
 class ConvexPart:
-    """One convex piece of a collision shape: the convex hull of ``vertices``.
+    """A convex part of a collision shape: the convex hull of ``vertices``.
 
     If ``kind`` is "box", "cylinder" or "ellipsoid", the piece is that primitive and fills the
     axis-aligned bounds of ``vertices`` (a cylinder runs along ``axis``: 0, 1 or 2). Collision then
@@ -149,7 +149,7 @@ class ConvexPart:
 
     @cached_property
     def bounds(self) -> Float[np.ndarray, "2 3"]:
-        """The lowest and the highest corner of the bounding box, read-only."""
+        """The minimum and maximum corners of the bounding box, read-only."""
         corners = np.stack([self.vertices.min(0), self.vertices.max(0)])
         corners.setflags(write=False)
         return corners
@@ -197,7 +197,7 @@ class Physics:
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A canonical 3D model m_i (Sec. 3.2 of the paper): +z up, filling the unit box.
+    """A canonical 3D model m_i (Sec. 3.2 of the paper) that fills the unit box, with +z up.
 
     ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
     pieces in the canonical frame; without any, assembly decomposes the mesh. A ``container`` can
@@ -285,12 +285,12 @@ class Holder:
 
 
 def write_room(extent: Extent) -> str:
-    """Format an extent as the value of a holder's attribute "room"."""
+    """Format an extent as the value of a holder's "room" attribute."""
     return " ".join(f"{side:.4f}" for side in extent)
 
 
 def read_room(text: str | None, usual: Extent) -> Extent:
-    """Parse the extent in an attribute "room"; return ``usual`` if there is none."""
+    """Parse the extent in a "room" attribute; return ``usual`` if ``text`` is None."""
     if text is None:
         return usual
     across, along, up = (float(word) for word in text.split())

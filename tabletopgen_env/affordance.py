@@ -57,7 +57,7 @@ _UPRIGHT = np.cos(np.deg2rad(20.0))
 
 @dataclass(frozen=True, eq=False)
 class Opening:
-    """The hollow of a container in its body frame: an upright elliptic cylinder.
+    """The hollow of a container, as an upright elliptic cylinder in the body frame.
 
     ``center`` (x, y) and ``semi`` (semi-axes along the body's x and y, metres) describe the clear
     cross-section; ``floor`` (of the hollow) and ``rim`` are z coordinates; ``wall`` is the
@@ -75,7 +75,7 @@ class Opening:
 
     @property
     def depth(self) -> float:
-        """Height of the rim above the floor of the hollow, metres."""
+        """The height of the rim above the floor of the hollow, in metres."""
         return self.rim - self.floor
 
 
@@ -100,7 +100,7 @@ def outer_points(obj: Object, most: int) -> Float[np.ndarray, "n 3"]:
 
 
 def grasp_width(obj: Object) -> float:
-    """Return the smallest horizontal width of the resting object over all yaw angles, metres."""
+    """Return the smallest horizontal width of the resting object over all yaw angles, in metres."""
     points = (collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T)[:, :2]
     angles = np.linspace(0, np.pi, 36, endpoint=False)
     across = points @ np.stack([np.cos(angles), np.sin(angles)])
@@ -108,12 +108,12 @@ def grasp_width(obj: Object) -> float:
 
 
 def resting_height(obj: Object) -> float:
-    """Return the height of the resting object, metres."""
+    """Return the height of the resting object in metres."""
     return float(np.ptp(collision_points(obj) @ quaternion_matrix(obj.pose.quaternion)[2]))
 
 
 def footprint(obj: Object) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline of the resting object seen from above, world frame."""
+    """Return the convex outline of the resting object from above, in the world frame."""
     turned = collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T
     return convex_outline((turned + obj.pose.position)[:, :2])
 
@@ -181,7 +181,7 @@ def opening(obj: Object) -> Opening | None:
 
 
 class _Scan(NamedTuple):
-    """A body scanned from above: its box, and position and height of each grid cell, metres."""
+    """A body scanned from above: its bounding box, and the position and height of each cell (m)."""
 
     low: Float[np.ndarray, "3"]
     high: Float[np.ndarray, "3"]
@@ -191,7 +191,7 @@ class _Scan(NamedTuple):
 
 
 def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
-    """Scan an object on a grid of ``count`` cells along the body's x and y."""
+    """Scan an object on a grid of ``count`` cells along the body's x and y axes."""
     low, high = (f(collision_points(obj), axis=0) for f in (np.min, np.max))
     cell = (high - low)[:2] / count
     middles = [low[k] + cell[k] * (np.arange(count[k]) + 0.5) for k in (0, 1)]
@@ -200,7 +200,7 @@ def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
 
 
 def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Opening | None:
-    """Return the opening over the cells ``inner`` with this rim, or None if it is too shallow."""
+    """Return the opening over the cells ``inner`` up to ``rim``, or None if it is too shallow."""
     low, high, x, y, top = scan
     if not inner.any():
         return None
@@ -221,7 +221,7 @@ def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Openi
 
 @dataclass(frozen=True, eq=False)
 class Plateau:
-    """The flat top of an object: its largest disc, in the body frame, metres."""
+    """The flat top of an object: the largest disc on it, in metres in the body frame."""
 
     center: Float[np.ndarray, "3"]
     radius: float
@@ -251,7 +251,7 @@ def plateau(obj: Object) -> Plateau | None:
 
 
 def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
-    """Return the cells outside the solid, and the cells of the solid that touch them."""
+    """Return a mask of the cells outside the solid and of the solid's cells next to them."""
     # Parts may leave hairline gaps between them.
     whole = np.asarray(ndimage.binary_fill_holes(np.isfinite(top)), dtype=bool)
     return ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
@@ -260,7 +260,7 @@ def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
 def _hollow(
     top: Float[np.ndarray, "nx ny"], level: float, outside: Bool[np.ndarray, "nx ny"]
 ) -> Bool[np.ndarray, "nx ny"]:
-    """Return the largest connected region below a level that does not reach the outside."""
+    """Return a mask of the largest connected region below a level that excludes the outside."""
     labels = np.empty(top.shape, dtype=np.int32)
     ndimage.label(np.isfinite(top) & (top < level), output=labels)  # type: ignore[arg-type]
     sizes = np.bincount(labels.ravel())
@@ -273,7 +273,7 @@ def _hollow(
 def scan_surface(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Float[np.ndarray, "nx ny"]:
-    """Return the height of the highest surface over a grid of x and y, -inf where there is none."""
+    """Return the height of the highest surface over a grid of x and y, or -inf if there is none."""
     heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
     for part, cells, points in cells_under(parts, axes):
         window = heights[cells]
@@ -284,7 +284,7 @@ def scan_surface(
 def cells_under(
     parts: Iterable[ConvexPart], axes: Sequence[Float[np.ndarray, "_"]]
 ) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
-    """Yield each part on a grid, with the cells within its bounds and their positions."""
+    """Yield each part over a grid, with the cells within its bounds and their positions."""
     for part in parts:
         low, high = part.bounds
         i, j = (
@@ -299,7 +299,7 @@ def cells_under(
 def top_surface(
     parts: tuple[ConvexPart, ...], points: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n"]:
-    """Return the height of the highest surface at each (x, y), -inf where there is none."""
+    """Return the height of the highest surface at each (x, y), or -inf where there is none."""
     best = np.full(len(points), -np.inf)
     for part in parts:
         hit, _, ceiling = part_span(part, points)
@@ -310,7 +310,7 @@ def top_surface(
 def part_span(
     part: ConvexPart, points: Float[np.ndarray, "n 2"]
 ) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
-    """Return which of the points (x, y) lie over a part, and its lower and upper surface there.
+    """Return which points (x, y) lie over a part, and the heights of its lower and upper surfaces.
 
     The surfaces are the highest downward-facing and the lowest upward-facing plane of its hull.
     """
@@ -327,14 +327,14 @@ def part_span(
 
 @lru_cache(maxsize=1024)
 def _planes(part: ConvexPart) -> Float[np.ndarray, "p 4"]:
-    """Return the planes of a hull's faces: outward normals and offsets, metres."""
+    """Return the planes of a hull's faces: the outward normals, and the offsets in metres."""
     return ConvexHull(part.vertices, qhull_options="QJ").equations
 
 
 def _span(
     planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
 ) -> tuple[Bool[np.ndarray, "n"], Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
-    """Return whether half-spaces intersect over each point, and the bounds of the intersection."""
+    """Return whether the half-spaces intersect at each point (x, y), and between which heights."""
     # Avoid a matrix product: at this size it wakes BLAS threads, which then spin for 80 ms.
     nz = planes[:, 2]
     upper, lower, wall = (planes[k] for k in (nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9))
@@ -346,5 +346,5 @@ def _span(
 def _over(
     planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "p n"]:
-    """Return the signed distance of each point at height 0 from each plane."""
+    """Return the signed distance of each point (x, y, 0) from each plane."""
     return planes[:, :1] * points[:, 0] + planes[:, 1:2] * points[:, 1] + planes[:, 3:]

@@ -1,4 +1,4 @@
-"""The environment: it combines scene source, robot, task, action, observation and reward."""
+"""The environment, which combines scene source, robot, task, action, observation and reward."""
 
 from __future__ import annotations
 
@@ -178,7 +178,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise
 
     def step(self, action: ArrayLike) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Apply an action for 50 ms, or for ``1 / control_hz`` seconds.
+        """Apply an action for ``1 / control_hz`` seconds, by default 50 ms.
 
         Raises:
             InputError: the action has the wrong shape or contains NaN, or ``reset`` was not called
@@ -201,7 +201,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._observe(achieved, desired), float(reward), False, False, info
 
     def render(self) -> Any:
-        """Return the picture in ``render_mode``, or show it ("human")."""
+        """Return the picture for ``render_mode``, or show it in a window ("human")."""
         if self.render_mode is None:
             return None
         if self.render_mode == "human":
@@ -211,12 +211,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._drawer(self._config.render.shape, "full").depth(self.world, FRONT_CAMERA)
 
     def picture(self, camera: CameraName) -> UInt8[np.ndarray, "h w 3"]:
-        """Return the current picture of a camera, drawn for people, in the size of ``render``."""
+        """Return a camera's current picture for human viewers, in the size of ``render``."""
         require_known(camera, CAMERAS, "Unknown camera")
         return self._drawer(self._config.render.shape, "full").rgb(self.world, CAMERAS[camera])
 
     def close(self) -> None:
-        """Close renderers and windows, and stop processes of ``scenes``. May be called twice.
+        """Close renderers and windows and stop processes of ``scenes``. Can be called repeatedly.
 
         A ``SceneSource`` that was passed in remains open; the caller closes it.
         """
@@ -228,7 +228,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._window.close()
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state of a copy, without episode, worlds, renderers and windows."""
+        """Return the state for copying, without the episode, worlds, renderers and windows."""
         return {
             **self.__dict__,
             "_drawers": {},
@@ -244,21 +244,21 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def world(self) -> World:
-        """The world of the current episode (InputError: no episode has begun)."""
+        """The world of the current episode; raises InputError if no episode has begun."""
         if self._world is None:
             raise InputError("Call reset() before stepping, rendering or accessing the world.")
         return self._world
 
     @property
     def episode(self) -> Episode:
-        """The goals of the current episode (InputError: no episode has begun)."""
+        """The goals of the current episode; raises InputError if no episode has begun."""
         if self._episode is None:
             raise InputError("Call reset() before accessing the episode.")
         return self._episode
 
     @property
     def goal(self) -> Goal:
-        """The goal shown in the state: the first unmet goal of the episode."""
+        """The goal that the state describes: the first unmet goal of the episode."""
         return self.episode.goals[self._active]
 
     @property
@@ -268,7 +268,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def order(self) -> list[str]:
-        """The objects in the order of their slots in the state."""
+        """The names of the objects in the order of their slots in the state."""
         return self._order
 
     @property
@@ -277,7 +277,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._views.mode == "goal"
 
     def follow(self, active: int, terms: Mapping[str, float]) -> dict[str, Any]:
-        """Adopt the result of a step that was simulated elsewhere; return its info.
+        """Adopt the result of a step that was simulated elsewhere; return the info of the step.
 
         ``active`` is the index of the first unmet goal, ``terms`` are the reward terms.
         """
@@ -291,7 +291,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._ref = None
 
     def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
-        """Start an episode; return the result of ``reset``."""
+        """Start an episode and return the result of ``reset``."""
         for key in options:
             require_known(key, OPTIONS, "Unknown reset option")
         if self._ref is not None and self._succeeded is not None:  # the source drew its scene
@@ -311,7 +311,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._observe(achieved, desired), info
 
     def _look(self) -> tuple[np.ndarray, np.ndarray, dict[str, float]]:
-        """Return achieved and desired goal vectors and reward terms; update the active goal."""
+        """Return the achieved and desired goal vectors and reward terms; update the active goal."""
         world, episode = self.world, self.episode
         desired = self.task.desired_goal(world, episode)
         achieved = self.task.achieved_goal(world, episode, desired)
@@ -321,7 +321,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return achieved, desired, self.task.terms(world, episode, gaps)
 
     def _activate(self, index: int) -> None:
-        """Make a goal of the episode the active one."""
+        """Make the goal with the given index the active one."""
         self._active, world, goal = index, self.world, self.episode.goals[index]
         self._order = slot_order(world, goal)
         bare, hinted = self._views.mode == "goal", self.hint is not None
@@ -362,11 +362,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     @property
     def weights(self) -> Mapping[str, float]:
-        """Weights of the reward terms if the reward is dense, else None."""
+        """The weights of the reward terms if the reward is dense, or None otherwise."""
         return self.task.weights
 
     def _weigh(self, terms: Mapping[str, Any]) -> Any:
-        """Return the weighted reward of terms that are numbers or arrays."""
+        """Return the reward that results from ``terms``, which are numbers or arrays."""
         if self.reward == "sparse":
             return terms["success"] - 1.0
         return sum(weight * terms[name] for name, weight in self.weights.items())
@@ -390,7 +390,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return seen
 
     def _see(self) -> dict[str, Any]:
-        """Return the observation from the cameras, with the instruction."""
+        """Return the camera observation and, if requested, the instruction."""
         views, world, drawers = self._views, self.world, self._drawer
         if views.mode.startswith("pixels"):
             seen: dict[str, Any] = pictures(views, world, drawers, self._order, self.goal.target)
@@ -402,7 +402,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return seen
 
     def _read_state(self, noise: Noise | None) -> np.ndarray:
-        """Return the current flat state, with the grasp hint."""
+        """Return the current flat state, with the grasp hint if there is one."""
         assert self._state is not None
         hint = None if self.hint is None else self.hint.entries(self.world, self.goal)
         return self._state.read(noise, hint)
@@ -438,14 +438,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
 
 class GoalTabletopEnv(TabletopEnv):
-    """The environment with goal-dict observations; the two goals alone determine the reward.
+    """An environment with goal-dict observations, whose two goals alone determine the reward.
 
     Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with relabelled goals.
     """
 
     @property
     def weights(self) -> Mapping[str, float]:
-        """Weights of the reward terms that the goals determine."""
+        """The weights of the reward terms that the goals determine."""
         return GOAL_WEIGHTS
 
     def compute_reward(self, achieved_goal: np.ndarray, desired_goal: np.ndarray, info: Any) -> Any:
@@ -463,7 +463,7 @@ class GoalTabletopEnv(TabletopEnv):
 
 
 def as_options(options: Any) -> dict[str, Any]:
-    """Return the options of a reset as a new dict, empty for None.
+    """Return the options of a reset as a new dict, which is empty for None.
 
     Raises:
         InputError: the options are not a dict.
@@ -482,7 +482,7 @@ def make_env(
     preset: str | None = None,
     **settings: Unpack[Settings],
 ) -> TabletopEnv:
-    """Create the environment for ``observation``; the entry point of the registered ids.
+    """Create the environment for ``observation``; this is the entry point of the registered ids.
 
     Args:
         scenes: the source of tables; None for the default of the task (``Task.scenes``).

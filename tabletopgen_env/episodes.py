@@ -20,20 +20,20 @@ def episode_seeds(*key: int) -> Iterator[int]:
 
 
 class Held:
-    """Counts consecutive successful steps of one episode and reports when ``steps`` are reached."""
+    """A counter of consecutive successful steps that reports when ``steps`` are reached."""
 
     def __init__(self, steps: int = HOLD) -> None:
         self._steps = steps
         self._in_a_row = 0
 
     def after(self, info: Mapping[str, Any]) -> bool:
-        """Return whether success has held for long enough, given the ``info`` of the next step."""
+        """Return whether success has lasted long enough, given the ``info`` of the next step."""
         self._in_a_row = self._in_a_row + 1 if info["success"] else 0
         return self._in_a_row >= self._steps
 
 
 class EndOnSuccess(gym.Wrapper):
-    """Terminates an episode once success has held, as this package's evaluations do.
+    """A wrapper that ends an episode once success has lasted, as in this package's evaluations.
 
     Use it for evaluation in other libraries, but do not train on the dense reward with it, because
     that reward is highest while the task remains solved.
@@ -52,6 +52,6 @@ class EndOnSuccess(gym.Wrapper):
         return self.env.reset(seed=seed, options=options)
 
     def step(self, action: Any) -> tuple[Any, Any, bool, bool, dict[str, Any]]:
-        """Apply an action; the episode terminates once success has held."""
+        """Apply an action; the episode terminates once success has lasted long enough."""
         seen, reward, ended, cut, info = self.env.step(action)
         return seen, reward, ended or self._held.after(info), cut, info

@@ -6,7 +6,7 @@ from typing import Any
 
 
 def check_type(value: Any, kind: type) -> Any:
-    """Return a value if it has exactly this type.
+    """Return a value after checking that it has exactly this type.
 
     Raises:
         TypeError: the value has another type.

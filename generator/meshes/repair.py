@@ -122,7 +122,7 @@ def check_surface(faces: Faces, what: str) -> None:
 
 
 def flaws(faces: Faces) -> tuple[float, float]:
-    """Return the fractions of torn edges and of edges that do not join two or four faces."""
+    """Return the fractions of torn edges and of edges whose faces do not form pairs."""
     sides, edge, total = _edges(faces)
     net = np.abs(np.bincount(edge, np.where(sides[:, 0] < sides[:, 1], 1, -1)))
     uneven = ((total > 2) & (total % 2 == 1)) | ((total == 2) & (net > 0))

@@ -25,11 +25,11 @@ class JointDelta:
         self.command = np.zeros(7)
 
     def reset(self, world: World) -> None:
-        """Start from the robot's current joints."""
+        """Start from the robot's current joint positions."""
         self.command = world.state.joints.copy()
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
-        """Advance the commanded joints by ``action``."""
+        """Advance the commanded joint positions by ``action``."""
         real = world.state.joints
         leash = JOINT_LEASH * self.servos.slack
         wanted = self.command + JOINT_STEP * self.servos.share * action[:7]
@@ -42,7 +42,7 @@ class JointTarget(JointDelta):
     """Action mode "joint_target": target positions over the joint ranges."""
 
     def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
-        """Advance the commanded joints towards the target in ``action``."""
+        """Advance the commanded joint positions towards the target in ``action``."""
         left = LOWER + (action[:7] + 1) / 2 * (UPPER - LOWER) - self.command
         step = np.clip(left / (JOINT_STEP * self.servos.share), -1.0, 1.0)
         super().apply(world, np.array([*step, action[7]]))

@@ -1,4 +1,4 @@
-"""Shared code of the action modes: validation, control rate, gripper and servo commands."""
+"""Shared code for the action modes: validation, control rate, gripper and servo commands."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _NO_NUMBERS = "cmMSU"  # complex numbers, times, strings: NumPy would cast them 
 
 @dataclass(frozen=True)
 class Servos:
-    """The rate of the servo commands, and the meaning of an action's gripper entry."""
+    """The rate of the servo commands, and the interpretation of an action's gripper entry."""
 
     hz: int = CONTROL_HZ
     gripper: GripperMode = "continuous"
@@ -62,17 +62,17 @@ class Servos:
 
     @property
     def period(self) -> float:
-        """The duration of an action, seconds."""
+        """The duration of an action in seconds."""
         return 1 / self.hz
 
     @property
     def share(self) -> float:
-        """The duration of an action relative to one at ``CONTROL_HZ``."""
+        """The duration of an action relative to that at ``CONTROL_HZ``."""
         return CONTROL_HZ / self.hz
 
     @property
     def slack(self) -> float:
-        """The maximum lead as a multiple of that at ``CONTROL_HZ``; longer actions move farther."""
+        """The maximum lead relative to that at ``CONTROL_HZ``; it is larger for longer actions."""
         return max(1.0, self.share)
 
     def command(
@@ -82,7 +82,7 @@ class Servos:
         joints: Float[np.ndarray, "7"],
         gripper: float,
     ) -> None:
-        """Write servo commands for a reference that moves from ``before`` to ``joints``.
+        """Write the servo commands for a reference that moves from ``before`` to ``joints``.
 
         ``gripper`` is the last entry of the action.
         """
@@ -94,7 +94,7 @@ class Servos:
 
 
 class Controller(Protocol):
-    """Converts actions to servo commands."""
+    """A controller that converts actions to servo commands."""
 
     space: spaces.Box
     servos: Servos
@@ -131,5 +131,5 @@ def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]
 
 
 def box(size: int) -> spaces.Box:
-    """Return a box space of ``size`` entries in [-1, 1]."""
+    """Return a box space with ``size`` entries in [-1, 1]."""
     return spaces.Box(-1.0, 1.0, (size,), np.float32)

@@ -1,4 +1,4 @@
-"""Action modes of the tool centre point; see the table in the package docstring."""
+"""Action modes for the tool centre point; see the table in the package docstring."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ for _constant in (LOWEST_POINT, HIGHEST_POINT, JOINT_SPEED):
 def _clip(
     values: Float[np.ndarray, "n"], low: Float[np.ndarray, "n"], high: Float[np.ndarray, "n"]
 ) -> Float[np.ndarray, "n"]:
-    """Return the same as ``np.clip(values, low, high)``, in half the time."""
+    """Return ``np.clip(values, low, high)``, computed in half the time."""
     return np.minimum(np.maximum(values, low), high)
 
 
@@ -68,7 +68,7 @@ class Arm:
         self._joints = HOME.copy()
 
     def reset(self, world: World) -> Float[np.ndarray, "3 3"]:
-        """Start from the robot's current pose; return the rotation of the tool."""
+        """Start from the robot's current pose and return the rotation of the tool."""
         self._joints = world.state.joints.copy()
         self.point, rotation = forward(self._joints)
         return rotation
@@ -81,7 +81,7 @@ class Arm:
         self.point = _clip(near, LOWEST_POINT, HIGHEST_POINT)
 
     def follow(self, world: World, rotation: Float[np.ndarray, "3 3"], gripper: float) -> None:
-        """Command joints that track the commanded point and ``rotation``."""
+        """Command joint positions that track the commanded point and ``rotation``."""
         before, joints = self._joints, self._joints
         pull = PULL * min(1.0, self._servos.share)
         for _ in range(math.ceil(self._servos.slack)):
@@ -108,7 +108,7 @@ class ToolDelta:
         self.yaw = rotation_yaw(self.arm.reset(world))
 
     def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
-        """Advance the commanded pose by ``action``, and the commanded joints with it."""
+        """Advance the commanded pose by ``action`` and make the commanded joints follow it."""
         self.arm.move(world, action[:3])
         real, leash = rotation_yaw(world.hand), YAW_LEASH * self.servos.slack
         ahead = wrap(self.yaw + EE_TURN * self.servos.share * action[3] - real)
@@ -140,7 +140,7 @@ class ToolDelta6D:
         self._rotation = self._arm.reset(world)
 
     def apply(self, world: World, action: Float[np.ndarray, "7"]) -> None:
-        """Advance the commanded pose by ``action``, and the commanded joints with it."""
+        """Advance the commanded pose by ``action`` and make the commanded joints follow it."""
         self._arm.move(world, action[:3])
         real, leash = world.hand, YAW_LEASH * self.servos.slack
         turn = Rotation.from_rotvec(EE_TURN * self.servos.share * action[3:6]).as_matrix()
@@ -151,7 +151,7 @@ class ToolDelta6D:
 
 
 class ToolAbsolute(ToolDelta):
-    """Action mode "ee_absolute": a target pose of the tool, with the hand pointing down."""
+    """Action mode "ee_absolute": a target pose for the tool, with the hand pointing down."""
 
     def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
         """Advance the commanded pose towards the target in ``action``.

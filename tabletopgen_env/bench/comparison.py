@@ -1,4 +1,4 @@
-"""Comparison of a suite's results with the first one, episode by episode."""
+"""Comparison of the results on a suite with the first result, episode by episode."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .results import BenchResult
 
 @dataclass(frozen=True)
 class PairedDifference:
-    """Difference between a result and a baseline on the same episodes.
+    """The difference between a result and a baseline on the same episodes.
 
     Attributes:
         gained: episodes that only this result solved.
@@ -55,7 +55,7 @@ def difference(result: BenchResult, baseline: BenchResult) -> PairedDifference:
 
 
 def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
-    """Return the rows of a table, header first; the first result is the baseline of the others.
+    """Return the rows of a comparison table, header first; the first result is the baseline.
 
     Raises:
         InputError: there are no results, or they belong to different suites.
@@ -68,12 +68,12 @@ def compare(results: Sequence[BenchResult]) -> list[tuple[str, ...]]:
 
 
 def percent(share: float) -> str:
-    """Format a share as a percentage: "97.5"."""
+    """Format a fraction as a percentage, such as "97.5"."""
     return f"{100 * share:.1f}"
 
 
 def span(interval: tuple[float, float]) -> str:
-    """Format an interval: "94.1 to 99.0"."""
+    """Format an interval, such as "94.1 to 99.0"."""
     return " to ".join(map(percent, interval))
 
 

@@ -30,7 +30,7 @@ _KEPT = 4  # compiled worlds: consecutive episodes share a table
 
 @dataclass(frozen=True)
 class SuiteOutcome:
-    """The outcome of an episode: ``reward`` is the mean per step, rounded."""
+    """The outcome of an episode; ``reward`` is the rounded mean reward per step."""
 
     solved: bool
     steps: int
@@ -71,7 +71,7 @@ class Playing:
 
 
 class Stage:
-    """An environment with the tables of a suite, and its player."""
+    """An environment with the tables of a suite, and the player that acts in it."""
 
     def __init__(self, playing: Playing) -> None:
         from ..env import make_env
@@ -158,5 +158,5 @@ def _write(frames: list[Any], pictures: FailurePictures, stem: str) -> None:
 
 
 def stage_of(playing: Playing) -> Stage:
-    """Return the environment and player, created once per process."""
+    """Return the environment and the player, which are created once per process."""
     return Stage(playing)

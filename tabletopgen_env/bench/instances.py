@@ -1,4 +1,4 @@
-"""The contents of a suite: tables with their seeds and digests, and the instances of each."""
+"""The contents of a suite: tables with their seeds, digests and task instances."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ RANDOM = "-random"
 
 
 class SuiteLevel(NamedTuple):
-    """A range of difficulty, [``low``, ``high``); see ``scenes.difficulty``."""
+    """A range of difficulties, [``low``, ``high``); see ``scenes.difficulty``."""
 
     name: str
     low: float
@@ -60,13 +60,13 @@ class SuiteTable:
 
     @property
     def solvable(self) -> tuple[TaskInstance, ...]:
-        """The instances in use: those that the expert solved from all initial states."""
+        """The instances in the suite: those that the expert solved from all initial states."""
         return tuple(i for i in self.instances if i.certified and i.preset is None)
 
 
 @dataclass(frozen=True)
 class SuiteEpisode:
-    """An episode of a suite: an instance on a table, and the seed of all random draws in it."""
+    """An episode of a suite: an instance on a table, and the seed of all its random draws."""
 
     table: SuiteTable
     level: str
@@ -77,7 +77,7 @@ class SuiteEpisode:
 
 @dataclass(frozen=True)
 class TaskSuites:
-    """The suites of one task: tables and episodes, the same for every policy.
+    """The suites of one task, with tables and episodes that are the same for every policy.
 
     Attributes:
         version: version of the suites.
@@ -113,15 +113,15 @@ class TaskSuites:
     tables: tuple[SuiteTable, ...]
 
     def recipe(self, seed: int) -> SceneRecipe:
-        """Return the recipe of the table with a seed."""
+        """Return the recipe of the table with the given seed."""
         return SceneRecipe(self.distribution, seed)
 
     def rule(self, split: Split) -> SplitRule:
-        """The rule that all tables of a split obey."""
+        """Return the rule that all tables of a split obey."""
         return SplitRule("train" if split == "train" else "held_out", share=self.share)
 
     def level(self, difficulty: float) -> str:
-        """Return the name of the range of a difficulty, or of the last one if none contains it."""
+        """Return the name of the range that contains a difficulty, or else of the last range."""
         held = (level.name for level in self.levels if level.holds(difficulty))
         return next(held, self.levels[-1].name)
 
@@ -140,7 +140,7 @@ class Suite:
 
     @property
     def name(self) -> str:
-        """The suite's name: "lift-test" or "lift-test-random"."""
+        """The suite's name, such as "lift-test" or "lift-test-random"."""
         random = RANDOM if self.condition == "random" else ""
         return f"{self.of.task.lower()}-{self.split}{random}"
 
@@ -151,7 +151,7 @@ class Suite:
 
     @property
     def settings(self) -> Mapping[str, Any]:
-        """The keyword arguments of the environment that the suite sets, not the policy."""
+        """The keyword arguments of the environment that are set by the suite, not by the policy."""
         return MappingProxyType(
             {
                 "control_hz": self.of.control_hz,

@@ -32,7 +32,7 @@ _MARKUP = {ord(letter): f"&#{ord(letter)};" for letter in "&<>|\\`*_~[]{}$"}
 
 
 def read_results(folder: Path) -> list[BenchResult]:
-    """Read the results in a folder, sorted by file name, each validated, with its mark.
+    """Read and validate the results in a folder, sorted by file name, each with its mark.
 
     Raises:
         InputError: there are no results, or one of them is invalid.
@@ -78,7 +78,7 @@ def page(results: Iterable[BenchResult]) -> str:
 
 
 def _suite(result: BenchResult) -> Suite:
-    """Return the suite of a result, after checking that the episodes of both match."""
+    """Check that a result's episodes match those of its suite, and return the suite."""
     if not result.suite.removesuffix(RANDOM).endswith("-test"):
         raise InputError(
             "The leaderboard only accepts test suites; there is a result of "
@@ -95,7 +95,7 @@ def _suite(result: BenchResult) -> Suite:
 
 
 def _order(entry: tuple[PlayerFacts, Mapping[str, BenchResult]]) -> tuple[float, float, str]:
-    """Return the sort key of entries, best first."""
+    """Return the key that sorts entries from best to worst."""
     player, results = entry
     random, plain = (results[c].share if c in results else -1.0 for c in ("random", "plain"))
     return -random, -plain, player.name
@@ -150,7 +150,7 @@ def _steps(result: BenchResult) -> str:
 
 
 def _replay_count(results: Iterable[BenchResult]) -> str:
-    """Return the number of replayed episodes: "6 of 147"."""
+    """Return the number of replayed episodes, such as "6 of 147"."""
     own = list(results)
     count = sum(result.replayed for result in own)
     return f"{count} of {sum(len(result.episodes) for result in own)}" if count else "–"

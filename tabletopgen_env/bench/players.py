@@ -39,7 +39,7 @@ Act = Callable[[Any], Any]
 
 
 class Player(Protocol):
-    """A player of episodes; it plays identically whenever an episode starts with the same seed."""
+    """A player of episodes, which acts identically in episodes that start with the same seed."""
 
     def begin(self, env: Any, seed: int) -> Act:
         """Return the actor for the episode that has just started.
@@ -70,18 +70,18 @@ class PlayerFacts:
 
     @property
     def title(self) -> str:
-        """The name; for a simple player with a different name, its kind is appended."""
+        """The name, with the kind appended for a simple player that has a different name."""
         renamed = self.kind in SIMPLE and self.name != self.kind
         return f"{self.name} ({self.kind})" if renamed else self.name
 
     @property
     def is_disguised(self) -> bool:
-        """Whether a policy or a function is named like one of the players in `SIMPLE`."""
+        """Whether a policy or a function has the name of one of the players in `SIMPLE`."""
         return self.kind not in SIMPLE and self.name.strip().lower() in SIMPLE
 
 
 def find_player(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
-    """Return the player with a name, and its description.
+    """Return the player with the given name, and its description.
 
     Args:
         name: "random", "zero", "expert", the name of a shipped policy, a policy file, a folder of a
@@ -107,7 +107,7 @@ def find_player(name: str, suite: Suite) -> tuple[PlayerFacts, Player]:
 
 
 class RandomPlayer:
-    """Acts uniformly at random."""
+    """A player that acts uniformly at random."""
 
     def begin(self, env: Any, seed: int) -> Act:
         """Return an actor that draws actions with the episode's seed."""
@@ -117,7 +117,7 @@ class RandomPlayer:
 
 
 class ZeroPlayer:
-    """Returns zero actions, which leave the arm at rest and the hand half open."""
+    """A player that returns zero actions, which leave the arm at rest and the hand half open."""
 
     def begin(self, env: Any, seed: int) -> Act:
         """Return an actor that returns zeros."""
@@ -182,7 +182,7 @@ class PolicyPlayer:
 
 
 def _call(module: str, function: str) -> Any:
-    """Call a function of a module; the working directory is searched last."""
+    """Import a module, searching the working directory last, and call one of its functions."""
     here = str(Path.cwd())
     if here not in sys.path and "" not in sys.path:
         sys.path.append(here)
@@ -202,7 +202,7 @@ def _call(module: str, function: str) -> Any:
 
 
 def _digest_of(module: str, own: object, name: str) -> str:
-    """Return the sha256 of a module's file, followed by a NUL and the policy's own digest.
+    """Return the sha256 of a module's file content, a NUL and the policy's own digest.
 
     The result is empty if there is neither.
     """
@@ -268,7 +268,7 @@ def _plain(key: str, value: Any) -> Any:
 
 
 def _inputs(space: Any) -> dict[str, tuple[int, ...]]:
-    """Return an observation's parts as a policy's card does; the name "" stands for the whole."""
+    """Return the shape of each part of an observation; the name "" denotes an undivided one."""
     if isinstance(space, gym.spaces.Dict):
         return {name: tuple(part.shape or ()) for name, part in space.spaces.items()}
     return {"": tuple(space.shape)}

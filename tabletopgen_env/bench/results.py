@@ -1,4 +1,4 @@
-"""Result files: the outcome of each episode of a suite, with a digest over the content.
+"""Result files: the outcome of each episode of a suite, with a digest of the content.
 
 A file is JSON. Its ``digest`` is the sha256 of everything else in it, so that edited, truncated or
 merged files are refused by all commands. It is not a signature: a forger can recompute it, but
@@ -38,7 +38,7 @@ _TABLE = re.compile(r"[0-9a-f]{12}")
 
 @dataclass(frozen=True)
 class EpisodeRow:
-    """One episode of a result: table, instance and outcome."""
+    """One episode of a result, with its table, instance and outcome."""
 
     table: str
     level: str
@@ -89,16 +89,16 @@ class BenchResult:
 
     @property
     def share(self) -> float:
-        """The share of solved episodes."""
+        """The fraction of episodes solved."""
         return self.solved / len(self.episodes)
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The 95 % Wilson interval of the share, treating episodes as independent."""
+        """The 95 % Wilson interval of the fraction solved, treating episodes as independent."""
         return wilson(self.solved, len(self.episodes))
 
     def of_level(self, level: str) -> tuple[int, int]:
-        """Return the number of solved episodes on tables of a level, and the number of episodes."""
+        """Return the numbers of solved episodes and of all episodes on tables of a level."""
         own = [row.solved for row in self.episodes if row.level == level]
         return sum(own), len(own)
 

@@ -1,4 +1,4 @@
-"""Runs of a suite: episodes in parallel, saved as they end, so that a killed run can be resumed.
+"""Runs of a suite: episodes run in parallel and are saved as they end, so runs can be resumed.
 
 A journal, ``RESULT.part`` beside the result, holds one line that identifies the run and then one
 line per episode, in the suite's order. A repeated run reads it and plays the missing episodes; when
@@ -116,20 +116,20 @@ def run_suite(suite: Suite, player: str, run: BenchRun, report: Report | None = 
 
 
 def result_path(folder: Path, suite: Suite, facts: PlayerFacts) -> Path:
-    """Return the path of the result of a player on a suite: "lift-test_lift-clone.json"."""
+    """Return the path of a player's result on a suite, such as "lift-test_lift-clone.json"."""
     name = _UNSAFE.sub("-", facts.name.removesuffix(".safetensors")).strip("-.") or "policy"
     return folder / f"{suite.name}_{name[:80]}.json"
 
 
 def _check_name(name: str) -> str:
-    """Return a name if it is printable, else raise InputError."""
+    """Return a name if it is printable; raise InputError otherwise."""
     if not (name.strip() and name.isprintable() and len(name) <= 80):
         raise InputError(f"--name must be a line of up to 80 characters, got {name!r:.100}.")
     return name
 
 
 def _find_tables(suite: Suite, run: BenchRun, say: Report) -> dict[str, Path]:
-    """Return the bundles of a suite's tables by digest, generating missing ones."""
+    """Return the bundles of a suite's tables by digest, generating any that are missing."""
     tables, found = suite.tables, dict[str, Path]()
     with closing(make_tables(suite.of, tables, run.tables, run.pool)) as made:
         for table, path in zip(tables, made, strict=True):
@@ -185,7 +185,7 @@ def _writing(path: Path) -> Iterator[Path]:
 def _resume(
     journal: Path, head: dict[str, Any], episodes: tuple[SuiteEpisode, ...]
 ) -> list[EpisodeRow]:
-    """Return the episodes of a journal, and truncate it after them; create it if necessary.
+    """Return the episodes of a journal and truncate it after them; create it if it is missing.
 
     Raises:
         InputError: the journal belongs to another run, or is damaged.

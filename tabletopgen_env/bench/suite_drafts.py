@@ -31,7 +31,7 @@ Say = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Quota:
-    """Number of tables of each level in a draft, and the range of seeds to search.
+    """The number of tables of each level in a draft, and the range of seeds to search.
 
     Attributes:
         test: test tables per level.
@@ -103,7 +103,7 @@ class _Drawn:
     quota: Quota
 
     def seeds(self) -> Iterator[int]:
-        """Yield the seeds of the examined tables, all held out."""
+        """Yield the seeds of the tables to examine, all of which are held out."""
         rule, found = self.suites.rule("test"), 0
         for seed in count(self.quota.first):
             if found == self.quota.most:
@@ -114,7 +114,7 @@ class _Drawn:
                 yield seed
 
     def rate(self, seed: int) -> tuple[int, float | None]:
-        """Return a table's difficulty, generating the table if needed; None if that fails."""
+        """Return a table's seed, and its difficulty or None if the table cannot be generated."""
         try:
             return seed, difficulty(load(self.bundle(seed)))
         except SceneError:
@@ -155,7 +155,7 @@ def _choose(
     waiting: list[tuple[int, float]],
     rated: Iterator[tuple[int, float | None]],
 ) -> Sequence[tuple[int, float]]:
-    """Take the first tables of each level that still lacks some; the others stay in the queue."""
+    """Take the first tables of each incomplete level; the other tables stay in the queue."""
     left = Counter(missing)
     chosen: list[tuple[int, float]] = []
 
@@ -180,7 +180,7 @@ def _choose(
 def _assign(
     suites: TaskSuites, quota: Quota, taken: Mapping[int, SuiteTable]
 ) -> Iterator[SuiteTable]:
-    """Yield the tables by split, level and seed; the first ones of each level are test tables."""
+    """Yield the tables by split, level and seed, with the first of each level as test tables."""
     splits: tuple[Split, ...] = ("validation", "test")
     for split in splits:
         for level in suites.levels:

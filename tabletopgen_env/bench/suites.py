@@ -1,4 +1,4 @@
-"""Suite files: JSON, read with size limits and fully validated."""
+"""JSON files of suites, read with size limits and fully validated."""
 
 from __future__ import annotations
 
@@ -53,18 +53,18 @@ def tasks() -> tuple[str, ...]:
 
 
 def path_of(task: str) -> Path:
-    """Return the path of the package's suites of a task."""
+    """Return the path of the package's suites for a task."""
     return PLACE / VERSION / f"{task.lower()}.json"
 
 
 @cache
 def shipped_suites(task: str) -> TaskSuites:
-    """Return the shipped suites of a task."""
+    """Return the shipped suites for a task."""
     return read_suites(path_of(task))
 
 
 def find_suite(name: str) -> Suite:
-    """Return a suite by its name, "lift-test" or "lift-test-random".
+    """Return a suite by its name, such as "lift-test" or "lift-test-random".
 
     For your own file, give its path and the rest of the name: "my.json:test-random".
 
@@ -95,7 +95,7 @@ def read_suites(path: str | Path) -> TaskSuites:
 
 
 def read_payload(path: str | Path, what: str, newest: int) -> dict[str, Any]:
-    """Return the JSON object in a file, whose schema may be up to ``newest``.
+    """Return the JSON object in a file whose schema version is at most ``newest``.
 
     Raises:
         InputError: the file is missing, too large, damaged, or of a newer schema.
@@ -159,7 +159,7 @@ def _part(text: str) -> tuple[str, bool]:
 
 
 def _table_facts(table: SuiteTable) -> dict[str, Any]:
-    """Return a table as JSON values; instances omit None entries."""
+    """Return a table as JSON values; None entries of instances are omitted."""
     instances = [
         {k: v for k, v in dataclasses.asdict(i).items() if k != "task" and v is not None}
         for i in table.instances

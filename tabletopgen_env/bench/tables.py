@@ -39,12 +39,12 @@ def store_of(folder: Path | None) -> Path:
 
 
 def name_of(suites: TaskSuites, table: SuiteTable) -> str:
-    """Return the scene name of a table: "bench-v1-lift-test-536870912"."""
+    """Return the scene name of a table, such as "bench-v1-lift-test-536870912"."""
     return f"bench-{suites.version}-{suites.task.lower()}-{table.split}-{table.seed}"
 
 
 def find_table(suites: TaskSuites, table: SuiteTable, folder: Path | None = None) -> Path | None:
-    """Return the bundle of a table; None if it does not exist.
+    """Return the bundle of a table, or None if it does not exist.
 
     Raises:
         BundleError: it has a different digest, or is damaged.
@@ -103,7 +103,7 @@ def _make(suites: TaskSuites, place: Path, table: SuiteTable) -> Path:
 
 
 def _compose(suites: TaskSuites, table: SuiteTable) -> Scene:
-    """Compose a table's scene, with this processor's kernels or those the suite was made with."""
+    """Compose a table's scene, with the kernels used for the suite if this processor's differ."""
     recipe, name = suites.recipe(table.seed), name_of(suites, table)
     scene = recipe.make().replace(name=name)
     if (found := digest(scene)) == table.digest:

@@ -1,4 +1,4 @@
-"""Training tables: from a suite's distribution, but never in a validation or test suite.
+"""Training tables, drawn from a suite's distribution but never in a validation or test suite.
 
 They are given by a range of seeds, without the tables that the split holds out; listed tables are
 all held out. In training, ``scenes="fresh"`` draws from the same part of the split.
@@ -47,7 +47,7 @@ class LevelScenes:
     level: SuiteLevel
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw tables until one has the level.
+        """Draw tables until one is of the required level.
 
         Raises:
             SceneError: none of ``DRAWS`` tables has it.

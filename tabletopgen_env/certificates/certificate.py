@@ -1,4 +1,4 @@
-"""The certificate of a bundle, validated when read. ``certify`` creates it."""
+"""The certificate of a bundle, created by ``certify`` and validated when read."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class TaskInstance:
 
     @property
     def name(self) -> TaskName:
-        """The task's name, with its preset."""
+        """The name of the task and its preset."""
         return TaskName(self.task, self.preset)
 
     @property
@@ -68,7 +68,7 @@ class TaskInstance:
 
     @property
     def certified(self) -> bool:
-        """Whether the expert solved all of at least ``STARTS`` episodes."""
+        """Whether there were at least ``STARTS`` episodes and the expert solved all."""
         return self.successes == self.episodes >= STARTS
 
 
@@ -127,7 +127,7 @@ class Certificate:
 
 
 def read_certificate(path: str | Path) -> Certificate | None:
-    """Return a bundle's certificate, validated; None if it has none or one with an older schema.
+    """Return a bundle's validated certificate, or None if it has none or one with an older schema.
 
     Raises:
         BundleError: it is damaged, too large, of an unknown schema, or belongs to another scene.

@@ -63,7 +63,7 @@ _FAILURES = 8  # consecutive draws without a new instance after which the search
 def certify(
     path: str | Path, terms: Terms = DEFAULT, workers: int = 1, ray: str | None = None
 ) -> Certificate:
-    """Let the expert play the instances of a bundle's scene; write and return the certificate.
+    """Run the expert on the instances of a bundle's scene; write and return the certificate.
 
     The number of processes, ``workers``, does not change the certificate. If ``ray`` is the address
     of a Ray cluster, the processes run there; all its machines must have access to the bundle, and
@@ -103,7 +103,7 @@ def certify_all(
 
 
 def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate | TabletopError:
-    """Write the results of a bundle's jobs as its certificate; return it, or the error."""
+    """Write the results of a bundle's jobs as its certificate; return that or the error."""
     instances: list[TaskInstance] = []
     for found in listed:
         if isinstance(found, TabletopError):
@@ -118,7 +118,7 @@ def _write(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate |
 
 
 def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
-    """Return whether a bundle has a valid certificate for these terms, of any package versions."""
+    """Return whether a bundle has a valid certificate for these terms, from any package version."""
     try:
         found = read_certificate(path)
     except BundleError:
@@ -151,7 +151,7 @@ def names(task: str) -> tuple[TaskName, ...]:
 
 
 def find_instances(world: World, task: Task, seed: int, maximum: int) -> tuple[TaskInstance, ...]:
-    """Return up to ``maximum`` different instances that a task's sampling draws on a table."""
+    """Return up to ``maximum`` distinct instances of a task, sampled on a table."""
     found: dict[tuple[Any, ...], TaskInstance] = {}
     failures = 0
     for number in range(_DRAWS):
@@ -172,7 +172,7 @@ def find_instances(world: World, task: Task, seed: int, maximum: int) -> tuple[T
 
 
 def instance_of(task: Task, episode: Episode) -> TaskInstance:
-    """Return the instance that an episode plays, for a task of this package."""
+    """Return the task instance of an episode, for a task of this package."""
     assert task.listed_as is not None
     name, preset = task.listed_as
     first = episode.goals[0]
@@ -223,7 +223,7 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[TaskInstance, ...
 def played_again(
     folder: Path, instances: Sequence[TaskInstance], episodes: int, seed: int
 ) -> Iterator[TaskInstance]:
-    """Yield a bundle's instances, with the number of new ``episodes`` that the expert solves.
+    """Yield a bundle's instances with the expert's results on ``episodes`` new episodes.
 
     All episodes start from perturbed states and are played despite failures. ``seed`` draws them;
     use a different seed from the certificate's to get other initial states.
@@ -242,7 +242,7 @@ def played_again(
 def _try(
     starts: Iterable[TabletopEnv], instance: TaskInstance, rng: np.random.Generator
 ) -> TaskInstance:
-    """Play an instance once from each of ``starts``, until it fails."""
+    """Play an instance once from each of ``starts`` until the expert fails."""
     solved = played = 0
     for env in starts:
         played += 1
@@ -253,7 +253,7 @@ def _try(
 
 
 def has_solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
-    """Play one episode; return whether it succeeded."""
+    """Play one episode; return whether the expert solved it."""
     import gymnasium
 
     from ..expert.run import TaskExpert
@@ -273,7 +273,7 @@ def has_solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generato
 def environment_of(
     folder: Path, name: TaskName, masters: Masters, randomization: str | None
 ) -> TabletopEnv:
-    """Return the environment of a task on a bundle's table, which allows all instances."""
+    """Return an environment for all instances of a task on a bundle's table."""
     from ..env import make_env
 
     task, preset = name

@@ -24,7 +24,7 @@ def sample_episode(
     options: Mapping[str, Any],
     certified: bool,
 ) -> tuple[Episode, bool]:
-    """Draw an episode; return it and whether it plays a certified instance.
+    """Draw an episode; return it and whether its instance is certified.
 
     If ``certified`` is true and ``options`` contains neither a target nor a goal, one of the
     certified instances of the bundle is drawn uniformly. A bundle without a certificate, or with
@@ -59,7 +59,7 @@ def sample_episode(
 
 
 def certificate_of(world: World) -> Certificate | None:
-    """Return the certificate of a world's bundle, if it has one; it is read only once.
+    """Return the certificate of a world's bundle, or None if it has none; the result is cached.
 
     Raises:
         BundleError: the certificate is damaged.

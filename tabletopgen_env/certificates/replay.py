@@ -1,4 +1,4 @@
-"""Checks of certificates: plausibility of their figures, and replay of some of their episodes.
+"""Checks of certificates: whether their values are possible, and replay of some episodes.
 
 ``tabletopgen verify --replay`` runs them through the entry point in ``tabletopgen.verifiers``.
 """
@@ -28,7 +28,7 @@ FigureKind = Literal["played after a failure", "given up early", "too many"]
 
 @dataclass(frozen=True)
 class CertificateDoubt:
-    """Impossible figures of an instance; ``limit`` is the number of episodes in the terms."""
+    """Impossible results of an instance; ``limit`` is the number of episodes in the terms."""
 
     kind: FigureKind
     instance: TaskInstance
@@ -46,7 +46,7 @@ class CertificateDoubt:
 
 @dataclass(frozen=True)
 class StartReplay:
-    """The replay of an episode of an instance, to compare with the certificate.
+    """The replay of an instance's episode, for comparison with the certificate.
 
     Attributes:
         instance: the instance.
@@ -100,14 +100,14 @@ def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[
 
 
 def doubts(certificate: Certificate) -> tuple[CertificateDoubt, ...]:
-    """Return the figures that no certification can produce; see ``certify``."""
+    """Return the results that no certification can produce; see ``certify``."""
     limit = certificate.terms.episodes
     found = (_doubt(seen, limit) for seen in certificate.instances)
     return tuple(doubt for doubt in found if doubt is not None)
 
 
 def replay(path: Path, certificate: Certificate, count: int, seed: int) -> Iterator[StartReplay]:
-    """Replay episodes of a bundle's certificate, chosen with a seed, and yield each."""
+    """Replay episodes of a bundle's certificate, drawn with a seed, and yield each replay."""
     listed = certificate.instances
     episodes = [(k, number) for k, seen in enumerate(listed) for number in range(seen.episodes)]
     drawn = np.random.default_rng(seed).choice(
@@ -138,7 +138,7 @@ def _play(
 
 
 def _places(listed: Sequence[TaskInstance]) -> list[tuple[int, int]]:
-    """Return what seeds each instance besides the terms: its task, and its index within it."""
+    """Return the task index of each instance, and its index among that task's instances."""
     seen: Counter[str] = Counter()
     places = []
     for instance in listed:

@@ -43,14 +43,14 @@ _RESTORE = (
 
 @dataclass(frozen=True, eq=False)
 class GraspDetector:
-    """Detects grasps of an object in depth images; ``rate`` describes ``weights``."""
+    """A detector of grasps in depth images of an object; for ``weights``, see ``rate``."""
 
     weights: Mapping[str, Float32[np.ndarray, "..."]]
 
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return the best-rated grasp of an object that the arm can reach now, or None.
+        """Return the best-rated grasp of an object within the arm's current reach, or None.
 
         Grasps in ``failed`` rank last, as in ``choose``.
         """
@@ -75,7 +75,7 @@ class GraspDetector:
 
 
 def _peaks(rated: Rated) -> list[tuple[int, int, int]]:
-    """Return the turn and cell of each local maximum of the rating, best first."""
+    """Return the rotation and cell indices of the local maxima of the rating, best first."""
     from scipy.ndimage import maximum_filter
 
     around = maximum_filter(rated.best, (1, 3, 3), mode="nearest")
@@ -110,7 +110,7 @@ def read_detector(path: Path = PATH) -> GraspDetector:
 
 
 def shipped_digest() -> str:
-    """Return a digest of the shipped weights, since detections depend on them."""
+    """Return a digest of the shipped weights, on which detections depend."""
     return hashlib.sha256(PATH.read_bytes()).hexdigest()[:16]
 
 

@@ -21,7 +21,7 @@ CELLS, CELL, STEP = 64, 0.004, 0.002
 
 @dataclass(frozen=True, eq=False)
 class HeightView:
-    """Two height maps around an object: the object alone, and everything else.
+    """Two height maps around an object: one of the object alone, and one of everything else.
 
     The axes are parallel to the world's. ``heights[m, i, j]`` is map m (0 the object, 1 everything
     else) at ``center + CELL * ((i, j) - 31.5)`` (x, y, world, metres), in units of ``STEP`` above

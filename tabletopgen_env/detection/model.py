@@ -1,4 +1,4 @@
-"""The grasp network in torch for training, and its loss."""
+"""The torch version of the grasp network for training, and its loss."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ _RARE = 50.0  # weight of the classification loss: positive cells are rare
 
 
 class GraspNetwork(nn.Module):
-    """The network in ``network`` for batches; ``network.rate`` accepts its ``weights``."""
+    """The torch version of ``network`` for batches; ``network.rate`` accepts its ``weights``."""
 
     def __init__(self) -> None:
         super().__init__()
         self.layers = nn.ModuleList(nn.Conv2d(*layer) for layer in LAYERS)
 
     def forward(self, seen: Float[Tensor, "b t 3 n n"]) -> Rated:
-        """Return the ratings of a batch of objects, each viewed at every turn."""
+        """Return the ratings of a batch of objects, each viewed at all rotations."""
         values = seen.flatten(0, 1)
         for number, layer in enumerate(self.layers):
             values = layer(values if number == 0 else values.relu())
@@ -38,7 +38,7 @@ class GraspNetwork(nn.Module):
 
 
 class GraspBatch(NamedTuple):
-    """A batch of network inputs, and the targets at p = TURNS * PLACES**2 places.
+    """A batch of network inputs, with the targets at p = TURNS * PLACES**2 places.
 
     ``share`` is the target probability that a place has the best grasp, ``possible`` tells whether
     it has any grasp, and ``grasp`` is its best one: along, across, height, width and room (metres).

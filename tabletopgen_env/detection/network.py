@@ -1,4 +1,4 @@
-"""A small network that rates a grasp for each turn of the hand and each place.
+"""A small network that rates a grasp for each rotation of the hand and each position.
 
 The height maps are rotated for each of the ``TURNS`` turns so that the fingers open along the first
 axis, and all of them pass through the same convolutions. A grasp therefore looks the same in every
@@ -36,7 +36,7 @@ MIDDLES.setflags(write=False)
 
 
 class Layer(NamedTuple):
-    """A convolution: input and output channels, kernel size, stride, padding, dilation."""
+    """A convolution: input and output channels, kernel size, stride, padding and dilation."""
 
     inputs: int
     outputs: int
@@ -65,7 +65,7 @@ DEEPEST = 2.0  # depths below the object's top are clipped to this, in units of 
 
 
 class Rated(NamedTuple):
-    """Logits and grasps per turn and place (metres, the hand's frame).
+    """Logits and grasps for each rotation and position, in metres in the hand's frame.
 
     ``best`` is higher for better grasps, and ``possible`` is positive where a grasp is likely.
     ``along`` and ``across`` are the offsets of the midpoint between the fingers from the object's
@@ -84,7 +84,7 @@ class Rated(NamedTuple):
 
 
 def rate_output(out: Any, middles: Any) -> Rated:
-    """Convert the output (..., 7, i, j) of the last layer to ratings; for arrays or tensors."""
+    """Convert the last layer's output (..., 7, i, j), an array or a tensor, to ratings."""
     best, possible, *answers = (out[..., k, :, :] for k in range(7))
     along, across, *rest = (part * unit for part, unit in zip(answers, UNITS, strict=True))
     return Rated(best, possible, middles[:, None] + along, middles + across, *rest)
@@ -93,7 +93,7 @@ def rate_output(out: Any, middles: Any) -> Rated:
 def turn_views(
     heights: UInt8[np.ndarray, "2 64 64"], facing: float
 ) -> Float32[np.ndarray, "t 3 48 48"]:
-    """Return the network's input: height maps at each turn, starting at ``facing`` (radians).
+    """Return the network input: height maps at each rotation, starting at ``facing`` (radians).
 
     Channels: the height of the object, the height of everything else, and the object's depth below
     its top.
@@ -112,7 +112,7 @@ def turn_views(
 def _between(
     maps: Float[np.ndarray, "m a b"], i: Float[np.ndarray, "*n"], j: Float[np.ndarray, "*n"]
 ) -> Float[np.ndarray, "m *n"]:
-    """Return the bilinearly interpolated values of maps at fractional cells."""
+    """Return the values of ``maps`` at fractional cells, by bilinear interpolation."""
     low_i, low_j = i.astype(int), j.astype(int)
     di, dj = i - low_i, j - low_j
     upper = maps[:, low_i, low_j] * (1 - dj) + maps[:, low_i, low_j + 1] * dj
@@ -123,7 +123,7 @@ def _between(
 def rate(
     weights: Mapping[str, Float32[np.ndarray, "..."]], seen: Float32[np.ndarray, "t 3 48 48"]
 ) -> Rated:
-    """Return the ratings of an object viewed at every turn; ``seen`` is a result of ``turn_views``.
+    """Return the ratings of an object from its rotated views ``seen``, made by ``turn_views``.
 
     ``weights`` has the entries ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on, per
     layer.

@@ -1,4 +1,4 @@
-"""Reach of the arm with the hand pointing down, and the rotation of the hand during a motion.
+"""The arm's reach with the hand pointing down, and the rotation of the hand during a motion.
 
 With the hand pointing straight down, its yaw *relative to the bearing of the tool* depends only on
 the last joint's angle. The range of that joint determines in which direction the hand can turn,
@@ -59,7 +59,7 @@ ROLL_RANGE = float(UPPER[6]) - 0.1
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
-    """Return the largest joint motion from home to any of ``points``; None if one is out of reach.
+    """Return the largest joint motion from home to any of ``points``, or None if out of reach.
 
     Points are positions of the tool centre point, world frame; ``yaw`` is the hand's, base frame,
     radians.
@@ -78,7 +78,7 @@ def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) 
 
 
 def easiest(world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: float) -> float | None:
-    """Return the better of two opposite yaws for reaching all points; None if neither can."""
+    """Return the better of two opposite yaws for reaching all points, or None if neither can."""
     yaws = (wrap(angle), wrap(angle + np.pi))
     found = [(far, yaw) for yaw in yaws if (far := stretch(world, points, yaw)) is not None]
     return min(found)[1] if found else None
@@ -97,7 +97,7 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
 
 
 def least_turn(world: World, at: Float[np.ndarray, "3"]) -> float:
-    """Return the minimum turn of the hand that keeps the last joint in range at ``at``.
+    """Return the minimum turn of the hand that keeps the last joint in range at the point ``at``.
 
     The turn is in radians, base frame, 0 if the hand can keep its yaw; ``at`` is the tool's
     position after the turn.
@@ -108,7 +108,7 @@ def least_turn(world: World, at: Float[np.ndarray, "3"]) -> float:
 
 
 def elbow_swing(world: World) -> float:
-    """Return the angle between the first joint and the tool's bearing, radians, at least 0.
+    """Return the absolute angle between the first joint and the tool's bearing, in radians.
 
     For a given hand pose the elbow can swing about the line from shoulder to wrist, by up to about
     a radian away from joint limits. If the last joint reaches its limit, the elbow compensates
@@ -120,19 +120,19 @@ def elbow_swing(world: World) -> float:
 
 
 def is_wound(world: World) -> bool:
-    """Return whether the elbow swing has reached the first joint's limit."""
+    """Return whether the elbow has swung until the first joint is at its limit."""
     first = float(world.data.qpos[world.arm_qpos[0]])
     room = min(first - float(LOWEST[0]), float(HIGHEST[0]) - first)
     return room < _AT_LIMIT and elbow_swing(world) > _SWUNG
 
 
 def turn_to_middle(world: World) -> float:
-    """Return the turn of the hand that brings the last joint to its middle, radians."""
+    """Return the turn of the hand, in radians, that brings the last joint to zero."""
     return MIDDLE - _roll(world)
 
 
 def _roll(world: World) -> float:
-    """Return the hand's yaw relative to the tool's bearing, in the last joint's range."""
+    """Return the hand's yaw relative to the tool's bearing, within the last joint's range."""
     relative = rotation_yaw(world.hand) - _bearing(world, world.data.site_xpos[world.tcp])
     by_joint = MIDDLE - float(world.data.qpos[world.arm_qpos[6]])
     return by_joint + wrap(relative - by_joint)
@@ -158,7 +158,7 @@ def around(
 def wrist_is_free(
     world: World, others: HeightMap, points: Float[np.ndarray, "k 2"], tip: float
 ) -> bool:
-    """Return whether `wrists_are_free` at all ``points``, with the fingertips at height ``tip``."""
+    """Return whether the wrist is free at all ``points``, with the fingertips at height ``tip``."""
     return bool(wrists_are_free(world, others, points, np.full(len(points), tip)).all())
 
 
@@ -168,7 +168,7 @@ def wrists_are_free(
     points: Float[np.ndarray, "k 2"],
     tips: Float[np.ndarray, "k"],
 ) -> Bool[np.ndarray, "k"]:
-    """Return, for each tool, whether the wrist (above the hand, towards the base) is free.
+    """Return for each tool position whether the wrist, above the hand towards the base, is free.
 
     ``points`` (world) are the tools' positions, ``tips`` the heights of the fingertips.
     """
@@ -198,5 +198,5 @@ def _bearing(world: World, point: Float[np.ndarray, "3"]) -> float:
 
 
 def up(height: float) -> Float[np.ndarray, "3"]:
-    """Return a vector of length ``height`` (metres) that points up."""
+    """Return an upward vector of length ``height`` (metres)."""
     return np.array([0.0, 0.0, height])

@@ -1,4 +1,4 @@
-"""Base of the scripted experts: sensing the hand, and moving it through policy actions.
+"""The base of the scripted experts, which senses the hand and moves it with policy actions.
 
 The experts use the environment's normalised actions, computed by proportional control from the
 tool's current pose, so that demonstrations depend only on what a learner can observe.
@@ -29,7 +29,7 @@ _GAIN, _TURN_GAIN = 0.3, 0.4
 
 
 class Expert(ABC):
-    """Solves one kind of goal in the action mode "ee_delta".
+    """An expert that solves one kind of goal in the action mode "ee_delta".
 
     Call ``reset()`` after resetting the environment, then ``act()`` before each step. ``phase`` is
     the current phase. ``patience`` scales the time limits of the phases; use a value above 1 if a
@@ -69,7 +69,7 @@ class Expert(ABC):
 
     @property
     def _yaw(self) -> float:
-        """The hand's yaw in the base frame, radians."""
+        """The hand's yaw in the base frame, in radians."""
         return rotation_yaw(self._env.world.hand)
 
     @property
@@ -79,7 +79,7 @@ class Expert(ABC):
 
     @property
     def _commanded_gap(self) -> float:
-        """Commanded opening of the fingers, metres."""
+        """The commanded opening of the fingers, in metres."""
         world = self._env.world
         share = float(world.data.ctrl[world.actuators[7]]) / HOME_CTRL[7]
         return 2 * franka.FINGER_STROKE * share
@@ -117,7 +117,7 @@ class Expert(ABC):
     def _act(
         self, move: Float[np.ndarray, "3"], turn: float, opening: float, slow: float = 1.0
     ) -> Float[np.ndarray, "5"]:
-        """Return the action that moves the tool (m, world), turns the hand (rad), opens it (m)."""
+        """Return the action to move the tool (m, world), turn the hand (rad) and open it (m)."""
         step = self._env.world.base_rotation.T @ move * (_GAIN / EE_STEP)
         step /= max(1.0, float(np.abs(step).max()) / slow)
         spin = np.clip(turn * _TURN_GAIN / EE_TURN, -1.0, 1.0)

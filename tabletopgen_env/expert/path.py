@@ -1,4 +1,4 @@
-"""The travel height that clears all objects on the table."""
+"""The height for moving the tool above all objects on the table."""
 
 from __future__ import annotations
 

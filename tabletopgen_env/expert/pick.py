@@ -1,4 +1,4 @@
-"""Picking up and putting down, planned from the current state.
+"""Picking up and putting down objects, planned from the current state.
 
 Each phase ends when its aim is achieved:
 
@@ -69,7 +69,7 @@ _PATIENCE: dict[Phase, int] = {
 
 
 class Picker(Expert):
-    """Picks up the target of a goal and puts it where the goal requires, or holds it up.
+    """An expert that picks up a goal's target and places it as required, or holds it up.
 
     ``phase`` is the current phase, ``attempts`` the number of started grasps.
     """
@@ -150,7 +150,7 @@ class Picker(Expert):
         return self._come_down(self._hover())
 
     def _hover(self) -> float:
-        """Return the height above the grasp that the hand still has to keep until it is aligned."""
+        """Return the height that the hand has to keep above the grasp until it is aligned."""
         grasp = self._plan.grasp
         spare = (grasp.opening - grasp.width) / 2
         fine = float(np.clip(spare - 0.002, *_FINE))
@@ -292,14 +292,14 @@ class Picker(Expert):
         return False
 
     def _retry(self, failed: bool = True) -> Float[np.ndarray, "5"]:
-        """Plan again, marking this grasp as failed or not, and open the hand in this step."""
+        """Plan again, marking the grasp as failed if ``failed``; open the hand in this step."""
         if self._goal.released and met(self._env.world, self._goal):  # a policy controls the hand
             return self._enter("retreat")
         self._begin(failed)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _plan_drop(self, drop: Drop | None = None) -> None:
-        """Set the release pose: ``drop``, or the best one for the hand's current pose."""
+        """Set the release pose to ``drop`` or, by default, to the best one for the hand's pose."""
         opening = let_go_at(self._plan.grasp)
         self._drop = drop or Drop(self._env.world, self._goal, self._yaw, opening)
         self._narrow, self._left, self._still = 1.0, np.inf, 0
@@ -311,7 +311,7 @@ class Picker(Expert):
         return self._env.world.position(self._target)
 
     def _turn_left(self) -> float:
-        """Return the remaining turn of the hand, radians."""
+        """Return the remaining turn of the hand, in radians."""
         if self.phase in ("carry", "lower"):
             return self._drop.turn(self._env.world)
         return turn_left(self._env.world, self._plan.yaw, self._plan.grasp.point)
@@ -323,11 +323,11 @@ class Picker(Expert):
         return bool(np.linalg.norm(self._env.world.velocity(self._target)[:3]) > _MOVING)
 
     def _in_object(self) -> Float[np.ndarray, "3"]:
-        """Return the tool's position in the object's frame, metres."""
+        """Return the tool's position in the object's frame, in metres."""
         return (self._tool - self._object) @ self._env.world.rotation(self._target)
 
     def _stalls(self, over: Float[np.ndarray, "3"]) -> bool:
-        """Return whether the hand makes no progress towards the place on its way to ``over``."""
+        """Return whether the hand has stopped nearing the release place on its way to ``over``."""
         left = float(np.linalg.norm((self._drop.tool - self._tool)[:2]))
         if left < self._left - _ON:
             self._left, self._still = left, 0
@@ -336,7 +336,7 @@ class Picker(Expert):
         return self._still > _STALLED
 
     def _is_in_dead_end(self) -> bool:
-        """Return whether the arm has to unwind; call it once per step.
+        """Return whether the arm has to unwind; must be called once per step.
 
         With hints it is always False, since hints do not support unwinding.
         """

@@ -25,7 +25,7 @@ class Advice(Protocol):
     choose: Chooser
 
     def plan(self, world: World, name: str) -> GraspPlan | None:
-        """Return a grasp of an object at its current pose; None if it is not the active target."""
+        """Return a grasp of an object at its current pose, or None if it is not the target."""
         ...
 
 

@@ -1,4 +1,4 @@
-"""Pushing along the table: move behind the object, down, and forward in a straight stroke.
+"""Pushing along the table: moving behind the object, down, and forward in a straight stroke.
 
 =========  =====================================================================================
 approach   rise above obstacles, move behind the object, turn the hand as planned
@@ -55,7 +55,7 @@ _PATIENCE: dict[Phase, int] = {
 
 
 class Pusher(Expert):
-    """Slides the target of a goal to its spot with closed fingers.
+    """An expert that slides a goal's target to its spot with closed fingers.
 
     ``phase`` is the current phase, ``attempts`` the number of started strokes.
     """
@@ -173,7 +173,7 @@ class Pusher(Expert):
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self) -> Float[np.ndarray, "5"]:
-        """Choose the next stroke: to the spot or, if necessary, beside it; clearance decreases."""
+        """Choose the next stroke, to the spot or else beside it, with ever smaller clearance."""
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
         spots = (spot, *(spot + _ASIDES))
         aims: list[tuple[Float[np.ndarray, "2"], Care]] = [(spot, "free")]
@@ -192,7 +192,7 @@ class Pusher(Expert):
         return self._enter("stuck")
 
     def _bar(self) -> Float[np.ndarray, "5"]:
-        """Give up this stroke: something is where the hand has to be."""
+        """Give up this stroke, since an obstacle is where the hand has to be."""
         self._barred.add(self._choice)
         return self._begin()
 

@@ -1,4 +1,4 @@
-"""Reaching a point: above obstacles, then straight to it."""
+"""Reaching a point: moving above obstacles, then straight to the point."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .planning.grasps import TIP
 
 
 class Reacher(Expert):
-    """Brings the tool centre point to a point, and stays there."""
+    """An expert that brings the tool centre point to a point and keeps it there."""
 
     phase = "go"
     attempts = 1
@@ -24,7 +24,7 @@ class Reacher(Expert):
         self._goal = goal
 
     def reset(self) -> None:
-        """Do nothing: every goal point is within reach."""
+        """Do nothing, since every goal point is within reach."""
 
     def act(self) -> Float[np.ndarray, "5"]:
         """Return the next action, ``float32`` in [-1, 1]."""

@@ -1,4 +1,4 @@
-"""The expert for any task: one goal at a time, each by the expert for its kind."""
+"""The expert for any task, which solves one goal at a time with the expert for its kind."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .reach import Reacher
 
 
 class TaskExpert(Expert):
-    """Solves every ``TabletopGen`` environment in the action mode "ee_delta".
+    """An expert that solves every ``TabletopGen`` environment in the action mode "ee_delta".
 
     When its hand is free, it works on the goal that the environment marks as active. For
     ``patience`` see ``Expert``.
@@ -36,7 +36,7 @@ class TaskExpert(Expert):
 
     @property
     def attempts(self) -> int:
-        """The number of started grasps or strokes for the current goal."""
+        """The number of grasps or strokes attempted for the current goal."""
         return self._now.attempts
 
     def act(self) -> Float[np.ndarray, "5"]:

@@ -1,4 +1,4 @@
-"""The goals of tasks: an object, a region and a state.
+"""The goals of tasks: an object that must reach a region and a state.
 
 A goal requires its target (an object or the tool centre point) to be in a *region* (an upright
 elliptic cylinder that may move with another object) and in a *state* (at rest, released, held ...).
@@ -83,7 +83,7 @@ class Region:
 
 
 class Goal(ABC):
-    """One target that must reach a region and a state.
+    """A target that must reach a region and a state.
 
     Attributes:
         target: the object to move; None for the tool centre point.
@@ -101,7 +101,7 @@ class Goal(ABC):
 
     @abstractmethod
     def region(self, world: World) -> Region:
-        """Return the current region of the target's centre."""
+        """Return the current region that the target's centre must reach."""
 
     def settled(self, world: World) -> bool:
         """Return whether the target is in the required state, regardless of its position."""
@@ -115,7 +115,7 @@ class Goal(ABC):
 
 @dataclass(frozen=True, eq=False)
 class Reached(Goal):
-    """The tool centre point at a point in the world frame."""
+    """A goal: the tool centre point at a given point in the world frame."""
 
     spot: Float[np.ndarray, "3"]
     target: None = None
@@ -133,7 +133,7 @@ class Reached(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Raised(Goal):
-    """An object held in the air above its start; ``start`` is its initial centre, world frame."""
+    """A goal: an object held above ``start``, the object's initial centre in the world frame."""
 
     target: str
     start: Float[np.ndarray, "3"]
@@ -160,7 +160,7 @@ class Raised(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Pushed(Goal):
-    """An object pushed to a spot; ``rest`` is the height of its centre above its support.
+    """A goal: an object pushed to a spot; ``rest`` is the centre's height above the support.
 
     ``up`` is the world's up axis in the object's frame at the start.
     """
@@ -173,7 +173,7 @@ class Pushed(Goal):
     sentence = "push {target} to the marked spot"
 
     def region(self, world: World) -> Region:
-        """Return the region of the object's centre at rest on the spot."""
+        """Return the region for the object's centre when it rests on the spot."""
         return self._region
 
     @cached_property
@@ -189,7 +189,7 @@ class Pushed(Goal):
 
 @dataclass(frozen=True, eq=False)
 class OnSpot(Goal):
-    """An object placed on a spot; ``rest`` as in `Pushed`.
+    """A goal: an object placed on a spot; ``rest`` is as in `Pushed`.
 
     ``stead`` is the object whose start position is the spot, if any.
     """
@@ -202,7 +202,7 @@ class OnSpot(Goal):
     sentence = "move {target} to the marked spot"
 
     def region(self, world: World) -> Region:
-        """Return the region of the object's centre at rest on the spot."""
+        """Return the region for the object's centre when it rests on the spot."""
         return self._region
 
     @cached_property
@@ -216,7 +216,7 @@ class OnSpot(Goal):
 
 @dataclass(frozen=True, eq=False)
 class Into(Goal):
-    """An object in a container's hollow; ``height`` is the resting target's own height, metres."""
+    """A goal: an object in a container's hollow; ``height`` is the resting object's height (m)."""
 
     target: str
     reference: str
@@ -226,7 +226,7 @@ class Into(Goal):
     sentence = "put {target} into {reference}"
 
     def region(self, world: World) -> Region:
-        """Return the clear opening, from its floor to the target's height above the rim."""
+        """Return the free space of the hollow, up to the target's height above the rim."""
         hollow, name = self.opening, self.reference
         rotation, top = world.rotation(name), hollow.rim + self.height
         local = np.array([*hollow.center, (hollow.floor + top) / 2])
@@ -246,7 +246,7 @@ class Into(Goal):
 
 @dataclass(frozen=True, eq=False)
 class OnTop(Goal):
-    """An object standing on the flat top of another; ``rest`` as in `Pushed`.
+    """A goal: an object standing on the flat top of another; ``rest`` is as in `Pushed`.
 
     ``up`` is the world's up axis in the support's frame at the start.
     """
@@ -260,14 +260,14 @@ class OnTop(Goal):
     sentence = "put {target} on {reference}"
 
     def region(self, world: World) -> Region:
-        """Return the region of the object's centre at rest on the flat part."""
+        """Return the region for the object's centre when it rests on the flat part."""
         rotation = world.rotation(self.reference)
         top = world.position(self.reference) + rotation @ self.plateau.center
         center = top + np.array([0.0, 0.0, self.rest])
         return Region(center, np.array([self.plateau.radius, self.plateau.radius, _ON_TOP]))
 
     def settled(self, world: World) -> bool:
-        """Return whether the object is at rest and released on the support, which still stands.
+        """Return whether the object is at rest and released on the support, which is upright.
 
         An object at rest at that height over the flat part stands on it. Contacts are not checked,
         because MuJoCo lists none for sleeping bodies.
@@ -281,7 +281,7 @@ class OnTop(Goal):
 
 
 def named_by(goals: Iterable[Goal]) -> list[str]:
-    """Return the objects that goals refer to: the targets and the carriers of their regions."""
+    """Return the names of the objects to which goals refer as targets or references."""
     names = (name for goal in goals for name in (goal.target, goal.reference))
     return list(dict.fromkeys(name for name in names if name is not None))
 
@@ -303,7 +303,7 @@ def begin_goals(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
 
 
 def the(world: World, name: str) -> str:
-    """Return an unambiguous name of an object among the present ones, such as "the red mug"."""
+    """Return a name that identifies an object among the present ones, such as "the red mug"."""
     return refer(world.scene, world.scene.object(name), world.mount.yaw, world.absent)
 
 

@@ -33,12 +33,12 @@ def refer(scene: Scene, obj: Object, yaw: float, absent: Collection[str] = ()) -
 
 
 def _rightwards(obj: Object, yaw: float) -> float:
-    """Return how far right an object is, as seen in the direction ``yaw``, metres."""
+    """Return how far to the right an object is, seen in the direction ``yaw``, in metres."""
     x, y, _ = obj.pose.position
     return float(x * math.sin(yaw) - y * math.cos(yaw))
 
 
 def _color(scene: Scene, name: str) -> str | None:
-    """Return the colour of the object in the plan, if there is a plan."""
+    """Return the object's colour according to the scene's plan, or None if it has none."""
     planned = scene.plan.objects if scene.plan else ()
     return next((p.attributes.get("color") for p in planned if p.name == name), None)

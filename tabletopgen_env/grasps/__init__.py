@@ -1,4 +1,4 @@
-"""Grasp labels: poses and quality of parallel-gripper grasps of each object in a bundle.
+"""Grasp labels: the pose and quality of parallel-gripper grasps of each object in a bundle.
 
 A label is the pose of the tool centre point in the object's frame (the canonical frame scaled to
 metres, origin at the centre of its box): a position, metres, and a unit quaternion wxyz. The hand's

@@ -71,7 +71,7 @@ def _draw_rotation(rng: np.random.Generator) -> Float[np.ndarray, "3 3"]:
 
 
 def _turn_down(way: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3 3"]:
-    """Return a rotation that turns a unit vector to -z; for an axis, it maps axes to axes."""
+    """Return a rotation that turns a unit vector to -z; for an axis, it permutes signed axes."""
     side = np.eye(3)[int(np.abs(way).argmin())]
     side = side - way * (way @ side)
     side = side / np.linalg.norm(side)
@@ -99,7 +99,7 @@ def _from_above(
 
 
 def _are_alike(one: GraspCandidate, other: GraspCandidate) -> bool:
-    """Return whether two grasps coincide, up to half a turn of the hand."""
+    """Return whether two grasps nearly coincide, possibly after half a turn of the hand."""
     if np.linalg.norm(one.position - other.position) > _NEAR:
         return False
     cosine = np.cos(_ALIKE)

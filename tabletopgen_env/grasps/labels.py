@@ -1,4 +1,4 @@
-"""The grasp labels of a bundle: values, and the file, which is validated on reading."""
+"""The grasp labels of a bundle: their values, and their file, which is validated on reading."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _DIGITS = {"position": 6, "quaternion": 8, "width": 5, "opening": 5, "quality": 
 
 @dataclass(frozen=True)
 class GraspTerms:
-    """Settings of the labels; the same settings give the same labels of a scene.
+    """Settings of the labels; the same settings give the same labels for a scene.
 
     Args:
         count: maximum number of labels per object, at most ``MOST_GRASPS``.
@@ -119,7 +119,7 @@ class GraspLabels:
         return GraspLabels(**{name: getattr(self, name)[which] for name in _COLUMNS})
 
     def poses_at(self, pose: Pose) -> tuple[Float[np.ndarray, "n 3"], Float[np.ndarray, "n 3 3"]]:
-        """Return position (m) and rotation of the hand in the world for an object at ``pose``.
+        """Return the hand's positions (m) and rotations in the world for an object at ``pose``.
 
         Column 2 of a rotation is the approach direction, column 1 the opening direction.
         """
@@ -142,7 +142,7 @@ class GraspFile:
 
 
 def read_grasps(path: str | Path) -> Mapping[str, GraspLabels]:
-    """Return the grasp labels of a bundle by object name; empty if it has none.
+    """Return the grasp labels of a bundle by object name; the dict is empty if it has none.
 
     Raises:
         BundleError: the bundle does not exist, or its labels are damaged, too large, or belong to
@@ -153,7 +153,7 @@ def read_grasps(path: str | Path) -> Mapping[str, GraspLabels]:
 
 
 def read_file(path: str | Path) -> GraspFile | None:
-    """Return a bundle's labels and their settings, validated; None if it has none.
+    """Return a bundle's labels and their settings, validated, or None if it has none.
 
     Raises:
         BundleError: see ``read_grasps``.
@@ -206,7 +206,7 @@ def encode_labels(labels: GraspLabels) -> dict[str, Any]:
 
 
 def decode_labels(entry: object) -> GraspLabels:
-    """Return the labels from the JSON values of ``encode_labels``.
+    """Decode the labels of an object from the JSON values of ``encode_labels``.
 
     Raises:
         ValueError, TypeError, KeyError, InputError: the values are invalid.

@@ -160,7 +160,7 @@ def _label(job: tuple[Object, GraspTerms]) -> GraspLabels:
 
 
 class _Begun:
-    """Cached labels of a bundle's finished objects, kept in the user's cache until all are done."""
+    """Labels of a bundle's finished objects, kept in the user's cache until all are done."""
 
     def __init__(self, scene: str, terms: GraspTerms) -> None:
         made_with = {"scene": scene, "terms": asdict(terms), "versions": versions(_VERSIONS)}
@@ -169,7 +169,7 @@ class _Begun:
         self._name = hashlib.sha256(text.encode()).hexdigest()[:24]
 
     def read(self, name: str) -> GraspLabels | None:
-        """Return the cached labels of an object; None if there are no valid ones."""
+        """Return the cached labels of an object, or None if there are no valid ones."""
         with contextlib.suppress(StorageError, ValueError, TypeError, KeyError, InputError):
             what = "The cached labels"
             raw = read_regular(self._file(name), what, StorageError, max_bytes=_MAX_KEPT)

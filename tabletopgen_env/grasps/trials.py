@@ -1,4 +1,4 @@
-"""Grasp trials in MuJoCo: the Panda's hand closes on a single object, lifts and shakes it.
+"""Grasp trials in MuJoCo: the Panda's hand grasps a single object, lifts it and shakes it.
 
 The hand is fixed and gravity varies instead: an acceleration a of the hand is equivalent to gravity
 g - a, and a slow rotation of the hand to a rotation of gravity. The object floats while the fingers
@@ -60,7 +60,7 @@ _DEEP = 1e-3  # maximum overlap of the open hand with the object, metres
 
 @dataclass(frozen=True)
 class Trial:
-    """Result of a trial: number of ``STAGES`` passed, and width between the closed fingers."""
+    """The result of a trial: the number of ``STAGES`` passed and the gap of the closed fingers."""
 
     passed: int
     width: float
@@ -97,7 +97,7 @@ class GraspBench:
         self._friction = model.geom_friction.copy()
 
     def try_grasp(self, grasp: GraspCandidate, rng: np.random.Generator) -> Trial:
-        """Try a grasp once, with errors drawn from ``rng``."""
+        """Try a grasp once, with random errors drawn from ``rng``."""
         model, data = self._model, self._data
         off = rng.normal(scale=ERROR[0], size=3)
         turned = Rotation.from_rotvec(rng.normal(scale=ERROR[1], size=3)).as_matrix()
@@ -148,7 +148,7 @@ class GraspBench:
         return data.xipos[self._body].copy(), data.xmat[self._body].reshape(3, 3).copy()
 
     def _holds(self, start: tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]) -> bool:
-        """Return whether the object is still in the hand as at ``start``."""
+        """Return whether the object is still in the hand, close to its pose ``start``."""
         place, axes = self._pose()
         if np.linalg.norm(place - start[0]) > SLIP or not self._is_touched():
             return False
@@ -169,7 +169,7 @@ class GraspBench:
 
 
 def _pulls(stage: str) -> Iterator[Float[np.ndarray, "3"]]:
-    """Yield the gravity of a stage (m/s², in the object's frame when the hand closed)."""
+    """Yield the gravity of a stage in m/s², in the object's frame at the time of the grasp."""
     span = _STEP * _EVERY
     if stage == "lift":
         for k in range(round((_RAMP + _HOLD) / span)):

@@ -21,7 +21,7 @@ FRAME_EVERY = 4
 
 
 class Predicts(Protocol):
-    """Any object with ``predict``: a policy of this package or a Stable-Baselines3 model."""
+    """An object with ``predict``, such as a policy of this package or of Stable-Baselines3."""
 
     def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
         """Return the action, and the policy's memory to pass as ``state`` to the next call."""
@@ -29,7 +29,7 @@ class Predicts(Protocol):
 
 
 class EpisodePlayer:
-    """Queries a policy for actions during one episode, and keeps its memory between steps."""
+    """A player that queries a policy during one episode and keeps the policy's memory."""
 
     def __init__(self, policy: Predicts) -> None:
         self._policy: Any = policy
@@ -44,7 +44,7 @@ class EpisodePlayer:
 
 @dataclass(frozen=True)
 class EpisodeResult:
-    """One episode: ``reward`` is the mean per step, ``table`` a digest of the table and objects."""
+    """An episode; ``reward`` is the mean per step, and ``table`` a digest of table and objects."""
 
     solved: bool
     steps: int
@@ -65,12 +65,12 @@ class PolicyEvaluation:
 
     @property
     def share(self) -> float:
-        """The share of episodes solved."""
+        """The fraction of episodes solved."""
         return self.solved / self.episodes
 
     @property
     def interval(self) -> tuple[float, float]:
-        """The 95 % Wilson interval of the share."""
+        """The 95 % Wilson interval of the fraction solved."""
         return wilson(self.solved, self.episodes)
 
     def __str__(self) -> str:
@@ -85,7 +85,7 @@ class PolicyEvaluation:
 def play(
     env: gym.Env[Any, np.ndarray], policy: Predicts, seed: int, frames: list[Any] | None = None
 ) -> EpisodeResult:
-    """Run one episode until success has held (``episodes.Held``) or until the time limit.
+    """Run one episode until success has lasted (``episodes.Held``) or the time limit is reached.
 
     ``frames`` receives the return value of ``env.render`` at the start, every few steps and at the
     end.

@@ -1,4 +1,4 @@
-"""Optional dependencies of training and charts: the extras ``train`` and ``plot``."""
+"""Optional dependencies for training and charts: the extras ``train`` and ``plot``."""
 
 from __future__ import annotations
 

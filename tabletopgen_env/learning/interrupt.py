@@ -15,7 +15,7 @@ class StopAsked(Exception):
 
 @contextmanager
 def heeding(say: Callable[[str], None]) -> Iterator[threading.Event]:
-    """Yield an event that the first Ctrl-C sets; a second one has its usual effect.
+    """Yield an event that the first Ctrl-C sets; a second Ctrl-C has its usual effect.
 
     Outside the main thread the event is never set.
     """

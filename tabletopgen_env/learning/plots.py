@@ -30,7 +30,7 @@ _POINTS = 200
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """Success rate of a recipe's runs: mean, minimum and maximum over their common range."""
+    """The success rate of a recipe's runs: mean, minimum and maximum over their common range."""
 
     runs: int
     at: Float[np.ndarray, "n"]
@@ -81,7 +81,7 @@ def labels(recipes: Sequence[Recipe]) -> list[str]:
 
 
 def _flat(facts: Mapping[str, Any], before: str = "") -> dict[str, Any]:
-    """Flatten nested settings to dotted keys."""
+    """Flatten nested settings into a dict with dotted keys."""
     found: dict[str, Any] = {}
     for key, value in facts.items():
         inner = isinstance(value, Mapping)
@@ -101,7 +101,7 @@ def _band(name: str, curves: list[tuple[list[float], list[float]]]) -> Band:
 
 
 def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 3"]:
-    """Draw the bands: a line for the mean, a shaded area from minimum to maximum.
+    """Draw the bands, each with a line for the mean and an area from minimum to maximum.
 
     Raises:
         InputError: Matplotlib is not installed.

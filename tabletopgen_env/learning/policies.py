@@ -135,7 +135,7 @@ class TrainedPolicy:
 
 
 def _memory(state: Any, starts: Any, shape: tuple[int, int]) -> Tensor:
-    """Return the memory, zeroed in rows whose episode begins."""
+    """Return the memory, with zeros in the rows whose episode begins."""
     if state is None:
         return torch.zeros(shape)
     memory = np.array(state, np.float32)
@@ -156,7 +156,7 @@ def policy_from(
     validation: Mapping[str, Any] | None = None,
     steps: int = 0,
 ) -> TrainedPolicy:
-    """Export a learner as a policy; ``validation`` and ``steps`` go into its card."""
+    """Export a learner as a policy; ``validation`` and ``steps`` are stored in its card."""
     actor, squash = learner.export()
     card = Card(
         recipe.task, dict(recipe.env), recipe.network, actor.inputs, actor.last.out_features,
@@ -203,7 +203,7 @@ def shipped_policies() -> dict[str, Path]:
 
 
 def load_policy(name: str | Path) -> TrainedPolicy:
-    """Load a policy by the name of a shipped one ("reach-clone") or by path.
+    """Load a shipped policy by name, such as "reach-clone", or any policy by path.
 
     Raises:
         InputError: the file is missing, too large, damaged, not a policy file, or has an
@@ -291,7 +291,7 @@ def _check_answers(kept: list[float], own: list[float]) -> None:
 
 
 def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
-    """Return the card in a file's header, with every value checked, and the saved outputs."""
+    """Return the validated card in a file's header, and the saved outputs."""
     if KEY not in notes:
         raise ValueError(f"its header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:

@@ -59,7 +59,7 @@ class TrainingPlan:
 
 @dataclass
 class Tracker:
-    """A training in progress: its run, its evaluation environment and its counts.
+    """A training run in progress, with its files, evaluation environment and counts.
 
     ``learned`` is true once a training step or a round of cloning has been completed.
     """
@@ -100,7 +100,7 @@ class Tracker:
         self.run.save(learner, self.counts, self.plan.keep_replay)
 
     def is_finished(self) -> bool:
-        """Return whether the recipe's steps are done, and report it if so."""
+        """Return whether the recipe's steps are done; if so, report it."""
         done, path = self.counts.steps, self.run.path
         if done < self.run.recipe.steps:
             return False
@@ -148,7 +148,7 @@ class Pauses:
         self._bar = bar(tracker.run.recipe.steps) if tracker.plan.bar else None
 
     def pause(self, learner: Learner, steps: int) -> bool:
-        """Evaluate and save a checkpoint if due after ``steps`` steps; return whether it was due.
+        """If due after ``steps`` steps, evaluate and save a checkpoint; return whether it was due.
 
         Raises:
             StopAsked: after Ctrl-C.
@@ -170,7 +170,7 @@ class Pauses:
 
 
 class Progress(BaseCallback):
-    """Calls ``Pauses.pause`` between the rollouts of a Stable-Baselines3 model."""
+    """A callback that calls ``Pauses.pause`` between the rollouts of a Stable-Baselines3 model."""
 
     def __init__(self, tracker: Tracker, pauses: Pauses) -> None:
         super().__init__()
@@ -186,7 +186,7 @@ class Progress(BaseCallback):
 
 
 def logger_of(run: Run, say: Say) -> Logger:
-    """Return the logger of a run's curves; report it if TensorBoard is missing."""
+    """Return the logger of a run's curves; print a message if TensorBoard is missing."""
     there = tensorboard_there()
     if not there:
         say(f"TensorBoard is not installed; no curves are written ({PIP}).")
@@ -194,7 +194,7 @@ def logger_of(run: Run, say: Say) -> Logger:
 
 
 def bar(total: int) -> Callable[[int | None], None]:
-    """Return a function that moves a progress bar to a number of steps, and closes it on None."""
+    """Return a function that moves a progress bar to a number of steps, or closes it for None."""
     from rich.progress import BarColumn, MofNCompleteColumn, TimeRemainingColumn
     from rich.progress import Progress as Bars
 

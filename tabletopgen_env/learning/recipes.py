@@ -300,7 +300,7 @@ def _read(path: Path) -> dict[str, Any]:
 
 
 def _check_values(name: str, value: Any) -> None:
-    """Refuse values that JSON cannot represent: dates, times and non-finite numbers."""
+    """Reject values that JSON cannot represent: dates, times and non-finite numbers."""
     inner = (
         value.values() if isinstance(value, Mapping) else value if isinstance(value, list) else ()
     )

@@ -78,7 +78,7 @@ class Run:
 
     @property
     def checkpoint(self) -> Path | None:
-        """The newest checkpoint; None if there is none."""
+        """The newest checkpoint, or None if there is none."""
         found = {
             int(named[1]): path
             for path in self.path.glob(f"{_CHECKPOINT}*")
@@ -88,7 +88,7 @@ class Run:
 
     @property
     def curves(self) -> Path:
-        """The folder of TensorBoard's curves."""
+        """The folder of the TensorBoard curves."""
         return self.path / _CURVES
 
     @property
@@ -97,7 +97,7 @@ class Run:
         return self.checkpoint is not None or any((self.path / p).exists() for p in (LATEST, BEST))
 
     def take_back(self, folder_too: bool) -> None:
-        """Delete a run that has learned nothing: its files and, with ``folder_too``, its folder."""
+        """Delete the files of an untrained run and, if ``folder_too`` is true, its folder."""
         shutil.rmtree(self.curves, ignore_errors=True)
         with suppress(OSError):  # another error is already being raised
             for name in (_RECIPE, _EVALUATIONS):
@@ -224,7 +224,7 @@ def open_run(path: Path) -> Run:
 
 
 def kept_policy(path: Path) -> Path:
-    """Return the file of a run's best policy, or of its latest if there is no best one.
+    """Return the file of a run's best policy, or of its latest policy if there is no best one.
 
     Raises:
         InputError: there is neither.
@@ -294,6 +294,6 @@ def _write_rows(path: Path, rows: list[EvaluationRow]) -> None:
 
 
 def differences(one: Recipe, other: Recipe) -> list[str]:
-    """Return the keys in which two recipes differ, other than their number of steps."""
+    """Return the keys in which two recipes differ, ignoring the number of steps."""
     a, b = one.facts(), other.facts()
     return [key for key in a if key != "steps" and a[key] != b[key]]

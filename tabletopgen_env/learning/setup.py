@@ -62,7 +62,7 @@ def spec_of(task: str) -> EnvSpec:
 def source_of(
     scenes: str | tuple[str, ...], side: Side, variants: int | None = None, task: Task | None = None
 ) -> SceneSource:
-    """Return the source of a recipe's scenes; those generated on demand are limited to one side.
+    """Return the source of a recipe's scenes; those generated on demand are limited to one split.
 
     ``variants`` is the total number of "fresh" tables on both sides, None for the default number;
     ``task`` is the task that scenes generated on demand must support, None for any.
@@ -79,14 +79,14 @@ def source_of(
 
 
 def _vary(source: SceneSource, variants: int) -> SceneSource:
-    """Set the number of fresh tables of a source, if it draws any."""
+    """Return a source with a new number of fresh tables, if it generates any."""
     if isinstance(source, CurriculumScenes) and isinstance(source.source, FreshScenes):
         return replace(source, source=_vary(source.source, variants))
     return replace(source, variants=variants) if isinstance(source, FreshScenes) else source
 
 
 def worlds_kept(source: SceneSource) -> int:
-    """Return how many compiled worlds an environment caches for a source: all, if there are few."""
+    """Return the number of compiled worlds to cache for a source: all of them if there are few."""
     if isinstance(source, CurriculumScenes):
         inner = source.source
         return max(worlds_kept(inner) if isinstance(inner, SceneSource) else KEPT, source.size)
@@ -96,7 +96,7 @@ def worlds_kept(source: SceneSource) -> int:
 
 
 def count_shared(source: SceneSource, other: SceneSource) -> int:
-    """Count, by digest, the tables shared by two sources, among those available without drawing.
+    """Count the shared tables of two sources by digest, among those available without drawing.
 
     The initial tables of a refreshing pool are counted, too.
 
@@ -243,7 +243,7 @@ def extractor_of(
 
 
 def _check_start(recipe: Recipe) -> None:
-    """Check that hindsight does not learn before an episode is complete."""
+    """Check that hindsight learning does not start before an episode is complete."""
     limit = spec_of(recipe.task).max_episode_steps or 0
     first = limit * recipe.envs
     starts = recipe.options.get("learning_starts", 100)

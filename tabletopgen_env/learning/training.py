@@ -110,7 +110,7 @@ def train(
 
 
 def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
-    """Raise errors that would otherwise occur later, before anything is written."""
+    """Raise, before anything is written, errors that would otherwise occur later."""
     cloning_config(recipe)
     batch_config(recipe)
     env.reset(seed=0)

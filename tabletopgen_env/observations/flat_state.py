@@ -18,7 +18,7 @@ from .proprioception import write_robot
 
 
 class FlatState:
-    """Reads the flat state of one world for one active goal.
+    """A reader of the flat state of one world for one active goal.
 
     Args:
         world: the world.
@@ -46,7 +46,7 @@ class FlatState:
     def read(
         self, noise: Noise | None = None, hint: Float[np.ndarray, "8"] | None = None
     ) -> Float[np.ndarray, "n"]:
-        """Return the current state, ``float32``.
+        """Return the current state as ``float32``.
 
         ``noise`` is the noise of this reading, ``hint`` the entries of ``grasp_hint``.
         """
@@ -75,7 +75,7 @@ class FlatState:
         return entries[first : first + size * count].reshape(count, size)
 
     def _read_robot(self, entries: Float[np.ndarray, "n"], noise: Noise | None) -> None:
-        """Write entries 0-33."""
+        """Write entries 0 to 33."""
         world, name = self._world, self._goal.target
         write_robot(entries, world, noise)
         left, right, _ = (False,) * 3 if name is None else world.touches(name)

@@ -1,4 +1,4 @@
-"""Grasp hint: where to grasp the active target and where to release it, as part of the state.
+"""The grasp hint in the state: where to grasp the active target and where to release it.
 
 A box and a pose do not show where a mug's handle is, or on which side of an object there is room
 for a finger. ``grasp_hint`` adds eight entries that do. When a goal becomes active, a grasp is
@@ -88,7 +88,7 @@ def misread(
     tool: Float[np.ndarray, "3"],
     yaw: float,
 ) -> Float[np.ndarray, "8"]:
-    """Return the entries with sensor errors ``target``, ``tool`` (m) and ``yaw``.
+    """Return the entries with the sensor errors ``target`` and ``tool`` (m) and ``yaw`` added.
 
     These are errors of the two positions, base frame, and of the hand's yaw, radians.
     """
@@ -105,7 +105,7 @@ def misread(
 
 
 class GraspHint:
-    """The grasp of the active target, which moves with the object, and then its place.
+    """The grasp of the active target, which moves with the object, and then the release place.
 
     The grasp is planned again when the object has come to rest elsewhere, untouched by the robot,
     or has been lost. ``planned`` is the grasp as it was planned, ``drop`` is the current place, if
@@ -128,7 +128,7 @@ class GraspHint:
         self._low = 0.0
 
     def __reduce__(self) -> tuple[type[GraspHint], tuple[HintKind, Placer | None]]:
-        """Return the state of a copy: a hint of the same kind, without an episode."""
+        """Return the state for copying or pickling: a hint of the same kind, without an episode."""
         return GraspHint, (self.kind, self._given)
 
     def begin(self, world: World, goal: Goal) -> None:
@@ -179,7 +179,7 @@ class GraspHint:
         return np.array([*left, turn, opening, grasp.width, rise, kind])
 
     def _take(self, world: World, name: str, blamed: bool = False) -> None:
-        """Plan a grasp; previous grasps, including the last one if ``blamed``, rank last."""
+        """Plan a grasp; lost grasps, including the current one if ``blamed``, rank last."""
         lost = (*self._lost, self.planned) if blamed and self.planned else self._lost
         self._lost = tuple(self._carry(world, name, plan) for plan in lost)
         if world.data.time > 0:
@@ -192,7 +192,7 @@ class GraspHint:
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
 
     def _carry(self, world: World, name: str, plan: GraspPlan) -> GraspPlan:
-        """Return a grasp moved along with the object since the last call of ``_take``."""
+        """Return a grasp that has moved with the object since the last call of ``_take``."""
         turned = world.rotation(name) @ self._rotation.T
         at, turn, old = world.position(name), rotation_yaw(turned), plan.grasp
         point = at + turned @ (old.point - plan.seen)
@@ -210,7 +210,7 @@ class GraspHint:
 
 
 def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
-    """Return the hint for a setting; None if the setting is no hint.
+    """Return the hint for a setting, or None if the setting requests no hint.
 
     Raises:
         InputError: the setting is unknown.

@@ -62,7 +62,7 @@ def height_map_space() -> spaces.Box:
 
 
 class _Pose(NamedTuple):
-    """Rounded pose of an object: centre (m, world), heading (radians), and tilt as a matrix."""
+    """A rounded pose of an object: centre (m, world), heading (radians), and tilt as a matrix."""
 
     center: Float[np.ndarray, "3"]
     heading: float
@@ -70,7 +70,7 @@ class _Pose(NamedTuple):
 
 
 class HeightLook:
-    """Computes height maps of scenes; caches scanned shapes and the last maps."""
+    """A scanner that computes height maps of scenes and caches scanned shapes and the last maps."""
 
     def __init__(self) -> None:
         self._shapes: dict[tuple[str, str, bytes], HeightMap] = {}
@@ -131,7 +131,7 @@ class HeightLook:
         return np.rint(np.minimum(fine / STEP, 255.0)).astype(np.uint8)
 
     def _shape(self, world: World, name: str, tilt: Float[np.ndarray, "3 3"]) -> HeightMap:
-        """Return the heights of an object above its centre over a grid in its heading frame."""
+        """Return an object's heights above its centre, on a grid in the object's heading frame."""
         key = (world.digest, name, tilt.tobytes())
         found = self._shapes.get(key)
         if found is None:

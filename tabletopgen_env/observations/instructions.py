@@ -55,7 +55,7 @@ class InstructionText(spaces.Text):
 
     @property
     def shape(self) -> None:
-        """None, as for every text space."""
+        """The shape: None, as for every text space."""
         self._warn()
 
     def _warn(self) -> None:
@@ -95,7 +95,7 @@ def tokens(text: str) -> Int[np.ndarray, "32"]:
 
 
 def embed(text: str) -> Float[np.ndarray, "64"]:
-    """Return the normalised sum of the signed hashes of words and their trigrams."""
+    """Return the normalised sum of the signed hashes of the words and of their trigrams."""
     entries = np.zeros(EMBEDDING_SIZE)
     for word in _WORDS.findall(text.lower()):
         edged = f" {word} "

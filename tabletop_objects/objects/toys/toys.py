@@ -200,7 +200,7 @@ TOY_KITCHEN_WHITE = surfaces.plain((244, 242, 238))
           themes=("toys",), roles=("tall",), colors=("red", "blue"))  # fmt: skip
 @from_pieces(bodies=3)
 def pez_dispenser(look: Look) -> Pieces:
-    """A sweet dispenser: a coloured stem on a foot and a round head with black ears and eyes."""
+    """A sweet dispenser: a coloured stem on a base and a round head with black ears and eyes."""
     color = look.color("red", "blue", "yellow", "green", "purple")
     stem = at_block(0.022, 0.013, 0.08, 0.003, (0, 0, 0.005))
     foot = at_block(0.03, 0.028, 0.006, 0.006)
@@ -478,7 +478,7 @@ def spinning_top(look: Look) -> Shape:
 @category("yo_yo", size=(0.093, 0.057, 0.0405), mass=0.055, material="plastic", assembled=True,
           aliases=("yoyo", "yo-yo"), themes=("toys",), colors=("red", "blue"))  # fmt: skip
 def yo_yo(look: Look) -> Shape:
-    """A yo-yo lying on one of its halves with its string beside it."""
+    """A yo-yo lying on one half, with the string beside it."""
     k = look.between(0.92, 1.08)
     color = look.color(*BRIGHT)
     half = np.array([(0, 0), (0.018, 0), (0.026, 0.003), (0.0285, 0.009), (0.027, 0.015),
@@ -742,7 +742,7 @@ def diabolo(look: Look) -> Shape:
           aliases=("cup-and-ball", "cup-and-ball toy", "cup and ball toy", "bilboquet", "kendama",
           "ball and cup"), themes=("toys",), roles=("tall",), colors=("wooden",))  # fmt: skip
 def cup_and_ball(look: Look) -> Shape:
-    """A wooden cup standing on its handle, with its ball on a string beside it."""
+    """A wooden cup standing on its handle, with a ball on a string beside it."""
     color = look.color("wooden", "red", "blue", "green")
     k = look.between(0.85, 1.15)
     stem = standing((0.026, 0), (0.026, 0.006), (0.009, 0.016), (0.008, 0.08), (0.012, 0.09),
@@ -768,7 +768,7 @@ def cup_and_ball(look: Look) -> Shape:
           aliases=("praxinoscope", "stroboscope", "phenakistoscope"), themes=("toys",),
           colors=("black",))  # fmt: skip
 def zoetrope(look: Look) -> Shape:
-    """A zoetrope: a slotted drum on a foot, with a strip of pictures inside."""
+    """A zoetrope: a slotted drum on a base, with a strip of pictures inside."""
     color = look.color("black", "red", "navy", "wooden")
     k = look.between(0.85, 1.15)
     foot = standing((0.045, 0), (0.045, 0.008), (0.012, 0.018), (0.009, 0.06), sides=24)

@@ -54,7 +54,7 @@ def toy_crane(look: Look) -> Pieces:
 
 
 def _side(outline: list[tuple[float, float]], width: float, bevel: float = 0.0) -> Solid:
-    """Return a side view (x, z; counter-clockwise) extruded to ``width`` along y."""
+    """Return a counter-clockwise side view in (x, z) extruded to ``width`` along y."""
     return prism(outline, -width / 2, width / 2, bevel).turn(0, np.pi / 2)
 
 
@@ -138,7 +138,7 @@ PALE = surfaces.plain((244, 244, 240))
 
 
 def _wheels(spots: list[tuple[float, float, float]], y: float, thick: float = 0.012) -> Pieces:
-    """Return wheels and hubs at each (x, radius, z of the axle) on both sides."""
+    """Return wheels and hubs on both sides for each (x, radius, axle height)."""
     tyres: list[Solid] = []
     hubs: list[Solid] = []
     for x, r, z in spots:

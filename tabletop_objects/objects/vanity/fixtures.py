@@ -160,7 +160,7 @@ def sink_plug(look: Look) -> Shape:
           "cosmetic mirror", "tabletop mirror", "desk mirror", "make up mirror", "shaving mirror"),
           themes=("vanity",), roles=("tall", "big"), colors=("white", "gold"))  # fmt: skip
 def standing_mirror(look: Look) -> Shape:
-    """A round, oval or square make-up mirror on a foot, tilted slightly back."""
+    """A round, oval or square make-up mirror on a base, tilted slightly back."""
     w = look.between(0.075, 0.1)
     color = look.color("white", "gold", "silver", "black", "pink", "wooden", "copper")
     skin = look.surface(color, look.pick(["metal", "plastic"]))

@@ -15,7 +15,7 @@ from ...kit.surfaces import RGB, Look, tint_color
 
 
 def _shade(look: Look, body: Solid, color: RGB) -> Pieces:
-    """Return a solid whose faces have different shades."""
+    """Return a solid whose faces have different shades of ``color``."""
     faces = body.faces
     a, b, c = body.vertices[faces].transpose(1, 0, 2)
     normal = np.cross(b - a, c - a).round(9)

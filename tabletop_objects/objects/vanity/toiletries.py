@@ -254,7 +254,7 @@ def electric_shaver(look: Look) -> Shape:
 
 
 def _front(look: Look, words: tuple[str, ...], color: RGB) -> Tile:
-    """Return a label for the front: a title on a background that suits ``color``."""
+    """Return a front label with a title on a background that suits ``color``."""
     pale = sum(color) > 480
     ground = tint_color(color, 0.92) if pale else color
     ink = tint_color(color, 0.35) if pale else (250, 250, 246)

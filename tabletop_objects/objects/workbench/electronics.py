@@ -281,7 +281,7 @@ def flashlight(look: Look) -> Shape:
           themes=("workbench",), colors=("black",))  # fmt: skip
 @from_pieces(bodies=3)
 def sat_nav(look: Look) -> Pieces:
-    """A navigation device on a foot, with a map on its screen."""
+    """A navigation device on a stand, with a map on its screen."""
     image = prints.canvas(128, 80, (206, 222, 196))
     for path in (
         [(0.0, 0.8), (0.4, 0.55), (1, 0.5)],

@@ -21,7 +21,7 @@ DARK = surfaces.plain((28, 28, 30))
           colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.1)
 def spark_plug(look: Look) -> Pieces:
-    """A spark plug lying flat: a terminal, ribbed insulator, hexagon, thread and electrode."""
+    """A spark plug lying flat: its terminal, ribbed insulator, hexagon, thread and electrode."""
     steel = metal(look, "silver", "gray")
     white = spindle((-0.035, 0.0045), (-0.034, 0.005), (-0.03, 0.0045), (-0.028, 0.005),
                    (-0.024, 0.0045), (-0.022, 0.005), (-0.005, 0.0062), z=0.01)  # fmt: skip
@@ -43,7 +43,7 @@ def spark_plug(look: Look) -> Pieces:
           colors=("orange", "white"))  # fmt: skip
 @from_pieces(bodies=1)
 def oil_filter(look: Look) -> Pieces:
-    """A painted oil filter can with flutes at the bottom and a print."""
+    """A painted oil filter can with flutes at the bottom and a printed band."""
     color = look.color("orange", "white", "blue", "black", "red")
     can = standing((0.034, 0), (0.038, 0.004), (0.038, 0.075), (0.033, 0.085), (0.02, 0.088))
     flutes = [at_box(0.004, 0.008, 0.028, (0.0365 * np.cos(a), 0.0365 * np.sin(a), 0.052))
@@ -113,7 +113,7 @@ def connecting_rod(look: Look) -> Pieces:
           aliases=("crank shaft",), themes=("workbench",), colors=("silver",))  # fmt: skip
 @from_pieces(foot=0.02, bodies=(0, 1, 3))
 def crankshaft(look: Look) -> Pieces:
-    """A crankshaft lying flat: journals, webs with counterweights and pins on both sides."""
+    """A crankshaft lying flat: journals, webs with counterweights, and pins on both sides."""
     steel = metal(look, "silver", "gray", "charcoal")
     journals = [spindle((x, 0.016), (x + 0.034, 0.016), z=0.048)
                 for x in (-0.19, -0.105, -0.02, 0.065, 0.15)]  # fmt: skip
@@ -280,7 +280,7 @@ def gasket(look: Look) -> Pieces:
           colors=("silver",))  # fmt: skip
 @from_pieces(bodies=3)
 def alternator(look: Look) -> Pieces:
-    """An alternator: a ribbed, round, slotted housing with a pulley and lugs."""
+    """An alternator: a round, ribbed housing with slots, a pulley and lugs."""
     steel = metal(look, "silver", "gray")
     z = 0.07
     body = spindle((-0.05, 0.045), (-0.04, 0.06), (0.045, 0.06), (0.055, 0.045), z=z)

@@ -47,7 +47,7 @@ CALIPER_DARK = (40, 40, 43)
           colors=("silver",), state="lying flat")  # fmt: skip
 @vary()
 def caliper(look: Look) -> Shape:
-    """A vernier calliper lying flat, with a scale and a fixed and a sliding jaw."""
+    """A vernier calliper lying flat, with a scale, a fixed jaw and a sliding jaw."""
     k = look.between(0.9, 1.05)
     color = look.color("silver", "silver", "black", "charcoal")
     metal = look.surface(color, "metal")

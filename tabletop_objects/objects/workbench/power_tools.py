@@ -112,7 +112,7 @@ def drill_chuck(look: Look) -> Pieces:
           colors=("green",), state="lying")  # fmt: skip
 @from_pieces()
 def wood_lathe(look: Look) -> Pieces:
-    """A wood lathe: a bed, a headstock and a tailstock with a turned piece between them."""
+    """A wood lathe: a bed, a headstock and a tailstock with a turned workpiece between them."""
     tile = plastic(look, "green", "blue", "gray", "red")
     bed = [at_box(0.42, 0.02, 0.03, (0, s * 0.025, 0.02)) for s in (-1, 1)]
     feet = [at_box(0.05, 0.11, 0.022, (x, 0, 0)) for x in (-0.17, 0.17)]
@@ -157,7 +157,7 @@ def chainsaw(look: Look) -> Pieces:
           colors=("teal", "red"), state="lying")  # fmt: skip
 @from_pieces()
 def biscuit_jointer(look: Look) -> Pieces:
-    """A biscuit jointer: a motor on the left, a metal head under a loop handle and a fence."""
+    """A biscuit jointer: a motor on the left, a metal head under a loop handle, and a fence."""
     tile = plastic(look, *BODIES)
     base = at_block(0.08, 0.12, 0.014, 0.006, (0.08, 0, 0))
     fence = at_box(0.012, 0.12, 0.075, (0.115, 0, 0.0))

@@ -812,7 +812,7 @@ def tyre_lever(look: Look) -> Shape:
           colors=("red",))  # fmt: skip
 @from_pieces()
 def car_jack(look: Look) -> Pieces:
-    """A half-raised scissor jack: a foot, a diamond of arms and a screw with a crank."""
+    """A half-raised scissor jack: a base, a diamond of arms and a screw with a crank."""
     tile = metal(look, "red", "black", "yellow", "charcoal")
     foot = at_block(0.12, 0.07, 0.008, 0.006)
     left, right, low, high = (-0.11, 0.085), (0.11, 0.085), (0.0, 0.012), (0.0, 0.16)

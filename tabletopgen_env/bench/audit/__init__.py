@@ -1,1 +1,1 @@
-"""Checks of results: plausibility of their figures, and replay of some of their episodes."""
+"""Checks of results: whether their values are possible, and replay of some episodes."""

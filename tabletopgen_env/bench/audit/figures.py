@@ -1,4 +1,4 @@
-"""Detection of figures that no run of a suite can produce."""
+"""Detection of results that no run of a suite can produce."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def check_suite(result: BenchResult, suite: Suite) -> None:
 
 
 def doubts(result: BenchResult, suite: Suite) -> tuple[Doubt, ...]:
-    """Return the impossible figures of a suite's result; an unmodified result has none.
+    """Return the impossible values in a suite's result; an unmodified result has none.
 
     An episode is solved once success has held for ``hold`` steps, during which the dense reward is
     exactly 1; otherwise it lasts until the time limit. The mean reward must agree with this.

@@ -1,4 +1,4 @@
-"""Marks of replayed results, in a file beside each result.
+"""Marks for replayed results, each in a file beside its result.
 
 Like a result, a mark is not signed: the maintainer of a leaderboard creates the marks.
 """
@@ -73,7 +73,7 @@ def remove_mark(result: Path) -> None:
 
 
 def read_mark(result: Path, digest: str) -> ReplayMark | None:
-    """Return the mark of the result with this digest, or None if it has none or an outdated one.
+    """Return the mark of the result with this digest, or None if it is missing or outdated.
 
     Raises:
         InputError: the mark is damaged or edited, or has an unsupported schema.

@@ -24,7 +24,7 @@ REWARD = 1e-4
 
 @dataclass(frozen=True)
 class EpisodeReplay:
-    """An episode as listed in a result, and its replay; ``number`` is its index."""
+    """An episode as listed in a result and as replayed; ``number`` is the episode's index."""
 
     number: int
     listed: EpisodeRow
@@ -32,7 +32,7 @@ class EpisodeReplay:
 
     @property
     def agrees(self) -> bool:
-        """Whether both agree: the same success and number of steps, and equal rewards.
+        """Whether listing and replay agree in success, number of steps and reward.
 
         Rewards agree within ``REWARD``, since processors differ in the last digits of the mean.
         """
@@ -41,7 +41,7 @@ class EpisodeReplay:
 
 
 def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
-    """Draw the indices of ``count`` episodes with a seed, or of all if there are fewer.
+    """Draw the indices of ``count`` random episodes, or of all episodes if there are fewer.
 
     Raises:
         InputError: ``count`` is less than one.
@@ -53,7 +53,7 @@ def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
 
 
 def player_of(result: BenchResult, suite: Suite, player: str | None) -> str:
-    """Return the player for a replay: ``player``, or the one named in the result.
+    """Return the name of the player for a replay: ``player``, or the one named in the result.
 
     Raises:
         InputError: the result names no player, or ``player`` differs from the one it names.
@@ -81,7 +81,7 @@ def replay(
     tables: Path | None = None,
     pool: PoolOptions = PoolOptions(),  # noqa: B008
 ) -> Iterator[EpisodeReplay]:
-    """Replay the episodes of a result with the given indices, and yield each.
+    """Replay the episodes of a result that have the given indices, and yield each replay.
 
     Raises:
         InputError: the player does not exist.
@@ -101,7 +101,7 @@ def replay(
 
 
 def _check_same(facts: PlayerFacts, listed: PlayerFacts, name: str) -> None:
-    """Check that a player is the one that played a result, whatever its name there."""
+    """Check that a player is the same as the player of a result, apart from its name."""
     other = [
         part for part in ("kind", "digest", "settings")
         if getattr(facts, part) != getattr(listed, part)

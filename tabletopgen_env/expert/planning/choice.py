@@ -1,4 +1,4 @@
-"""Choice of the best reachable grasp, once per arrangement of a scene."""
+"""Choice of the best reachable grasp, cached for the initial arrangement of a scene."""
 
 from __future__ import annotations
 
@@ -33,17 +33,17 @@ class GraspPlan:
 
 
 class Chooser(Protocol):
-    """Chooses a grasp: the expert's planner (``choose``), or a detector."""
+    """A function that chooses a grasp: the expert's planner (``choose``) or a detector."""
 
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
     ) -> GraspPlan | None:
-        """Return a grasp of ``target`` at its current pose, None if there is none."""
+        """Return a grasp of ``target`` at its current pose, or None if there is none."""
         ...
 
 
 def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> GraspPlan | None:
-    """Return the best reachable grasp of ``target`` at its current pose, None if there is none.
+    """Return the best reachable grasp of ``target`` at its current pose, or None if there is none.
 
     Grasps in ``failed`` rank last.
     """
@@ -51,7 +51,7 @@ def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> GraspPl
 
 
 def first_reachable(world: World, target: str, found: list[Grasp]) -> GraspPlan | None:
-    """Return the first of the grasps ``found`` that the arm can reach, None if there is none.
+    """Return the first of the grasps ``found`` within the arm's reach, or None if there is none.
 
     The wrist must clear the height map of all other objects.
     """

@@ -28,7 +28,7 @@ _PUSHED = 0.02
 
 
 class Drop:
-    """The path of a held object to the place that ``plan`` chooses in its goal's region.
+    """The path of a held object to the place that ``plan`` chooses in the goal's region.
 
     ``yaw`` is the hand's current yaw (base frame, radians); ``opening`` is the opening for release,
     metres.
@@ -59,7 +59,7 @@ class Drop:
         self.tool = np.array([*(place.target - offset), place.tool[2] + sunk]) + self._shift
 
     def turn(self, world: World) -> float:
-        """Return the remaining turn of the hand, radians."""
+        """Return the remaining turn of the hand, in radians."""
         if self._place.yaw is None:
             tool = world.data.site_xpos[world.tcp]
             offset = (world.position(self._target) - tool)[:2]
@@ -67,29 +67,29 @@ class Drop:
         return turn_left(world, self._place.yaw, self._place.tool)
 
     def hover(self, world: World) -> float:
-        """Return the height above the place that the hand still has to keep until it is aligned."""
+        """Return the height that the hand has to keep above the place until it is aligned."""
         aside = float(np.linalg.norm((world.data.site_xpos[world.tcp] - self.tool)[:2])) - _FINE
         turn = abs(self.turn(world)) - _TURNED
         return ABOVE * float(np.clip(max(aside / _FUNNEL, turn / _TURNED), 0.0, 1.0))
 
 
 def let_go_at(grasp: Grasp) -> float:
-    """Return the opening for release, metres, limited by neighbours."""
+    """Return the opening for release in metres, limited by neighbouring objects."""
     return min(grasp.opening, grasp.width + _LET_GO)
 
 
 def lift_of(goal: Goal) -> float:
-    """Return the height above its grasp to which an object is lifted before transport, metres."""
+    """Return the height in metres by which an object is lifted before it is transported."""
     return sum(RAISED) / 2 if isinstance(goal, Raised) else _LIFT
 
 
 def hanging(world: World, target: str) -> float:
-    """Return the extent of the held object, or of the fingertips, below the tool, metres."""
+    """Return how far the held object or the fingertips extend below the tool, in metres."""
     return max(float(world.data.site_xpos[world.tcp][2] - world.lowest(target)), TIP)
 
 
 def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
-    """Return the position of a held object's centre relative to the tool, and its extent.
+    """Return the centre of a held object relative to the tool, and the object's extent.
 
     Both are horizontal, in metres, world frame. If a large ``turn`` (radians) remains, the extent
     covers all directions.
@@ -102,7 +102,7 @@ def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"]
 
 
 def breadth(world: World, target: str) -> float:
-    """Return the horizontal extent of the held object from the tool, metres."""
+    """Return how far the held object extends horizontally from the tool, in metres."""
     size = np.abs(world.rotation(target)) @ world.scene.object(target).scale / 2
     away = (world.position(target) - world.data.site_xpos[world.tcp])[:2]
     return float(np.linalg.norm(away) + size[:2].max())
@@ -119,7 +119,7 @@ def met(world: World, goal: Goal) -> bool:
 
 
 def lost(world: World, goal: Goal) -> bool:
-    """Return whether the goal's target is at rest and released, but not as the goal requires."""
+    """Return whether the goal's target is at rest and released, but does not meet the goal."""
     assert goal.target is not None
     still = not world.touches(goal.target)[2] and at_rest(world, goal.target)
     return still and not met(world, goal)

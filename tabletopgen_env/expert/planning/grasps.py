@@ -53,7 +53,7 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` at its current pose, best first; any like ``avoid`` last."""
+    """Return top grasps of ``target`` at its current pose, sorted, with any near ``avoid`` last."""
     angles = rotation_yaw(world.rotation(target)) + np.arange(_TURNS) * np.pi / _TURNS
     found = [_demote(grasp, avoid) for grasp in grasps_along(world, target, angles.tolist())]
     return sorted(found, key=lambda grasp: -grasp.score)
@@ -103,7 +103,7 @@ def is_like(grasp: Grasp, other: Grasp) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Seen:
-    """An object's voxels above a floor; ``center`` is their origin, ``heading`` rotates them."""
+    """An object's voxels above a floor, with their origin ``center`` and rotation ``heading``."""
 
     shape: VoxelSolid
     cut: Slabs
@@ -118,7 +118,7 @@ class _Seen:
 
     @property
     def size(self) -> Float[np.ndarray, "2"]:
-        """The extent of the voxels, metres."""
+        """The extent of the voxels, in metres."""
         return np.array(self.shape.filled.shape[:2]) * self.shape.cell
 
     def columns(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
@@ -134,7 +134,7 @@ def _see(
     rotation: Float[np.ndarray, "3 3"],
     floor: float,
 ) -> _Seen:
-    """Convert an object's parts, in the world frame, to voxels above a floor of this height."""
+    """Convert an object's parts, given in the world frame, to voxels above height ``floor``."""
     # Voxels follow the object's heading, so that results do not depend on its pose on the table.
     heading = rotation_z(rotation_yaw(rotation))
     shape = solid(move_parts(own, -position * [1, 1, 0] @ heading, heading.T), STEP_U, RISE)
@@ -186,7 +186,7 @@ def _room(
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return each run's largest opening (m) with which the fingers can descend, NaN if none."""
+    """Return for each run the largest opening (m) at which the fingers can descend, or NaN."""
     distance = np.abs(u - center[:, None])
 
     def free(

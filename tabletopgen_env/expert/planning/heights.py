@@ -1,4 +1,4 @@
-"""Scenes as height maps for a gripper from above, and objects as voxels."""
+"""Height maps of scenes for a gripper that comes from above, and voxel models of objects."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...world.world import World
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:
-    """Heights of the highest surface over a grid, world frame, -inf in empty cells.
+    """Heights of the highest surface over a grid, in the world frame, with -inf in empty cells.
 
     ``origin`` is the centre of cell (0, 0), ``cell`` the spacing (metres); ``heights[i, j]`` is at
     ``origin + cell * (i, j)``.
@@ -27,7 +27,7 @@ class HeightMap:
     heights: Float[np.ndarray, "nx ny"]
 
     def at(self, points: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
-        """Return the height at the cell nearest to each point, -inf outside the grid."""
+        """Return the height at the cell nearest to each point, or -inf outside the grid."""
         i, j = _nearest(points, self.origin, self.cell)
         nx, ny = self.heights.shape
         inside = (i >= 0) & (i < nx) & (j >= 0) & (j < ny)
@@ -44,7 +44,7 @@ def move_parts(
 
 
 def parts_of(world: World, name: str) -> tuple[ConvexPart, ...]:
-    """Return an object's convex parts at its current pose, world frame."""
+    """Return an object's convex parts at its current pose, in the world frame."""
     parts = world.scene.object(name).parts
     return world.remember(
         ("parts", name), lambda: move_parts(parts, world.position(name), world.rotation(name))
@@ -76,7 +76,7 @@ def surroundings(
 
 @dataclass(frozen=True, eq=False)
 class VoxelSolid:
-    """An object as voxels, world frame.
+    """An object as voxels, in the world frame.
 
     ``filled[i, j, k]`` is at (``origin`` + ``cell`` * (i, j), ``levels[k]``), metres; ``levels``
     are equally spaced. The columns on the grid's border are empty.
@@ -100,7 +100,7 @@ class VoxelSolid:
 def _nearest(
     points: Float[np.ndarray, "*n 2"], origin: Float[np.ndarray, "2"], cell: float
 ) -> tuple[Int[np.ndarray, "*n"] | np.int64, Int[np.ndarray, "*n"] | np.int64]:
-    """Return the indices of the grid's cell nearest to each point, also for points outside it."""
+    """Return the indices of the grid cell nearest to each point, which may be outside the grid."""
     x, y = points[..., 0], points[..., 1]
     i, j = (x - origin[0]) / cell, (y - origin[1]) / cell
     return np.rint(i).astype(int), np.rint(j).astype(int)

@@ -1,4 +1,4 @@
-"""Planning of the release: place and yaw, with space for the held object and the fingers.
+"""Planning of the release: the place and yaw, with space for the held object and the fingers.
 
 The held object and the opening fingers move straight down onto the height map of all other objects;
 their undersides determine how deep they can go. Among many places and yaws in the goal's region,
@@ -40,7 +40,7 @@ PALM, PALM_Z = (0.106, 0.036), 0.043
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """The tool's pose at release: its point (m, world) and the hand's yaw (base frame, radians).
+    """The pose at release: the tool's point (m, world) and the hand's yaw (base frame, radians).
 
     A ``yaw`` of None means the current yaw, turned only as far as the last joint's range requires.
     ``target`` is the position of the held object's centre at release (x, y, world), ``hanging`` its
@@ -55,22 +55,22 @@ class Place:
 
 
 class Placer(Protocol):
-    """Plans the release: the expert's planner (``plan_place``), or ``middle_place``."""
+    """A function that plans the release: the expert's ``plan_place``, or ``middle_place``."""
 
     def __call__(self, world: World, goal: Goal, yaw: float, opening: float) -> Place:
-        """Return a place; see ``plan_place``."""
+        """Return a release pose; see ``plan_place``."""
         ...
 
 
 class Underside(NamedTuple):
-    """Columns below the tool: (x, y) and lowest height of each, relative to the tool."""
+    """Columns below the tool: the (x, y) and the lowest height of each, relative to the tool."""
 
     at: Float[np.ndarray, "n 2"]
     low: Float[np.ndarray, "n"]
 
 
 def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the best place in a goal's region for its target, as currently held.
+    """Return the best place in a goal's region for the target in its current grasp.
 
     ``yaw`` is the hand's current yaw in the base frame, radians; ``opening`` is the opening of the
     fingers for release, metres.
@@ -116,7 +116,7 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the centre of a goal's region as a place for its target, as ``plan_place`` does.
+    """Return the place at the centre of a goal's region; arguments are as for ``plan_place``.
 
     The hand keeps its yaw, or makes half a turn if the arm can reach the place only in this way.
     The plan uses the height map of all other objects, and the box and the lowest point of the held
@@ -128,7 +128,7 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def unturned_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the centre of a goal's region as ``middle_place`` does, for any yaw of the hand.
+    """Return the place as ``middle_place`` does, without a particular yaw of the hand.
 
     The place does not depend on the hand's pose at planning time, so following it needs no memory.
     """
@@ -139,7 +139,7 @@ def unturned_place(world: World, goal: Goal, yaw: float, opening: float) -> Plac
 def _middles(
     world: World, goal: Goal, yaw: float, opening: float, turns: tuple[float, ...]
 ) -> Iterator[Place]:
-    """Yield the place at the centre of a goal's region for each turn of the hand."""
+    """Yield the place at the centre of a goal's region for each rotation of the hand."""
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
     held, hand = _boxed_underside(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
@@ -171,7 +171,7 @@ def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
 
 
 def _points(goal: Goal, region: Region) -> Float[np.ndarray, "n 2"]:
-    """Return places (x, y, world) for the target's centre, the region's centre first."""
+    """Return positions (x, y, world) for the target's centre, the region's centre first."""
     rings = (0.0, 0.3, 0.6, 0.95) if isinstance(goal, Into | OnTop) else (0.0, 0.3, 0.6)
     angles = np.arange(12) * np.pi / 6
     ring = np.column_stack([np.cos(angles), np.sin(angles)])
@@ -181,7 +181,7 @@ def _points(goal: Goal, region: Region) -> Float[np.ndarray, "n 2"]:
 
 
 def _base(world: World, goal: Goal, region: Region) -> float:
-    """Return the height of the surface on which the target is to rest, world frame."""
+    """Return the height of the surface on which the target is to rest, in the world frame."""
     if isinstance(goal, Into):
         return float(world.position(goal.reference)[2]) + goal.opening.floor
     if isinstance(goal, OnTop):
@@ -211,7 +211,7 @@ def _held_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> 
 
 
 def _boxed_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
-    """Return the underside of the target as held in the hand, with its box as its shape."""
+    """Return the underside of the held target, approximated by that of its bounding box."""
     rotation, half = world.rotation(target), world.scene.object(target).scale / 2
     across = np.linspace(-1.0, 1.0, 9)
     unit = np.stack(np.meshgrid(across, across, across), -1).reshape(-1, 3)
@@ -220,7 +220,7 @@ def _boxed_underside(world: World, target: str, tool: Float[np.ndarray, "3"]) ->
 
 
 def _hand(opening: float, yaw: float) -> Underside:
-    """Return the underside of the hand with open fingers; ``yaw`` in the world frame."""
+    """Return the underside of the hand with open fingers; ``yaw`` is in the world frame."""
     inner = opening / 2
     boxes = (
         ((inner, inner + PAD), FINGER_HALF, -TIP),
@@ -240,5 +240,5 @@ def _hand(opening: float, yaw: float) -> Underside:
 def _touching(
     others: HeightMap, tools: Float[np.ndarray, "k 2"], under: Underside
 ) -> Float[np.ndarray, "k n"]:
-    """Return the tool's height at which each column of ``under`` makes contact, per place."""
+    """Return for each place the tool's heights at which the columns of ``under`` make contact."""
     return others.at(tools[:, None] + under.at) - under.low

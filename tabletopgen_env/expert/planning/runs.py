@@ -39,7 +39,7 @@ _TOUCHED = 0.75
 
 @dataclass(frozen=True, eq=False)
 class Slabs:
-    """An object divided, from every level up, into slabs as high as a finger's pad.
+    """An object divided into slabs as high as a finger pad, one starting at each level.
 
     Bit b of ``codes[k, c]`` is set if column c (in the order of ``VoxelSolid.nearest``) is filled
     at level k + b. ``tops[c]`` is the number of levels up to the highest filled one, ``looks[t]``
@@ -67,7 +67,7 @@ def slabs(shape: VoxelSolid, floor: float) -> Slabs:
 def _looks(
     levels: Float[np.ndarray, "z"], top: int, floor: float
 ) -> tuple[tuple[float, int, int], ...]:
-    """Return the slabs to examine below a top of ``top`` levels, lowest first."""
+    """Return the slabs to examine below a top that is ``top`` levels high, lowest first."""
     highest = float(levels[top - 1]) + RISE / 2
     tips = sorted({round(max(highest - d, floor + _ABOVE_TABLE), 4) for d in _DEPTHS})
     first = np.searchsorted(levels, tips).tolist()
@@ -92,7 +92,7 @@ class Runs:
 
 
 def find_runs(cut: Slabs, columns: Int[np.ndarray, "nv nu"]) -> Runs:
-    """Return the runs of an object with the given ``columns``, on every second line."""
+    """Return the runs of an object with the given ``columns``, in every second line of cells."""
     tops = cut.tops[columns]
     lines, cells = (np.flatnonzero(tops.any(axis)) for axis in (1, 0))
     rows = np.arange(lines[0], lines[-1] + 1, 2) if len(lines) else lines
@@ -126,7 +126,7 @@ def _windows(
     left: Int[np.ndarray, "r"],
     width: Int[np.ndarray, "r"],
 ) -> Bool[np.ndarray, "r b w"]:
-    """Return the bits of ``width`` codes from ``left`` on in each ``row``, padded with zeros."""
+    """Return the bits of ``width`` codes in each ``row``, starting at ``left`` and zero-padded."""
     along = np.arange(width.max(initial=1))
     found = codes[row[:, None], np.minimum(left[:, None] + along, codes.shape[1] - 1)]
     found = np.where(along < width[:, None], found, np.uint8(0))
@@ -136,7 +136,7 @@ def _windows(
 def _quality(
     by_line: Bool[np.ndarray, "r b w"], by_layer: Bool[np.ndarray, "r b w"]
 ) -> Float[np.ndarray, "r"]:
-    """Score the two sides of each run, NaN if the fingers would slide off."""
+    """Score the two sides of each run, with NaN if the fingers would slide off."""
     # These must stay well within the pads' friction cone: a side's *slope* along the finger's
     # width, the *squeeze* by which the run narrows upwards (the object would pop out) and the
     # *lean* of its middle (fingers would make contact at different heights). Levels much narrower
@@ -162,7 +162,7 @@ def _quality(
 def _ends(
     rows: Bool[np.ndarray, "r b w"],
 ) -> tuple[Float[np.ndarray, "r b"], Float[np.ndarray, "r b"]]:
-    """Return the start and end of each row of cells, metres."""
+    """Return the start and end of each row of cells, in metres."""
     last = rows.shape[2] - 1 - rows[:, :, ::-1].argmax(2)
     return rows.argmax(2) * STEP_U, last * STEP_U
 
@@ -170,7 +170,7 @@ def _ends(
 def _trend(
     side: Float[np.ndarray, "r b"], used: Bool[np.ndarray, "r b"], step: float
 ) -> Float[np.ndarray, "r"]:
-    """Return the slope of the line through each side's ``used`` points, 0 for a single point."""
+    """Return the slope of the line through each side's ``used`` points, or 0 for a single point."""
     at = np.arange(used.shape[1]) * step
     middle = (used * at).sum(1) / used.sum(1)
     offset = np.where(used, at - middle[:, None], 0.0)

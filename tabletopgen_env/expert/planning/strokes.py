@@ -1,4 +1,4 @@
-"""Push strokes: position of the closed fingers and yaw of the hand for pushing an object.
+"""Push strokes: the position of the closed fingers and the yaw of the hand for pushing.
 
 The hand pushes along the line through the centre of mass, where an object slides without turning.
 The fingers and the palm above them need space along the whole way.
@@ -71,7 +71,7 @@ def beside(world: World, target: str) -> HeightMap:
 
 
 def mass_center(world: World, target: str) -> Float[np.ndarray, "3"]:
-    """Return an object's centre of mass, world frame."""
+    """Return an object's centre of mass, in the world frame."""
     return world.position(target) + world.rotation(target) @ world.scene.object(target).com
 
 
@@ -126,7 +126,7 @@ def plan_stroke(
 
 
 def _tops(parts: tuple[ConvexPart, ...]) -> HeightMap:
-    """Return the height map of an object's own parts, world frame."""
+    """Return the height map of an object's parts alone, in the world frame."""
     low, high = (f([p.bounds[k] for p in parts], axis=0) for k, f in ((0, np.min), (1, np.max)))
     return height_map(parts, low[:2] - _CELL, high[:2] + _CELL, _CELL)
 
@@ -139,7 +139,7 @@ def _contact(
     opening: float,
     floor: float,
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
-    """Return the tool's position (x, y, world) and height to touch the object low down, or None."""
+    """Return the tool's (x, y, world) and height for touching the object low down, or None."""
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()
     palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
@@ -160,7 +160,7 @@ def _contact(
 def _behind(
     parts: list[ConvexPart], com: Float[np.ndarray, "2"], ahead: Float[np.ndarray, "2"]
 ) -> float | None:
-    """Return where the fingers' strip first meets parts, in metres from ``com`` along ``ahead``."""
+    """Return the distance (m) from ``com`` along ``ahead`` where the fingers first meet parts."""
     across = np.array([-ahead[1], ahead[0]])
     found: list[float] = []
     for part in parts:
@@ -172,7 +172,7 @@ def _behind(
 
 
 def _first_in_strip(u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"]) -> float:
-    """Return the smallest ``u`` of the convex hull of (u, v) within the strip."""
+    """Return the smallest ``u`` of the convex hull of (u, v) with |v| <= ``_HALF_STRIP``."""
     within = np.abs(v) <= _HALF_STRIP
     least = [float(u[within].min())] if within.any() else []
     for edge in (-_HALF_STRIP, _HALF_STRIP):
@@ -192,7 +192,7 @@ def _is_free(
     tip: float,
     hand: tuple[tuple[float, float], tuple[float, float]] = (_FINGERS, _PALM),
 ) -> bool:
-    """Return whether the fingers, opening along ``opening``, and the palm are free along a line."""
+    """Return whether palm and fingers, opened along ``opening``, do not collide along a line."""
     return all(
         others.at(line[:, None] + _rectangle(half, opening)).max() <= height
         for half, height in zip(hand, (tip - 0.001, tip + _PALM_Z), strict=True)
@@ -200,7 +200,7 @@ def _is_free(
 
 
 def _rectangle(half: tuple[float, float], opening: float) -> Float[np.ndarray, "n 2"]:
-    """Return a grid over a rectangle whose first side is along ``opening``, in metres."""
+    """Return grid points in a rectangle whose first side is along ``opening``, in metres."""
     axis = np.array([np.cos(opening), np.sin(opening)])
     sides = [np.linspace(-h, h, max(int(2 * h / 0.01), 2) + 1) for h in half]
     grid = np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)

@@ -1,1 +1,1 @@
-"""Training algorithms: one protocol for Stable-Baselines3 and this package's own."""
+"""Training algorithms, with one protocol for Stable-Baselines3 and this package's own."""

@@ -11,7 +11,7 @@ from ..networks.actor import Actor, Squash
 
 @dataclass(frozen=True)
 class Counts:
-    """Progress of a run: environment and gradient steps, episodes, seconds, best success rate.
+    """Progress of a run: environment and gradient steps, episodes, seconds and best success rate.
 
     ``best`` is -1 before the first evaluation; ``cloned`` is true once the actor has been cloned
     from the expert.
@@ -26,7 +26,7 @@ class Counts:
 
 
 class Learner(Protocol):
-    """A trainable model: its progress, its actor and its checkpoints."""
+    """A trainable model, with its progress, actor and checkpoints."""
 
     @property
     def updates(self) -> int:

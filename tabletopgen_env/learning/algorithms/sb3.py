@@ -41,7 +41,7 @@ class Sb3Learner:
         return actor_of(self.model, self.network)
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write the model, and its replay buffer (if it has one) if ``replay`` is true."""
+        """Write the model and, if ``replay`` is true and it has one, its replay buffer."""
         self.model.save(folder / MODEL)
         buffer = getattr(self.model, "replay_buffer", None)
         if replay and buffer is not None:

@@ -73,7 +73,7 @@ class CloningConfig:
 
 @dataclass(frozen=True)
 class Round:
-    """The outcome of a round: number of states so far, success rate of its episodes, and loss."""
+    """The outcome of a round: the states so far, the success rate of its episodes, and the loss."""
 
     number: int
     states: int

@@ -1,4 +1,4 @@
-"""Grasp demonstrations: objects as a policy observes them, with the expert's grasps.
+"""Grasp demonstrations: objects as observed by a policy, with the expert's grasps.
 
 They are used to train a policy's grasp head (``networks.grasp_head``). No episode is played: the
 expert lists its grasps of each object on a table at rest.
@@ -46,7 +46,7 @@ _MAX_BYTES = 512 * 2**20  # per file
 
 @dataclass(frozen=True, eq=False)
 class GraspShowing:
-    """One object: ``maps`` and ``stands`` as a policy observes them, and the expert's grasps.
+    """A demonstration: an object's ``maps`` and ``stands`` for a policy, and the expert's grasps.
 
     ``maps`` are the first two maps of ``observations.height_map``. ``stands`` holds the position of
     the robot's base relative to the centre of the object's box (x, y, heading frame), the height of
@@ -78,7 +78,7 @@ def showings(source: SceneSource, tables: int, seed: int) -> Iterator[list[Grasp
 
 
 def showing(world: World, name: str, look: HeightLook) -> GraspShowing | None:
-    """Return the demonstration of an object as it stands, or None if no grasp is reachable."""
+    """Return an object's demonstration at its current pose, or None if no grasp is reachable."""
     plan = choose(world, name)
     if plan is None:
         return None

@@ -36,7 +36,7 @@ def teach_head(
     note: Callable[[int, float], None] | None = None,
     size: int = 16,
 ) -> None:
-    """Fit a head in place with ``steps`` batches of ``size`` demonstrations, mirrored at random.
+    """Fit a head in place with ``steps`` batches of ``size`` randomly mirrored demonstrations.
 
     Each demonstration contributes ``SEEN_TURNS`` finger directions, in at least one of which the
     expert has a grasp.
@@ -93,7 +93,7 @@ def batch_of(
 def some_turns(
     batch: GraspBatch, sides: Float[Tensor, "b t 6"], generator: torch.Generator
 ) -> tuple[GraspBatch, Float[Tensor, "b k 6"]]:
-    """Return a batch with ``SEEN_TURNS`` random finger directions of each demonstration.
+    """Return a batch with ``SEEN_TURNS`` random finger directions for each demonstration.
 
     One of the directions is drawn with a probability equal to its share of the grasps. The shares
     of the remaining cells are then normalised.
@@ -128,7 +128,7 @@ def _places(grasps: Float[np.ndarray, "g 7"], sign: Sequence[int]) -> Places:
 
 
 def found_share(head: GraspHead, shown: Sequence[GraspShowing], worse: float = 0.6) -> float:
-    """Return the fraction of demonstrations where the head's plan matches an expert's grasp.
+    """Return the fraction of demonstrations for which the head's plan matches an expert grasp.
 
     Grasps match within 8 mm horizontally, 12 mm vertically and 16 degrees. Only grasps whose score
     is at most ``worse`` below that of the expert's choice count.

@@ -27,7 +27,7 @@ Policy = Callable[[Any], Float[np.ndarray, "a"]]
 
 @dataclass(frozen=True, eq=False)
 class Demonstration:
-    """One episode: observations, the expert's advice, actions and rewards.
+    """One episode, with observations, the expert's advice, actions and rewards.
 
     ``observations`` is an array (t + 1, o), one row longer than the other arrays, or a dict of such
     arrays for dict observations. ``solved`` is true if the episode ended in success.
@@ -41,7 +41,7 @@ class Demonstration:
     instruction: str
 
     def observation(self, step: int) -> Any:
-        """Return the observation before a step, or the last one if ``step`` is t."""
+        """Return the observation before a step, or the last observation if ``step`` is t."""
         if isinstance(self.observations, dict):
             return {name: part[step] for name, part in self.observations.items()}
         return self.observations[step]

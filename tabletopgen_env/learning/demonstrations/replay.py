@@ -32,7 +32,7 @@ def fill(
     seed: int,
     between: Callable[[], None] | None = None,
 ) -> int:
-    """Add successful episodes of the expert to a buffer; return their number.
+    """Add successful episodes of the expert to a buffer; return the number of episodes.
 
     Episodes run to the time limit and end as timeouts, so that the buffer covers the value of
     staying at the goal. Their number is rounded up to a multiple of the buffer's number of
@@ -102,7 +102,7 @@ def write_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
-    """Load a buffer's content into a new one of equal size; unfinished episodes end there.
+    """Load a saved replay buffer into a new one of equal size, ending unfinished episodes.
 
     Raises:
         InputError: the file is damaged, or belongs to another buffer.
@@ -132,7 +132,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
-    """Return an array if its dtype and shape match another's, else raise ValueError."""
+    """Return an array if its dtype and shape match another's; raise ValueError otherwise."""
     if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
         raise ValueError(
             f"the array is {kept.dtype} of shape {kept.shape}, expected {own.dtype} "

@@ -103,7 +103,7 @@ class RoundsFolder:
         write_whole(self._head, save(_weights(head)), "The head", _ADVICE)
 
     def read_head(self, head: nn.Module) -> bool:
-        """Restore the grasp head; return whether there is one; raise BundleError if damaged."""
+        """Restore the grasp head; return whether it exists; raise BundleError if it is damaged."""
         if not self._head.is_file():
             return False
         _fill(head, self._load(self._head), self.path)

@@ -58,7 +58,7 @@ class Teacher:
         return self._env.goal
 
     def see(self, observation: dict[str, Any]) -> Float32[np.ndarray, "n"]:
-        """Update the teacher's plan, and reduce an observation to the state and the way."""
+        """Update the plan, and reduce an observation to the flat state and motion features."""
         world, goal = self.world, self.goal
         if goal is not self._goal:
             self.hint.begin(world, goal)

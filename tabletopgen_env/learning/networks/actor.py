@@ -36,7 +36,7 @@ The shape of a one-dimensional part is its size.
 
 
 class Actor(nn.Module):
-    """Feature extractor, hidden layers and output layer, without the squashing or clipping."""
+    """The feature extractor, hidden layers and output layer, without squashing or clipping."""
 
     def __init__(self, network: Network, inputs: Inputs, actions: int) -> None:
         super().__init__()
@@ -58,7 +58,7 @@ class Actor(nn.Module):
 
     @property
     def memory_size(self) -> int:
-        """The size of the memory carried between steps, 0 for policies without memory."""
+        """The size of the memory carried between steps, or 0 for policies without memory."""
         return MEMORY if isinstance(self.extractor, SightExtractor) else 0
 
     def recall(
@@ -72,7 +72,7 @@ class Actor(nn.Module):
 
 
 def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
-    """Return a copy of an SAC, TD3 or PPO model's actor, and how its actions are squashed.
+    """Return a copy of the actor of an SAC, TD3 or PPO model, and how its actions are squashed.
 
     ``network`` is the argument with which ``setup.new_model`` created the model.
     """

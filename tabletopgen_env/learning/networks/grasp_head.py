@@ -53,7 +53,7 @@ _ANGLES = torch.arange(TURNS) * (math.pi / TURNS)
 
 
 class GraspHead(nn.Module):
-    """Predicts the quality of grasps of a target; ``plan`` returns the best one."""
+    """A network that predicts the quality of grasps of a target; ``plan`` returns the best one."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -82,7 +82,7 @@ class GraspHead(nn.Module):
     def plan(
         self, maps: Real[Tensor, "b m 48 48"], stands: Float[Tensor, "b 4"]
     ) -> Float[Tensor, "b 6"]:
-        """Return the best grasp of each target, as ``PLAN``."""
+        """Return the best grasp of each target in the format ``PLAN``."""
         rated = self(*turn_maps(maps, stands))
         best = rated.best.flatten(1).argmax(1)
         rows = torch.arange(len(best))
@@ -138,7 +138,7 @@ def turn_maps(
 
 
 def _grid() -> Float[Tensor, "t n n 2"]:
-    """Return the map positions of each rotated view's cells, in ``grid_sample`` coordinates."""
+    """Return the positions of the cells of each rotated view, in ``grid_sample`` coordinates."""
     axis = (torch.arange(SEEN) - (SEEN - 1) / 2) * (CELL / ((CELLS - 1) * CELL / 2))
     u, v = axis[:, None], axis[None]
     c, s = (f(_ANGLES)[:, None, None] for f in (torch.cos, torch.sin))

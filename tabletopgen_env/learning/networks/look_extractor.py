@@ -55,7 +55,7 @@ _IN_AIR = 0.03  # a region higher than this above the surface below it counts as
 
 
 class LookExtractor(BaseFeaturesExtractor):
-    """Features of ``state`` and ``height_map``: those of ``TableExtractor``, with the way as hint.
+    """Features of ``state`` and ``height_map`` by a ``TableExtractor`` whose hint is the way.
 
     The head is trained only by ``demonstrations.grasp_lessons``, not through the features.
 
@@ -87,13 +87,13 @@ class LookExtractor(BaseFeaturesExtractor):
     def features(
         self, state: Float[Tensor, "n o"], way: Float[Tensor, "n 8"]
     ) -> Float[Tensor, "n f"]:
-        """Compute the features from states and their ways."""
+        """Compute the features from states and the features of the way."""
         return self.table(torch.cat([state, way], 1))
 
     def plans(
         self, state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"]
     ) -> Float[Tensor, "n 6"]:
-        """Return the grasp of each target (``grasp_head.PLAN``), zeros if no grasp is needed.
+        """Return the grasp of each target (``grasp_head.PLAN``), or zeros if no grasp is needed.
 
         The grasp of a single observation is cached while the head's inputs do not change.
         """
@@ -132,12 +132,12 @@ def at_goal(state: Float[Tensor, "n o"]) -> Bool[Tensor, "n"]:
 
 
 def heading_of(state: Float[Tensor, "n o"]) -> Float[Tensor, "n"]:
-    """Return the bearing of the x axis of the target's box, base frame, radians."""
+    """Return the bearing of the x axis of the target's box in the base frame, in radians."""
     return torch.atan2(state[:, _ROBOT + 4], state[:, _ROBOT + 3])
 
 
 def lowest_of(state: Float[Tensor, "n o"]) -> Float[Tensor, "n"]:
-    """Return the height of the lowest corner of the target's box, base frame, metres."""
+    """Return the height of the lowest corner of the target's box in the base frame, in metres."""
     return state[:, _ROBOT + 2] - _reach(state[:, _ROBOT : _ROBOT + _SLOT])[:, 2]
 
 
@@ -151,7 +151,7 @@ def base_from_target(state: Float[Tensor, "n o"]) -> Float[Tensor, "n 4"]:
 def release_height(
     state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"]
 ) -> tuple[Float[Tensor, "n"], Float[Tensor, "n"]]:
-    """Return the tool's height for releasing the target, unrotated, in the middle of its goal.
+    """Return the tool's height for releasing the target without rotation in its goal's middle.
 
     The second array is the height of the surface there under the target. Both are in the base
     frame, in metres. The target is assumed to be as wide as its box, and the open hand as wide as
@@ -184,7 +184,7 @@ def release_height(
 def ways(
     state: Float[Tensor, "n o"], maps: Real[Tensor, "n 3 48 48"], plan: Float[Tensor, "n 6"]
 ) -> Float[Tensor, "n 8"]:
-    """Compute the way for each target and grasp (``grasp_head.PLAN``); see the module docstring."""
+    """Compute the way features (see the module docstring) for each grasp (``grasp_head.PLAN``)."""
     tool, low = state[:, 15:18], lowest_of(state)
     holding, put = is_held(state), at_goal(state)
     x, y = _turn(plan[:, 0], plan[:, 1], heading_of(state))
@@ -243,7 +243,7 @@ def _rise(
     depth: Float[Tensor, "n"],
     broad: Float[Tensor, "n"],
 ) -> Float[Tensor, "n"]:
-    """Return entry 6: the rise needed to clear other objects within ``broad`` of the path."""
+    """Return entry 6 of the way: the rise needed to clear objects within ``broad`` of the path."""
     tool, slots = state[:, 15:18], state[:, _ROBOT : _ROBOT + SLOTS * _SLOT]
     others = slots.reshape(-1, SLOTS, _SLOT)[:, 1:]
     way = (end - tool)[:, None, :2]
@@ -260,7 +260,7 @@ def _rise(
 
 
 def _reach(slots: Float[Tensor, "*n s"]) -> Float[Tensor, "*n 3"]:
-    """Return the half extents of boxes along the base frame's axes, metres."""
+    """Return the half extents of boxes along the base frame's axes, in metres."""
     x, y = slots[..., 3:6], slots[..., 6:9]
     axes = torch.stack([x, y, torch.linalg.cross(x, y)], -1)
     return (axes.abs() * slots[..., None, 9:12]).sum(-1)
@@ -269,7 +269,7 @@ def _reach(slots: Float[Tensor, "*n s"]) -> Float[Tensor, "*n 3"]:
 def _turn_box(
     state: Float[Tensor, "n o"], heading: Float[Tensor, "n"]
 ) -> tuple[Float[Tensor, "n"], Float[Tensor, "n"]]:
-    """Return the half extents of the target's box along the axes of its heading frame, metres."""
+    """Return the half extents of the target's box along its heading frame's axes, in metres."""
     slot, bounds = state[:, _ROBOT : _ROBOT + _SLOT], []
     half = slot[:, 9:12]
     x, y = slot[:, 3:6], slot[:, 6:9]

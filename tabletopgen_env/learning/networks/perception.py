@@ -117,7 +117,7 @@ def _perceive_one(
 def recall_goal(
     state: Float[Tensor, "n s"], shown: Float[Tensor, "n"], kept: Float[Tensor, "n 4"]
 ) -> tuple[Float[Tensor, "n s"], Float[Tensor, "n 4"]]:
-    """Replace poorly visible markers with their best earlier sighting; return states and sightings.
+    """Use the best earlier sighting of poorly visible markers; return the states and sightings.
 
     Near the end of a reach the hand hides the marker, and the visible rest is a poor estimate of
     its position. ``shown`` is the number of marker points in the current observation. ``kept`` is
@@ -153,7 +153,7 @@ def _cloud(
 
 
 def _is_green(picture: Float[Tensor, "h w c"]) -> Bool[Tensor, "m"]:
-    """Return which pixels have the marker's colour; channels are the first or the last axis."""
+    """Return which pixels have the marker's colour, with channels on the first or the last axis."""
     last = picture if picture.shape[-1] == 3 else picture.movedim(0, -1)
     red, green, blue = last.reshape(-1, 3).unbind(1)
     return (green > _GREEN) & (red < _RED_SHARE * green) & (blue < _BLUE_SHARE * green)
@@ -176,7 +176,7 @@ def find_ball(points: Float[Tensor, "m 3"]) -> tuple[Float[Tensor, "3"], int]:
 
 
 def _fit_ball(points: Float[Tensor, "m 3"]) -> Float[Tensor, "3"]:
-    """Fit a ball's centre to points seen from above, by Gauss-Newton steps that start below."""
+    """Fit a ball's centre to points seen from above, by Gauss-Newton steps from below the mean."""
     middle = points.mean(0) - points.new_tensor([0, 0, _BALL / 2])
     damping = 1e-3 * torch.eye(3, dtype=points.dtype)
     for _ in range(_FITS):
@@ -197,7 +197,7 @@ def _is_around(
 
 
 def is_robot(points: Float[Tensor, "m 3"], felt: Float[Tensor, "p"]) -> Bool[Tensor, "m"]:
-    """Return which points may be the robot's: those inside the hand's box or above it."""
+    """Return which points may belong to the robot: those inside the hand's box or above it."""
     x, y = felt[18:21], felt[21:24]
     axes = torch.stack([x, y, torch.linalg.cross(x, y)], 1)
     own = (points - felt[15:18]) @ axes
@@ -221,7 +221,7 @@ def table_height(points: Float[Tensor, "m 3"]) -> Float[Tensor, ""]:
 def box_of(
     points: Float[Tensor, "m 3"], table: Float[Tensor, ""]
 ) -> tuple[Float[Tensor, "3"], Float[Tensor, "3"]]:
-    """Return the centre and half extents of an object's box along the base's axes, metres."""
+    """Return the centre and half extents of an object's box along the base's axes, in metres."""
     low, high = points.quantile(0.01, 0), points.quantile(0.99, 0)
     if low[2] < table + _SUNK:
         low[2] = table

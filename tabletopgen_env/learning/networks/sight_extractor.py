@@ -40,7 +40,7 @@ _LONGEST = 60  # maximum age of a grasp, steps
 
 
 class SightExtractor(LookExtractor):
-    """Features of "pixels+proprio" with depth, target masks and calibrations.
+    """Features of "pixels+proprio" observations with depth, target masks and calibrations.
 
     Colours are needed if the goal is a marked point (Reach).
 
@@ -107,7 +107,7 @@ def _fits(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Bool[Te
 
 
 def _plan_of(state: Float[Tensor, "n s"], memory: Float[Tensor, "n 15"]) -> Float[Tensor, "n 6"]:
-    """Return a memory's grasp as ``grasp_head.PLAN``; the estimated heading is 0."""
+    """Return a memory's grasp in the format ``grasp_head.PLAN``; the estimated heading is 0."""
     aside = memory[:, 5:7] - state[:, _TARGET][:, :2]
     up = memory[:, 7] - lowest_of(state)
     return torch.cat([aside, up[:, None], memory[:, 8:_GRASP]], 1)

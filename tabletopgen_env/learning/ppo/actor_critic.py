@@ -72,7 +72,7 @@ def divergence(
 
 
 def _start(net: Actor, gain: float) -> None:
-    """Initialise a network with orthogonal weights, those of its last layer scaled by ``gain``."""
+    """Initialise a network with orthogonal weights, scaled by ``gain`` in the last layer."""
     for layer in (*net.hidden, net.last):
         if isinstance(layer, nn.Linear):
             own = gain if layer is net.last else math.sqrt(2)

@@ -18,7 +18,7 @@ from ..setup import spec_of
 
 @dataclass(frozen=True)
 class BatchConfig:
-    """Settings of a recipe's batch (its table ``batch``); see ``TabletopBatchEnv``.
+    """Settings of a recipe's batch, from its table ``batch``; see ``TabletopBatchEnv``.
 
     Attributes:
         device: "cuda", "cuda:<number>" or "cpu" (slow, for tests), for simulation and training.
@@ -43,7 +43,7 @@ class BatchConfig:
 
 
 def batch_config(recipe: Recipe) -> BatchConfig | None:
-    """Return the settings of a recipe's batch; None if it has none.
+    """Return the settings of a recipe's batch, or None if it has none.
 
     Raises:
         InputError: a setting is unknown or out of range, or the device does not exist.

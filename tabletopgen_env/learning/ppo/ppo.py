@@ -74,7 +74,7 @@ class BatchPPO:
 
     @torch.no_grad()
     def collect(self, worlds: TensorWorlds, seen: Seen) -> tuple[Seen, Rollout]:
-        """Collect a rollout in worlds with the current observations ``seen``.
+        """Collect a rollout in worlds whose current observations are ``seen``.
 
         Returns the next observations and the rollout; the next call overwrites the rollout.
         """
@@ -100,7 +100,7 @@ class BatchPPO:
         return seen, own
 
     def update(self, rollout: Rollout) -> UpdateFigures:
-        """Update actor and critic on a rollout."""
+        """Update the actor and the critic on a rollout."""
         config = self.config
         gains = advantages(
             rollout.rewards, rollout.values, rollout.over, rollout.after, config.gamma,
@@ -172,7 +172,7 @@ class BatchPPO:
         return actor, "clip"
 
     def write(self, folder: Path, replay: bool) -> None:
-        """Write weights, optimiser and random state into a checkpoint's folder."""
+        """Write the weights, the optimiser and the random state into a checkpoint's folder."""
         content = io.BytesIO()  # so that a full disk raises OSError
         torch.save(self._state(), content)
         (folder / FILE).write_bytes(content.getvalue())

@@ -13,7 +13,7 @@ from .worlds import Seen
 
 @dataclass(frozen=True, eq=False)
 class Rollout:
-    """``t`` steps of ``n`` worlds.
+    """A rollout of ``t`` steps of ``n`` worlds.
 
     Attributes:
         seen: observations before each step, by part.

@@ -30,7 +30,7 @@ GROUP = "policy"
 
 
 class RslRlWorlds:
-    """A vector environment with those members of ``rsl_rl.env.VecEnv`` that its runners use.
+    """A vector environment with the members of ``rsl_rl.env.VecEnv`` that ``rsl_rl`` runners use.
 
     Actions are clipped to [-1, 1]. ``rsl_rl`` bootstraps at time limits with the value of the
     observation before the last step, so final observations are not passed on.
@@ -56,7 +56,7 @@ class RslRlWorlds:
 
     @property
     def episode_length_buf(self) -> Tensor:
-        """The number of steps of each world's current episode."""
+        """The number of steps in each world's current episode."""
         return self._lengths
 
     @episode_length_buf.setter

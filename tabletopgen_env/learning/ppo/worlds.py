@@ -101,7 +101,7 @@ class TensorWorlds:
         return {name: self._tensor(part).float() for name, part in parts.items()}
 
     def _last(self, final: Any, cut: Int[Tensor, "k"]) -> Seen:
-        """Return the final observations of truncated worlds, in whichever form they are given."""
+        """Return the final observations of truncated worlds, whatever their input format."""
         if isinstance(final, Mapping):
             return {name: self._tensor(part)[cut].float() for name, part in final.items()}
         if isinstance(final, np.ndarray) and final.dtype == object:
@@ -112,7 +112,7 @@ class TensorWorlds:
         return {"": self._tensor(final)[cut].float()}
 
     def _successes(self, infos: Mapping[str, Any], over: Bool[Tensor, "n"]) -> Bool[Tensor, "n"]:
-        """Return which worlds reached their goal; none if the infos do not say."""
+        """Return which worlds reached their goal, or none if the infos lack this entry."""
         found = infos.get("success")
         now = torch.zeros_like(over) if found is None else self._tensor(found).bool()
         final = infos.get("final_info", {}).get("success")

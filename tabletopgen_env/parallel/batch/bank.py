@@ -43,7 +43,7 @@ class _Placed:
 
 
 class SceneBank:
-    """Scenes that a ``BatchWorld`` can load, each in the frame of its own robot's base.
+    """Scenes that a ``BatchWorld`` can load, each in its robot's base frame.
 
     The first axis of every array is the scene (n); the second axis of per-object arrays is the slot
     (s). The worlds are only read, and no reference to them is kept.
@@ -180,7 +180,7 @@ def _names(scene: _Placed, slots: int) -> tuple[str | None, ...]:
 
 
 def _stack(rows: list[Row]) -> Row:
-    """Stack the rows into arrays with the scene as first axis, in MuJoCo Warp's precision."""
+    """Stack the rows into arrays with the scene as the first axis, in MuJoCo Warp's precision."""
     stacked = {}
     for field in (*MODEL_FIELDS, *START_FIELDS):
         array = np.stack([row[field] for row in rows])

@@ -1,4 +1,4 @@
-"""Many worlds stepped together, with a different table in each: the batched ``World``."""
+"""The batched ``World``: many worlds stepped together, with a different table in each."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Indices = Sequence[int] | Int[Tensor, "k"]
 
 
 class BatchWorld:
-    """Scenes of a bank, each with a robot, simulated together.
+    """Scenes of a bank, each with a robot, that are simulated together.
 
     It simulates as ``World`` does, with the same steps, servos and contacts, but in single
     precision and without putting objects to sleep. Initially world k holds scene k of the bank,
@@ -86,7 +86,7 @@ class BatchWorld:
 
     @property
     def overflows(self) -> int:
-        """The number of times a world needed more contacts or rows than were available."""
+        """The number of times a world needed more contacts or constraint rows than available."""
         return int(self._counts[0])
 
     @property
@@ -119,7 +119,7 @@ class BatchWorld:
         qpos: Float[Tensor, "k nq"] | None = None,
         ctrl: Float[Tensor, "k 8"] | None = None,
     ) -> None:
-        """Load a scene of the bank, at rest, into each of some worlds. Other worlds do not change.
+        """Load scenes of the bank, at rest, into the given worlds. Other worlds do not change.
 
         Indices on a GPU are not checked, since that would force a synchronisation.
 
@@ -153,7 +153,7 @@ class BatchWorld:
         self._update_poses(at)
 
     def step(self, ctrl: Float[Tensor, "w 8"], substeps: int) -> Bool[Tensor, "w"]:
-        """Simulate ``substeps`` steps of ``TIMESTEP`` seconds in every world; return ``bad``.
+        """Make ``substeps`` steps of ``TIMESTEP`` seconds in every world; return the mask ``bad``.
 
         The arm's servo commands are interpolated from those of the last call to ``ctrl``, as in
         ``World.step``; the gripper's command changes at once.
@@ -194,7 +194,7 @@ class BatchWorld:
         self.load(range(self.num_worlds), [k % len(bank) for k in range(self.num_worlds)])
 
     def _indices(self, name: str, given: Indices, count: int) -> Int[Tensor, "k"]:
-        """Return indices on the device, checked if they come from the host."""
+        """Return indices on the device, after checking them if they come from the host."""
         at = torch.as_tensor(given, dtype=torch.long)
         if at.device.type == "cpu" and len(at) and not 0 <= at.min() <= at.max() < count:
             wrong = sorted({k for k in at.tolist() if not 0 <= k < count})
@@ -202,7 +202,7 @@ class BatchWorld:
         return at.to(self.device)
 
     def _update_poses(self, at: Int[Tensor, "k"]) -> None:
-        """Update the poses of some worlds from their joints; poses of other worlds are kept."""
+        """Update the poses of the given worlds from their joints, leaving the others unchanged."""
         before = {name: self._arrays[name].clone() for name in POSES}
         self._simulator.update_poses()
         for name, array in before.items():

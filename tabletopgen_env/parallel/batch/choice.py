@@ -11,7 +11,7 @@ from ...scenes.lookup import graded_of
 
 
 class EpisodeChoice:
-    """Draws episodes of a deck on the host, and records which world plays which episode.
+    """The choice of a deck's episodes on the host, with a record of which world plays which.
 
     ``sampler`` draws a bin of difficulty, weighted by the deck's number of episodes per bin; then
     one of the bin's episodes is drawn uniformly. Success rates stay with the sampler when the deck
@@ -30,18 +30,18 @@ class EpisodeChoice:
         self.restart(seed)
 
     def restart(self, seed: int) -> None:
-        """Reseed the draws; the success rates are kept."""
+        """Reseed the draws, keeping the success rates."""
         self._rng = np.random.default_rng((seed, 9))
 
     def hold(self, difficulties: Float[np.ndarray, "e"]) -> None:
-        """Draw from episodes of these difficulties from now on; no world plays one of them yet."""
+        """Switch to episodes of these difficulties, none of which any world plays yet."""
         self._bins = self.sampler.bins(difficulties)
         self._by_bin = np.argsort(self._bins, kind="stable")
         self._counts = np.bincount(self._bins, minlength=len(self.sampler.counts))
         self._playing[:] = -1
 
     def draw(self, worlds: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:
-        """Draw an episode for each of some worlds; return the rows in the deck."""
+        """Draw an episode for each of the given worlds; return the episodes' rows in the deck."""
         bins = self.sampler.sample(self._rng, len(worlds), self._counts)
         within = (self._rng.random(len(worlds)) * self._counts[bins]).astype(int)
         rows = self._by_bin[(np.cumsum(self._counts) - self._counts)[bins] + within]
@@ -49,7 +49,7 @@ class EpisodeChoice:
         return rows
 
     def forget(self, worlds: Int[np.ndarray, "k"]) -> None:
-        """Mark worlds as playing an episode that was not drawn; its result is not recorded."""
+        """Mark worlds as playing an episode that was not drawn, so that no result is recorded."""
         self._playing[worlds] = -1
 
     def record(self, ended: Bool[np.ndarray, "w"], successes: ArrayLike) -> None:
@@ -59,7 +59,7 @@ class EpisodeChoice:
 
 
 def sampler_of(scenes: SceneChoice) -> DifficultySampler:
-    """Return the sampler of a curriculum; for other scenes, one with a single bin."""
+    """Return the sampler of a curriculum, or one with a single bin for other scenes."""
     if isinstance(scenes, CurriculumScenes):
         return scenes.sampler
     if isinstance(scenes, str) and graded_of(scenes) is not None:

@@ -1,4 +1,4 @@
-"""Decks: a bank of scenes with its drawn episodes, built here or in the background."""
+"""Decks, each a bank of scenes with drawn episodes, built here or in the background."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SCENES = 64
 
 @dataclass(frozen=True)
 class DeckConfig:
-    """Number of scenes and of episodes, and limits on the scenes.
+    """The numbers of scenes and of episodes, and limits on the scenes.
 
     Args:
         scenes: number of scenes drawn from a source that generates them; None for ``SCENES``, or
@@ -69,7 +69,7 @@ class DeckConfig:
 
 @dataclass(frozen=True, eq=False)
 class Deck:
-    """A bank, and the episodes of each of its source worlds.
+    """A bank of scenes, and the episodes of each source world.
 
     ``idle`` lists the scenes without a valid task; ``bank.left_out`` lists the scenes excluded from
     the bank.
@@ -82,7 +82,7 @@ class Deck:
 
 @dataclass(frozen=True, eq=False)
 class DeckPlan:
-    """Settings of decks: see ``TabletopBatchEnv``, which has the same arguments.
+    """Settings of decks; see ``TabletopBatchEnv``, which has the same arguments.
 
     Raises:
         InputError: a setting is invalid, or not available for batches.
@@ -179,7 +179,7 @@ class DeckOrder:
         return self._made.done()
 
     def result(self) -> Deck:
-        """Wait for the deck and return it; the process ends.
+        """Wait for the deck, end the process and return the deck.
 
         Raises:
             SceneError: the process ended unexpectedly.
@@ -191,7 +191,7 @@ class DeckOrder:
             self.close()
 
     def close(self) -> None:
-        """End the process, even if it is not done."""
+        """End the process, even if the deck is incomplete."""
         self._pool.close()
 
 

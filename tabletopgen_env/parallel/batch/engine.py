@@ -22,7 +22,7 @@ _PACKAGES = ("mujoco-warp", "warp-lang")
 
 @dataclass(frozen=True)
 class Engine:
-    """The modules ``warp`` and ``mujoco_warp``. They are imported only here.
+    """The modules ``warp`` and ``mujoco_warp``, which are imported only by this class.
 
     Warp compiles its kernels on first use, which takes a minute, and caches them in a folder of the
     user's cache or in ``$WARP_CACHE_PATH``.
