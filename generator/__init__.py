@@ -1,4 +1,4 @@
-"""Turn a text or one picture of a tabletop into a simulated table (TabletopGen).
+"""Turn a text prompt or a picture of a tabletop into a simulated table (TabletopGen).
 
 The package contains no robot code.
 

@@ -46,7 +46,7 @@ class MissingError(BundleError):
 
 
 class StorageError(TabletopError, OSError):
-    """A file operation failed: unwritable folder, full disk, or lock not acquired."""
+    """A file operation failed: the folder is not writable, the disk is full or a lock was held."""
 
 
 class SceneError(TabletopError, RuntimeError):

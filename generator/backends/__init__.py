@@ -1,4 +1,4 @@
-"""Backends: the models behind the stages. See ``protocols``, ``select`` and ``mix``."""
+"""Backends: the models that the stages use. See ``protocols``, ``select`` and ``mix``."""
 
 from .select import Backends, Mix
 

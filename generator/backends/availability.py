@@ -1,4 +1,4 @@
-"""Which backends are available, judging by packages, settings and weights; sends nothing."""
+"""Availability of backends, judged by their packages, settings and weights; nothing is sent."""
 
 from __future__ import annotations
 

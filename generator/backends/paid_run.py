@@ -57,7 +57,7 @@ def _content(path: Path) -> str:
 
 @contextmanager
 def answering(session: Session, scene: str, tell: Callable[[str], None]) -> Iterator[None]:
-    """Load a scene's earlier spending into a session, and end the session's calls with the block.
+    """Load a scene's earlier spending into a session, whose calls stop if the block fails.
 
     If the run fails, ``tell`` receives its costs; see ``Session.resume``.
     """

@@ -56,10 +56,10 @@ def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
 
 @runtime_checkable
 class Reasoner(Protocol):
-    """The multimodal language model of the paper: six questions."""
+    """The paper's multimodal language model, which answers six questions."""
 
     def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
-        """Expand a text into a scene plan (Sec. 3, Fig. 20)."""
+        """Expand a prompt into a scene plan (Sec. 3, Fig. 20)."""
         ...
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
@@ -144,10 +144,10 @@ class PoseGuesser(Protocol):
 
 @runtime_checkable
 class Imager(Protocol):
-    """The paper's image model: draws reference pictures, completes objects, and draws top views."""
+    """The paper's image model, which draws pictures and top views, and completes objects."""
 
     def draw(self, plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
-        """Draw a plan's reference image: the whole table on white, from 50-60 degrees elevation."""
+        """Draw the reference image: the whole table on white, at an elevation of 50-60 degrees."""
         ...
 
     def complete(
@@ -199,7 +199,7 @@ class Segmenter(Protocol):
 
 @runtime_checkable
 class Modeler(Protocol):
-    """Image to 3D (Sec. 3.2)."""
+    """Conversion of images to 3D models (Sec. 3.2)."""
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Make a textured model of one instance or the table; it may be off by quarter turns.

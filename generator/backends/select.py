@@ -96,7 +96,7 @@ def _load(name: str, role: str, session: Session) -> Any:
 
 
 def _add_fallback(role: str, backend: Any) -> Any:
-    """Return a backend with the embedded one as its ``fallback``, if it has that field unset."""
+    """Return a backend whose ``fallback`` field, if present and unset, is the embedded backend."""
     if "fallback" not in _fields(type(backend)) or backend.fallback is not None:
         return backend
     return dataclasses.replace(backend, fallback=_load("embedded", role, Session()))
@@ -130,7 +130,7 @@ class Backends:
     def select(
         cls, default: str = "embedded", *, session: Session | None = None, **roles: Any
     ) -> Backends:
-        """Return backends by name; single roles may be set to a name or to your own object.
+        """Return backends by name; individual roles may be set to a name or to your own object.
 
         ``default`` is used for the roles (``reasoner``, ``imager``, ``segmenter``, ``modeler``,
         ``encoder``) that ``roles`` does not set. Backends selected by name that call servers share
@@ -229,7 +229,7 @@ _UNTOLD: Any = object()
 
 @dataclass(frozen=True)
 class Mix:
-    """Backends per role. docs/guides/backends.md lists their requirements.
+    """The backend of each role. docs/guides/backends.md lists what backends require.
 
     Attributes:
         backend: Backend of all roles that are not set below.

@@ -1,4 +1,4 @@
-"""Bundles: scenes stored as folders that anyone can load, and the reading of these."""
+"""Bundles: scenes stored as folders that anyone can load, and functions to save and load them."""
 
 from __future__ import annotations
 

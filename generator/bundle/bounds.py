@@ -17,7 +17,7 @@ from ..errors import BundleError
 
 @dataclass(frozen=True)
 class Bounds:
-    """Maximum sizes and counts; ``all_`` fields count the whole bundle.
+    """Maximum sizes and counts; ``all_`` fields apply to the whole bundle.
 
     Attributes:
         files: listed files.

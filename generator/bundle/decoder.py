@@ -99,7 +99,7 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> De
 
 
 def _decode_report(entry: object) -> Report | None:
-    """Return a report; failures without values, from an earlier version, are kept as texts."""
+    """Return a report; failures without values, from an earlier version, are kept as text."""
     if entry is None:
         return None
     what = "scene.json.report"

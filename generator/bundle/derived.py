@@ -93,7 +93,7 @@ def check_starts(model: mujoco.MjModel, name: str) -> None:
 
 
 def _parse(raw: bytes, maximum: int) -> ET.Element:
-    """Parse at most ``maximum`` bytes of plain elements: no declarations, entities or comments."""
+    """Parse at most ``maximum`` bytes of elements without declarations, entities or comments."""
     if len(raw) > maximum:
         raise BundleError(f"scene.xml does not match scene.json: it has {len(raw)} bytes.")
     if b"<!" in raw or b"<?" in raw:
@@ -105,7 +105,7 @@ def _parse(raw: bytes, maximum: int) -> ET.Element:
 
 
 def _difference(wanted: ET.Element, found: ET.Element) -> str:
-    """Describe how two elements differ; empty if they are equal."""
+    """Describe how two elements differ, or return "" if they are equal."""
     name = wanted.get("name", "")[:80]
     where = f"<{wanted.tag}{f' name={name!r}' if name else ''}>"
     if wanted.tag != found.tag:

@@ -22,7 +22,7 @@ _LENGTH, _UNIT, _MASS = 7, 6, 12  # decimals of metres, canonical coordinates an
 
 
 def dumps(payload: Mapping[str, Any]) -> bytes:
-    """Return the canonical text of ``payload``: keys sorted, one line per key, arrays compact."""
+    """Return the canonical text of ``payload``: sorted keys, a line per key, and compact arrays."""
     lines: list[str] = []
     for key in sorted(payload):
         value = payload[key]
@@ -100,7 +100,7 @@ def _encode_report(report: Report | None) -> dict[str, Any] | None:
 
 
 def _encode_plan(plan: ScenePlan | None) -> dict[str, Any] | None:
-    """Return the plan without empty groups, default families and the usual density."""
+    """Return the plan without empty groups, default families or the usual density."""
     encoded = _without_empty(_printable(plain(plan)), "groups")
     if encoded is not None:
         if encoded["density"] == "normal":

@@ -21,7 +21,7 @@ _MOST_INTEGER = 2**64
 def arguments(
     kind: type, entry: object, what: str, optional: Set[str] = frozenset(), **written: Any
 ) -> dict[str, Any]:
-    """Return a JSON object as the arguments of a dataclass: all of its fields, each of its type.
+    """Return a JSON object as dataclass arguments, with all fields present and of the right types.
 
     ``what`` is the object's position, for messages: "objects[3]". ``optional`` fields may be
     absent, for example from earlier bundles; they then have their default values. ``written`` maps
@@ -38,7 +38,7 @@ def arguments(
 def _fields(
     hints: Mapping[str, Any], required: Set[str], entry: object, what: str
 ) -> dict[str, Any]:
-    """Return the fields of a JSON object: only known ones, each of its type."""
+    """Return the fields of a JSON object, which must be known and have the right types."""
     if not isinstance(entry, dict):
         raise BundleError(f"{what} must be a JSON object, not {type(entry).__name__}.")
     values = typing.cast("dict[str, Any]", entry)

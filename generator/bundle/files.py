@@ -1,4 +1,4 @@
-"""Copies of bundles, and all files in a bundle, for archives and web servers."""
+"""Copying of bundles, and reading of all their files, for archives and web servers."""
 
 from __future__ import annotations
 

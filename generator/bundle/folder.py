@@ -1,4 +1,4 @@
-"""Bundles: scenes stored as folders that anyone can load, and the reading of these.
+"""Bundles: scenes stored as folders that anyone can load, and functions to save and load them.
 
 ``<name>-<digest12>/`` contains ``scene.json`` (the source of truth: every value, the report, and
 the size and sha256 of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``,
@@ -115,7 +115,7 @@ def load_segments(path: str | Path) -> Segments | None:
 
 @steady
 def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | None:
-    """Read and check a bundle's picture ("reference", "preview", ...); None if it is not there.
+    """Read and check a bundle's picture ("reference", ...); return None if it is missing.
 
     Raises:
         BundleError: there is no bundle, or the picture is damaged.
@@ -229,7 +229,7 @@ def _fingerprint(content: bytes) -> dict[str, Any]:
 
 
 def read_truth(folder: Path) -> dict[str, Any]:
-    """Return the content of ``scene.json``, checked."""
+    """Return the content of ``scene.json`` after checking it."""
     try:
         there = folder.is_dir()
     except OSError as error:

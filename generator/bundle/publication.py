@@ -1,4 +1,4 @@
-"""Folders that are published or absent, even with concurrent writers, removers and readers.
+"""Folders that are either complete or absent, even with concurrent writers, removers and readers.
 
 A bundle is built in a staging folder next to its destination and moved there by a single rename. It
 is also removed by a single rename, and deleted afterwards. Writers and removers therefore need no
@@ -130,7 +130,7 @@ def sweep(folder: Path) -> None:
 
 
 def steady(read: Reader[P, R]) -> Reader[P, R]:
-    """Wrap a reader of bundles so that it sees only complete ones: it retries if one was replaced.
+    """Wrap a reader of bundles so that it retries if a bundle was replaced while it was read.
 
     ``read`` takes the bundle's path as its first argument, and raises BundleError or OSError if
     something in it is missing. If the bundle was removed in the meantime, that becomes a
@@ -214,7 +214,7 @@ def _remove_if_stale(folder: Path, name: str) -> None:
 
 
 def _remove(staging: Path) -> None:
-    """Remove a staging folder, but its marker last, so that it stays marked if interrupted."""
+    """Remove a staging folder, with its marker last so that it stays marked if interrupted."""
     remove_tree(staging, _INNER)
     remove_file(staging, _MARKER)
     staging.rmdir()

@@ -62,7 +62,7 @@ class Segments:
         return cls(tuple(i.name for i in ordered), tuple(i.label for i in ordered), index)
 
     def mask(self, name: str) -> Bool[np.ndarray, "h w"]:
-        """Return the visible pixels of the instance ``name``; none if no instance has that name."""
+        """Return the visible pixels of the instance ``name``, or an empty mask if there is none."""
         if name not in self.names:
             return np.zeros(self.index.shape, bool)
         return self.index == self.names.index(name) + 1

@@ -158,7 +158,7 @@ def _payload(request: httpx2.Request, body: bytes) -> Mapping[str, Any]:
 def _price(
     request: httpx2.Request, payload: Mapping[str, Any], body: bytes, price: Price | None
 ) -> tuple[Price | None, float | None]:
-    """Return a call's price and its maximum cost; None for unknown values.
+    """Return a call's price and its maximum cost, or None for values that are unknown.
 
     Status requests are free, and so are unlisted models on this machine.
     """
@@ -195,7 +195,7 @@ def _texts(value: Any) -> Iterator[str]:
 
 
 def _count(value: Any) -> int:
-    """Parse a count as written by servers and in forms; 0 if it is invalid."""
+    """Parse a count as written by servers and in forms, or return 0 if it is invalid."""
     if isinstance(value, str) and len(value) > _DIGITS:
         return 0
     try:

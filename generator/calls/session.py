@@ -31,7 +31,7 @@ EXTRA = "pip install 'tabletopgen[cloud]'"
 
 @dataclass(frozen=True, eq=False)
 class Session(SessionState):
-    """Caches, records, limits and retries the calls of one generation; thread-safe.
+    """A thread-safe session that caches, records, limits and retries the calls of one generation.
 
     ``store``: the cache of answers; None disables caching.
     ``account``: the ledger of the calls; ``resume`` adds earlier runs.

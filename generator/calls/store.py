@@ -52,7 +52,7 @@ class CallStore:
     """A folder of answers that threads and processes may use concurrently."""
 
     def __init__(self, folder: str | Path, most_bytes: int = _MOST_BYTES) -> None:
-        """Use ``folder``, which is created with the first answer, accessible only to its owner.
+        """Use ``folder``, which is created with the first answer and accessible only to its owner.
 
         ``most_bytes`` is the capacity; the least recently used answers are evicted first. Each
         concurrent writer may exceed it by 1/32.

@@ -37,7 +37,7 @@ _LEAST = 6  # characters; shorter strings are not keys, and redacting them would
 
 @dataclass(eq=False, repr=False)
 class PaidTransport(httpx2.BaseTransport):
-    """Sends one client's requests to the origin of ``base_url``; see ``Session.client``."""
+    """Transport of one client's requests to the origin of ``base_url``; see ``Session.client``."""
 
     session: SessionState
     server: str

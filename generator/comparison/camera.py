@@ -50,7 +50,7 @@ def picture_camera(scene: Scene, segments: Segments) -> Camera:
     frame = np.array([width, height, width, height], float)
 
     def camera(steps: Float[np.ndarray, "3"]) -> Camera:
-        """Move right and down by fractions of the depth, and change the depth by a factor."""
+        """Return the camera moved right and down by fractions of the depth, with a scaled depth."""
         right, down, forward = start.rotation
         move = right * steps[0] + down * steps[1] + forward * (1 - np.exp(steps[2]))
         return Camera(start.position + depth * move, start.rotation, start.fov, width, height)

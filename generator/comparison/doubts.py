@@ -60,7 +60,7 @@ def match_picture(
 
 
 def warn_of_eye_level(scene: Scene) -> tuple[str, ...]:
-    """Return a warning if the picture was taken from little above the tabletop."""
+    """Return a warning if the picture was taken from only slightly above the tabletop."""
     elevation = scene.view.elevation
     if elevation >= EYE_LEVEL:
         return ()
@@ -98,7 +98,7 @@ def _doubt_things(seen: Comparison, things: list[Score]) -> tuple[str, ...]:
 
 
 def _note_things(things: list[Score]) -> list[str]:
-    """Return a line for each built object whose outlines hardly overlap."""
+    """Return a line for each built object that hardly overlaps its own mask in the picture."""
     return [
         (
             f"{score.name} differs from the picture: the outlines overlap by {100 * score.iou:.0f} "

@@ -59,17 +59,17 @@ class Comparison:
 
     @property
     def mean_iou(self) -> float:
-        """Mean over the objects; missing objects and instances count as 0."""
+        """The mean IoU over the objects; missing objects and instances count as 0."""
         return float(np.mean([score.iou for score in self.scores])) if self.scores else 0.0
 
     @property
     def mean_color_difference(self) -> float | None:
-        """Mean over the objects that are visible in both pictures."""
+        """The mean colour difference over the objects that are visible in both pictures."""
         known = [s.color_difference for s in self.scores if s.color_difference is not None]
         return float(np.mean(known)) if known else None
 
     def silhouette(self, name: str) -> Bool[np.ndarray, "h w"]:
-        """Return the rendered pixels of the table or an object; none if no such body exists."""
+        """Return the rendered pixels of the table or an object, or none if no such body exists."""
         names = [TABLE, *(thing.name for thing in self.scene.objects)]
         shown = np.asarray(self.rendered.ids)
         return shown == names.index(name) if name in names else np.zeros(shown.shape, bool)

@@ -53,7 +53,7 @@ class WordedEdit:
         return fits and (ways == 1 or (ways == 0 and self.turn is not None))
 
     def apply(self, bundle: str | Path, backends: Backends | None = None) -> Edited:
-        """Return the edited scene; ``backends`` make new objects; None means the catalogue.
+        """Return the edited scene; ``backends`` make new objects, or the catalogue if it is None.
 
         Raises:
             InputError: The scene has no such object, or the text does not name a known object.

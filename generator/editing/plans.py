@@ -62,7 +62,7 @@ def _held(relation: Relation, name: str) -> bool:
 def _with(
     scene: Scene, objects: Sequence[PlannedObject], renamed: Mapping[str, str] | None = None
 ) -> Scene:
-    """Return the scene with only ``objects`` in its plan, if any, and no relations to others.
+    """Return the scene with only ``objects`` and the relations among them in its plan, if any.
 
     ``renamed`` maps members of groups to their new names, or to "" if they left the group.
     """
@@ -83,7 +83,7 @@ def _with(
 def _regroup(
     group: PlannedGroup, names: Collection[str], renamed: Mapping[str, str]
 ) -> PlannedGroup | None:
-    """Return what remains of a group; None if fewer than two objects remain."""
+    """Return what remains of a group, or None if fewer than two objects remain."""
     members = tuple(m for n in group.members if (m := renamed.get(n, n)) in names)
     around = renamed.get(group.around, group.around) if group.around else None
     around = around if around in names else None

@@ -128,7 +128,7 @@ def _fits(thing: Object, target: PlannedObject) -> bool:
 
 
 def _of_look(scene: Scene, things: Sequence[Object], target: PlannedObject) -> Sequence[Object]:
-    """Return the objects with the target's attributes in the scene's plan; all if none has them."""
+    """Return the objects with the target's attributes in the scene's plan, or all if none match."""
     looks = {o.name: dict(o.attributes) for o in planned_things(scene)}
     alike = [t for t in things if target.attributes.items() <= looks.get(t.name, {}).items()]
     return alike or things

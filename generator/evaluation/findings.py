@@ -55,7 +55,7 @@ class DefectLimits:
 
 @dataclass(frozen=True)
 class Finding:
-    """One defect of an object; ``value`` and ``limit`` are in ``unit``, or None if not applicable.
+    """One defect of an object; ``value`` and ``limit`` are in ``unit``, or None if inapplicable.
 
     ``other`` is the second object involved, or "table".
     """

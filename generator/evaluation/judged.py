@@ -50,7 +50,7 @@ MEASURED = "measured figures, no judge"
 
 @dataclass(frozen=True)
 class Marks:
-    """Marks from 1 to 7 by criterion, or None if missing; ``judge`` is where they come from.
+    """Marks from 1 to 7 by criterion, or None if they are missing; ``judge`` is their source.
 
     ``notes`` explains each mark that was derived from measured values, and each missing mark.
     """

@@ -42,7 +42,7 @@ class Missing(BackendError):
 
 @dataclass(frozen=True)
 class MapSimilarity:
-    """Cosine similarity of an encoder's feature maps, averaged over positions; 1 if equal.
+    """Cosine similarity of an encoder's feature maps, averaged over positions; 1 for equal maps.
 
     ``load`` returns the encoder, which maps images (n, 3, h, w) in [0, 1] to feature maps.
     """
@@ -73,14 +73,14 @@ class MapSimilarity:
 
 
 def _load_filters() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return Phi of Eq. 4: colour and oriented edges, so layout and colour rather than meaning."""
+    """Return Phi of Eq. 4: colours and oriented edges, which reflect layout rather than meaning."""
     from ..backends.embedded.encoder import EmbeddedEncoder
 
     return EmbeddedEncoder().features
 
 
 def _load_lite() -> Callable[[Tensor], tuple[Tensor, ...]]:
-    """Return the built-in detector's EfficientNet-Lite0, strides 16 and 32, tuned on renders."""
+    """Return the built-in detector's EfficientNet-Lite0, tuned on renders, at strides 16 and 32."""
     from ..backends.embedded.eye.weights import load_weights
 
     encoder = load_weights().eye.encoder
@@ -200,14 +200,14 @@ PUBLISHED: Mapping[str, Metric] = MappingProxyType({m.name: m for m in (Lpips(),
 
 @dataclass(frozen=True)
 class Available:
-    """The metrics available on this machine, and why others are missing, by name."""
+    """The metrics available on this machine, and the reasons why others are missing, by name."""
 
     metrics: tuple[Metric, ...]
     missing: Mapping[str, str]
 
 
 def available(names: Sequence[str] = (*PUBLISHED, *EMBEDDED)) -> Available:
-    """Return which of the named metrics work on this machine; each is loaded to find out.
+    """Return which of the named metrics work on this machine, by loading each of them.
 
     Raises:
         BackendError: A metric does not exist.

@@ -206,7 +206,7 @@ def ranking(
 
 
 def _draw(scene: Scene, compared: Comparison | None) -> Picture:
-    """Draw a scene from its picture's camera, or from the front and above if this is unknown."""
+    """Draw a scene from its picture's camera or, if that is unknown, from the front and above."""
     from ..render.sheet import render_scene
 
     return render_scene(scene, camera=None if compared is None else compared.camera).image

@@ -23,7 +23,7 @@ from ..scene import Scene
 
 @dataclass(frozen=True)
 class StillnessRule:
-    """Criteria for standing still; lengths in metres, angles in radians, time in seconds.
+    """Criteria for standing still; lengths are in metres, angles in radians, and times in seconds.
 
     Attributes:
         seconds: simulated duration.
@@ -105,17 +105,17 @@ class Soundness:
 
     @property
     def unstable(self) -> tuple[str, ...]:
-        """Names of objects that move or turn more than the rule allows, or that fall."""
+        """The names of the objects that move or turn more than the rule allows, or that fall."""
         return tuple(o.name for o in self.objects if self.moves(o))
 
     @property
     def floating(self) -> tuple[str, ...]:
-        """Names of objects that float."""
+        """The names of the objects that float."""
         return tuple(o.name for o in self.objects if o.floats)
 
     @property
     def off_table(self) -> tuple[str, ...]:
-        """Names of objects that hang over the edge."""
+        """The names of the objects that hang over the edge."""
         return tuple(o.name for o in self.objects if o.off_table)
 
     @property

@@ -1,4 +1,4 @@
-"""The paper's image model: draws reference pictures, completes objects, and draws top views."""
+"""The paper's image model, which draws reference pictures and top views and completes objects."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ _EARLIER = "\n\nAn earlier drawing was wrong: "
 
 @dataclass(frozen=True)
 class CloudImager:
-    """Answers the three picture questions with an image model, checked by a chat model.
+    """An imager for the three picture questions, with an image model checked by a chat model.
 
     Attributes:
         base_url: the image server; see ``drawing`` for the supported forms.
@@ -79,14 +79,14 @@ class CloudImager:
             raise BackendError(f"Imager has no form {self.form!r}." + choices(self.form, RATIOS))
 
     def check(self) -> None:
-        """Check that the models' prices are known if there is a budget (otherwise BudgetError)."""
+        """Raise BudgetError if there is a budget and a model's price is unknown."""
         models = {self.model: self.base_url, self.chat_model: self.chat_base_url}
         for model, url in models.items():
             self.session.check_price(model, url, f"cloud, imager ({model})")
 
     @property
     def server(self) -> str:
-        """The image server's name: its provider's, or host and port."""
+        """The image server's name: its provider's name, or the host and port."""
         return configuration.server_name(self.base_url)
 
     @property

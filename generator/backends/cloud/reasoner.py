@@ -1,4 +1,4 @@
-"""The paper's reasoner: a multimodal chat model behind typed questions."""
+"""The paper's reasoner: a multimodal chat model that answers typed questions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ Picture = UInt8[np.ndarray, "_ _ 3"]
 
 @dataclass(frozen=True)
 class CloudReasoner:
-    """Answers, by chat, the six questions and the two of ``Judge`` and of ``PoseGuesser``.
+    """A chat model that answers the questions of ``Reasoner``, ``Judge`` and ``PoseGuesser``.
 
     Attributes:
         base_url: an OpenAI-compatible server whose chat/completions endpoint accepts pictures.
@@ -57,12 +57,12 @@ class CloudReasoner:
         object.__setattr__(self, "base_url", configuration.checked_url(self.base_url))
 
     def check(self) -> None:
-        """Check that the model's price is known if there is a budget (otherwise BudgetError)."""
+        """Raise BudgetError if there is a budget and the model's price is unknown."""
         self.session.check_price(self.model, self.base_url, f"cloud, reasoner ({self.model})")
 
     @property
     def server(self) -> str:
-        """The server's name: its provider's, or host and port."""
+        """The server's name: its provider's name, or the host and port."""
         return configuration.server_name(self.base_url)
 
     @property
@@ -72,7 +72,7 @@ class CloudReasoner:
         return Chat(server, self.manners, self.seed)
 
     def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
-        """Expand a text into a plan; the seed varies what the text leaves open.
+        """Expand a prompt into a plan; the seed varies what the prompt leaves open.
 
         Raises:
             InputError: the text is empty or too long.
@@ -86,7 +86,7 @@ class CloudReasoner:
         return self.chat.ask("plan_scene", text, (), answers.PlanAnswer, plan)
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
-        """Return "table" and the noun of each visible kind, repeated once per instance."""
+        """Return "table" and the noun of each visible kind, once for each of its instances."""
         plan = ""
         if reference.plan is not None:
             nouns = ", ".join(thing.noun for thing in reference.plan.objects)
@@ -115,7 +115,7 @@ class CloudReasoner:
         return self.chat.ask("estimate_view", text, (shown.picture(),), answers.ViewAnswer, view)
 
     def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
-        """Return typical sizes; sizes fixed by a text are kept."""
+        """Return typical sizes, but keep those given in the prompt."""
         shown = Labelled.of(reference.image, instances)
         fixed = scene_answers.fixed_sizes(reference, instances)
         numbers = shown.numbers
@@ -139,7 +139,7 @@ class CloudReasoner:
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
     ) -> tuple[tuple[str, int], ...]:
-        """Return the quarter turns that orient the model as in the instance's picture."""
+        """Return the quarter turns that orient the model as the instance's picture shows it."""
         length, width, height = (f"{100 * v:.3g}" for v in size.extent)
         x, y, z = (f"{v:.2f}" for v in mesh.extent / mesh.extent.max())
         text = worded(
@@ -183,7 +183,7 @@ class CloudReasoner:
     def rank(
         self, reference: Picture, methods: Mapping[str, tuple[Picture, ...]]
     ) -> tuple[str, ...]:
-        """Return the methods, best first; the model sees letters instead of names.
+        """Return the methods from best to worst; the model sees letters instead of names.
 
         Raises:
             InputError: there are more methods than letters.

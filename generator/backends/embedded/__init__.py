@@ -1,1 +1,1 @@
-"""The embedded backend: CPU only, no key, no network; its learned weights are included."""
+"""The embedded backend, which needs no GPU, key or network, and includes its learned weights."""

@@ -1,4 +1,4 @@
-"""Completion of one object of the reference image: hidden parts filled in, clean soft outline."""
+"""Completion of one object in the reference image, adding hidden parts and a clean soft outline."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
 
 
 def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
-    """Return the mask reflected about its outline's vertical axis of symmetry, or None.
+    """Return the mask reflected about its outline's vertical symmetry axis, or None if it has none.
 
     A reflection about this axis maps most of the unoccluded outline onto itself or behind the
     hider, and almost none of it elsewhere.
@@ -171,7 +171,7 @@ def crop_box(box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
 def cut_out(
     image: UInt8[np.ndarray, "h w 3"], mask: Mask, box: Float[np.ndarray, "4"]
 ) -> UInt8[np.ndarray, "ch cw 4"]:
-    """Cut out a box (which may exceed the image) as RGBA with a soft edge, enlarged if small.
+    """Cut out a box, which may exceed the image, as RGBA with a soft edge; enlarge it if small.
 
     Colours outside the mask are those of the nearest pixel inside, so that edges stay clean.
     """

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmbeddedEncoder:
-    """A fixed filter bank as Phi of Eq. 4.
+    """A fixed filter bank, used as Phi of Eq. 4.
 
     At each scale (stride 2, 4 and 8), a map has two chroma channels and the derivatives of
     luminance along ``orientations`` directions. The channels of each position are divided by their

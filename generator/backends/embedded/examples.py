@@ -1,4 +1,4 @@
-"""Matching of a text's words to objects in a picture, through rendered catalogue examples.
+"""Matching of words to the objects in a picture, by means of rendered catalogue examples.
 
 The built-in detector knows only a few of the catalogue's categories. For any other category, an
 example is built, rendered from all sides at about the picture's elevation, and named by the
@@ -72,7 +72,7 @@ def rate_words(
 def compare_sizes(
     things: Sequence[EyeDetection], wanted: Sequence[str], plane: TablePlane
 ) -> Float[np.ndarray, "n w 2"]:
-    """Return the ``apparent_scale`` of each object for each word; NaN where it is unknown.
+    """Return the ``apparent_scale`` of each object for each word, or NaN where it is unknown.
 
     It is unknown for words outside the catalogue, and for objects cut off by the frame.
     """
@@ -90,7 +90,7 @@ def compare_sizes(
 def scales_of(
     thing: EyeDetection, keys: Sequence[str], plane: TablePlane
 ) -> dict[str, tuple[float, float]] | None:
-    """Return an object's ``apparent_scale`` for each category; None if the frame cuts it off."""
+    """Return an object's ``apparent_scale`` for each category, or None if the frame cuts it off."""
     box = mask_box(thing.whole)
     height, width = thing.whole.shape
     if min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width):

@@ -10,7 +10,7 @@ from . import completion, painter, top_view
 
 @dataclass(frozen=True)
 class EmbeddedImager:
-    """Answers the three picture questions without any model.
+    """An imager for the three picture questions, without any model.
 
     ``draws_catalogue`` is True because the drawing of a plan shows the catalogue's own objects.
     """

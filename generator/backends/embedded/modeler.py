@@ -46,7 +46,7 @@ class EmbeddedModeler:
     quick: bool = dataclasses.field(default=False, repr=False)
 
     def for_text(self) -> EmbeddedModeler:
-        """Return the modeler for pictures that were drawn from a text."""
+        """Return the modeler for pictures that were drawn from a text prompt."""
         return dataclasses.replace(self, quick=True)
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:

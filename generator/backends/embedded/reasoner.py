@@ -39,7 +39,7 @@ _HEIGHT = 0.74
 
 @dataclass(frozen=True)
 class EmbeddedReasoner:
-    """Answers the six questions without any model; answers about pictures use the table plane.
+    """A reasoner for the six questions, without any model; for pictures, it uses the table plane.
 
     The two questions of ``PoseGuesser`` are answered by a naive reading of the picture (see
     ``poses``).
@@ -54,7 +54,7 @@ class EmbeddedReasoner:
         return (TABLE, *(thing.noun for thing in reference.plan.objects))
 
     def estimate_view(self, reference: Reference, table: Instance) -> View:
-        """Return the camera from depth, or the one that explains the tabletop's outline."""
+        """Return the camera estimated from depth or, without depth, from the tabletop's outline."""
         return survey(reference, (table,)).plane.view
 
     def estimate_sizes(self, reference: Reference, instances: Instances, view: View) -> Sizes:
@@ -110,7 +110,7 @@ class EmbeddedReasoner:
     def guess_rotations(
         self, reference: Reference, instances: Instances, sizes: Sizes, view: View
     ) -> Mapping[str, float]:
-        """Return the yaw along each mask's long axis, to 15 degrees (see ``poses``)."""
+        """Return the yaw along each mask's long axis, rounded to 15 degrees (see ``poses``)."""
         return poses.guess_rotations(instances, sizes, view)
 
     def guess_layout(
@@ -143,7 +143,7 @@ def _holds(label: str) -> bool:
 
 
 def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
-    """Return the size fixed by the text or known to the catalogue; None for unknown words."""
+    """Return the size given by the prompt or the catalogue, or None for unknown words."""
     planned = reference.plan.objects if reference.plan else ()
     asked = next((p for p in planned if p.noun == instance.label), None)
     found = find_category(asked.category if asked else instance.label)
@@ -154,7 +154,7 @@ def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
 
 
 def _table_factor(looks: list[tuple[float, float]]) -> float:
-    """Return the factor for a usual table's size that gives known objects their usual size.
+    """Return the factor by which a usual table is scaled to give known objects their usual size.
 
     ``looks`` are the results of ``apparent_scale`` on the usual table. The factor is the median,
     weighted by the agreement of the shapes as in Eq. 6. The usual table counts as two objects,

@@ -46,7 +46,7 @@ _BAND = 0.012
 
 @dataclass(frozen=True)
 class EmbeddedSegmenter:
-    """Detects objects with a small network of this project (``eye``)."""
+    """A segmenter that detects objects with this project's small network (``eye``)."""
 
     def segment(
         self,
@@ -76,7 +76,7 @@ def detect(
     depth: Float[np.ndarray, "h w"] | None,
     intrinsics: Intrinsics | None,
 ) -> tuple[Detection, ...]:
-    """Return table and objects as in ``protocols.Segmenter``, from a reading of the picture."""
+    """Return the table and the objects as in ``protocols.Segmenter``, given an ``EyeReading``."""
     wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
     things = _on_table(sight, _ASKED if wanted else SURE)
     things += _carriers(image, sight, things)
@@ -140,7 +140,7 @@ def _carriers(
 
 
 def stand_on(sight: EyeReading, masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[bool]:
-    """Return, per mask, whether its foot is on the tabletop or where objects hide the tabletop."""
+    """Return, for each mask, whether its lower end is on the tabletop or where objects hide it."""
     top = top_of(sight)
     near = dilate(top, max(top.shape) // 60 + 1)
     feet = map(foot_of, masks)
@@ -153,7 +153,7 @@ def _pick_wanted(
     wanted: tuple[str, ...],
     measured: TablePlane | None,
 ) -> Named:
-    """Return the requested objects with their words; uncertain ones must resemble their word."""
+    """Return the requested objects with their words, which uncertain objects must resemble."""
     if not things:
         return []
     plane = measured or find_tabletop(image)
@@ -179,7 +179,7 @@ def _label(
 def looks_of(
     things: Sequence[EyeDetection], plane: TablePlane, keys: Sequence[str]
 ) -> list[dict[int, tuple[float, float]] | None]:
-    """Return the apparent sizes and shape differences of objects, by index of likely category."""
+    """Return the apparent sizes and shape differences of objects for each likely category."""
     looks: list[dict[int, tuple[float, float]] | None] = []
     for thing in things:
         likely = np.flatnonzero(thing.names[:-1] > _LOOKED).tolist()
@@ -197,7 +197,7 @@ def _shape(thing: EyeDetection) -> str:
 def refine(
     image: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Refine a mask's boundary to the picture's edges: GrabCut decides within a band around it.
+    """Refine a mask's boundary to the picture's edges, with GrabCut in a band around it.
 
     The inside and the outside are fixed; a result that changes the area much is discarded.
     """

@@ -1,4 +1,4 @@
-"""Supports of objects: from depth, or else from visible and whole masks (Fig. 25).
+"""Supports of objects, from depth or else from visible and whole masks (Fig. 25).
 
 Where two masks overlap in the picture, the object in front is visible. An object *on* another is
 visible with its foot inside the other's outline. An object *in* another is partly visible: its
@@ -61,7 +61,7 @@ def stack(
 
 
 def _by_solids(containers: Mapping[str, bool], solids: Mapping[str, ObservedSolid]) -> Supports:
-    """Return the support under each footprint at the height of the foot, and whether it is hollow.
+    """Return the support at the base of each object, and whether that support is hollow.
 
     An object with a hidden foot seems to hover; without anything below, it stands on the table.
     """
@@ -96,7 +96,7 @@ def carries(
     below: Bool[np.ndarray, "h w"],
     holds: bool,
 ) -> tuple[float, bool]:
-    """Return the confidence that one object carries another (0: no), and whether it is inside."""
+    """Return the confidence that ``below`` carries the object, or 0, and whether it is inside."""
     rows = np.flatnonzero(full.any(1))
     edges = np.flatnonzero(below.any(1))
     if not len(rows) or not len(edges):
@@ -117,7 +117,7 @@ def carries(
 
 
 def _above(foot: Bool[np.ndarray, "h w"], below: Bool[np.ndarray, "h w"], margin: float) -> bool:
-    """Return whether a foot ends above the other's lower edge in most of its columns."""
+    """Return whether a foot ends above the lower edge of ``below`` in most of its columns."""
     columns = np.flatnonzero((foot & below).any(0))
     if not len(columns):
         return False

@@ -1,4 +1,4 @@
-"""The geometry behind the stages' questions: the table plane, and solids if depth shows them.
+"""The geometry for the stages' questions: the table plane and, with depth, the objects' solids.
 
 A reference with depth is measured; without depth, the tabletop's outline gives the plane.
 """
@@ -27,7 +27,7 @@ _BACK = 1.6  # maximum ratio of an object's width to its visible width if it hid
 
 @dataclass(frozen=True, eq=False)
 class Survey:
-    """The tabletop of a reference, and its objects' solids (metres), which require depth.
+    """The tabletop of a reference and, if it has depth, the solids of its objects in metres.
 
     ``height`` is the height of the tabletop above a floor, or None if depth does not show it.
     """
@@ -98,7 +98,7 @@ def solid_size(
 def floor_of(
     name: str, solids: Mapping[str, ObservedSolid], stacking: Mapping[str, Stacking]
 ) -> float:
-    """Return the height above the tabletop of an object's support in metres."""
+    """Return the height of an object's support above the tabletop in metres."""
     below = stacking[name].on
     if below not in solids:
         return 0.0

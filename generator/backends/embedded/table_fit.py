@@ -53,7 +53,7 @@ class Silhouette:
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
-    """A form fitted to a picture: metres times ``scale`` plus ``shift``, and silhouette overlap."""
+    """A form fitted to a picture (metres times ``scale`` plus ``shift``), and the mask overlap."""
 
     form: TableForm
     scale: float
@@ -138,7 +138,7 @@ def _settle(
 
 
 def _leg_measures(form: TableForm) -> np.ndarray:
-    """Return the legs' inset along x and y, lean, upper and lower width, in widths of the top."""
+    """Return the legs' insets in x and y, lean, and upper and lower width, in widths of the top."""
     width = float(min(form.size[:2]))
     return np.array([*form.inset, form.lean, form.high, form.low]) / width
 
@@ -200,7 +200,7 @@ def _draw(pieces: Iterable[Float[np.ndarray, "_n 3"]], view: Projection) -> Mask
 
 
 class _Legs:
-    """Compares forms' legs and slab with the silhouette below a placed top."""
+    """A comparison of forms' legs and slabs with the silhouette below a placed tabletop."""
 
     def __init__(
         self, form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette

@@ -55,7 +55,7 @@ class TableForm:
 
     @property
     def size(self) -> Float[np.ndarray, "3"]:
-        """Length, width and height."""
+        """The length, width and height."""
         return np.array([*np.ptp(self.outline, axis=0), self.height])
 
     def joints(self) -> Float[np.ndarray, "n 2"]:
@@ -68,7 +68,7 @@ class TableForm:
         return np.sign(corners) * np.maximum(np.abs(corners) - self.inset, self.high / 2)
 
     def pieces(self) -> list[Ring]:
-        """Return the legs' convex pieces, two rings each from z = 0, moved into the top's box."""
+        """Return the legs' convex pieces (two rings each, from z = 0), moved into the top's box."""
         top = self.height - self.thickness
         made = {"posts": self._posts, "sled": self._sled, "trestle": self._trestle,
                 "pedestal": self._pedestal}  # fmt: skip
@@ -138,7 +138,7 @@ class TableForm:
 
 
 def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
-    """Return the three corners of a triangular top, or four towards its box's corners."""
+    """Return the corners of a triangular top, or else four points towards its box's corners."""
     polygon = shapely.Polygon(outline)
     rays = np.linspace(0, 2 * np.pi, 36, endpoint=False) + np.pi / 2
     middle = np.array(polygon.centroid.coords[0])
@@ -157,7 +157,7 @@ def corners_of(outline: Float[np.ndarray, "k 2"]) -> Float[np.ndarray, "n 2"]:
 def _hits(
     polygon: shapely.Polygon, middle: Float[np.ndarray, "2"], rays: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n 2"]:
-    """Return the points where rays from inside a convex polygon leave it, or end within it."""
+    """Return where each ray from a point inside a convex polygon leaves it, or ends within it."""
     ends = [polygon.intersection(shapely.LineString([middle, middle + ray])) for ray in rays]
     return np.stack([shapely.get_coordinates(end)[-1] for end in ends])
 
@@ -169,7 +169,7 @@ def _piece(
 
 
 def at_height(ring: Float[np.ndarray, "k 2"], z: float) -> Float[np.ndarray, "k 3"]:
-    """Return a level ring's points."""
+    """Return the points of a level ring at height ``z``."""
     points = np.full((len(ring), 3), float(z))
     points[:, :2] = ring
     return points
@@ -188,7 +188,7 @@ def _board(
 def _thin(
     outline: Float[np.ndarray, "k 2"], heights: Float[np.ndarray, "2"]
 ) -> Float[np.ndarray, "n 3"]:
-    """Return at most 16 corners of an outline, with its bounding box, at each of two heights."""
+    """Return up to 16 corners of an outline, including its extremes, at each of two heights."""
     at = np.linspace(0, 2 * np.pi, 12, endpoint=False) + np.pi / 12
     ways = np.column_stack([np.cos(at), np.sin(at)])
     ways = np.concatenate([ways, [[1, 0], [-1, 0], [0, 1], [0, -1]]])

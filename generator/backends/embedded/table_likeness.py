@@ -1,4 +1,4 @@
-"""Modelling of a picture's table: measured top, legs by silhouette, colours from pixels.
+"""Modelling of a picture's table, with a measured top, legs from the silhouette, and its colours.
 
 The top is painted as in the picture: a plain top stays plain despite shadows on it, and a patterned
 top keeps its pattern.
@@ -66,7 +66,7 @@ def model_table(
 def _places(
     instance: Instance, width: int, height: int
 ) -> tuple[Int[np.ndarray, "h w"], Int[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
-    """Return each crop pixel's closest row and column in the picture, and which are inside it."""
+    """Return each crop pixel's closest row and column in the picture, and whether it is inside."""
     x0, y0, x1, y1 = instance.crop_box
     columns = np.floor(x0 + (np.arange(width) + 0.5) * (x1 - x0) / width).astype(int)
     rows = np.floor(y0 + (np.arange(height) + 0.5) * (y1 - y0) / height).astype(int)
@@ -137,7 +137,7 @@ def _within(
 def _cover(
     instance: Instance, mask: Bool[np.ndarray, "h w"], reach: float
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the crop's pixels within ``reach`` (of its longer side) of objects over the table."""
+    """Return the crop's pixels within ``reach`` times its longer side of objects over the table."""
     rows, columns, held = _places(instance, mask.shape[1], mask.shape[0])
     hidden = mask & ~(instance.mask[rows, columns] & held)
     brush = 2 * max(1, round(reach * max(mask.shape))) + 1

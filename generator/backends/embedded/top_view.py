@@ -86,7 +86,7 @@ def _pixel_box(
 
 
 def _upper_side(below: Body, container: bool) -> float:
-    """Return how high above the tabletop objects on ``below`` stand; lower in a container."""
+    """Return the height at which objects stand on ``below``, or lie in it if it is a container."""
     share = -0.3 if container else 0.5
     return float(below.position[2] + share * below.scale[2])
 

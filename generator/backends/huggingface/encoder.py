@@ -57,7 +57,7 @@ class HuggingFaceEncoder:
         object.__setattr__(self, "_network", Once(self._load))
 
     def features(self, images: Tensor) -> tuple[Tensor, ...]:
-        """Map (b, 3, h, w) images in [0, 1] to (b, c, h', w') patches and a (b, c, 1, 1) whole.
+        """Map (b, 3, h, w) images in [0, 1] to features (b, c, h', w') and, globally, (b, c, 1, 1).
 
         The maps are differentiable in ``images`` and have their type and device.
 

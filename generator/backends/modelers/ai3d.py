@@ -58,7 +58,7 @@ def read_keys(what: str) -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class Service:
-    """The calls for one instance. ``what`` begins their messages; ``used`` records the answers.
+    """Calls for one instance. ``what`` begins their error messages; ``used`` records the answers.
 
     While the service is busy, a call is repeated every ``interval`` seconds, for up to ``timeout``
     seconds.
@@ -89,7 +89,7 @@ class Service:
             return printable(job, f"{self.what} the JobId", BackendError)
 
     def look(self, job: str, memo: str) -> Mapping[str, Any]:
-        """Return the state of a job; with ``memo`` "yes", the last known state, if there is one.
+        """Return the state of a job; with ``memo`` "yes", return the last known one, if any.
 
         Raises:
             BackendError: the service refuses.
@@ -183,7 +183,7 @@ def authorization(
 
 
 def signature(request: httpx2.Request, secret_id: str, secret_key: str) -> Mapping[str, str]:
-    """Return the headers that sign a request now; the request's headers name host and action."""
+    """Return the headers that sign a request now; its own headers name the host and the action."""
     timestamp = int(time.time())
     host, action = request.headers["host"], request.headers["x-tc-action"]
     signed = authorization(

@@ -1,4 +1,4 @@
-"""Meshes of a folder by the objects they show: flat files, or one folder per object."""
+"""Meshes in a folder by the objects that they show, in flat files or one folder per object."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def _walk(home: Path) -> Iterator[Path]:
 
 
 def _name(inside: Path) -> str:
-    """Return an object's name from the path of its mesh within the folder, or "" if unknown."""
+    """Return an object's name from its mesh's path within the folder, or "" if it is unknown."""
     for part in (inside.stem, *reversed(inside.parts[:-1])):
         word = plain(_NUMBER.sub("", part))
         if word and word not in _MODEL_WORDS:

@@ -1,4 +1,4 @@
-"""The picture of one instance as input for image-to-3D models: isolated, centred, square."""
+"""The picture of one instance as input for image-to-3D models: isolated, centred and square."""
 
 from __future__ import annotations
 

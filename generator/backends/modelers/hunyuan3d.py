@@ -1,4 +1,4 @@
-"""Hunyuan3D-2.x on your own server: its ``api_server.py``, versions 2.0 and 2.1."""
+"""Hunyuan3D-2.x on your own server, which runs ``api_server.py`` of version 2.0 or 2.1."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Version = Literal["2.0", "2.1"]
 
 @dataclass(frozen=True)
 class Hunyuan3D:
-    """Calls a local Hunyuan3D server for one textured GLB per instance.
+    """A modeler that calls a local Hunyuan3D server for one textured GLB per instance.
 
     The server processes one request at a time. Version 2.1 ignores seed, steps and resolution;
     version 2.0 needs ``--enable_tex`` for textures. Both receive a cut-out, because 2.1 never

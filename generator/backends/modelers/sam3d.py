@@ -28,7 +28,7 @@ _UNIT = 1e-2  # tolerance of a unit quaternion's norm
 
 @dataclass(frozen=True)
 class Sam3D(Installed):
-    """Runs a local installation of SAM 3D Objects; needs 32 GB of CUDA memory.
+    """A modeler that runs a local installation of SAM 3D Objects; it needs 32 GB of CUDA memory.
 
     Its mesh is used, and its rotation serves as a hint to the rotation stage
     (``Model.orientation``); translation and scale are ignored. This class was tested only with a

@@ -1,4 +1,4 @@
-"""Hunyuan3D-3.x as jobs of Tencent Cloud (service ai3d): submit, poll, download."""
+"""Hunyuan3D-3.x on Tencent Cloud (service ai3d): jobs are submitted, polled and downloaded."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Style = Literal["Normal", "LowPoly", "Geometry", "Sketch"]
 
 @dataclass(frozen=True)
 class Tencent:
-    """Uses Tencent's cloud to make one GLB per instance, as the paper does.
+    """A modeler that uses Tencent's cloud to make one GLB per instance, as the paper does.
 
     Keys are read from ``TENCENTCLOUD_SECRET_ID`` and ``TENCENTCLOUD_SECRET_KEY`` at each call.
     Submissions are stored by their content: a resumed run polls the job that it has paid for.
@@ -176,14 +176,14 @@ class Tencent:
         return answer.content if answer.status_code == 200 else None
 
     def _trusted(self, scheme: str, host: str) -> bool:
-        """Return whether results may be downloaded from a host; http only from this machine."""
+        """Return whether results may be downloaded from a host; http is only for this machine."""
         ends = tuple("." + end.lstrip(".") for end in self.hosts)
         safe = scheme == "https" or (scheme == "http" and local(host))
         return safe and f".{host}".endswith(ends)
 
 
 def _files(reply: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Yield type and URL of each file of a job's result that has both."""
+    """Yield the type and the URL of each file of a job's result that has both."""
     listed = reply.get("ResultFile3Ds")
     for entry in listed[:_MOST_FILES] if isinstance(listed, list) else ():
         kind, url = (entry.get("Type"), entry.get("Url")) if isinstance(entry, Mapping) else (0, 0)

@@ -29,7 +29,7 @@ Version = Literal["1", "2"]
 
 @dataclass(frozen=True)
 class Trellis(Installed):
-    """Runs a local installation of TRELLIS on one instance at a time; needs CUDA.
+    """A modeler that runs a local installation of TRELLIS on one instance at a time, with CUDA.
 
     Attributes:
         version: "1" is TRELLIS, "2" is TRELLIS.2.

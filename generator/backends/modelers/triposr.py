@@ -22,7 +22,7 @@ _CHUNK = 8192  # points per batch of its renderer
 
 @dataclass(frozen=True)
 class TripoSR(Installed):
-    """Runs a local installation of TripoSR on one instance at a time.
+    """A modeler that runs a local installation of TripoSR on one instance at a time.
 
     Attributes:
         weights: name or folder of the weights.

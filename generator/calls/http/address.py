@@ -1,4 +1,4 @@
-"""Validation of server addresses, without passwords, and detection of local hosts."""
+"""Validation of server addresses, which must have no password, and detection of local hosts."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ _PROXIES = ("http", "https", "socks5", "socks5h")
 
 
 class Dialer(httpcore2.NetworkBackend):
-    """Opens connections and shuts them all down at a deadline, in terms of ``time.monotonic``.
+    """A network backend that shuts down its connections at a deadline of ``time.monotonic``.
 
     The timeouts of HTTP libraries apply to single reads, so a server that sends a byte now and then
     could block a call forever.
@@ -76,7 +76,7 @@ class Dialer(httpcore2.NetworkBackend):
 
 
 def connect_any(places: Sequence[str], port: int, until: float) -> httpcore2.NetworkStream:
-    """Return a connection to the first address that accepts one; they share the time equally.
+    """Return a connection to the first address that accepts one; all addresses get equal time.
 
     Raises:
         httpcore2.ConnectTimeout: no address accepted before ``until``.

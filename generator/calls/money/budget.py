@@ -100,7 +100,7 @@ class SharedBudget:
         return 0 if maximum == 0 else self._transact(_reserve, maximum, budget, what)
 
     def settle(self, number: int, money: float | None) -> None:
-        """Replace a reservation with the actual cost of its call; None if the cost is unknown.
+        """Replace a reservation with the actual cost of its call, or None if the cost is unknown.
 
         Raises:
             StorageError: the database cannot be read or written.

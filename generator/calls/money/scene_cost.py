@@ -44,7 +44,7 @@ class Spending:
 
     @property
     def path(self) -> Path:
-        """Path of the database file."""
+        """The path of the database file."""
         return self.folder / FILE
 
     def earlier(self) -> tuple[Entry, ...]:

@@ -130,7 +130,7 @@ def rates(found: Iterable[Collisions]) -> Rates:
 
 
 def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
-    """Return the depth of the overlap of two bodies, metres; 0 if it is at most ``minimum``."""
+    """Return the overlap depth of two bodies in metres, or 0 if it is at most ``minimum``."""
     deepest = 0.0
     for one in a:
         for other in b:
@@ -143,7 +143,7 @@ def overlap_depth(a: Body, b: Body, minimum: float = THRESHOLD) -> float:
 
 
 def _boxes_overlap(a: SurfaceShell, b: SurfaceShell) -> float:
-    """Return the least distance that separates the two boxes, an upper bound of every depth."""
+    """Return the shortest shift that separates the bounding boxes, an upper bound on any depth."""
     (low_a, high_a), (low_b, high_b) = a.bounds, b.bounds
     return float(min((high_a - low_b).min(), (high_b - low_a).min()))
 
@@ -179,7 +179,7 @@ def _surface_depth(
 
 
 def _core_depth(a: SurfaceShell, b: SurfaceShell) -> float:
-    """Return the diameter of the largest ball in both bodies, of those about points in ``a``."""
+    """Return the diameter of the largest sampled ball that is in both bodies, centred in ``a``."""
     if not (a.closed and b.closed):
         return 0.0
     picked = np.linspace(0, len(a.corners) - 1, min(_CORES, len(a.corners))).astype(int)

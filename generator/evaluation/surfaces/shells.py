@@ -31,7 +31,7 @@ _CHUNK = 400_000  # number of point-triangle or point-box pairs processed at onc
 
 @dataclass(frozen=True, eq=False)
 class SurfaceShell:
-    """One connected piece of a surface in the world, metres; triangles are in spatial order.
+    """A connected piece of a surface in world coordinates (metres); triangles are in spatial order.
 
     ``normals`` are the outward pseudonormals of each triangle's face, its edges 01, 12, 20 and its
     corners. ``boxes`` are the levels of the tree (minimum and maximum corners), root first.
@@ -51,7 +51,7 @@ class SurfaceShell:
     def nearest(
         self, points: Float[np.ndarray, "p 3"]
     ) -> tuple[Float[np.ndarray, "p 3"], Int[np.ndarray, "p"], Int[np.ndarray, "p"]]:
-        """Return the shell's nearest point to each given point, its triangle, and its feature.
+        """Return the shell's point nearest to each given point, and its triangle and feature.
 
         Features are numbered as in ``normals``: 0 is the face, 1 to 3 are edges, 4 to 6 are
         corners.
@@ -67,7 +67,7 @@ class SurfaceShell:
     def depths(
         self, points: Float[np.ndarray, "p 3"]
     ) -> tuple[Float[np.ndarray, "p"], Int[np.ndarray, "p"]]:
-        """Return the depth of points inside, metres (negative outside), and the nearest triangles.
+        """Return the depths of points in metres, negative outside, and the nearest triangles.
 
         For a point outside the shell's box, the distance to the box is returned as a lower bound,
         and the triangle is -1.
@@ -125,7 +125,7 @@ def shells(
     position: Float[np.ndarray, "3"],
     quaternion: Float[np.ndarray, "4"],
 ) -> tuple[SurfaceShell, ...]:
-    """Return the shells of a canonical mesh at ``scale`` (its extent, metres) and a world pose.
+    """Return the shells of a canonical mesh at ``scale`` (its extent in metres) and a world pose.
 
     Texture seams are joined. Pairs of faces that lie back to back are removed, since they bound no
     volume. A closed piece that is turned inside out is filled as a cavity if another piece contains
@@ -208,7 +208,7 @@ def _morton(points: Float[np.ndarray, "m 3"]) -> Int[np.ndarray, "m"]:
 def nearest_on_triangles(
     points: Float[np.ndarray, "p 3"], corners: Float[np.ndarray, "p 3 3"]
 ) -> tuple[Float[np.ndarray, "p 3"], Int[np.ndarray, "p"]]:
-    """Return, for each row, the triangle's nearest point to the given point, and its feature.
+    """Return, for each row, the triangle's point nearest to the given point, and its feature.
 
     Feature 0 is the face, 1 to 3 are the edges 01, 12, 20, and 4 to 6 are the corners. The Voronoi
     regions of the triangle determine the feature (C. Ericson, "Real-Time Collision Detection",
@@ -243,7 +243,7 @@ def nearest_on_triangles(
 def pseudonormals(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> Float[np.ndarray, "m 7 3"]:
-    """Return the outward normals of each triangle's face, edges 01, 12, 20 and corners.
+    """Return the outward normals of each triangle's face, edges 01, 12 and 20, and corners.
 
     The normal of an edge is the sum of the unit normals of its faces; the normal of a corner is the
     sum of those of its faces, weighted by angle.

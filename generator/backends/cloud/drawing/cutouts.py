@@ -51,7 +51,7 @@ class Cutout:
 
     @property
     def keep(self) -> UInt8[np.ndarray, "s s 4"]:
-        """The mask of an edit: opaque where the picture stays, transparent where it is redrawn."""
+        """An edit's mask: opaque where the picture is kept, and transparent where it is redrawn."""
         return np.dstack([self.picture, np.where(erode(self.seen, 5), 255, 0).astype(np.uint8)])
 
 
@@ -134,7 +134,7 @@ def _square(picture: RGBA) -> RGBA:
 
 
 def _register(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]]:
-    """Return the scale and the shift (in fractions of the side) that register a redrawn object."""
+    """Return the scale and the shift (relative to the cut-out) that register a redrawn object."""
     scale, _ = _best(mask, cutout, _SCALES, _COARSE)
     scale, shift = _best(mask, cutout, _FINE * scale, 2 * _COARSE)
     seen, worth = _worth(cutout, _COARSE)
@@ -166,7 +166,7 @@ def _best(
 
 
 def _worth(cutout: Cutout, side: int) -> tuple[Mask, Float[np.ndarray, "s s"]]:
-    """Return the visible region, and each pixel's gain when covered: 1 inside, -1 or 0 outside."""
+    """Return the visible region, and the gain for covering a pixel (1 in it, -1 or 0 outside)."""
     seen = _small(cutout.seen, side)
     return seen, np.where(seen, 1.0, np.where(_small(cutout.unknown, side), 0.0, -1.0))
 

@@ -87,7 +87,7 @@ class Painter:
         clear: bool = False,
         used: Used | None = None,
     ) -> RGBA:
-        """Return a drawn picture.
+        """Return a picture that the model draws or edits.
 
         ``question`` names the call in errors and in the ledger. ``ratio`` is width over height; the
         closest ratio that the server supports is requested. The first of ``pictures`` is edited and

@@ -81,7 +81,7 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
 
 
 def apart(colors: UInt8[np.ndarray, "*n 3"], color: ArrayLike) -> Float[np.ndarray, "*n"]:
-    """Return the largest channel difference, in grey levels, between each colour and one colour."""
+    """Return the largest channel difference, in grey levels, of each colour from ``color``."""
     off = np.abs(colors.astype(np.float32) - np.asarray(color, np.float32))
     return np.maximum(np.maximum(off[..., 0], off[..., 1]), off[..., 2])
 

@@ -1,4 +1,4 @@
-"""The prompts, one file each; a file's variables must match the given values exactly."""
+"""Prompts, one per file, whose variables must match the given values exactly."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A check of a drawn top view by the chat model: is each object there exactly once?"""
+"""A check by the chat model that a drawn top view shows each object exactly once."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
 
 
 def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
-    """Raise Wrong for invalid boxes, and for two objects in one place."""
+    """Raise Wrong if a box is invalid, or if two objects are in the same place."""
     for number, (x0, y0, x1, y1) in places:
         if not (x0 < x1 and y0 < y1):
             raise Wrong(
@@ -104,7 +104,7 @@ def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
-    """Return the steps that turn ``up`` upward, then ``along`` to x.
+    """Return the rotations that turn ``up`` upwards and then ``along`` to the x axis.
 
     Raises:
         Wrong: both directions are on one axis.

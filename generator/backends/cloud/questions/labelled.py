@@ -76,7 +76,7 @@ class Labelled:
         return self.image, self.picture()
 
     def listing(self, facts: Callable[[Instance], str] | None = None) -> str:
-        """Return a line per object: number, label, ``facts`` if any, and box on the grid."""
+        """Return a line per object: its number, label, ``facts`` if any, and box on the grid."""
         lines = []
         for number, instance in self.by_number.items():
             note = f"; {facts(instance)}" if facts else ""
@@ -85,12 +85,12 @@ class Labelled:
         return "\n".join(lines)
 
     def names(self) -> str:
-        """Return a line per object except the table: number and label."""
+        """Return a line with the number and the label of each object except the table."""
         return "\n".join(f"{n}: {i.label}" for n, i in self.by_number.items() if n)
 
     @property
     def count(self) -> int:
-        """The number of objects without the table."""
+        """The number of objects, not counting the table."""
         return sum(number > 0 for number in self.by_number)
 
     def on_grid(self, box: Float[np.ndarray, "4"]) -> tuple[int, ...]:

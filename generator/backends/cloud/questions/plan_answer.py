@@ -1,4 +1,4 @@
-"""Conversion of an answer to a scene plan: numbers become names, words become categories."""
+"""Conversion of an answer to a scene plan: numbers become names, and words become categories."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _LONGEST = 0.6  # maximum length of an object in metres, as in the embedded plan
 
 
 def checked_text(text: object) -> str:
-    """Return a user's text, stripped of spaces.
+    """Return a user's prompt without surrounding whitespace.
 
     Raises:
         InputError: it is not a string, is empty, or is too long.
@@ -165,7 +165,7 @@ def _groups(answer: PlanAnswer, names: dict[int, str]) -> Iterable[PlannedGroup]
 
 
 def _check_group(group: GroupAnswer, where: str, laid: set[int], answer: PlanAnswer) -> None:
-    """Raise Wrong if a group does not fit its kind; ``laid`` holds the seats already laid."""
+    """Raise Wrong if a group does not fit its kind; ``laid`` contains the seats already used."""
     if group.around is not None and group.kind != "circle":
         raise Wrong(f"{where} is around a thing; only a circle is.")
     if (group.seat is not None) != (group.kind == "setting"):

@@ -18,7 +18,7 @@ from .plan_text import in_cm
 
 
 def kinds(answer: KindsAnswer) -> tuple[str, ...]:
-    """Return "table" and the noun of each kind, repeated once per instance."""
+    """Return "table" and the noun of each kind, once for each of its instances."""
     nouns = [" ".join(kind.noun.lower().split()) for kind in answer.kinds]
     twice = sorted({n for n in nouns if nouns.count(n) > 1})
     if twice:
@@ -30,7 +30,7 @@ def kinds(answer: KindsAnswer) -> tuple[str, ...]:
 
 
 def fixed_sizes(reference: Reference, instances: Instances) -> dict[str, np.ndarray]:
-    """Return the sizes in metres that a text fixes, unless they differ among similar objects."""
+    """Return the sizes in metres given in the prompt, unless they differ among similar objects."""
     found: dict[str, np.ndarray] = {}
     if reference.plan is None:
         return found
@@ -44,7 +44,7 @@ def fixed_sizes(reference: Reference, instances: Instances) -> dict[str, np.ndar
 
 
 def stacking(answer: RestsAnswer, shown: Labelled) -> dict[str, Stacking]:
-    """Return the support of each object; leaning against an object does not count."""
+    """Return the support of each object; an object that it leans against is not a support."""
     supports = {}
     for name, rest in shown.match(answer.things, without=(0,)).items():
         _check_rest(rest, shown)

@@ -1,4 +1,4 @@
-"""The type of each question's answer, for pydantic; field names include units."""
+"""Pydantic models of the questions' answers; field names include units."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class ModelAnswer(BaseModel):
 
 
 class RelationAnswer(ModelAnswer):
-    """``target`` is an object's number, or 0 for the table."""
+    """A relation to a ``target``: an object's number, or 0 for the table."""
 
     kind: RelationKind
     target: Id
@@ -72,7 +72,7 @@ class SeatAnswer(ModelAnswer):
 
 
 class GroupAnswer(ModelAnswer):
-    """A group of objects, in order; a "setting" has a ``seat``, a "circle" may have ``around``."""
+    """An ordered group; a "setting" has a ``seat``, and a "circle" may have ``around``."""
 
     kind: GroupKind
     things: Annotated[list[PlannedId], Field(min_length=1, max_length=MOST_PLANNED)]
@@ -93,7 +93,7 @@ class TableAnswer(ModelAnswer):
 
 
 class PlanAnswer(ModelAnswer):
-    """``plan_scene``."""
+    """The answer to ``plan_scene``."""
 
     table: TableAnswer
     style: Word
@@ -109,13 +109,13 @@ class KindAnswer(ModelAnswer):
 
 
 class KindsAnswer(ModelAnswer):
-    """``list_objects``."""
+    """The answer to ``list_objects``."""
 
     kinds: Annotated[list[KindAnswer], Field(min_length=1, max_length=60)]
 
 
 class ViewAnswer(ModelAnswer):
-    """``estimate_view``, in degrees."""
+    """The answer to ``estimate_view``, in degrees."""
 
     elevation: Annotated[float, Field(ge=5, le=90)]
     azimuth: Annotated[float, Field(ge=-45, le=45)]
@@ -136,13 +136,13 @@ class SizeAnswer(ModelAnswer):
 
 
 class SizesAnswer(ModelAnswer):
-    """``estimate_sizes``."""
+    """The answer to ``estimate_sizes``."""
 
     sizes: Annotated[list[SizeAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class OrientationAnswer(ModelAnswer):
-    """``review_orientation``: axes of the model."""
+    """The answer to ``review_orientation``: axes of the model."""
 
     up: Axis
     along: Axis
@@ -158,7 +158,7 @@ class RestAnswer(ModelAnswer):
 
 
 class RestsAnswer(ModelAnswer):
-    """``stacking_order``."""
+    """The answer to ``stacking_order``."""
 
     things: Annotated[list[RestAnswer], Field(max_length=MOST_ANSWERED)]
 
@@ -172,13 +172,13 @@ class MarkAnswer(ModelAnswer):
 
 
 class MarksAnswer(ModelAnswer):
-    """``rate``."""
+    """The answer to ``rate``."""
 
     marks: Annotated[list[MarkAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class OrderAnswer(ModelAnswer):
-    """``rank``: letters, best first."""
+    """The answer to ``rank``: letters, from best to worst."""
 
     order: Annotated[list[Word], Field(max_length=MOST_ANSWERED)]
 
@@ -191,7 +191,7 @@ class TurnAnswer(ModelAnswer):
 
 
 class TurnsAnswer(ModelAnswer):
-    """``guess_rotations``."""
+    """The answer to ``guess_rotations``."""
 
     turns: Annotated[list[TurnAnswer], Field(max_length=MOST_ANSWERED)]
 
@@ -208,13 +208,13 @@ class PlaceAnswer(ModelAnswer):
 
 
 class PlacesAnswer(ModelAnswer):
-    """``guess_layout``."""
+    """The answer to ``guess_layout``."""
 
     places: Annotated[list[PlaceAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class SightAnswer(ModelAnswer):
-    """The positions of an object in a drawn top view: boxes (x0, y0, x1, y1) on the grid."""
+    """The positions of an object in a drawn top view, as boxes (x0, y0, x1, y1) on the grid."""
 
     id: Id
     boxes: Annotated[list[GridBox], Field(max_length=20)]
@@ -222,7 +222,7 @@ class SightAnswer(ModelAnswer):
 
 
 class TopViewAnswer(ModelAnswer):
-    """``check_top_view``."""
+    """The answer to ``check_top_view``."""
 
     from_above: bool
     things: Annotated[list[SightAnswer], Field(max_length=MOST_ANSWERED)]

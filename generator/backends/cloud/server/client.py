@@ -37,7 +37,7 @@ class Server:
 
     @property
     def name(self) -> str:
-        """The provider's name, or host and port."""
+        """The provider's name, or the host and port."""
         return configuration.server_name(self.base_url)
 
     def call(
@@ -73,7 +73,7 @@ class Server:
         meant: str,
         memo: str,
     ) -> str | TabletopError:
-        """Return the text of the answer to a request, or the error of the call."""
+        """Return the text of the answer to a request, or the error if the call failed."""
         asker = f"cloud ({self.model} at {self.name}): {question}"
         key = configuration.key(self.base_url, self.purpose, asker)
         headers = {"Authorization": f"Bearer {key}", **self.headers(question, meant, memo)}
@@ -169,7 +169,7 @@ class Server:
 
 
 def _error_message(body: object) -> str:
-    """Return the message in an error's body, wherever servers usually put it."""
+    """Return the message in an error response's body, from any of its usual places."""
     while isinstance(body, dict):
         body = body.get("error") or body.get("message") or body.get("detail") or ""
     return "" if body is None else str(body)

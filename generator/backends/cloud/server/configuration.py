@@ -123,13 +123,13 @@ def host(url: str) -> str:
 
 
 def server_name(url: str) -> str:
-    """Return the provider's name, or host and port."""
+    """Return the provider's name, or the host and port."""
     known = _PROVIDERS.get(host(url))
     return known[0] if known else split_url(url, "cloud: the URL", BackendError).netloc.lower()
 
 
 def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
-    """Return the server key that ``what`` needs; if unset, a BackendError names the variables."""
+    """Return the server key that ``what`` needs, or raise BackendError naming the variables."""
     if found := keys(url, purpose):
         return found[0]
     if local(host(url)):
@@ -162,7 +162,7 @@ def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
 
 
 def own_headers(url: str) -> tuple[str, ...]:
-    """Return the headers for OpenAI only (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``)."""
+    """Return the headers that are only for OpenAI (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``)."""
     return ("openai-organization", "openai-project") if host(url) == host(OPENAI) else ()
 
 

@@ -1,4 +1,4 @@
-"""Extraction of JSON from a chat model's text: bare, fenced or in prose, repaired if needed."""
+"""Extraction and, if needed, repair of bare, fenced or embedded JSON in a chat model's text."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def _pieces(text: str) -> Iterator[str]:
 
 
 def _end(text: str, start: int) -> int:
-    """Return where the brace at ``start`` closes, ignoring strings, or else the text's end.
+    """Return the end of the object at ``start``, ignoring braces in strings, or else of the text.
 
     An apostrophe does not open a string, because JSON strings use double quotes.
     """
@@ -95,7 +95,7 @@ def _object(text: str) -> dict[str, Any] | None:
 
 
 def _without_thoughts(text: str) -> str:
-    """Return a text without marked thoughts; each is removed up to the next end mark."""
+    """Return a text without marked reasoning, from each start mark to the next end mark."""
     kept, at = [], 0
     while (begin := _THOUGHT.search(text, at)) and (end := _THOUGHT_END.search(text, begin.end())):
         kept.append(text[at : begin.start()])

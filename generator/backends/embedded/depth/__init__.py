@@ -1,1 +1,1 @@
-"""Depth maps: the table's plane, and the objects on it with their sizes and positions."""
+"""Estimation of the table's plane, and of the objects' sizes and positions, from depth maps."""

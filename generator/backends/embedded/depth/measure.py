@@ -24,7 +24,7 @@ _GROUND = 0.008  # metres; lower points of a clearly taller object are ignored
 
 @dataclass(frozen=True, eq=False)
 class ObservedSolid:
-    """The visible part of one object, in the table's frame (metres, z = 0 is the tabletop).
+    """The visible part of one object, in the table's frame (in metres, with the tabletop at z = 0).
 
     ``center``, ``yaw`` and ``extent`` describe its upright bounding box, where ``extent`` is
     (length, width) with length >= width; ``bottom`` and ``top`` are its lowest and highest visible
@@ -40,7 +40,7 @@ class ObservedSolid:
 
     @property
     def tapers(self) -> bool:
-        """Whether the top is clearly shorter than the base, so that the back may be hidden."""
+        """Whether the object's top is clearly shorter than its base, so the back may be hidden."""
         high = self.points[:, 2] > self.top - 0.2 * (self.top - self.bottom)
         along = self._own()[:, 0]
         if high.sum() < _FEW:
@@ -49,14 +49,14 @@ class ObservedSolid:
 
     @property
     def inner(self) -> float:
-        """The height of its middle, which for a container is the height of the inside."""
+        """The height of the object's middle, which for a container is the height of its inside."""
         middle = self._within(0.3)
         heights = self.points[middle, 2] if middle.any() else self.points[:, 2]
         return float(np.percentile(heights, 20))
 
     @property
     def hollow(self) -> bool:
-        """Whether its middle lies well below a rim on all sides, seen from above."""
+        """Whether the object's middle, seen from above, lies well below a rim on all sides."""
         middle = self._within(0.3)
         turned = self._own()
         rims = [
@@ -79,7 +79,7 @@ class ObservedSolid:
 
 
 def table_points(depth: Float[np.ndarray, "h w"], camera: Camera) -> Float[np.ndarray, "h w 3"]:
-    """Return each pixel's point in the frame of ``camera``; NaN where depth is 0."""
+    """Return each pixel's point in the frame of ``camera``, or NaN where the depth is 0."""
     h, w = depth.shape
     y, x = np.mgrid[0:h, 0:w] + 0.5
     z = np.where(depth > 0, depth, np.nan).astype(np.float64)
@@ -91,7 +91,7 @@ def table_points(depth: Float[np.ndarray, "h w"], camera: Camera) -> Float[np.nd
 def measure_solid(
     mask: Bool[np.ndarray, "h w"], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> ObservedSolid | None:
-    """Return the bounding box of the points under ``mask``, or None if depth has too few of them.
+    """Return the bounding box of the points under ``mask``, or None if there are too few of them.
 
     Points at depth discontinuities (where sensors mix near and far surfaces), groups of points
     apart from the rest, and the tabletop around the foot are excluded. An object whose top is not
@@ -136,7 +136,7 @@ def _above_tabletop(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"
 def _box(
     places: Float[np.ndarray, "n 2"],
 ) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
-    """Return centre, yaw and (length, width) of the tightest box, ignoring outliers.
+    """Return the centre, the yaw and (length, width) of the tightest box, ignoring outliers.
 
     Objects whose boxes are about equally tight at all angles, such as round ones, are aligned with
     the table's axes.
@@ -172,7 +172,7 @@ def _deepen(
 
 
 def holds(below: ObservedSolid, thing: ObservedSolid) -> float:
-    """Return the fraction of ``thing`` over ``below``, or 0 if their heights do not fit."""
+    """Return the fraction of ``thing`` that is over ``below``, or 0 if their heights do not fit."""
     rise = max(below.top - below.bottom, 0.01)
     if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:
         return 0.0

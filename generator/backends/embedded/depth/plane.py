@@ -1,4 +1,4 @@
-"""The table plane of an RGB-D picture in metres, found from its points, not its colours.
+"""The metric table plane of an RGB-D picture, found from its points rather than its colours.
 
 Planes are drawn from triples of neighbouring points (a seeded RANSAC: Fischler and Bolles, 1981),
 refined by least squares on their inliers, and scored: a tabletop faces up, is low in the picture,
@@ -40,7 +40,7 @@ _PARALLEL = np.deg2rad(15.0)
 
 @dataclass(frozen=True)
 class Level:
-    """A plane in camera axes (x right, y down, z forward): unit ``normal`` towards the camera.
+    """A plane in camera axes (x right, y down, z forward), whose unit ``normal`` faces the camera.
 
     ``height`` is the camera's distance from the plane in metres. ``grain`` is the standard
     deviation of the plane's points relative to ``noise``: the coarseness of this depth map.
@@ -51,7 +51,7 @@ class Level:
     grain: float = 0.6
 
     def above(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
-        """Return the heights of points (camera axes) above the plane in metres."""
+        """Return the heights of points (in camera axes) above the plane in metres."""
         return points @ np.array(self.normal) + self.height
 
     def spread(self, distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
@@ -62,7 +62,7 @@ class Level:
 def camera_points(
     depth: Float[np.ndarray, "h w"], intrinsics: Intrinsics
 ) -> Float[np.ndarray, "h w 3"]:
-    """Return each pixel's point in camera axes, in metres; NaN where depth is 0."""
+    """Return each pixel's point in camera axes in metres, or NaN where the depth is 0."""
     h, w = depth.shape
     z = np.where(depth > 0, depth, np.nan).astype(np.float64)
     x = (np.arange(w) - intrinsics.cx) / intrinsics.fx
@@ -80,7 +80,7 @@ def find_depth_plane(
     intrinsics: Intrinsics,
     table: Bool[np.ndarray, "h w"] | None = None,
 ) -> TablePlane:
-    """Return the tabletop of an RGB-D picture: a metric camera, and the visible part's outline.
+    """Return the tabletop of an RGB-D picture, with a metric camera and the visible part's outline.
 
     ``depth`` is in metres along the optical axis, 0 where unknown. ``table`` marks pixels of the
     table, if known, and is used only to choose between planes.
@@ -115,7 +115,7 @@ def _solve(
 
 
 def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) -> Camera:
-    """Return a camera above its plane z = 0: origin below the camera, y along its view, z up."""
+    """Return the camera in the plane's frame: origin below it, y along its view, and z up."""
     up = np.array(level.normal)
     ahead = np.array([0.0, 0.0, 1.0]) - up[2] * up
     # for a view from straight above, y points to the picture's top
@@ -166,7 +166,7 @@ def _open(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
 
 
 def _refine(level: Level, points: Float[np.ndarray, "n 3"]) -> Level:
-    """Return the least-squares plane through its inliers, iterated three times."""
+    """Return the least-squares plane through the inliers of ``level``, iterated three times."""
     for _ in range(3):
         near = np.abs(level.above(points)) < level.spread(points[:, 2])
         if near.sum() < 50:
@@ -245,7 +245,7 @@ def _candidates(
     side: int,
     hint: Bool[np.ndarray, "n"] | None,
 ) -> list[_Candidate]:
-    """Draw planes in sequence, each from the points that the previous ones left."""
+    """Find planes one after another, each among the points that are not on the previous ones."""
     rng = np.random.default_rng(_SEED)
     left = np.ones(len(cloud), bool)
     found: list[_Candidate] = []
@@ -269,7 +269,7 @@ def _draw(
     side: int,
     rng: np.random.Generator,
 ) -> Level | None:
-    """Return the level plane with the most inliers through three neighbouring points."""
+    """Return the level plane with the most inliers among those through three neighbours."""
     first = rng.integers(len(cloud), size=_TRIES)
     others = [_neighbours(pixels, first, _NEAR * side, rng) for _ in range(2)]
     a, b, c = (cloud[k] for k in (first, *others))
@@ -299,7 +299,7 @@ def _neighbours(
 
 
 def _faces_up(normals: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
-    """Return which planes a roughly upright camera sees from above."""
+    """Return which planes face upwards, assuming a roughly upright camera."""
     elevation = np.arcsin(np.clip(-normals[:, 2], -1, 1))
     roll = np.arctan2(np.abs(normals[:, 0]), -normals[:, 1])
     steep = elevation > np.deg2rad(75)  # seen from above, roll is not meaningful

@@ -1,4 +1,4 @@
-"""Objects on a table according to its depth map: proposals, and corrections of detections.
+"""Proposals of objects on a table from its depth map, and corrections of detections.
 
 A detector that uses only colours confuses prints and parts with objects. Depth shows flat regions,
 regions that belong together, and missed objects.
@@ -49,7 +49,7 @@ _CELL, _LAYER = 0.05, 0.02  # metres; side and height of the cells in which area
 def heights_above(
     depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> tuple[Float[np.ndarray, "h w"], Mask, Mask]:
-    """Return heights above the tabletop (metres, NaN where unknown), and raised and level pixels.
+    """Return heights above the tabletop (in metres, or NaN), and the raised and level pixels.
 
     Raised pixels belong to objects that rise above the table; level pixels are at its height,
     within this depth map's accuracy. Both masks are limited to the tabletop's outline.
@@ -68,7 +68,7 @@ def heights_above(
 
 
 def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
-    """Return the pieces, split at saddles far below both sides, slightly grown, largest first."""
+    """Return the pieces, split at deep saddles and slightly enlarged, from largest to smallest."""
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
     masks = [part for piece in pieces for part in _part(piece, known, least)]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
@@ -91,7 +91,7 @@ def _pieces(mask: Mask, minimum: int) -> list[Mask]:
 
 
 def _part(region: Mask, height: Float[np.ndarray, "h w"], minimum: int) -> list[Mask]:
-    """Split a region into the islands that a rising threshold leaves; pixels join the nearest."""
+    """Split a region into the parts that rise above a threshold; other pixels join the nearest."""
     tall = float(np.percentile(height[region], 98))
     for share in _WATERLINES:
         islands = _pieces(region & (height > share * tall), minimum)
@@ -128,7 +128,7 @@ def confirm(
 def _judge(
     thing: Detection, height: Float[np.ndarray, "h w"], standing: Mask, lying: Mask
 ) -> Detection | None:
-    """Return a detection without the surrounding tabletop; None if nothing else is left."""
+    """Return a detection without the surrounding tabletop, or None if nothing else is left."""
     mask = np.asarray(thing.mask)
     known = mask & np.isfinite(height)
     if known.sum() < _KNOWN * mask.sum():
@@ -153,7 +153,7 @@ def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
 def _rejoin(
     things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Merge unsupported upper parts into the lower part that they touch in picture and depth.
+    """Merge unsupported upper parts into the lower part that they touch in the image and in depth.
 
     A confident detection may have a hidden foot: it is merged only if it continues the other's flat
     side.
@@ -183,12 +183,12 @@ def _rejoin(
 
 
 def _carries(below: ObservedSolid, upper: ObservedSolid) -> bool:
-    """Return whether an object may stand on another; a front panel below it carries nothing."""
+    """Return whether an object may stand on another, which must not be merely a front panel."""
     return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
 
 
 def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3"]) -> bool:
-    """Return whether two detections share a flat side at their seam, as a box and its print do."""
+    """Return whether two detections are on one flat side at the seam, like a box and its print."""
     a, b = np.asarray(one.mask), np.asarray(other.mask)
     side = 2 * round(_BAND * max(a.shape)) + 1
     known = np.isfinite(points).all(-1)
@@ -225,7 +225,7 @@ def _grow(
     depth: Float[np.ndarray, "h w"],
     plane: TablePlane,
 ) -> list[Detection]:
-    """Return the detections; hovering ones grow into a region that touches no other detection."""
+    """Return the detections, extending hovering ones into regions that touch no other detection."""
     taken = [np.asarray(t.mask) for t in things]
     grown = list(things)
     for region in regions:
@@ -265,7 +265,7 @@ def _find_missed(
 
 
 def height_above_floor(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> float | None:
-    """Return the height of the tabletop above the floor in metres; None if depth shows too little.
+    """Return the height of the tabletop above the floor in metres, or None if it is unknown.
 
     The floor is the level below the table with the largest visible area.
     """

@@ -1,4 +1,4 @@
-"""Inputs of the naming network: a close-up of an object, its mask in it, and hints."""
+"""Inputs of the naming network: a close-up of an object, a mask of the object, and hints."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def closeup(
     tabletop: float,
     slip: Float[np.ndarray, "4"] | None = None,
 ) -> Closeup:
-    """Return the close-up of the object under ``mask``, or of the whole picture if it is empty.
+    """Return the close-up of the object under ``mask``, or of the picture if the mask is empty.
 
     ``tabletop`` is the number of pixels that the tabletop covers. ``slip`` moves the sides of the
     object's box (left, top, right, bottom) outwards, in fractions of its longer side; training
@@ -54,7 +54,7 @@ def closeup(
 
 
 def impressions(eye: Eye, looks: Sequence[Closeup]) -> Float[Tensor, "2 n f"]:
-    """Return the features of close-ups, original and mirrored."""
+    """Return the features of the original and the mirrored close-ups."""
     pictures = tensor(*[look.image for look in looks])
     visible = torch.from_numpy(np.stack([look.visible for look in looks]))
     clues = torch.tensor([look.hints for look in looks])

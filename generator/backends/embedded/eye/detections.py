@@ -1,4 +1,4 @@
-"""Decoding of the network's cells: object confidences and masks."""
+"""Decoding of the network's cells into object confidences and masks."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _SAME = 0.6  # overlap (IoU) above which two masks of a crop show the same objec
 
 @dataclass(frozen=True, eq=False)
 class Detections:
-    """Detections of one crop by descending confidence: scores, mask probabilities (n, 2, h, w)."""
+    """Detections in a crop by descending confidence: scores and mask probabilities (n, 2, h, w)."""
 
     score: Tensor
     masks: Tensor
@@ -40,7 +40,7 @@ def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
 def ask(
     eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, maximum: int = _MOST
 ) -> Detections:
-    """Decode the cells of crop ``owner`` with the highest confidence, up to ``maximum``."""
+    """Decode up to ``maximum`` cells of crop ``owner``, those with the highest confidence."""
     heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
@@ -72,7 +72,7 @@ def overlaps(masks: Tensor) -> Tensor:
 
 
 def apart(score: Tensor, clash: Tensor) -> list[int]:
-    """Return the detections that do not clash (n, n) with a more confident one, in order."""
+    """Return the detections, by confidence, that do not clash with a more confident one."""
     kept: list[int] = []
     for k in score.argsort(descending=True).tolist():
         if score[k] > 0 and not clash[k, kept].any():

@@ -11,7 +11,7 @@ from jaxtyping import Bool, Float, UInt8
 
 @dataclass(frozen=True)
 class Frame:
-    """A square of the picture: its corner in picture pixels, and crop pixels per picture pixel.
+    """A square crop: its corner in picture pixels, and its scale in crop pixels per picture pixel.
 
     ``side`` is the crop's width and height in pixels.
     """
@@ -45,7 +45,7 @@ class Frame:
         return np.array([[zoom[0], 0, shift[0]], [0, zoom[1], shift[1]]])
 
     def cut(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
-        """Return the crop; beyond the picture, the border pixels repeat."""
+        """Return the crop; outside the picture, the border pixels are repeated."""
         (x0, x1), (y0, y1) = (
             self._reach(corner, length)
             for corner, length in zip(self.corner, image.shape[1::-1], strict=True)
@@ -54,7 +54,7 @@ class Frame:
         return near._draw(image[y0:y1, x0:x1])
 
     def _reach(self, corner: float, length: int) -> tuple[int, int]:
-        """Return the first and the second to last column of a picture that the frame can show."""
+        """Return the range of picture columns or rows that the frame can show (end exclusive)."""
         pad = 2 + 1 / self.scale
         first = int(np.clip(corner - pad, 0, length - 2))
         return first, int(np.clip(corner + self.side / self.scale + pad, first + 2, length))

@@ -178,7 +178,7 @@ class _Shares:
 def _shape(
     detections: Sequence[EyeDetection], shares: _Shares, step: int
 ) -> Float[np.ndarray, "n 5"]:
-    """Return size, aspect ratio, fill of the box, contact with the frame, and hidden fraction."""
+    """Return the sizes, aspect ratios, box fills, frame contacts and hidden fractions."""
     masks = [f.visible for f in detections]
     boxes = np.array([mask_box(m) if m.any() else (0, 0, 1, 1) for m in masks], float)
     wide, tall = (boxes[:, 2:] - boxes[:, :2]).T
@@ -196,7 +196,7 @@ def _shape(
 def _company(
     shares: _Shares, scores: Float[np.ndarray, "n"], names: Float[np.ndarray, "n k"]
 ) -> Float[np.ndarray, "n 16"]:
-    """Return each detection's overlaps with others, their confidences and names, and ranks."""
+    """Return features of each detection relative to others: overlaps, scores, names and ranks."""
     named, count = names[:, :-1].max(1), len(scores)
     larger = shares.area[None] > shares.area[:, None]
     within, covers = shares.within, shares.within.T
@@ -226,7 +226,7 @@ def _together(
     shares: _Shares,
     names: Float[np.ndarray, "n k"],
 ) -> Float[np.ndarray, "m b"]:
-    """Return the features of pairs: those of both detections, overlaps, and name similarity."""
+    """Return features of pairs: those of both detections, their overlaps and name similarity."""
     i, j = pairs.T
     length = np.linalg.norm(names, axis=1)
     return np.column_stack(

@@ -49,7 +49,7 @@ class _Block(nn.Module):
 
 
 class Lite0(nn.Module):
-    """Maps (b, 3, h, w) in [0, 1] to features of stride 4 to 32; h and w are multiples of 32."""
+    """An encoder from (b, 3, h, w) in [0, 1] to strides 4 to 32; h and w are multiples of 32."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -45,7 +45,7 @@ _WEIGHTS = sum(i * o + o for i, o in _LAYERS)
 
 @dataclass(frozen=True, eq=False)
 class Maps:
-    """Dense outputs for a batch; logits unless stated otherwise.
+    """The network's dense outputs for a batch, which are logits unless stated otherwise.
 
     ``heat`` (b, 1, h, w). ``box`` (b, 8, h, w): log distances in cells from the cell's centre to
     left, top, right and bottom of the visible box, then of the whole box. ``region`` (b, 4, h, w).
@@ -66,7 +66,7 @@ class Maps:
 
 
 class _Separable(nn.Module):
-    """A depthwise, then a pointwise convolution, with a residual connection if the shapes match."""
+    """A depthwise and a pointwise convolution, with a residual connection if the shapes match."""
 
     def __init__(self, inward: int, outward: int, kernel: int = 5) -> None:
         super().__init__()
@@ -81,7 +81,7 @@ class _Separable(nn.Module):
 
 
 class Outliner(nn.Module):
-    """Refines an object's outline, given the picture and a rough mask.
+    """A network that refines an object's outline, given the picture and a rough mask.
 
     The rough mask may show only a part of the object, or more than the object; the correct extent
     is learned, as in Sofiiuk et al., "Reviving Iterative Training with Mask Guidance for
@@ -263,14 +263,14 @@ class Eye(nn.Module):
         return self.namer(self.impression(closeups, visible, hints))
 
     def impression(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
-        """Return the features (n, ``IMPRESSION``) for naming; arguments as in :meth:`names`."""
+        """Return the naming features (n, ``IMPRESSION``), given arguments as in :meth:`names`."""
         features = self.encoder(closeups)
         summary = _pool(self.encoder.summary(features[3]), visible)
         return torch.cat([summary, _pool(features[2], visible), hints], 1)
 
 
 def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:
-    """Return properties that a close-up does not show: aspect ratio, and size on the table.
+    """Return properties that a close-up does not show: the aspect ratio and the size on the table.
 
     ``size`` is the width and height of the object's box. ``tabletop`` is the number of pixels that
     the tabletop covers, 0 if it is not visible; ``picture`` is the number of pixels of the whole

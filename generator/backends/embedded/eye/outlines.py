@@ -1,4 +1,4 @@
-"""Refinement of object outlines in close-up crops, extended if only a part was detected."""
+"""Refinement of object outlines in close-ups; those of partly detected objects are extended."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ _SPREADS = -3.0, 2.0  # minimum and maximum logarithm of a spread
 
 
 class ProportionNetwork(nn.Module):
-    """Predicts proportions from ``clues``; ``unsure`` corrects its low error estimates."""
+    """A network that predicts proportions from ``clues``; ``unsure`` scales its error estimates."""
 
     mean: Tensor
     scale: Tensor
@@ -46,7 +46,7 @@ class ProportionNetwork(nn.Module):
         )  # fmt: skip
 
     def forward(self, clues: Tensor) -> tuple[Tensor, Tensor]:
-        """Return logarithms (n, 2), and the logarithms of their spreads, for features (n, c)."""
+        """Return the logarithms (n, 2) of proportions and of their spreads, for features (n, c)."""
         logs, spread = self.layers((clues - self.mean) / self.scale).chunk(2, 1)
         return logs, spread.clamp(*_SPREADS)
 

@@ -1,4 +1,4 @@
-"""Detection in one picture: the table, the objects with masks and names, and the view.
+"""Detection of the table, the objects with masks and names, and the view in one picture.
 
 There are four passes: the whole picture gives detections, and a crop around each refines its mask;
 crops of the selected objects refine their outlines, and close-ups give their names.
@@ -48,7 +48,7 @@ _NAMELESS = np.zeros(0)
 
 @dataclass(frozen=True, eq=False)
 class EyeReading:
-    """The detections in a picture; maps have the picture's size.
+    """The detections in a picture; all maps have the picture's size.
 
     ``region``: probabilities of background, the table's top surface, the rest of the table, and
     objects. ``top``: probability of the tabletop, including the area under objects. ``latitude``:
@@ -61,7 +61,7 @@ class EyeReading:
     latitude: Float[np.ndarray, "h w"]
 
     def shows(self, *kinds: str) -> Bool[np.ndarray, "h w"]:
-        """Return the pixels whose most probable region is one of these ``REGIONS``."""
+        """Return the pixels whose most probable region is one of the given ``REGIONS``."""
         return np.isin(self.region.argmax(0), [REGIONS.index(kind) for kind in kinds])
 
 
@@ -89,7 +89,7 @@ def look(image: UInt8[np.ndarray, "h w 3"], minimum: float = 0.4) -> EyeReading:
 
 
 def split_shared(masks: Sequence[Bool[np.ndarray, "h w"]]) -> list[Bool[np.ndarray, "h w"]]:
-    """Return disjoint masks: shared pixels belong to the smaller one, which is on top."""
+    """Return disjoint masks; shared pixels go to the smaller mask, whose object is on top."""
     shown = list(masks)
     taken = np.zeros_like(masks[0]) if masks else np.zeros(0, bool)
     for k in sorted(range(len(masks)), key=lambda k: int(masks[k].sum())):
@@ -215,7 +215,7 @@ def _frame(masks: Tensor, factor: float) -> Frame:
 
 
 def _choose(eye: Eye, maps: Maps, k: int, score: float, first: Tensor) -> tuple[float, Tensor]:
-    """Return crop ``k``'s best detection that covers the first one, or else the first one."""
+    """Return the best detection in crop ``k`` that covers ``first``, or else ``first`` itself."""
     wanted = first[0] > 0.5
     heat, place = (maps.heat[k, 0].sigmoid() * wanted).flatten().topk(_CHOICES)
     place = place[heat > FAINT]

@@ -116,7 +116,7 @@ def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, 
 
 
 def _categories(text: str) -> tuple[str, ...]:
-    """Return the category names that the detector knows, from the metadata of its weights."""
+    """Return the detector's category names, read from the metadata of its weights."""
     names = parse_json(text, "its list of categories", BackendError, max_bytes=_MOST_NOTE)
     if not isinstance(names, list):
         raise ValueError("its category list is not a list")

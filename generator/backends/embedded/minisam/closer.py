@@ -1,4 +1,4 @@
-"""Close-up segmentation of each object: a finer outline, and parts that belong to it.
+"""Close-up segmentation of each object, for a finer outline and the parts that belong to it.
 
 A point prompt at the middle of an outline selects the object without prescribing its extent. The
 parts of the resulting mask beyond the outline belong to the object, unless they are another object
@@ -42,7 +42,7 @@ _COVERS = 0.85  # minimum mutual coverage of this mask and the two outlines
 
 @dataclass(frozen=True, eq=False)
 class Closer:
-    """The result of a close-up: the object's outline, and the whole it is a piece of, if any.
+    """The result of a close-up: the outline, and the whole object if that is only a part of it.
 
     ``firm`` is True if no other piece needs to confirm the whole.
     """

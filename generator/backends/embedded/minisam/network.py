@@ -34,7 +34,7 @@ class Drawn:
 
     @property
     def stability(self) -> float:
-        """Insensitivity of the mask to its threshold, in [0, 1]."""
+        """The insensitivity of the mask to its threshold, in [0, 1]."""
         wide = int((self.logits > -_SURE).sum())
         return int((self.logits > _SURE).sum()) / wide if wide else 0.0
 
@@ -56,12 +56,12 @@ class PromptedPicture(Protocol):
 
 
 class PromptedModel(Protocol):
-    """A model that draws masks for prompts."""
+    """A model that draws a mask for each prompt."""
 
     def look(
         self, image: UInt8[np.ndarray, "h w 3"], frame: Frame | None = None
     ) -> PromptedPicture:
-        """Encode a picture, or a frame of it, ``SIDE`` pixels wide."""
+        """Encode a picture, or a frame of it, at a width of ``SIDE`` pixels."""
         ...
 
 

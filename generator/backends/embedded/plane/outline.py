@@ -33,7 +33,7 @@ _LEAST = 0.35  # minimum fraction of unhidden points; with fewer, hidden ones ar
 
 @dataclass(frozen=True, eq=False)
 class Outline:
-    """The outline of the whole top, counter-clockwise on screen, in working pixels.
+    """The outline of the whole tabletop, counter-clockwise on screen, in working pixels.
 
     ``hull`` is the closed outline; ``points`` are the reliable edge points; ``hidden`` is the area
     covered by objects; ``top`` is the region itself, including the objects on it.
@@ -46,7 +46,7 @@ class Outline:
 
 
 def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "a b 3"], float]:
-    """Return the picture as CIELAB at working size, and working pixels per picture pixel."""
+    """Return the picture in CIELAB at working size, and its scale to working pixels."""
     factor = min(1.0, WORKING_SIZE / max(image.shape[:2]))
     size = (max(1, round(image.shape[1] * factor)), max(1, round(image.shape[0] * factor)))
     small = cv2.resize(image, size, interpolation=cv2.INTER_AREA) if factor < 1 else image
@@ -55,7 +55,7 @@ def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "
 
 
 def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: EyeReading) -> tuple[Outline, float]:
-    """Return the top's outline and working pixels per picture pixel.
+    """Return the tabletop's outline, and the picture's scale to working pixels.
 
     Raises:
         SceneError: no tabletop was detected.
@@ -132,7 +132,7 @@ def snap(
     normals: Float[np.ndarray, "n 2"],
     strength: Float[np.ndarray, "h w"],
 ) -> Float[np.ndarray, "n 2"]:
-    """Move points along their normals to the strongest edge, with more weight on close ones."""
+    """Move points along their normals to the strongest edge, with more weight on closer edges."""
     offsets = np.arange(-_REACH, _REACH + 0.25, 0.5)
     along = points[:, None] + offsets[None, :, None] * normals[:, None]
     near = np.exp(-((offsets / _NEAR) ** 2))
@@ -141,7 +141,7 @@ def snap(
 
 
 def _sample(field: Float[np.ndarray, "h w"], points: Float[np.ndarray, "n m 2"]) -> np.ndarray:
-    """Return bilinear values at pixel positions (centres at half-integers), edges repeated."""
+    """Return bilinear values at pixel positions (centres at half-integers), with edges repeated."""
     x, y = (np.ascontiguousarray(points[..., k] - 0.5, np.float32) for k in range(2))
     field = np.ascontiguousarray(field, np.float32)
     return np.asarray(cv2.remap(field, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE))

@@ -38,7 +38,7 @@ _TRUST = 12.0  # number of independent edge points that a complete outline is wo
 
 @dataclass(frozen=True)
 class _Kind:
-    """A kind of tabletop with priors: log of depth / length, and azimuth (radians)."""
+    """A kind of tabletop, with priors of log(depth / length) and of the azimuth in radians."""
 
     shape: OutlineShape
     flipped: bool
@@ -79,23 +79,23 @@ class TablePlane:
     edge: Float[np.ndarray, "m 2"] | None = None
 
     def top(self, grow: float = 0.0) -> Float[np.ndarray, "k 2"]:
-        """Return the top's outline seen from above, widened by ``grow`` metres."""
+        """Return the tabletop's outline seen from above, widened by ``grow`` metres."""
         if self.edge is None:
             return outline_points(self.shape, self.flipped, self.size, self.radius, grow)
         widened = shapely.Polygon(self.edge).buffer(grow) if grow else shapely.Polygon(self.edge)
         return np.asarray(shapely.orient_polygons(widened).exterior.coords)[:-1]
 
     def to_table(self, pixels: Float[np.ndarray, "n 2"], z: float = 0.0) -> np.ndarray:
-        """Return table x, y (metres) of picture pixels, on the plane ``z`` metres above the top."""
+        """Return x, y in metres of picture pixels, on the plane ``z`` metres above the tabletop."""
         return self.camera.on_plane(pixels, z)[:, :2]
 
     def elevation_at(self, box: Float[np.ndarray, "4"]) -> float:
-        """Return the angle below the horizon, in radians, of the foot of a pixel box."""
+        """Return the angle below the horizon, in radians, of a pixel box's lower edge."""
         ray = self.camera.rays(np.array([[(box[0] + box[2]) / 2, box[3]]]))[0]
         return float(np.arcsin(np.clip(-ray[2] / np.linalg.norm(ray), -1.0, 1.0)))
 
     def to_pixels(self, points: Float[np.ndarray, "n 2"], z: float = 0.0) -> np.ndarray:
-        """Return the picture pixels of table points at height ``z`` above the top."""
+        """Return the picture pixels of table points at height ``z`` above the tabletop."""
         points = np.atleast_2d(points)
         return self.camera.project(np.column_stack([points, np.full(len(points), z)]))
 
@@ -112,7 +112,7 @@ class TablePlane:
 def _convex_distance(
     points: Float[np.ndarray, "n 2"], corners: Float[np.ndarray, "k 2"]
 ) -> Float[np.ndarray, "n"]:
-    """Return the signed distance from a convex counter-clockwise polygon, positive outside."""
+    """Return the signed distance from a convex counter-clockwise polygon (positive outside)."""
     edges = np.roll(corners, -1, 0) - corners
     normals = np.column_stack([edges[:, 1], -edges[:, 0]])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -130,7 +130,7 @@ def outline_distance(
     size: tuple[float, float],
     radius: float,
 ) -> Float[np.ndarray, "n"]:
-    """Return the signed distance of table points from an outline in metres, positive outside.
+    """Return the signed distance in metres of table points from an outline (positive outside).
 
     The outline fills ``size`` exactly. For a rectangle and a triangle, ``radius`` is the corner
     radius; an ellipse approaches a rectangle as it grows (a superellipse, like oval tables).
@@ -226,7 +226,7 @@ def _residuals(
     frame: tuple[int, int],
     expected: Float[np.ndarray, "3"],
 ) -> Float[np.ndarray, "m"]:
-    """Return robust edge distances and the priors' terms; their squares sum to the cost.
+    """Return robust edge distances and the priors' terms, whose squares sum to the cost.
 
     A misdetected part of the edge has many points that are all displaced to one side: beyond the
     accuracy of an edge point, their loss grows linearly with the distance instead of quadratically.
@@ -265,7 +265,7 @@ def _fit(
     expected: View,
     view: View | None,
 ) -> _Fit:
-    """Fit camera and outline of unit length to the outline's edge points."""
+    """Fit a camera and an outline of unit length to the edge points of ``outline``."""
     aspect = kind.aspect
     if plan is not None:
         aspect = (float(np.log(plan.size[1] / plan.size[0])), 0.05)
@@ -296,7 +296,7 @@ _STEP = np.array([0.1, 0.1, 0.1, 0.05, 0.05, 0.1, 0.1, 1.0])  # typical size of 
 def _starts(
     hull: Float[np.ndarray, "k 2"], frame: tuple[int, int], expected: View
 ) -> list[np.ndarray]:
-    """Return initial guesses from the outline's box: the expected view, straight and rotated."""
+    """Return initial guesses from the outline's box and the expected view, straight and rotated."""
     low, high = hull.min(0), hull.max(0)
     span = high[0] - low[0]
     elevation = max(expected.elevation, 0.15)

@@ -1,4 +1,4 @@
-"""Detection of a picture's tabletop and camera: complete, cut by the frame, or at eye level."""
+"""Detection of a picture's tabletop and camera: complete, cut by the frame, or from eye level."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ _FAR = 40.0  # maximum visible distance in such a picture, in camera heights
 
 
 def is_from_eye_level(sight: EyeReading, top: Bool[np.ndarray, "h w"], elevation: float) -> bool:
-    """Return whether a picture was taken from little above the tabletop.
+    """Return whether a picture was taken from only slightly above the tabletop.
 
     ``top`` is the tabletop including the objects on it; ``elevation`` (radians) is the detector's
     estimate.
@@ -99,7 +99,7 @@ def plane_from_eye_level(
     hidden: Bool[np.ndarray, "h w"],
     length: float | None = None,
 ) -> TablePlane | None:
-    """Return the tabletop for the elevation that makes its proportions most typical, or None.
+    """Return the tabletop at the elevation with the most typical proportions, or None if none fits.
 
     ``fov`` (radians) is vertical; ``hidden`` and ``length`` are as in ``plane_from_view``.
     """

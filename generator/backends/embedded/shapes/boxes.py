@@ -57,7 +57,7 @@ def fit_box(
 def fit_carved(
     mask: Mask, projection: Projection, bounding: PosedSolid, cells: int = 26
 ) -> PosedSolid | None:
-    """Return a box carved by the silhouette, as columns from above.
+    """Return a box carved by the silhouette, as a grid of vertical columns.
 
     Mirrored halves of the box are made symmetric where the silhouette allows.
     """

@@ -51,7 +51,7 @@ def plane_outline(
 
 
 def _trace(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
-    """Return the largest region of a grid as a simple polygon (cell units), keeping large holes."""
+    """Return the largest region of a grid as a simple polygon in cells, keeping large holes."""
     smooth = cv2.GaussianBlur(free.astype(np.float32), (0, 0), 0.7) > 0.42
     rings, tree = cv2.findContours(smooth.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
     areas = [cv2.contourArea(ring) for ring in rings]
@@ -114,7 +114,7 @@ def fit_prism(mask: Mask, projection: Projection, thickness: float) -> PosedSoli
 
 
 def base_line(mask: Mask, projection: Projection) -> float | None:
-    """Return the yaw of the straight line through an object's lowest pixels, or None."""
+    """Return the yaw of the line through an object's lowest pixels, or None if they are uneven."""
     columns = np.flatnonzero(mask.any(0))
     if len(columns) < 12:
         return None

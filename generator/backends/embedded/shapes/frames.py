@@ -53,7 +53,7 @@ def descend(
     tries: int,
     near: float = 1e-4,
 ) -> np.ndarray:
-    """Return the Nelder-Mead minimum of ``cost`` after ``tries`` evaluations, or within ``near``.
+    """Minimise ``cost`` with Nelder-Mead, in at most ``tries`` evaluations or to within ``near``.
 
     The initial simplex has one step along each axis.
     """

@@ -71,7 +71,7 @@ def candidates(
 
 
 def stroke_share(mask: Mask) -> float:
-    """Return the stroke width of a silhouette relative to its longer side, a limit on thickness."""
+    """Return a silhouette's stroke width relative to its longer side, as a limit on thickness."""
     inside = cv2.distanceTransform(np.pad(mask, 1).astype(np.uint8), cv2.DIST_L2, 5)
     ridge = inside >= cv2.dilate(inside, np.ones((5, 5)))
     width = 2 * float(np.median(inside[ridge & (inside > 0)]))
@@ -149,7 +149,7 @@ def _rectangular(posed: PosedSolid) -> bool:
 
 
 def _area(posed: PosedSolid, sweep: int) -> float:
-    """Return the area of an extruded outline: the solid's volume over its depth."""
+    """Return the area of an extruded outline: the solid's volume divided by its depth."""
     points = posed.solid.vertices
     a, b, c = (points[posed.solid.faces[:, k]] for k in range(3))
     return float((np.cross(a, b) * c).sum() / 6 / np.ptp(points[:, sweep]))
@@ -179,7 +179,7 @@ _LIMBS = 3
 
 
 def fit_revolution(mask: Mask, projection: Projection) -> PosedSolid | None:
-    """Return the solid of revolution about a vertical axis, or None if nothing round fits."""
+    """Return the solid of revolution about a vertical axis, or None if no round solid fits."""
     width, tall = reach_of(mask, projection)
     heights = np.linspace(-tall, tall, 90)
     found = []
@@ -195,7 +195,7 @@ def fit_revolution(mask: Mask, projection: Projection) -> PosedSolid | None:
 
 
 def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedSolid:
-    """Add the largest few protruding parts of a round body as flat pieces facing the camera."""
+    """Add the few largest protruding parts of a round body as flat pieces facing the camera."""
     covered = projection.silhouette(body.world, body.solid.faces)
     rest = cv2.morphologyEx(
         (mask & ~covered).astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)
@@ -213,7 +213,7 @@ def _with_handle(body: PosedSolid, mask: Mask, projection: Projection) -> PosedS
 
 
 def _limb(piece: Mask, mask: Mask, body: PosedSolid, projection: Projection) -> ConvexSolid | None:
-    """Return a part of the silhouette beside the body as a flat solid that reaches into it."""
+    """Return a part of the silhouette beside the body as a flat solid reaching into the body."""
     grown = dilate(piece, 7) & mask
     axes = np.array([projection.right, [0, 0, 1.0]])
     outline = plane_outline(grown, projection, body.position, axes, np.zeros((1, 3)))

@@ -1,4 +1,4 @@
-"""Fit of a catalogue shape to a crop: variant, yaw, proportions and profile.
+"""Fit of a catalogue shape to a crop: its variant, yaw, proportions and profile.
 
 The yaw of several variants is searched by silhouette. The best poses are also scored by how well
 their coloured regions explain the crop's colours, and the best few are refined in yaw and
@@ -42,7 +42,7 @@ _STANDING = 0.7  # minimum ratio of height to width of an object with a profile
 
 @dataclass(frozen=True)
 class Profile:
-    """A change of width along the height: ``taper`` widens the top, ``belly`` the middle."""
+    """A change of width along the height: ``taper`` widens the top, and ``belly`` the middle."""
 
     taper: float = 0.0
     belly: float = 0.0
@@ -173,7 +173,7 @@ def fit_likeness(
 
 
 def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: bool) -> Likeness:
-    """Return the likeness with a profile if one fits the outline better."""
+    """Return the likeness, with a profile if that fits the outline better."""
     if found.extent[2] < _STANDING * found.extent[:2].min() or found.iou > 0.975:
         return found
     plain = dataclasses.replace(found.model, size=found.extent)

@@ -106,7 +106,7 @@ def _mirror(
     planes: list[Float[np.ndarray, "4"]],
     size: float,
 ) -> None:
-    """Give hidden texels, in place, the colours of their visible counterparts.
+    """Give hidden texels the colours of their visible mirror images, in place.
 
     The counterpart is closest to the mirrored point, has the mirrored normal, and the same base
     colour.

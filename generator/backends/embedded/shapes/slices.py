@@ -123,7 +123,7 @@ def with_stems(stack: EllipseStack, mask: Mask, projection: Projection) -> Ellip
 
 
 def longest_run(stack: EllipseStack, minimum: float) -> EllipseStack | None:
-    """Return the longest run of slices wider than ``minimum``, or None if it is short."""
+    """Return the longest run of slices wider than ``minimum``, or None if it is too short."""
     runs = _runs(stack.r > minimum)
     start, stop = max(runs, key=lambda run: (run[1] - run[0], run), default=(0, 0))
     return stack.cut(start, stop) if stop - start >= 4 else None
@@ -201,7 +201,7 @@ def _smooth(values: np.ndarray) -> np.ndarray:
 def best_stack(
     stacks: list[EllipseStack], mask: Mask, projection: Projection, free: bool
 ) -> EllipseStack | None:
-    """Trim and refine the most promising stacks and return the best; None if there are none."""
+    """Trim and refine the most promising stacks and return the best, or None if there are none."""
     if not stacks:
         return None
     overlaps = [mask_iou(s.silhouette(projection), mask) - _FLAT * (1 - s.depth) for s in stacks]

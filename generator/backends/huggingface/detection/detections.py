@@ -1,4 +1,4 @@
-"""Post-processing of detections: one per object, without duplicates, groups and parts."""
+"""Post-processing of detections: one per object, without duplicates, groups or parts."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def overlap(
 
 
 def clean(detection: BoxDetection) -> BoxDetection:
-    """Return a detection whose mask has no specks and no small holes, and a tight box."""
+    """Return a detection with a tight box, and a mask without specks and small holes."""
     mask = fill_holes(main_parts(detection.mask), HOLE)
     return dataclasses.replace(detection, mask=mask, box=mask_box(mask))
 
@@ -206,7 +206,7 @@ Norm = tuple[tuple[float, float, float], tuple[float, float, float]]
 
 
 def normalise(images: Float[Tensor, "b 3 h w"], norm: Norm) -> Float[Tensor, "b 3 h w"]:
-    """Normalise images in [0, 1] with a model's mean and deviation; differentiable."""
+    """Normalise images in [0, 1] differentiably with a model's mean and standard deviation."""
     mean, deviation = (images.new_tensor(v).view(1, 3, 1, 1) for v in norm)
     return (images - mean) / deviation
 
@@ -223,7 +223,7 @@ def to_batch(
 
 
 def bound_size(width: int, height: int, shorter: int, longer: int) -> tuple[int, int]:
-    """Return a size of the same aspect ratio with the given shorter side, and a limited longer one.
+    """Return a size of the same aspect ratio with the given shorter and a limited longer side.
 
     Sizes are rounded as in Grounding DINO's processor.
     """

@@ -24,7 +24,7 @@ class Tile:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height of the tile in pixels."""
+        """The width and height of the tile in pixels."""
         return self.x1 - self.x0, self.y1 - self.y0
 
     def cut(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "th tw 3"]:
@@ -32,7 +32,7 @@ class Tile:
         return np.ascontiguousarray(image[self.y0 : self.y1, self.x0 : self.x1])
 
     def to_picture(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
-        """Convert boxes from fractions of the tile's sides to picture pixels, clipped to it."""
+        """Convert boxes from fractions of the tile to picture pixels, clipped to the tile."""
         low, high = [self.x0, self.y0] * 2, [self.x1, self.y1] * 2
         return np.clip(boxes * np.tile(self.size, 2) + low, low, high)
 
@@ -56,7 +56,7 @@ class Tile:
     def told_by(
         self, boxes: Float[np.ndarray, "n 4"], scores: Float[np.ndarray, "n"], threshold: float
     ) -> Bool[np.ndarray, "n"]:
-        """Return which boxes are valid: above the threshold, not cut, at least a pixel wide."""
+        """Return which boxes are valid: above the threshold, not cut, and at least a pixel wide."""
         sized = (boxes[:, 2:] - boxes[:, :2] >= 1).all(1)
         return (scores >= threshold) & ~self.cuts(boxes) & sized
 

@@ -147,7 +147,7 @@ def _error_of(process: subprocess.Popen[bytes], name: str) -> TabletopError:
 
 
 def _size(folder: Path) -> int:
-    """Return the total size of a folder's files in bytes, without links."""
+    """Return the total size of a folder's files in bytes, excluding links."""
     found = 0
     for here, _, names in os.walk(folder):
         for name in names:

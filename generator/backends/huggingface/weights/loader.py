@@ -1,4 +1,4 @@
-"""Loading of a pinned model from its folder: safetensors only, complete, without the network."""
+"""Loading of a complete pinned model from safetensors in its folder, without the network."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _HOW = "Run: pip install 'tabletopgen[huggingface]'"
 
 
 def device_for(chosen: str) -> str:
-    """Return the chosen device; by default "cuda" if available."""
+    """Return the chosen device; the default is "cuda" if it is available, or else "cpu"."""
     import torch
 
     return chosen or ("cuda" if torch.cuda.is_available() else "cpu")
@@ -79,7 +79,7 @@ def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
 
 
 def _anew(pin: Pin, folder: Path) -> str:
-    """Return advice for downloading a damaged model again; its files are links in its folder."""
+    """Return advice for replacing a damaged model, whose folder contains links to its files."""
     return (
         f"Delete {snapshot(pin, folder).parents[1]} and run: "
         f"tabletopgen models pull {pin.name} --folder {folder}"

@@ -41,7 +41,7 @@ class Pin:
 
     @property
     def stamp(self) -> str:
-        """Name and commit, as recorded in provenance."""
+        """The name and commit, as recorded in provenance."""
         return f"{self.name}@{self.revision[:12]}"
 
 
@@ -52,7 +52,7 @@ def pins() -> Mapping[str, Pin]:
 
 
 def pin(name: str, *kinds: str) -> Pin:
-    """Return a model by name, optionally of one of ``kinds``.
+    """Return a model by name, optionally restricted to the given ``kinds``.
 
     Raises:
         BackendError: there is no such model.
