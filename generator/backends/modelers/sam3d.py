@@ -60,7 +60,7 @@ class Sam3D(Installed):
         to = Normal(self.faces, self.texture)
         mask = instance.crop[..., 3] > 127
         if not mask.any():
-            raise BackendError(f"{what} its crop is empty.")
+            raise BackendError(f"{what} its crop is fully transparent.")
         with self._turn, working(what):
             image = np.ascontiguousarray(instance.crop[..., :3])
             output = call(self._inference, "sam3d", image, mask, seed=self.seed)

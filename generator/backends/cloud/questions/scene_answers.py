@@ -22,10 +22,10 @@ def kinds(answer: KindsAnswer) -> tuple[str, ...]:
     nouns = [" ".join(kind.noun.lower().split()) for kind in answer.kinds]
     twice = sorted({n for n in nouns if nouns.count(n) > 1})
     if twice:
-        raise Wrong(f"these kinds are listed twice: {', '.join(twice)}. Give each once.")
+        raise Wrong(f"these kinds are listed twice: {', '.join(twice)}. List each kind once.")
     counts = {n: k.count for n, k in zip(nouns, answer.kinds, strict=True) if n != TABLE}
     if not counts:
-        raise Wrong("no kind of thing on the table is listed.")
+        raise Wrong("the answer lists no kind of object on the table.")
     return (TABLE, *(noun for noun, count in counts.items() for _ in range(count)))
 
 
@@ -57,11 +57,13 @@ def stacking(answer: RestsAnswer, shown: Labelled) -> dict[str, Stacking]:
 def _check_rest(rest: RestAnswer, shown: Labelled) -> None:
     for other in (rest.support, rest.leans_at or 0):
         if other and other not in shown.by_number:
-            raise Wrong(f"thing {rest.id} rests on or leans at {other}, which is not in the list.")
+            raise Wrong(
+                f"object {rest.id} rests on or leans against {other}, which is not in the list."
+            )
         if other == rest.id:
-            raise Wrong(f"thing {rest.id} rests on or leans at itself.")
+            raise Wrong(f"object {rest.id} cannot rest on or lean against itself.")
     if rest.how == "in" and not rest.support:
-        raise Wrong(f"thing {rest.id} is in the table; a thing on the table is on it.")
+        raise Wrong(f"object {rest.id} cannot be 'in' the table; it can only be 'on' it.")
 
 
 def _layer(name: str, supports: Mapping[str, tuple[str, bool]]) -> int:

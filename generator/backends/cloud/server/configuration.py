@@ -108,8 +108,8 @@ def checked_url(url: str) -> str:
     )  # fmt: skip
     if split_url(url, "cloud: the base URL", BackendError).query:
         raise BackendError(
-            f"cloud: the base URL of {host(url)} contains a query. Keys belong in "
-            "TABLETOPGEN_CLOUD_KEY."
+            f"cloud: the base URL of {host(url)} must not contain a query. Set "
+            "TABLETOPGEN_CLOUD_KEY to pass a key."
         )
     return url
 
