@@ -157,7 +157,7 @@ def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
     """
     whole = isinstance(seed, numbers.Integral) and not isinstance(seed, bool)
     if not (whole and 0 <= seed <= maximum):  # type: ignore[operator]
-        raise InputError(f"A seed has to be a whole number from 0 to {maximum}, got {seed!r:.40}.")
+        raise InputError(f"A seed must be a whole number from 0 to {maximum}, got {seed!r:.40}.")
 
 
 def _as_float(value: object) -> float:

@@ -170,7 +170,7 @@ def test_impossible_plans_are_refused_as_they_are_made(plan: Callable[[], Any]) 
 
 def test_an_empty_plan_is_refused() -> None:
     for make in (compose, generate):
-        with pytest.raises(InputError, match="holds no object"):
+        with pytest.raises(InputError, match="contains no objects"):
             make(ScenePlan("p", PlannedTable(), ()))
 
 

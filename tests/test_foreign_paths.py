@@ -26,7 +26,7 @@ from tabletopgen_env.env import make_env
 from tabletopgen_env.recording import RecordConfig
 from tabletopgen_env.scenes import RefreshingScenes
 
-SEED = "A seed has to be a whole number from 0 to "
+SEED = "A seed must be a whole number from 0 to "
 
 
 # -------------------------------------------------------------------------------------------- seeds

@@ -43,7 +43,7 @@ def loads(raw: bytes, where: str) -> dict[str, Any]:
     if (b"\\" in raw and _ESCAPE.search(raw)) or (
         (b"\x7f" in raw or not raw.isascii()) and HIDDEN.search(raw.decode())
     ):
-        raise BundleError(f"{what} has texts with unprintable characters.")
+        raise BundleError(f"{what} contains strings with unprintable characters.")
     return payload
 
 

@@ -199,7 +199,9 @@ def _check_publishable(scene: Scene, allow_failed: bool) -> None:
     if allow_failed:
         return
     if scene.report is None:
-        raise SceneError(f"Scene {scene.name!r} has no report; see generator.physics.gate.judge.")
+        raise SceneError(
+            f"Scene {scene.name!r} has no report. Create one with generator.physics.gate.judge."
+        )
     if not scene.report.passed:
         raise SceneError(
             f"Scene {scene.name!r} failed its physical gate: {scene.report.failure_text}. Pass "
@@ -347,7 +349,7 @@ def read_inside(
                 raise error(f"{folder}: {name} is not a regular file.")
             if status.st_size > limit:
                 wanted = f"not {limit}" if kind == "bundle" else f"at most {limit} are allowed"
-                raise error(f"{folder}: {name} is {status.st_size} bytes, {wanted}.")
+                raise error(f"{folder}: {name} has {status.st_size} bytes, {wanted}.")
             with open(descriptor, "rb", closefd=False) as file:
                 return file.read(limit + 1)
     except FileNotFoundError as failure:

@@ -43,7 +43,7 @@ class Segments:
             raise InputError(f"Segments need one label per name and unique names: {self.names}.")
         if self.index.size and (top := self.index.max()) > len(self.names):
             raise InputError(
-                f"Segments.index goes up to {top}, but there are {len(self.names)} names."
+                f"Segments.index contains {top}, but there are only {len(self.names)} names."
             )
 
     @classmethod

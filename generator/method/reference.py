@@ -80,7 +80,7 @@ def refer(
         return Reference(imager.draw(plan, seed), source, plan)
     if isinstance(source, ScenePlan):
         if not source.objects:
-            raise InputError("The plan holds no object; a scene needs at least one.")
+            raise InputError("The plan contains no objects; a scene must have at least one.")
         return Reference(imager.draw(source, seed), source.prompt, source)
     return Reference(read_image(source, config))
 

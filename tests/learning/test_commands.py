@@ -117,8 +117,8 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, shell) -> No
     [
         (("enjoy", "nothing"), 2, "Unknown policy 'nothing'"),
         (("enjoy", "{}", "--episodes", "0"), 2, "whole number >= 1"),
-        (("enjoy", "{}", "--seed", "-1"), 2, "A seed has to be a whole number from 0"),
-        (("train", "reach-sac", "--seed", "-1"), 2, "A seed has to be a whole number from 0"),
+        (("enjoy", "{}", "--seed", "-1"), 2, "A seed must be a whole number from 0"),
+        (("train", "reach-sac", "--seed", "-1"), 2, "A seed must be a whole number from 0"),
         (("train", "reach-sac", "--out", "/dev/null"), 5, "cannot be written"),
         (("plot", "{}", "--out", "/"), 5, "cannot be written"),
         (("enjoy", "{}", "--scenes", "/none"), 4, "No bundle"),

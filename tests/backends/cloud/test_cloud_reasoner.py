@@ -205,7 +205,7 @@ def kinds(*nouns: str) -> dict[str, Any]:
         ("estimate_view", {**SEEN, "azimuth": 170}, "azimuth"),
         ("estimate_sizes", {"sizes": ALL[:3]}, "no answer for number 3"),
         ("estimate_sizes", {"sizes": [*ALL, ALL[2]]}, "more than one answer for number 2"),
-        ("estimate_sizes", {"sizes": [*ALL, size(9, 1, 1, 1)]}, "the list does not contain number 9"),
+        ("estimate_sizes", {"sizes": [*ALL, size(9, 1, 1, 1)]}, "does not contain number 9"),
         ("estimate_sizes", {"sizes": [*ALL[:3], size(3, 0, 1, 1)]}, "sizes.3.length"),
         ("estimate_sizes", {"sizes": [*ALL[:3], size(3, 5000, 1, 1)]}, "sizes.3.length"),
     ],

@@ -114,7 +114,7 @@ MUGS = [thing(n, "mug") for n in (1, 2, 3)]
         (MUGS, [group("row", *range(1, 60))], "groups.0.things"),
         (MUGS, [group("row", 1, 2)] * 50, "groups:"),
         ([thing(n, "egg") for n in range(1, 60)], [], "things:"),
-        ([thing(1, "杯子")], [], "no English word"),
+        ([thing(1, "杯子")], [], "must be in English"),
         ([thing(1, "mug", contents="x" * 100)], [], "things.0.contents"),
         ([thing(1, "mug", accent="\u202ered")], [], "things.0.accent"),
         ([thing(1, "book", ("left_of", 2)), thing(2, "mug", ("left_of", 1))], [], "contradict"),

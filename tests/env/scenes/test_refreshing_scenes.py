@@ -169,7 +169,7 @@ def test_what_is_due() -> None:
     [
         ({"size": 0}, "needs size to be a whole number >= 1"),
         ({"workers": 0}, "needs workers to be a whole number >= 1"),
-        ({"seed": -1}, "A seed has to be a whole number from 0"),
+        ({"seed": -1}, "A seed must be a whole number from 0"),
         ({"per_minute": 0.0}, "positive number"),
         ({"per_minute": float("nan")}, "positive number"),
         ({"every_resets": 0}, "must be at least 1"),
