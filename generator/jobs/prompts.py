@@ -64,7 +64,7 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
     Raises:
         InputError: there are no jobs or too many, or a number is out of range.
     """
-    require_number("A batch needs variants", variants, minimum=1, maximum=_MOST, integer=True)
+    require_number("variants", variants, minimum=1, maximum=_MOST, integer=True)
     first = dict.fromkeys(p if isinstance(p, Job) else Job(p, seed) for p in prompts)
     seeds: dict[str, list[int]] = {}
     for job in first:

@@ -34,7 +34,7 @@ class Intrinsics:
     def __post_init__(self) -> None:
         for name, above in (("fx", 0.0), ("fy", 0.0), ("cx", None), ("cy", None)):
             value = getattr(self, name)
-            require_number(f"Intrinsics need {name}", value, above=above, maximum=_MAX_PIXELS)
+            require_number(f"Intrinsics.{name}", value, above=above, maximum=_MAX_PIXELS)
             object.__setattr__(self, name, float(value))
 
     def scale(self, across: float, down: float) -> Intrinsics:

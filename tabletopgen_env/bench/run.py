@@ -77,9 +77,7 @@ def run_suite(suite: Suite, player: str, run: BenchRun, report: Report | None = 
         BundleError: a table is damaged.
         StorageError: a file cannot be written, or another process writes the same result.
     """
-    require_number(
-        "TabletopBench needs --workers", run.pool.workers, minimum=1, maximum=1024, integer=True
-    )
+    require_number("--workers", run.pool.workers, minimum=1, maximum=1024, integer=True)
     say = report or (lambda what, done, total: None)
     facts, _ = find_player(player, suite)
     if run.name is not None:

@@ -89,7 +89,7 @@ def check_certificate(path: Path, count: int, seed: int) -> tuple[int, Sequence[
         InputError: ``count`` is less than one.
         BundleError: the bundle or its certificate is damaged.
     """
-    require_number("verify needs --replay", count, minimum=1, integer=True)
+    require_number("--replay", count, minimum=1, integer=True)
     certificate = read_certificate(path)
     if certificate is None or not certificate.instances:
         return 0, ()

@@ -163,11 +163,11 @@ def enjoy(
             own files.
         recipe: Recipe of a zip file that is outside its run's folder.
     """
-    require_number("enjoy needs --episodes", episodes, minimum=1, integer=True)
+    require_number("--episodes", episodes, minimum=1, integer=True)
     require_seed(seed)
     if render and video_strip:
         raise InputError("Choose --render or --video-strip, not both.")
-    require_number("enjoy needs --workers", pool.workers, minimum=1, maximum=1024, integer=True)
+    require_number("--workers", pool.workers, minimum=1, maximum=1024, integer=True)
     apart = pool.workers > 1 or pool.ray is not None
     if apart and (render or video_strip):
         raise InputError(

@@ -254,7 +254,7 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
         require_known(key, known, f"{name}: a recipe has no")
     for key in ("task", "algorithm"):
         if key not in payload:
-            raise InputError(f"{name}: a recipe needs {key!r}.")
+            raise InputError(f"{name}: the setting {key!r} is missing.")
     values: dict[str, Any] = {**payload, "name": name}
     for key in ("env", "options", "cloning", "batch", "network"):
         if not isinstance(values.get(key, {}), Mapping | None):

@@ -56,8 +56,7 @@ class Processes:
     together: bool = False
 
     def __post_init__(self) -> None:
-        needs = "A vector environment needs processes"
-        require_number(needs, self.count, minimum=1, integer=True)
+        require_number("processes", self.count, minimum=1, integer=True)
 
 
 class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
@@ -123,8 +122,7 @@ class TabletopVectorEnv(VectorEnv[Any, Any, Any]):
         }  # fmt: skip
         for name, count in counts.items():
             if count is not None or name == "num_envs":
-                needs = f"A vector environment needs {name}"
-                require_number(needs, count, minimum=1, integer=True)
+                require_number(name, count, minimum=1, integer=True)
         if None not in (threads, shards):
             raise InputError(
                 "A vector environment uses either threads or processes; set only one of "

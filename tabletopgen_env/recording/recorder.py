@@ -65,7 +65,7 @@ def record(
             unexpectedly.
         StorageError: a file cannot be written.
     """
-    require_number("record needs workers", workers, minimum=1, integer=True)
+    require_number("workers", workers, minimum=1, integer=True)
     target = _check(config, out, format, resume, lerobot)
     env = config.environment()
     try:

@@ -83,7 +83,7 @@ def teleop(
         steps: Maximum number of steps per episode, at 20 per second.
         lerobot: Settings of a LeRobot dataset.
     """
-    require_number("teleop needs --steps", steps, minimum=1, integer=True)
+    require_number("--steps", steps, minimum=1, integer=True)
     config = replace(config, player="human")
     config.check()
     acting, own = None, {}

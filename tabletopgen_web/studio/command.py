@@ -55,10 +55,10 @@ def studio(
     from .server.guard import Access
     from .server.listener import bind, serve
 
-    require_number("studio needs --port", port, minimum=0, maximum=65535, integer=True)
-    require_number("studio needs --workers", workers, minimum=1, maximum=64, integer=True)
+    require_number("--port", port, minimum=0, maximum=65535, integer=True)
+    require_number("--workers", workers, minimum=1, maximum=64, integer=True)
     if not host.strip():
-        raise InputError("studio needs --host, an address of this machine.")
+        raise InputError("--host must be an address of this machine.")
     studies = _read_studies(study)
     place = StudioFolder.usual() if folder is None else StudioFolder(folder.absolute())
     static = static_folder()

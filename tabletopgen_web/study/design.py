@@ -55,10 +55,10 @@ class StudyOptions:
         printable(self.title, "The title", InputError)
         require_seed(self.seed)
         if self.scenes is not None:
-            require_number("study needs scenes", self.scenes, minimum=1, integer=True)
+            require_number("--scenes", self.scenes, minimum=1, integer=True)
         if self.min_seconds is not None:
-            require_number("study needs min-seconds", self.min_seconds, minimum=0, maximum=86400)
-        require_number("study needs attention", self.attention, minimum=0, integer=True)
+            require_number("--min-seconds", self.min_seconds, minimum=0, maximum=86400)
+        require_number("--attention", self.attention, minimum=0, integer=True)
         if self.post is not None and not is_post_path(self.post):
             raise InputError(
                 f"--post {self.post!r} is not a path on the page's own server. Use a path such as "

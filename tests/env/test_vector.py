@@ -142,11 +142,11 @@ def test_masters_keep_the_scenes_used_last() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"num_envs": 0}, "needs num_envs to be a whole number >= 1, got 0"),
-        ({"num_envs": None}, "needs num_envs to be"),
-        ({"threads": 0}, "needs threads to be a whole number >= 1, got 0"),
-        ({"max_episode_steps": 0}, "needs max_episode_steps to be a whole number >= 1"),
-        ({"cache": 0}, "needs cache to be a whole number >= 1, got 0"),
+        ({"num_envs": 0}, "num_envs must be a whole number >= 1, got 0"),
+        ({"num_envs": None}, "num_envs must be"),
+        ({"threads": 0}, "threads must be a whole number >= 1, got 0"),
+        ({"max_episode_steps": 0}, "max_episode_steps must be a whole number >= 1"),
+        ({"cache": 0}, "cache must be a whole number >= 1, got 0"),
         ({"autoreset_mode": 3}, "Unknown autoreset mode 3.*Available: Disabled, NextStep"),
         ({"autoreset_mode": "samestep"}, "Did you mean 'SameStep'"),
         ({"observation": "stat"}, "Did you mean 'state'"),

@@ -186,10 +186,10 @@ def test_options_are_those_of_the_algorithm(small, table: str) -> None:
         new_model(small(options={"policy": "x"}), env, 0)
     with pytest.raises(InputError, match="rejects"):
         new_model(small(options={"buffer_size": "many"}), env, 0)
-    with pytest.raises(InputError, match="action_noise to be a number >= 0, got 'much'"):
+    with pytest.raises(InputError, match="action_noise must be a number >= 0, got 'much'"):
         new_model(small("td3", options={"action_noise": "much"}), env, 0)
     hindsight = {"env": {"observation": "goal"}, "hindsight": 4, "network": {"extractor": "goal"}}
-    with pytest.raises(InputError, match="learning_starts to be a whole number"):
+    with pytest.raises(InputError, match="learning_starts must be a whole number"):
         new_model(small(options={"learning_starts": "soon"}, **hindsight), env, 0)
     with pytest.raises(InputError, match="learning_starts must exceed 120"):
         goal = {"observation": "goal"}

@@ -46,7 +46,7 @@ def draw_places(count: int, result: BenchResult, seed: int) -> tuple[int, ...]:
     Raises:
         InputError: ``count`` is less than one.
     """
-    require_number("A check needs --episodes", count, minimum=1, integer=True)
+    require_number("--episodes", count, minimum=1, integer=True)
     total = len(result.episodes)
     drawn = np.random.default_rng(seed).choice(total, min(count, total), replace=False)
     return tuple(sorted(map(int, drawn)))

@@ -87,9 +87,9 @@ class SceneBank:
         robot: Panda | None = None,
         pictures: bool = False,
     ) -> None:
-        require_number("SceneBank needs max_objects", max_objects, minimum=1, integer=True)
+        require_number("max_objects", max_objects, minimum=1, integer=True)
         if max_parts is not None:
-            require_number("SceneBank needs max_parts", max_parts, minimum=1, integer=True)
+            require_number("max_parts", max_parts, minimum=1, integer=True)
         robot = robot or Panda()
         contents, left_out = _read(worlds, max_objects, max_parts, robot, pictures)
         if shape is None and contents:

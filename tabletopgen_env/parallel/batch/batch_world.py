@@ -67,7 +67,7 @@ class BatchWorld:
         device: str | torch.device = "cuda",
         limits: BatchLimits | None = None,
     ) -> None:
-        require_number("BatchWorld needs num_worlds", num_worlds, minimum=1, integer=True)
+        require_number("num_worlds", num_worlds, minimum=1, integer=True)
         self.num_worlds = num_worlds
         self.device = find_device(device)
         self.limits = limits or BatchLimits.of(bank)
@@ -161,10 +161,10 @@ class BatchWorld:
         Raises:
             InputError: ``ctrl`` is not eight commands per world, or ``substeps`` is below 1.
         """
-        require_number("step needs substeps", substeps, minimum=1, integer=True)
+        require_number("substeps", substeps, minimum=1, integer=True)
         if tuple(ctrl.shape) != (self.num_worlds, 8):
             raise InputError(
-                f"step needs ctrl of shape ({self.num_worlds}, 8), got {tuple(ctrl.shape)}."
+                f"ctrl must have shape ({self.num_worlds}, 8), got {tuple(ctrl.shape)}."
             )
         wanted = ctrl.to(self.device, torch.float32)
         way = wanted[:, :7] - self._commanded

@@ -242,7 +242,7 @@ def test_a_texture_too_small_for_all_faces_grows():
 
 
 def test_settings_out_of_range_are_refused():
-    with pytest.raises(InputError, match="Normal needs texture"):
+    with pytest.raises(InputError, match=r"Normal\.texture must"):
         Normal(texture=4096)
 
 

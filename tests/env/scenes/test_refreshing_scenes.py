@@ -167,15 +167,15 @@ def test_what_is_due() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"size": 0}, "needs size to be a whole number >= 1"),
-        ({"workers": 0}, "needs workers to be a whole number >= 1"),
+        ({"size": 0}, "size must be a whole number >= 1"),
+        ({"workers": 0}, "workers must be a whole number >= 1"),
         ({"seed": -1}, "A seed must be a whole number from 0"),
         ({"per_minute": 0.0}, "positive number"),
         ({"per_minute": float("nan")}, "positive number"),
         ({"every_resets": 0}, "must be at least 1"),
         ({"per_minute": 1.0, "every_resets": 1}, "exactly one of per_minute and every_resets"),
         ({"synchronous": True}, "exactly one of per_minute and every_resets.*synchronous"),
-        ({"synchronous": True, "per_minute": 1.0}, "needs every_resets"),
+        ({"synchronous": True, "per_minute": 1.0}, "requires every_resets"),
         ({"initial": 5}, "scenes has type int"),
         ({"initial": "fresh:a desk"}, "'fresh:a desk' is not a fixed scene"),
     ],

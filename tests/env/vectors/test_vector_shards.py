@@ -173,8 +173,8 @@ def test_what_cannot_be_sent_is_refused_before_anything_starts() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"processes": 0}, "needs processes to be a whole number >= 1, got 0"),
-        ({"processes": 1.5}, "needs processes to be a whole number >= 1"),
+        ({"processes": 0}, "processes must be a whole number >= 1, got 0"),
+        ({"processes": 1.5}, "processes must be a whole number >= 1"),
         ({"processes": 2, "threads": 2}, "only one of threads=2 and processes=2"),
         ({"process": 2}, "no setting 'process'.*Did you mean 'processes'"),
         ({"processes": 1, "observation": "stat"}, "Did you mean 'state'"),
